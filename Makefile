@@ -1,0 +1,43 @@
+# Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
+.DEFAULT_GOAL := help
+.PHONY: help run test bench build packages format check clean
+
+cores := $(shell nproc 2>/dev/null || echo 2)
+
+build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
+	pocl-opencl-icd
+test_packages := git clang libclang-rt-14-dev clang-format-14 libcmocka-dev
+
+help: ## this list
+	@echo 'make TARGET, where TARGET is one of'
+	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 12
+
+build: ## the library and the command line: build/libscree.a, build/libscree.so, build/scree
+	@tools/packages.sh $(build_packages)
+	@cmake --preset release --log-level=NOTICE
+	@cmake --build --preset release
+
+run: build ## drop a pile of mixed shapes and make a picture of where they rest
+	@build/scree run pile --picture build/pile.png
+	@echo 'The picture is build/pile.png'
+
+packages:
+	@tools/packages.sh $(build_packages) $(test_packages)
+
+test: packages ## everything that CI runs: gcc, clang, sanitizers, one lane; CPU and OpenCL
+	@cmake --preset test --log-level=NOTICE
+	@cmake --build --preset test
+	@ctest --preset test --parallel $(cores)
+
+bench: build ## time every scene on the best device, as CSV on standard output
+	@build/scree bench
+
+format: ## put every C file into the house style
+	@tools/packages.sh git clang-format-14
+	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format-14 -i
+
+check: packages build ## the tests that need seconds: documents, format, units; no scenes, no other presets
+	@ctest --preset release --label-exclude parity --parallel $(cores)
+
+clean: ## remove build/
+	@rm -rf build

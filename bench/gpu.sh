@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# gpu.sh -- on a machine with a GPU: builds, compares the hash of every scene on CPU and GPU, then measures; one call.
+#
+# usage: bench/gpu.sh [DEVICE [FOLDER]]
+#   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
+#   FOLDER  where parity.csv, bench.csv and machine.txt go; default bench/results/DEVICE
+# STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
+# BENCH names the scenes to measure ("none" for none). Exit 1 when any hash differs.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+device=${1:-NVIDIA}
+folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}
+steps=${STEPS:-300}
+heavy=" ${HEAVY:-million} "
+heavy_steps=${HEAVY_STEPS:-10}
+limit=${LIMIT:-240} # seconds, of any one run: a hung kernel must not take the machine with it
+mkdir -p "$folder"
+
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSCREE_BUILD_TESTS=OFF >build.log 2>&1 && ninja -C build >>build.log 2>&1 ||
+	{ tail -n 30 build.log; exit 1; }
+rm -f build.log
+scree=build/scree
+{
+	echo "commit: $(git describe --always --dirty 2>/dev/null || echo unknown)"
+	echo "processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
+	command -v nvidia-smi >/dev/null && nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader
+	$scree devices
+} >"$folder/machine.txt"
+cat "$folder/machine.txt"
+
+lanes=8
+grep -q avx512vl /proc/cpuinfo && lanes=16
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+# hash of one scene: NAME SCENE STEPS OPTION...; the hash, or what went wrong, into $work/SCENE.NAME
+hash_of()
+{
+	local file=$work/$2.$1 scene=$2 count=$3
+	shift 3
+	timeout "$limit" $scree hash "$scene" --steps "$count" "$@" >"$file" 2>"$file.err" || echo "failed:$(tr '\n,' '  ' <"$file.err" | cut -c 1-120)" >"$file"
+}
+export -f hash_of
+export work scree limit
+
+# the references on the CPU, a few at a time, while the GPU goes through the scenes
+jobs=$work/jobs
+for scene in $($scree scenes --names); do
+	count=$steps
+	case $heavy in *" $scene "*) count=$heavy_steps ;; esac
+	echo "hash_of one $scene $count --device cpu --threads 1 --lanes 1"
+	echo "hash_of two $scene $count --device cpu --threads 2 --lanes 8"
+	echo "hash_of wide $scene $count --device cpu --threads 2 --lanes $lanes"
+done >"$jobs"
+xargs -P $(($(nproc) / 2 + 1)) -I{} bash -c '{}' <"$jobs" &
+references=$!
+for scene in $($scree scenes --names); do
+	count=$steps
+	case $heavy in *" $scene "*) count=$heavy_steps ;; esac
+	hash_of gpu "$scene" "$count" --device "opencl:$device"
+	SCREE_PERSISTENT=0 hash_of launches "$scene" "$count" --device "opencl:$device"
+done
+wait $references
+
+echo "scene,steps,cpu_1_thread_1_lane,cpu_2_threads_8_lanes,cpu_2_threads_${lanes}_lanes,gpu,gpu_launches_only,equal" >"$folder/parity.csv"
+differ=0
+for scene in $($scree scenes --names); do
+	count=$steps
+	case $heavy in *" $scene "*) count=$heavy_steps ;; esac
+	row=$scene,$count
+	equal=yes
+	for name in one two wide gpu launches; do
+		row=$row,$(cat "$work/$scene.$name")
+		cmp -s "$work/$scene.one" "$work/$scene.$name" || equal=no
+	done
+	grep -q failed "$work/$scene.one" && equal=no
+	[ $equal = yes ] || differ=1
+	echo "$row,$equal" >>"$folder/parity.csv"
+done
+cat "$folder/parity.csv"
+
+scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer}
+if [ "$scenes" != none ]; then
+	timeout 500 $scree bench $scenes --device "opencl:$device" --steps "$steps" | tee "$folder/bench.csv"
+fi
+exit $differ

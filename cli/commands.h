@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// commands.h -- the commands of scree; each returns an exit code.
+#ifndef COMMANDS_H
+#define COMMANDS_H
+#include "options.h"
+
+int run_command(const Options* options);
+int hash_command(const Options* options);
+int scenes_command(const Options* options);
+int devices_command(const Options* options);
+int bench_command(const Options* options);
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// main.c -- the command line of Scree.
+#include "commands.h"
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+static const struct
+{
+	const char* name;
+	Command command;
+	int low, high; // how many arguments it takes
+	int (*function)(const Options* options);
+} commands[] = {
+    {"run", RUN, 1, 1, run_command},          {"hash", HASH, 1, 1, hash_command},
+    {"scenes", SCENES, 0, 0, scenes_command}, {"devices", DEVICES, 0, 0, devices_command},
+    {"bench", BENCH, 0, 1000, bench_command},
+};
+
+// The file that is running; scenes may lie beside it.
+static const char* executable_path(const char* first_word, char* text, size_t size)
+{
+	ssize_t length = readlink("/proc/self/exe", text, size - 1);
+	if (length <= 0)
+		return first_word;
+	text[length] = 0;
+	return text;
+}
+
+static int run_named(int count, char** words, const char* executable)
+{
+	for (size_t k = 0; k < sizeof commands / sizeof commands[0]; ++k)
+	{
+		if (strcmp(words[1], commands[k].name) != 0)
+			continue;
+		Options options = {.executable = executable, .command = commands[k].command, .device = "auto"};
+		options.width = 1600;
+		options.height = 900;
+		options.repeats = 3;
+		if (!options_read(&options, count - 1, words + 1))
+			return EXIT_BAD;
+		if (options.argument_count < commands[k].low || options.argument_count > commands[k].high)
+		{
+			fprintf(stderr, "scree %s: %d arguments, takes %s\n", words[1], options.argument_count,
+			        commands[k].high == 0 ? "none" : "one scene");
+			return EXIT_BAD;
+		}
+		return commands[k].function(&options);
+	}
+	fprintf(stderr, "scree: unknown command \"%s\"; scree help lists them\n", words[1]);
+	return EXIT_BAD;
+}
+
+int main(int count, char** words)
+{
+	char executable[SCENE_PATH];
+	int code = EXIT_GOOD;
+	if (count < 2)
+	{
+		print_help(stderr);
+		return EXIT_BAD;
+	}
+	if (strcmp(words[1], "help") == 0 || strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0)
+		print_help(stdout);
+	else if (strcmp(words[1], "--version") == 0)
+		printf("%s\n", scree_version());
+	else
+		code = run_named(count, words, executable_path(words[0], executable, sizeof executable));
+
+	if ((fflush(stdout) != 0 || ferror(stdout)) && code == EXIT_GOOD)
+	{
+		fprintf(stderr, "scree: cannot write to standard output: %s\n", strerror(errno));
+		code = EXIT_FAILED;
+	}
+	return code;
+}

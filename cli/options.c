@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// options.c -- reading the command line, and its help from the same table.
+#include "options.h"
+#include <ctype.h>
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct
+{
+	const char* name;
+	char letter;
+	const char* value; // null for a switch
+	int commands;      // bits of Command
+	const char* help;
+} table[] = {
+    {"steps", 'n', "N", RUN | HASH | BENCH, "steps to take; without it as many as the scene says"},
+    {"device", 'd', "NAME", RUN | HASH | BENCH, "auto, cpu, opencl, or opencl:NAME with part of a device's name"},
+    {"threads", 't', "N", RUN | HASH | BENCH, "CPU threads, 1 to 64; without it one a core"},
+    {"lanes", 'l', "N", RUN | HASH | BENCH, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is"},
+    {"pipeline", 'P', "NAME", RUN | HASH, "soft: the soft step solver"},
+    {"allow-unequal-bits", 'u', NULL, RUN | HASH | BENCH, "use a device that cannot keep the promise of equal bits"},
+    {"set", 's', "NAME=VALUE", RUN | HASH | BENCH, "give a parameter of the scene another value; may be repeated"},
+    {"picture", 'p', "FILE.png", RUN, "draw the end state"},
+    {"video", 'v', "FILE.mp4", RUN, "one frame a step, 60 a second, through ffmpeg"},
+    {"size", 'S', "WxH", RUN, "pixels of picture and video, 1600x900 without it"},
+    {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds"},
+    {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
+    {"names", 'N', NULL, SCENES, "names alone, one a line"},
+    {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH, "this text"},
+};
+#define OPTION_COUNT (int)(sizeof table / sizeof table[0])
+
+static const struct
+{
+	Command command;
+	const char* name;
+	const char* arguments;
+	const char* help;
+} commands[] = {
+    {RUN, "run", "SCENE|FILE", "simulate, with a table of results at the end"},
+    {HASH, "hash", "SCENE|FILE --steps N", "simulate and print the world's hash, 16 digits, alone"},
+    {SCENES, "scenes", "", "list the scenes with their parameters"},
+    {DEVICES, "devices", "", "list the devices and whether they keep the promise of equal bits"},
+    {BENCH, "bench", "[SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
+};
+#define COMMAND_COUNT (int)(sizeof commands / sizeof commands[0])
+
+static const struct
+{
+	const char* name;
+	PipelineChoice choice;
+} pipelines[] = {{"soft", PIPELINE_SOFT}};
+#define PIPELINE_COUNT (int)(sizeof pipelines / sizeof pipelines[0])
+
+void print_help(FILE* file)
+{
+	fprintf(file, "scree %s -- 2D rigid bodies, the same bits on every device\n\n", scree_version());
+	for (int k = 0; k < COMMAND_COUNT; ++k)
+	{
+		char usage[64];
+		snprintf(usage, sizeof usage, "%s %s", commands[k].name, commands[k].arguments);
+		fprintf(file, "  scree %-28s %s\n", usage, commands[k].help);
+	}
+	fprintf(file, "  scree %-28s %s\n\n", "help", "this text; --version prints the version");
+	for (int k = 0; k < OPTION_COUNT; ++k)
+	{
+		char usage[64], users[64] = "";
+		snprintf(usage, sizeof usage, "--%s %s", table[k].name, table[k].value ? table[k].value : "");
+		for (int n = 0; n < COMMAND_COUNT; ++n)
+		{
+			if (table[k].commands & commands[n].command)
+				snprintf(users + strlen(users), sizeof users - strlen(users), "%s%s", users[0] ? ", " : "",
+				         commands[n].name);
+		}
+		fprintf(file, "  -%c, %-26s %s%s%s%s\n", table[k].letter, usage, table[k].help,
+		        table[k].letter == 'h' ? "" : " (", table[k].letter == 'h' ? "" : users,
+		        table[k].letter == 'h' ? "" : ")");
+	}
+	fprintf(file,
+	        "\nA scene is a name from `scree scenes` or the path of a JSON file. SCREE_SCENES names another folder\n"
+	        "to look in first. Exit codes: 0 done, 1 a device or a file failed, 2 bad arguments or a bad scene.\n");
+}
+
+static const char* command_name(Command command)
+{
+	for (int k = 0; k < COMMAND_COUNT; ++k)
+	{
+		if (commands[k].command == command)
+			return commands[k].name;
+	}
+	return "";
+}
+
+static bool read_int(const Options* options, const char* name, const char* text, int low, int high, int* number)
+{
+	char* end;
+	long value = strtol(text, &end, 10);
+	if (isdigit((unsigned char)*text) && !*end && value >= low && value <= high)
+	{
+		*number = (int)value;
+		return true;
+	}
+	fprintf(stderr, "scree %s: --%s %s: must be a whole number from %d to %d\n", command_name(options->command), name,
+	        text, low, high);
+	return false;
+}
+
+static bool read_lanes(Options* options, const char* text)
+{
+	static const char* const widths[] = {"1", "4", "8", "16"};
+	for (int k = 0; k < 4; ++k)
+	{
+		if (strcmp(text, widths[k]) == 0)
+		{
+			options->lanes = atoi(text);
+			return true;
+		}
+	}
+	fprintf(stderr, "scree %s: --lanes %s: must be 1, 4, 8 or 16\n", command_name(options->command), text);
+	return false;
+}
+
+static bool read_pipeline(Options* options, const char* text)
+{
+	for (int k = 0; k < PIPELINE_COUNT; ++k)
+	{
+		if (strcmp(text, pipelines[k].name) == 0)
+		{
+			options->pipeline = pipelines[k].choice;
+			return true;
+		}
+	}
+	fprintf(stderr, "scree %s: --pipeline %s: must be one of", command_name(options->command), text);
+	for (int k = 0; k < PIPELINE_COUNT; ++k)
+		fprintf(stderr, " %s", pipelines[k].name);
+	fprintf(stderr, "\n");
+	return false;
+}
+
+static bool read_setting(Options* options, char* text)
+{
+	char* equals = strchr(text, '=');
+	if (!equals || equals == text || !equals[1])
+	{
+		fprintf(stderr, "scree %s: --set %s: must be NAME=VALUE\n", command_name(options->command), text);
+		return false;
+	}
+	if (options->setting_count == MAX_SETTINGS)
+	{
+		fprintf(stderr, "scree %s: --set may be repeated %d times\n", command_name(options->command), MAX_SETTINGS);
+		return false;
+	}
+	*equals = 0;
+	options->settings[options->setting_count++] = (SceneSetting){text, equals + 1};
+	return true;
+}
+
+static bool read_size(Options* options, const char* text)
+{
+	char extra;
+	if (sscanf(text, "%5dx%5d%c", &options->width, &options->height, &extra) == 2 && options->width >= 64 &&
+	    options->height >= 64 && options->width <= 16384 && options->height <= 16384)
+		return true;
+	fprintf(stderr, "scree %s: --size %s: must be WxH, each 64 to 16384\n", command_name(options->command), text);
+	return false;
+}
+
+static bool read_option(Options* options, char letter, char* value)
+{
+	switch (letter)
+	{
+	case 'n':
+		return read_int(options, "steps", value, 1, 1000000000, &options->steps);
+	case 't':
+		return read_int(options, "threads", value, 1, 64, &options->threads);
+	case 'r':
+		return read_int(options, "repeats", value, 1, 1000, &options->repeats);
+	case 'l':
+		return read_lanes(options, value);
+	case 'P':
+		return read_pipeline(options, value);
+	case 's':
+		return read_setting(options, value);
+	case 'S':
+		return read_size(options, value);
+	case 'd':
+		options->device = value;
+		return true;
+	case 'p':
+		options->picture = value;
+		return true;
+	case 'v':
+		options->video = value;
+		return true;
+	case 'c':
+		options->csv = value;
+		return true;
+	case 'u':
+		options->allow_unequal_bits = true;
+		return true;
+	case 'N':
+		options->names = true;
+		return true;
+	default: // 'h'
+		print_help(stdout);
+		exit(fflush(stdout) == 0 ? EXIT_GOOD : EXIT_FAILED);
+	}
+}
+
+bool options_read(Options* options, int count, char** words)
+{
+	struct option longs[OPTION_COUNT + 1];
+	char shorts[2 * OPTION_COUNT + 2] = ":";
+	for (int k = 0; k < OPTION_COUNT; ++k)
+	{
+		int argument = table[k].value ? required_argument : no_argument;
+		longs[k] = (struct option){table[k].name, argument, NULL, table[k].letter};
+		snprintf(shorts + strlen(shorts), 3, "%c%s", table[k].letter, table[k].value ? ":" : "");
+	}
+	longs[OPTION_COUNT] = (struct option){0};
+
+	const char* command = command_name(options->command);
+	opterr = 0;
+	for (;;)
+	{
+		int letter = getopt_long(count, words, shorts, longs, NULL);
+		if (letter == -1)
+			break;
+		const char* word = words[optind - 1];
+		if (letter == '?')
+		{
+			fprintf(stderr, "scree %s: unknown option %s; scree help lists them\n", command, word);
+			return false;
+		}
+		if (letter == ':')
+		{
+			fprintf(stderr, "scree %s: %s needs a value\n", command, word);
+			return false;
+		}
+		for (int k = 0; k < OPTION_COUNT; ++k)
+		{
+			if (table[k].letter == letter && !(table[k].commands & options->command))
+			{
+				fprintf(stderr, "scree %s: takes no --%s\n", command, table[k].name);
+				return false;
+			}
+		}
+		if (!read_option(options, (char)letter, optarg))
+			return false;
+	}
+	options->arguments = words + optind;
+	options->argument_count = count - optind;
+	return true;
+}

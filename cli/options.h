@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// options.h -- what the user asked for on the command line.
+#ifndef OPTIONS_H
+#define OPTIONS_H
+#include "scene/scene.h"
+#include <stdbool.h>
+
+#define MAX_SETTINGS 32
+
+// exit codes
+#define EXIT_GOOD   0
+#define EXIT_FAILED 1 // a device, a file or memory failed
+#define EXIT_BAD    2 // a bad command line or scene; nothing was simulated
+
+typedef enum // bits, so that an option can belong to several
+{
+	RUN = 1,
+	HASH = 2,
+	SCENES = 4,
+	DEVICES = 8,
+	BENCH = 16,
+} Command;
+
+typedef enum
+{
+	PIPELINE_SOFT, // the soft step solver of libscree
+} PipelineChoice;
+
+typedef struct
+{
+	const char* executable;
+	Command command;
+	int steps; // 0: as many as the scene says
+	const char* device;
+	int threads, lanes; // 0: as many as there are
+	PipelineChoice pipeline;
+	bool allow_unequal_bits;
+	const char *picture, *video, *csv; // null: none
+	int width, height;                 // px
+	int repeats;
+	bool names;
+	SceneSetting settings[MAX_SETTINGS];
+	int setting_count;
+	char** arguments; // what is not an option
+	int argument_count;
+} Options;
+
+// Reads the words after the command's name. Returns false after printing what is wrong.
+bool options_read(Options* options, int count, char** words);
+
+// Prints the table of commands and options.
+void print_help(FILE* file);
+
+#endif

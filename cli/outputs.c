@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// outputs.c -- what a run leaves beside its table: a picture, a video, a CSV file.
+#include "outputs.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int file_failed(const char* path)
+{
+	fprintf(stderr, "scree: cannot write %s: %s\n", path, strerror(errno));
+	return EXIT_FAILED;
+}
+
+static bool open_file(FILE** file, const char* path)
+{
+	*file = path ? fopen(path, "wb") : NULL;
+	return *file || !path || file_failed(path) == EXIT_GOOD;
+}
+
+// A full disk may show only when the last bytes are written.
+static bool close_file(FILE** file, const char* path)
+{
+	if (!*file)
+		return true;
+	errno = 0;
+	bool bad = fflush(*file) != 0;
+	int reason = errno;
+	bad = ferror(*file) || bad;
+	bad = fclose(*file) != 0 || bad;
+	*file = NULL;
+	errno = errno ? errno : reason;
+	return !bad || file_failed(path) == EXIT_GOOD;
+}
+
+int outputs_open(Outputs* outputs, const Options* options, Simulation* simulation)
+{
+	*outputs = (Outputs){.options = options};
+	if (options->picture || options->video)
+	{
+		char sentence[SCENE_SENTENCE];
+		int count = 0;
+		outputs->picture =
+		    picture_create(simulation->scene, simulation->world, options->width, options->height, sentence);
+		if (outputs->picture)
+			picture_bodies(outputs->picture, &count);
+		outputs->poses = malloc(((size_t)count + 1) * sizeof(scree_pose));
+		if (!outputs->picture || !outputs->poses)
+		{
+			fprintf(stderr, "scree: %s\n", sentence);
+			return EXIT_FAILED;
+		}
+	}
+	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
+		return EXIT_FAILED;
+	if (options->video && !video_open(&outputs->video, options->video, options->width, options->height))
+		return EXIT_FAILED;
+	if (outputs->csv)
+	{
+		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,overflow,moved,new_contacts,penetration,ms_step");
+		for (int k = 0; k < STAGE_COLUMNS; ++k)
+			fprintf(outputs->csv, ",ms_%s", stage_columns[k].name);
+		fprintf(outputs->csv, "\n");
+	}
+	return EXIT_GOOD;
+}
+
+static int draw(Outputs* outputs, Simulation* simulation)
+{
+	int count;
+	char caption[256], device[192];
+	const scree_body* bodies = picture_bodies(outputs->picture, &count);
+	scree_counters counters;
+	scree_status status = simulation->f->poses(simulation, bodies, outputs->poses, count);
+	if (status == SCREE_OK)
+		status = simulation->f->counters(simulation, &counters);
+	if (status != SCREE_OK)
+		return report(status);
+	device_text(simulation, device, sizeof device);
+	snprintf(caption, sizeof caption, "%.2f s   %d bodies   %d contacts   %s",
+	         (double)counters.steps * (double)simulation->scene->dt, counters.bodies, counters.contacts, device);
+	picture_draw(outputs->picture, outputs->poses, caption);
+	return EXIT_GOOD;
+}
+
+static void write_row(FILE* csv, const Record* record)
+{
+	const scree_counters* c = &record->counters;
+	fprintf(csv, "%lld,%d,%d,%d,%d,%d,%d,%d,%.6f,%.4f", (long long)c->steps, c->bodies, c->contacts, c->touching,
+	        c->colors, c->overflow, c->moved, c->new_contacts, (double)c->penetration, (double)record->milliseconds);
+	for (int k = 0; k < STAGE_COLUMNS; ++k)
+		fprintf(csv, ",%.4f", (double)stage_milliseconds(&record->timings, k));
+	fprintf(csv, "\n");
+}
+
+int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
+{
+	if (outputs->csv)
+	{
+		write_row(outputs->csv, record);
+		if (ferror(outputs->csv))
+			return file_failed(outputs->options->csv);
+	}
+	if (!outputs->video.pipe)
+		return EXIT_GOOD;
+	int code = draw(outputs, simulation);
+	if (code == EXIT_GOOD && !video_frame(&outputs->video, picture_pixels(outputs->picture)))
+		code = EXIT_FAILED; // closing the video says why
+	return code;
+}
+
+int outputs_close(Outputs* outputs, Simulation* simulation, int code)
+{
+	if (code == EXIT_GOOD && outputs->picture_file)
+	{
+		errno = 0;
+		code = draw(outputs, simulation);
+		if (code == EXIT_GOOD && !picture_write(outputs->picture, outputs->picture_file))
+		{
+			code = file_failed(outputs->options->picture);
+			fclose(outputs->picture_file);
+			outputs->picture_file = NULL;
+		}
+	}
+	if (!close_file(&outputs->picture_file, outputs->options->picture) && code == EXIT_GOOD)
+		code = EXIT_FAILED;
+	if (!close_file(&outputs->csv, outputs->options->csv) && code == EXIT_GOOD)
+		code = EXIT_FAILED;
+	if (!video_close(&outputs->video) && code == EXIT_GOOD)
+		code = EXIT_FAILED;
+	picture_free(outputs->picture);
+	free(outputs->poses);
+	return code;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// outputs.h -- what a run leaves beside its table: a picture, a video, a CSV file.
+#ifndef OUTPUTS_H
+#define OUTPUTS_H
+#include "record.h"
+#include "scene/picture.h"
+#include "video.h"
+
+typedef struct
+{
+	Picture* picture; // null when neither picture nor video is asked for
+	scree_pose* poses;
+	Video video;
+	FILE* picture_file;
+	FILE* csv;
+	const Options* options;
+} Outputs;
+
+// Opens all files before the first step, so that a bad path costs nothing. Returns an exit code.
+int outputs_open(Outputs* outputs, const Options* options, Simulation* simulation);
+
+// Adds a frame and a row. Returns an exit code.
+int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record);
+
+// Writes the picture if the run was good, and closes everything. Returns the first exit code that is not good.
+int outputs_close(Outputs* outputs, Simulation* simulation, int code);
+
+#endif

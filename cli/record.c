@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// record.c -- what each step of a simulation left behind: counters and milliseconds.
+#include "record.h"
+#include <stddef.h>
+#include <stdlib.h>
+
+const StageColumn stage_columns[STAGE_COLUMNS] = {
+    {"transform", offsetof(scree_timings, transform)},
+    {"broad_phase", offsetof(scree_timings, broad_phase)},
+    {"narrow_phase", offsetof(scree_timings, narrow_phase)},
+    {"color", offsetof(scree_timings, color)},
+    {"solve", offsetof(scree_timings, solve)},
+    {"finalize", offsetof(scree_timings, finalize)},
+};
+
+float stage_milliseconds(const scree_timings* timings, int stage)
+{
+	return *(const float*)((const char*)timings + stage_columns[stage].offset);
+}
+
+scree_status record_step(Simulation* simulation, Record* record)
+{
+	const Scene* scene = simulation->scene;
+	double start = seconds_now();
+	scree_status status = simulation->f->step(simulation, scene->dt, scene->substeps);
+	// the counters wait for the device, so the clock sees its work
+	if (status == SCREE_OK)
+		status = simulation->f->counters(simulation, &record->counters);
+	record->milliseconds = (float)(1000 * (seconds_now() - start));
+	if (status == SCREE_OK)
+		status = simulation->f->timings(simulation, &record->timings);
+	return status;
+}
+
+float deepest(const Record* records, int count)
+{
+	float depth = 0;
+	for (int k = 0; k < count; ++k)
+		depth = records[k].counters.penetration > depth ? records[k].counters.penetration : depth;
+	return depth;
+}
+
+static int compare_doubles(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument)
+{
+	double* values = malloc((size_t)count * sizeof(double));
+	if (!values || count == 0)
+	{
+		free(values);
+		return 0;
+	}
+	for (int k = 0; k < count; ++k)
+		values[k] = value(&records[k], argument);
+	qsort(values, (size_t)count, sizeof(double), compare_doubles);
+	double middle = (values[(count - 1) / 2] + values[count / 2]) / 2;
+	free(values);
+	return middle;
+}
+
+double step_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->milliseconds;
+}
+
+double stage_of(const Record* record, int stage) { return stage_milliseconds(&record->timings, stage); }
+
+double contacts_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->counters.contacts;
+}
+
+double colors_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->counters.colors;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// record.h -- what each step of a simulation left behind: counters and milliseconds.
+#ifndef RECORD_H
+#define RECORD_H
+#include "simulation.h"
+
+typedef struct
+{
+	scree_counters counters;
+	scree_timings timings;
+	float milliseconds; // of the step, by our own clock
+} Record;
+
+typedef struct
+{
+	const char* name;
+	size_t offset; // of a float in scree_timings
+} StageColumn;
+
+#define STAGE_COLUMNS 6
+extern const StageColumn stage_columns[STAGE_COLUMNS]; // in the order of the step
+
+float stage_milliseconds(const scree_timings* timings, int stage);
+
+// Takes one step and records it.
+scree_status record_step(Simulation* simulation, Record* record);
+
+// The deepest overlap of all records, m.
+float deepest(const Record* records, int count);
+
+// The median of a value over records.
+double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
+
+// values for median
+double step_of(const Record* record, int unused);
+double stage_of(const Record* record, int stage);
+double contacts_of(const Record* record, int unused);
+double colors_of(const Record* record, int unused);
+
+#endif

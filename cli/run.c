@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// run.c -- the commands that simulate one scene: run, with its table, and hash, with its 16 digits.
+#include "commands.h"
+#include "outputs.h"
+#include <inttypes.h>
+#include <unistd.h>
+
+#define BAR       40   // characters
+#define BAR_PAUSE 0.05 // s between two states of the bar
+
+typedef struct // of all steps
+{
+	Record last;
+	double seconds; // in steps alone
+	double stages[STAGE_COLUMNS];
+	float penetration;
+	int nonfinite;
+} Totals;
+
+static void show_progress(int step, int steps, double* shown)
+{
+	double now = seconds_now();
+	if (step < steps && now - *shown < BAR_PAUSE)
+		return;
+	*shown = now;
+	int full = (int)((int64_t)BAR * step / steps);
+	fprintf(stderr, "\r%d of %d steps [%.*s%*s]%s", step, steps, full, "########################################",
+	        BAR - full, "", step < steps ? "" : "\r\033[K");
+}
+
+static void add_record(Totals* totals, const Record* record)
+{
+	totals->last = *record;
+	totals->seconds += 1e-3 * (double)record->milliseconds;
+	for (int k = 0; k < STAGE_COLUMNS; ++k)
+		totals->stages[k] += (double)stage_milliseconds(&record->timings, k);
+	if (record->counters.penetration > totals->penetration)
+		totals->penetration = record->counters.penetration;
+	totals->nonfinite += record->counters.nonfinite;
+}
+
+static int take_steps(Simulation* simulation, Outputs* outputs, int steps, Totals* totals)
+{
+	bool bar = isatty(STDOUT_FILENO) && isatty(STDERR_FILENO);
+	double shown = 0;
+	for (int step = 1; step <= steps; ++step)
+	{
+		Record record;
+		scree_status status = record_step(simulation, &record);
+		if (status != SCREE_OK)
+			return report(status);
+		add_record(totals, &record);
+		int code = outputs_step(outputs, simulation, &record);
+		if (code != EXIT_GOOD)
+			return code;
+		if (bar)
+			show_progress(step, steps, &shown);
+	}
+	return EXIT_GOOD;
+}
+
+static void print_table(const Simulation* simulation, const Totals* totals, int steps, uint64_t hash)
+{
+	char device[192];
+	const scree_counters* c = &totals->last.counters;
+	device_text(simulation, device, sizeof device);
+	printf("%-14s %s: %s\n", "scene", simulation->scene->name, simulation->scene->title);
+	printf("%-14s %s\n", "device", device);
+	printf("%-14s %d\n", "bodies", c->bodies);
+	printf("%-14s %d, %d touching\n", "contacts", c->contacts, c->touching);
+	printf("%-14s %d, %d contacts in the overflow set\n", "colors", c->colors, c->overflow);
+	printf("%-14s %d in %.3f s\n", "steps", steps, totals->seconds);
+	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
+	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
+	for (int k = 0; k < STAGE_COLUMNS; ++k)
+		printf("  %-12s %.4f\n", stage_columns[k].name, totals->stages[k] / steps);
+	printf("%-14s %.4f m, the deepest seen\n", "penetration", (double)totals->penetration);
+	if (totals->nonfinite > 0)
+		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
+	printf("%-14s %016" PRIx64 "\n", "hash", hash);
+}
+
+int run_command(const Options* options)
+{
+	Scene* scene = open_scene(options, options->arguments[0]);
+	if (!scene)
+		return EXIT_BAD;
+	Simulation simulation;
+	Outputs outputs;
+	Totals totals = {0};
+	uint64_t hash = 0;
+	int steps = options->steps > 0 ? options->steps : scene->steps;
+	int code = simulation_open(options, scene, true, &simulation);
+	if (code == EXIT_GOOD)
+	{
+		code = outputs_open(&outputs, options, &simulation);
+		if (code == EXIT_GOOD)
+			code = take_steps(&simulation, &outputs, steps, &totals);
+		if (code == EXIT_GOOD)
+			code = report(simulation.f->hash(&simulation, &hash));
+		code = outputs_close(&outputs, &simulation, code);
+		if (code == EXIT_GOOD)
+			print_table(&simulation, &totals, steps, hash);
+		simulation_close(&simulation);
+	}
+	scene_free(scene);
+	return code;
+}
+
+int hash_command(const Options* options)
+{
+	if (options->steps == 0)
+	{
+		fprintf(stderr, "scree hash: --steps N is missing\n");
+		return EXIT_BAD;
+	}
+	Scene* scene = open_scene(options, options->arguments[0]);
+	if (!scene)
+		return EXIT_BAD;
+	Simulation simulation;
+	uint64_t hash = 0;
+	int code = simulation_open(options, scene, false, &simulation);
+	if (code == EXIT_GOOD)
+	{
+		scree_status status = SCREE_OK;
+		for (int step = 0; step < options->steps && status == SCREE_OK; ++step)
+			status = simulation.f->step(&simulation, scene->dt, scene->substeps);
+		if (status == SCREE_OK)
+			status = simulation.f->hash(&simulation, &hash);
+		code = report(status);
+		simulation_close(&simulation);
+	}
+	if (code == EXIT_GOOD)
+		printf("%016" PRIx64 "\n", hash);
+	scene_free(scene);
+	return code;
+}

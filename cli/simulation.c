@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// simulation.c -- a scene set in motion by one of the pipelines.
+#include "simulation.h"
+#include <time.h>
+
+static scree_status soft_step(Simulation* simulation, float dt, int substeps)
+{
+	return scree_step(simulation->world, dt, substeps);
+}
+
+static scree_status soft_hash(Simulation* simulation, uint64_t* hash)
+{
+	return scree_world_hash(simulation->world, hash);
+}
+
+static scree_status soft_counters(Simulation* simulation, scree_counters* counters)
+{
+	return scree_get_counters(simulation->world, counters);
+}
+
+static scree_status soft_timings(Simulation* simulation, scree_timings* timings)
+{
+	return scree_get_timings(simulation->world, timings);
+}
+
+static scree_status soft_poses(Simulation* simulation, const scree_body* bodies, scree_pose* poses, int count)
+{
+	return scree_get_poses(simulation->world, bodies, poses, count);
+}
+
+static void soft_close(Simulation* simulation) { simulation->state = NULL; }
+
+static const SimulationFunctions soft = {soft_step, soft_hash, soft_counters, soft_timings, soft_poses, soft_close};
+
+// The one place where a pipeline is chosen.
+static scree_status choose_pipeline(Simulation* simulation, PipelineChoice choice)
+{
+	switch (choice)
+	{
+	case PIPELINE_SOFT:
+		simulation->f = &soft;
+		break;
+	}
+	return SCREE_OK;
+}
+
+Scene* open_scene(const Options* options, const char* name)
+{
+	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
+	Scene* scene = NULL;
+	if (scene_find(name, options->executable, path, sentence))
+		scene = scene_load(path, options->settings, options->setting_count, sentence);
+	if (!scene)
+		fprintf(stderr, "scree: %s\n", sentence);
+	return scene;
+}
+
+int report(scree_status status)
+{
+	if (status != SCREE_OK)
+		fprintf(stderr, "scree: %s\n", scree_error());
+	return status == SCREE_OK ? EXIT_GOOD : status == SCREE_INVALID ? EXIT_BAD : EXIT_FAILED;
+}
+
+int simulation_open(const Options* options, const Scene* scene, bool timings, Simulation* simulation)
+{
+	scree_world_def def = scene->world;
+	*simulation = (Simulation){.scene = scene};
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	def.timings = timings;
+	scree_status status = scree_create_world(&def, &simulation->world);
+	if (status == SCREE_OK)
+		status = scene_build(scene, simulation->world);
+	if (status == SCREE_OK)
+		status = choose_pipeline(simulation, options->pipeline);
+	if (status == SCREE_OK)
+		return EXIT_GOOD;
+	int code = report(status);
+	simulation_close(simulation);
+	return code;
+}
+
+void simulation_close(Simulation* simulation)
+{
+	if (simulation->f)
+		simulation->f->close(simulation);
+	scree_destroy_world(simulation->world);
+	*simulation = (Simulation){0};
+}
+
+void device_text(const Simulation* simulation, char* text, size_t size)
+{
+	const char* name = scree_world_device(simulation->world);
+	int threads = scree_world_threads(simulation->world), lanes = scree_world_lanes(simulation->world);
+	if (threads > 0)
+		snprintf(text, size, "%s (%d thread%s, %d lane%s)", name, threads, threads == 1 ? "" : "s", lanes,
+		         lanes == 1 ? "" : "s");
+	else
+		snprintf(text, size, "%s", name);
+}
+
+double seconds_now(void)
+{
+	struct timespec now;
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}

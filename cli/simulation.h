@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// simulation.h -- a scene set in motion by one of the pipelines.
+#ifndef SIMULATION_H
+#define SIMULATION_H
+#include "options.h"
+
+typedef struct Simulation Simulation;
+
+typedef struct // what a pipeline must do; all as the functions of scree.h with the same names
+{
+	scree_status (*step)(Simulation* simulation, float dt, int substeps);
+	scree_status (*hash)(Simulation* simulation, uint64_t* hash);
+	scree_status (*counters)(Simulation* simulation, scree_counters* counters);
+	scree_status (*timings)(Simulation* simulation, scree_timings* timings);
+	scree_status (*poses)(Simulation* simulation, const scree_body* bodies, scree_pose* poses, int count);
+	void (*close)(Simulation* simulation); // releases state; the world is not the pipeline's
+} SimulationFunctions;
+
+struct Simulation
+{
+	const SimulationFunctions* f;
+	scree_world* world; // with the scene in it; a pipeline of its own takes bodies and attributes from here
+	void* state;        // of the pipeline
+	const Scene* scene;
+};
+
+// Reads the scene named by the user. Returns null after printing what is wrong.
+Scene* open_scene(const Options* options, const char* name);
+
+// Makes a world, puts the scene into it and chooses the pipeline. Returns an exit code, after printing what is wrong.
+int simulation_open(const Options* options, const Scene* scene, bool timings, Simulation* simulation);
+void simulation_close(Simulation* simulation);
+
+// Prints scree_error() and returns the exit code of a status.
+int report(scree_status status);
+
+// The device with its threads and lanes, "cpu (2 threads, 8 lanes)".
+void device_text(const Simulation* simulation, char* text, size_t size);
+
+// Seconds on a clock that only moves forward.
+double seconds_now(void);
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// video.c -- frames on their way through ffmpeg into a file.
+#include "video.h"
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+// Puts a path between single quotes for the shell; "./" keeps a leading dash from being an option.
+static bool quote(const char* path, char* text, size_t size)
+{
+	size_t length = 0;
+	const char* prefix = path[0] == '-' ? "'./" : "'";
+	length += (size_t)snprintf(text, size, "%s", prefix);
+	for (; *path && length + 8 < size; ++path)
+	{
+		if (*path == '\'')
+			length += (size_t)snprintf(text + length, size - length, "'\\''");
+		else
+			text[length++] = *path;
+	}
+	snprintf(text + length, size - length, "'");
+	return !*path;
+}
+
+bool video_open(Video* video, const char* path, int width, int height)
+{
+	char quoted[2048], command[2560];
+	*video = (Video){.path = path, .bytes = (size_t)width * (size_t)height * 4};
+	if (system("command -v ffmpeg >/dev/null 2>&1") != 0)
+	{
+		fprintf(stderr, "scree: --video needs ffmpeg, which was not found; install it (Debian: apt install ffmpeg)\n");
+		return false;
+	}
+	if (!quote(path, quoted, sizeof quoted))
+	{
+		fprintf(stderr, "scree: the path of the video is too long\n");
+		return false;
+	}
+	// h264 wants even sides
+	snprintf(command, sizeof command,
+	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate 60 -i - "
+	         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s",
+	         width, height, quoted);
+	signal(SIGPIPE, SIG_IGN);
+	video->pipe = popen(command, "w");
+	if (!video->pipe)
+		perror("scree: ffmpeg");
+	return video->pipe != NULL;
+}
+
+bool video_frame(Video* video, const uint8_t* pixels)
+{
+	return fwrite(pixels, 1, video->bytes, video->pipe) == video->bytes;
+}
+
+bool video_close(Video* video)
+{
+	if (!video->pipe)
+		return true;
+	int status = pclose(video->pipe);
+	video->pipe = NULL;
+	if (status == 0)
+		return true;
+	fprintf(stderr, "scree: ffmpeg could not write %s (exit code %d)\n", video->path,
+	        WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+	return false;
+}

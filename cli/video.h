@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// video.h -- frames on their way through ffmpeg into a file.
+#ifndef VIDEO_H
+#define VIDEO_H
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct
+{
+	FILE* pipe;
+	const char* path;
+	size_t bytes; // a frame
+} Video;
+
+// Starts ffmpeg. Returns false after printing what is wrong.
+bool video_open(Video* video, const char* path, int width, int height);
+
+// Takes one frame, width * height pixels of four bytes: blue, green, red, unused.
+bool video_frame(Video* video, const uint8_t* pixels);
+
+// Waits for ffmpeg to finish; false after printing that it failed.
+bool video_close(Video* video);
+
+#endif

@@ -1,0 +1,63 @@
+# embed.cmake -- writes the OpenCL program as one array of chars: ENTRY and all it includes, in place.
+#
+# Run at build time: cmake -DROOT=src -DENTRY=opencl/kernels.cl -DNAME=opencl_program -DOUT=program.c -P embed.cmake
+#
+# A header is inlined where it is first included, a .def (a list of X lines) wherever it is. Each piece comes after a
+# #line with its true name and line, so that a compiler's message leads to the source. Comments stay behind. What
+# the CPU alone includes (cpu/...) is left out. Text is only ever quoted and searched with FIND: CMake would split it at
+# semicolons and join it at brackets if it were taken for a list.
+
+function(inline path out)
+	file(READ "${ROOT}/${path}" text)
+	string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
+	set(result "#line 1 \"${path}\"\n")
+	set(line 1)
+	string(FIND "${text}" "#include \"" at)
+	while(NOT at EQUAL -1)
+		string(SUBSTRING "${text}" 0 ${at} before)
+		string(SUBSTRING "${text}" ${at} -1 text)
+		string(REGEX MATCH "^#include \"([^\"\n]*)\"" directive "${text}")
+		set(name "${CMAKE_MATCH_1}")
+		string(LENGTH "${directive}" length)
+		string(SUBSTRING "${text}" ${length} -1 text)
+		string(REGEX REPLACE "[^\n]" "" newlines "${before}")
+		string(LENGTH "${newlines}" passed)
+		math(EXPR line "${line} + ${passed}")
+
+		string(APPEND result "${before}")
+		get_property(seen GLOBAL PROPERTY inlined_${name})
+		if(NOT seen AND NOT name MATCHES "^cpu/")
+			if(NOT name MATCHES "\\.def$")
+				set_property(GLOBAL PROPERTY inlined_${name} TRUE)
+			endif()
+			inline("${name}" inner)
+			string(APPEND result "${inner}\n#line ${line} \"${path}\"\n")
+		endif()
+		string(FIND "${text}" "#include \"" at)
+	endwhile()
+	set(${out} "${result}${text}" PARENT_SCOPE)
+endfunction()
+
+# the arguments of every kernel
+file(READ "${ROOT}/pools/pools.def" text)
+string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+string(REGEX MATCHALL "X\\([A-Za-z0-9_]+, [a-z0-9_]+," pools "${text}")
+foreach(pool IN LISTS pools)
+	string(REGEX MATCH "X\\(([A-Za-z0-9_]+), ([a-z0-9_]+)," _ "${pool}")
+	string(APPEND arguments "__global ${CMAKE_MATCH_1}* ${CMAKE_MATCH_2}, ")
+	string(APPEND names "${CMAKE_MATCH_2}, ")
+endforeach()
+
+inline("${ENTRY}" program)
+set(program "#define POOL_ARGUMENTS ${arguments}\n#define POOL_NAMES ${names}\n${program}")
+string(LENGTH "${program}" length)
+string(HEX "${program}" hex)
+string(REGEX REPLACE "(................................)" "\\1\n" hex "${hex}")
+string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
+file(WRITE "${OUT}" "#include <stddef.h>
+extern const char ${NAME}[];
+extern const size_t ${NAME}_length;
+const char ${NAME}[] = {
+${hex}0};
+const size_t ${NAME}_length = ${length};
+")

@@ -1,0 +1,40 @@
+# flags.cmake -- scree_flags(target): how every C file of this project is compiled.
+
+# What the promise of equal bits needs: a * b + c is two roundings everywhere. What costs nothing: no stage reads errno
+# or floating-point exceptions, so the compiler may treat sqrt and divisions as pure. Nothing else of fast-math is safe.
+set(SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+
+set(SCREE_LINK_FLAGS "")
+if(SCREE_SANITIZE)
+	set(SCREE_LINK_FLAGS -fsanitize=${SCREE_SANITIZE})
+endif()
+
+function(scree_flags target)
+	set_target_properties(${target} PROPERTIES C_STANDARD 17 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
+		POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
+	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow -Wstrict-prototypes)
+	# vectors are passed only between functions of one file
+	target_compile_options(${target} PRIVATE -Wno-psabi)
+	if(NOT WIN32)
+		target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+	endif()
+	if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+		# empty, so that a file may still say it itself; C17 alone hides popen, clock_gettime and the like
+		target_compile_definitions(${target} PRIVATE _GNU_SOURCE=)
+	endif()
+	if(SCREE_WERROR)
+		target_compile_options(${target} PRIVATE -Werror)
+	endif()
+	if(SCREE_SANITIZE)
+		target_compile_options(${target} PRIVATE -fsanitize=${SCREE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+		target_link_options(${target} PRIVATE -fsanitize=${SCREE_SANITIZE})
+	endif()
+endfunction()
+
+# One file a width, each for the instructions that its width needs; chosen at run time by what the processor has.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+	set_source_files_properties(src/cpu/lanes8.c PROPERTIES COMPILE_OPTIONS "-mavx2")
+	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
+		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
+endif()

@@ -1,0 +1,37 @@
+# scene.cmake -- the scene files and the command line: scree_scene needs Jansson, pictures need Cairo.
+file(GLOB scene_sources CONFIGURE_DEPENDS src/scene/*.c)
+file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.c)
+
+find_package(PkgConfig)
+if(PkgConfig_FOUND)
+	pkg_check_modules(JANSSON IMPORTED_TARGET jansson)
+	pkg_check_modules(CAIRO IMPORTED_TARGET cairo)
+endif()
+
+if(NOT JANSSON_FOUND)
+	message(NOTICE "scree: the command line is left out, because Jansson was not found; Debian has it in libjansson-dev")
+elseif(scene_sources)
+	add_library(scree_scene STATIC ${scene_sources})
+	scree_flags(scree_scene)
+	target_link_libraries(scree_scene PUBLIC scree_static PkgConfig::JANSSON m)
+	if(CAIRO_FOUND)
+		target_link_libraries(scree_scene PRIVATE PkgConfig::CAIRO)
+		target_compile_definitions(scree_scene PRIVATE SCREE_HAVE_CAIRO)
+	else()
+		message(NOTICE "scree: pictures are left out, because Cairo was not found; Debian has it in libcairo2-dev")
+	endif()
+	# looked up first in the sources, then where they are installed
+	target_compile_definitions(scree_scene PUBLIC SCREE_SCENE_DIR="${PROJECT_SOURCE_DIR}/scenes"
+		SCREE_INSTALLED_SCENE_DIR="${CMAKE_INSTALL_FULL_DATADIR}/scree/scenes")
+
+	if(cli_sources AND SCREE_BUILD_CLI)
+		add_executable(scree_cli ${cli_sources})
+		scree_flags(scree_cli)
+		set_target_properties(scree_cli PROPERTIES OUTPUT_NAME scree RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+		if(TARGET scree_reference)
+			target_link_libraries(scree_cli PRIVATE scree_reference)
+			target_compile_definitions(scree_cli PRIVATE SCREE_HAVE_REFERENCE)
+		endif()
+		target_link_libraries(scree_cli PRIVATE scree_scene scree_static)
+	endif()
+endif()

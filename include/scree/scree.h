@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: MIT
+// scree.h -- the whole public interface of Scree, a 2D rigid body physics engine whose CPU and GPU leave the same bits.
+//
+// This header is also the manual. The shortest program is examples/hello.c.
+//
+// Units are metres, kilograms, seconds and radians. Angles turn counter-clockwise. A world is used by one thread at a
+// time; different worlds may be used by different threads at once.
+//
+// Errors. Every function that can fail returns a scree_status. On anything but SCREE_OK nothing has changed, and
+// scree_error() holds one sentence naming the argument and its value.
+//
+// Handles are an index and a generation. A handle that is all zero is null; a handle of something that has been
+// destroyed is recognised and refused.
+//
+// Between two steps, changes (forces, velocities, poses, ...) are collected and travel to the device as one batch.
+// Reading anything back sends what is pending first, so that one reads what one wrote.
+//
+// Determinism. After the same calls in the same order, a world has the same scree_world_hash on every device, with any
+// number of threads or lanes, and with every compiler that keeps IEEE 754 arithmetic.
+#ifndef SCREE_H
+#define SCREE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(_WIN32) && defined(SCREE_SHARED)
+#if defined(SCREE_BUILDING)
+#define SCREE_API __declspec(dllexport)
+#else
+#define SCREE_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define SCREE_API __attribute__((visibility("default")))
+#else
+#define SCREE_API
+#endif
+
+#define SCREE_VERSION_MAJOR 0
+#define SCREE_VERSION_MINOR 1
+#define SCREE_VERSION_PATCH 0
+
+// Most vertices of a convex polygon. The narrow phase clips in registers: a larger polygon costs every pair.
+#define SCREE_MAX_VERTICES 8
+
+// Coordinates beyond this many metres from the origin are refused: a float has steps of 8 mm there.
+#define SCREE_HUGE 100000.0f
+
+// ---------------------------------------------------------------------------------------------------------------
+// Errors, hooks and version
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef enum scree_status
+{
+	SCREE_OK = 0,
+	SCREE_INVALID = 1,       // an argument is out of its range; nothing changed
+	SCREE_STALE = 2,         // a handle is null or names something that was destroyed; nothing changed
+	SCREE_OUT_OF_MEMORY = 3, // host or device memory; nothing changed
+	SCREE_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
+	SCREE_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
+} scree_status;
+
+// The sentence of the last failure on this thread, or an empty string. Valid until the next failing call.
+SCREE_API const char* scree_error(void);
+
+// The name of a status, "ok", "invalid", ...; never null.
+SCREE_API const char* scree_status_name(scree_status status);
+
+// "0.1.0"
+SCREE_API const char* scree_version(void);
+
+typedef enum scree_log_level
+{
+	SCREE_LOG_INFO,
+	SCREE_LOG_WARNING,
+} scree_log_level;
+
+// Hooks of the process. Null members mean the default. Set them before the first world is created and not while one
+// exists. The pointed-to functions may be called from any thread that calls into Scree.
+typedef struct scree_hooks
+{
+	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
+	void (*release)(void* memory, void* context);
+	void (*log)(scree_log_level level, const char* sentence, void* context);    // default: warnings to stderr
+	void (*assert_failed)(const char* expression, const char* file, int line, void* context); // default: print, abort
+	void* context;
+} scree_hooks;
+
+// Installs hooks, copied; null restores the defaults. Fails with SCREE_INVALID while a world exists, or when only one
+// of allocate and release is given.
+SCREE_API scree_status scree_set_hooks(const scree_hooks* hooks);
+
+// Bytes of host memory in use by the library now.
+SCREE_API size_t scree_memory(void);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Small types
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_vec
+{
+	float x, y;
+} scree_vec;
+
+// A rotation as cosine and sine; c * c + s * s is 1.
+typedef struct scree_rot
+{
+	float c, s;
+} scree_rot;
+
+typedef struct scree_pose
+{
+	scree_vec position; // m
+	scree_rot rotation;
+} scree_pose;
+
+typedef struct scree_velocity
+{
+	scree_vec linear; // m/s, of the center of mass
+	float angular;    // rad/s
+} scree_velocity;
+
+typedef struct scree_box
+{
+	scree_vec lower, upper;
+} scree_box;
+
+// The rotation by an angle in radians, from Scree's own polynomials: the same bits on every machine.
+SCREE_API scree_rot scree_make_rot(float radians);
+
+// The angle of a rotation, in [-pi, pi], from Scree's own polynomial.
+SCREE_API float scree_rot_angle(scree_rot rotation);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Devices
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_device
+{
+	char name[128];     // what scree_world_def.device takes: "cpu", "opencl:NVIDIA H200"
+	char driver[128];   // platform and driver version; for the CPU its widest lanes
+	bool equal_bits;    // whether the promise of equal bits holds on it
+	char reason[192];   // if not, why and what to do; otherwise empty
+	int units;          // threads or compute units
+	uint64_t memory;    // bytes
+} scree_device;
+
+// Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null when capacity
+// is 0) and the number there are into count. When there is no OpenCL, scree_opencl_remedy says what to install.
+SCREE_API scree_status scree_get_devices(scree_device* devices, int capacity, int* count);
+
+// One sentence on what to install to get an OpenCL device, or an empty string when there is one.
+SCREE_API const char* scree_opencl_remedy(void);
+
+// ---------------------------------------------------------------------------------------------------------------
+// World
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_world scree_world;
+
+typedef struct scree_world_def
+{
+	scree_vec gravity;              // m/s^2, default (0, -10)
+	const char* device;             // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
+	int threads;                    // CPU worker threads, 0 (default) for one a core, at most 64
+	int lanes;                      // CPU SIMD lanes: 0 (default) for the widest this processor has, or 1, 4, 8, 16
+	bool allow_unequal_bits;        // run on a device that cannot keep the promise of equal bits; default false
+	bool timings;                   // measure milliseconds a stage (scree_get_timings); costs a little on a GPU; default false
+	float contact_hertz;            // stiffness of contacts, 1/s, default 48; capped to a fifth of the substep rate
+	float contact_damping_ratio;    // default 15
+	float contact_push_speed;       // fastest speed at which overlap is pushed out, m/s, default 3
+	float restitution_threshold;    // slower impacts do not bounce, m/s, default 1
+	float max_speed;                // m/s, default 400
+	int body_capacity;              // room to begin with; everything grows. 0 (default) for a small world
+	int contact_capacity;           // the same for contacts
+	int cookie;                     // set by scree_default_world_def
+} scree_world_def;
+
+SCREE_API scree_world_def scree_default_world_def(void);
+
+// Creates a world into *world, which the caller owns and gives to scree_destroy_world. With device "auto" a failing
+// OpenCL device is logged and the CPU is taken; otherwise the failure is returned and *world is null.
+SCREE_API scree_status scree_create_world(const scree_world_def* def, scree_world** world);
+
+// Destroys a world and everything in it. Null is allowed.
+SCREE_API void scree_destroy_world(scree_world* world);
+
+// Advances a world by dt seconds (0 < dt <= 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
+// Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
+SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
+
+// Gravity, m/s^2, each component finite.
+SCREE_API scree_status scree_set_gravity(scree_world* world, scree_vec gravity);
+SCREE_API scree_vec scree_get_gravity(const scree_world* world);
+
+// The device that the world runs on, as in scree_device.name; owned by the world.
+SCREE_API const char* scree_world_device(const scree_world* world);
+
+// CPU threads and lanes in use; 0 on an OpenCL device.
+SCREE_API int scree_world_threads(const scree_world* world);
+SCREE_API int scree_world_lanes(const scree_world* world);
+
+// A 64-bit hash of all simulated state: equal worlds have equal hashes on every device.
+SCREE_API scree_status scree_world_hash(scree_world* world, uint64_t* hash);
+
+typedef struct scree_counters
+{
+	int bodies, dynamic_bodies;  // alive
+	int collidables, attributes; // alive
+	int contacts;                // pairs whose boxes overlap
+	int touching;                // of these, the ones with at least one point within the speculative distance
+	int colors;                  // colors in use
+	int overflow;                // contacts that found no color, solved by mass splitting
+	int moved;                   // collidables whose enlarged box changed in the last step
+	int new_contacts;            // pairs found in the last step
+	int grown;                   // times that a buffer grew since the world was created
+	int nonfinite;               // bodies frozen in the last step because their state was not finite
+	float penetration;           // deepest overlap of two cores at the start of the last step, m
+	int64_t steps;               // steps taken
+	uint64_t device_bytes;       // memory of the pools on the device
+} scree_counters;
+
+SCREE_API scree_status scree_get_counters(scree_world* world, scree_counters* counters);
+
+typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings
+{
+	float step; // wall clock of scree_step, up to the end of the device's work
+	float transform, broad_phase, narrow_phase, color, solve, finalize;
+} scree_timings;
+
+SCREE_API scree_status scree_get_timings(scree_world* world, scree_timings* timings);
+
+// Waits until the device has finished everything that was asked of it.
+SCREE_API scree_status scree_wait(scree_world* world);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Attributes: what many collidables share
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_attribute
+{
+	uint32_t index, generation;
+} scree_attribute;
+
+typedef enum scree_shape_kind
+{
+	SCREE_CIRCLE,
+	SCREE_CAPSULE,
+	SCREE_SEGMENT,
+	SCREE_POLYGON,
+} scree_shape_kind;
+
+// A shape in local coordinates: the points within radius of the convex hull of the vertices.
+typedef struct scree_shape
+{
+	scree_shape_kind kind;
+	int count;                              // 1 circle, 2 capsule and segment, 3 to 8 polygon
+	float radius;                           // m; of a polygon: its rounding; of a segment: 0
+	scree_vec vertices[SCREE_MAX_VERTICES]; // polygon: convex, counter-clockwise
+	scree_vec normals[SCREE_MAX_VERTICES];  // outward normal of the edge from vertex i to i + 1; filled by scree_make_*
+	scree_vec centroid;                     // filled by scree_make_*
+	float area;                             // m^2; 0 for a segment; filled by scree_make_*
+	float inertia;                          // m^4: about the centroid, per unit of density; filled by scree_make_*
+	float reach;                            // m: largest distance of a point of the shape from the origin; filled
+} scree_shape;
+
+// Each fails with SCREE_INVALID on values that are not finite, sizes that are not positive (or under 1 mm), and
+// coordinates beyond SCREE_HUGE.
+SCREE_API scree_status scree_make_box(float half_width, float half_height, scree_shape* shape);
+SCREE_API scree_status scree_make_circle(scree_vec center, float radius, scree_shape* shape);
+SCREE_API scree_status scree_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
+SCREE_API scree_status scree_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
+
+// A convex polygon, rounded by radius (0 for sharp corners), from 3 to 8 corners in order, either way round. Corners
+// that are concave, coincident (closer than 5 mm) or collinear are refused: scree_make_hull drops them instead.
+SCREE_API scree_status scree_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
+
+// The convex hull of any 3 to 64 points, welded at 5 mm and freed of collinear corners; refused when it has fewer than
+// 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
+SCREE_API scree_status scree_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
+
+// Moves a shape: turned by pose.rotation, then shifted by pose.position.
+SCREE_API scree_status scree_transform_shape(const scree_shape* shape, scree_pose pose, scree_shape* moved);
+
+typedef struct scree_attribute_def
+{
+	scree_shape shape;
+	float density;            // kg/m^2, >= 0, default 1
+	float friction;           // >= 0, default 0.6; a pair takes the geometric mean
+	float restitution;        // 0 to 1, default 0; a pair takes the larger
+	float rolling_resistance; // >= 0, default 0: times the larger radius of the pair, a lever in metres
+	float tangent_speed;      // m/s, default 0: a conveyor belt along the surface, counter-clockwise around the shape
+	int cookie;
+} scree_attribute_def;
+
+// Defaults with a box of half a metre a side (1 m wide).
+SCREE_API scree_attribute_def scree_default_attribute_def(void);
+
+// Makes an attribute, or returns the one that exists with equal values. Attributes live as long as their world and
+// never change.
+SCREE_API scree_status scree_create_attribute(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute);
+
+// The values that an attribute was made of.
+SCREE_API scree_status scree_get_attribute(const scree_world* world, scree_attribute attribute, scree_attribute_def* def);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Bodies
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_body
+{
+	uint32_t index, generation;
+} scree_body;
+
+typedef enum scree_body_type
+{
+	SCREE_STATIC,    // never moves by itself, infinite mass
+	SCREE_KINEMATIC, // moves with the velocity that it is given, infinite mass
+	SCREE_DYNAMIC,   // moved by forces and contacts
+} scree_body_type;
+
+enum // bits of scree_body_def.locks
+{
+	SCREE_LOCK_X = 1,
+	SCREE_LOCK_Y = 2,
+	SCREE_LOCK_ROTATION = 4,
+};
+
+// Two collidables may touch when each one's category is in the other's mask. An equal, non-zero group decides before
+// that: positive always, negative never.
+typedef struct scree_filter
+{
+	uint64_t category; // default 1
+	uint64_t mask;     // default all
+	int32_t group;     // default 0
+} scree_filter;
+
+typedef struct scree_body_def
+{
+	scree_body_type type;      // default SCREE_DYNAMIC
+	scree_pose pose;           // of the body's origin; default the world's origin
+	scree_velocity velocity;   // default 0
+	float gravity_scale;       // default 1
+	float linear_damping;      // 1/s, >= 0, default 0
+	float angular_damping;     // 1/s, >= 0, default 0
+	uint32_t locks;            // default 0
+	scree_attribute attribute; // when not null, the body is made with one collidable of it, at the body's origin
+	scree_filter filter;       // of that collidable
+	uint64_t user;             // kept for the user, not simulated; default 0
+	int cookie;
+} scree_body_def;
+
+SCREE_API scree_body_def scree_default_body_def(void);
+SCREE_API scree_filter scree_default_filter(void);
+
+// Creates count bodies from count definitions. All or none: on failure no body is created. bodies (may be null) gets
+// the handles.
+SCREE_API scree_status scree_create_bodies(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies);
+SCREE_API scree_status scree_create_body(scree_world* world, const scree_body_def* def, scree_body* body);
+
+// Destroys bodies and their collidables. Contacts end without a further word. All or none.
+SCREE_API scree_status scree_destroy_bodies(scree_world* world, const scree_body* bodies, int count);
+SCREE_API scree_status scree_destroy_body(scree_world* world, scree_body body);
+
+SCREE_API bool scree_body_is_valid(const scree_world* world, scree_body body);
+
+// Writes up to capacity handles of all bodies alive, by rising index, and how many there are.
+SCREE_API scree_status scree_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count);
+
+// Batches. Each takes count handles and count values; all or none. A body named twice gets both, in order.
+SCREE_API scree_status scree_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count);        // N at the center of mass, for the next step
+SCREE_API scree_status scree_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count);          // N m, for the next step
+SCREE_API scree_status scree_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses, int count);    // N s at the center of mass, at once
+SCREE_API scree_status scree_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses, int count); // N m s, at once
+SCREE_API scree_status scree_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces, const scree_vec* points, int count);     // at world points, m
+SCREE_API scree_status scree_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses, const scree_vec* points, int count);
+SCREE_API scree_status scree_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities, int count);
+SCREE_API scree_status scree_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count); // teleport; velocities stay
+SCREE_API scree_status scree_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count);       // of the bodies' origins
+SCREE_API scree_status scree_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities, int count);
+
+// The same for one body.
+SCREE_API scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force);
+SCREE_API scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point);
+SCREE_API scree_status scree_body_apply_torque(scree_world* world, scree_body body, float torque);
+SCREE_API scree_status scree_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse);
+SCREE_API scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse, scree_vec point);
+SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse);
+SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
+SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
+SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
+SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
+
+// Settings of one body; ranges as in scree_body_def. Setters reach the device with the next batch.
+SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type); // its contacts start anew
+SCREE_API scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type);
+SCREE_API scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular);
+SCREE_API scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular);
+SCREE_API scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, float scale);
+SCREE_API scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale);
+SCREE_API scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks);
+SCREE_API scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks);
+SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user);
+SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user);
+
+typedef struct scree_mass
+{
+	float mass;       // kg, 0 for static and kinematic bodies
+	float inertia;    // kg m^2 about the center of mass
+	scree_vec center; // of mass, in the body's frame, m
+} scree_mass;
+
+// Mass follows from the collidables' densities; a dynamic body without any mass counts as 1 kg that cannot turn.
+// scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed.
+SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
+SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Collidables
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_collidable
+{
+	uint32_t index, generation;
+} scree_collidable;
+
+typedef struct scree_collidable_def
+{
+	scree_attribute attribute;
+	scree_body body;     // null for a collidable without a body: it detects overlaps and nothing answers to it
+	scree_pose pose;     // in the body's frame; in the world when there is no body
+	scree_filter filter;
+	uint64_t user;
+	int cookie;
+} scree_collidable_def;
+
+SCREE_API scree_collidable_def scree_default_collidable_def(void);
+
+SCREE_API scree_status scree_create_collidables(scree_world* world, const scree_collidable_def* defs, int count, scree_collidable* collidables);
+SCREE_API scree_status scree_create_collidable(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable);
+SCREE_API scree_status scree_destroy_collidables(scree_world* world, const scree_collidable* collidables, int count);
+SCREE_API scree_status scree_destroy_collidable(scree_world* world, scree_collidable collidable);
+SCREE_API bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable);
+
+// Writes up to capacity handles of a body's collidables, in the order that they were added, and how many there are. A
+// null body lists the collidables without a body, by rising index.
+SCREE_API scree_status scree_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables, int capacity, int* count);
+
+SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body);
+SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable, scree_attribute* attribute);
+SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose);
+SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter);
+SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter); // its contacts start anew
+SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user);
+SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
+
+// Teleports collidables that have no body; the others belong to their bodies and are refused.
+SCREE_API scree_status scree_set_collidable_poses(scree_world* world, const scree_collidable* collidables, const scree_pose* poses, int count);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Contacts and overlaps
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_contact_point
+{
+	scree_vec point;       // m, world, halfway between the surfaces, where the last step found it
+	float separation;      // m, negative when overlapping, at the start of the last step
+	float normal_impulse;  // N s, of the last substep
+	float tangent_impulse; // N s
+	uint32_t feature;      // names the two features that touch; stable while they do
+} scree_contact_point;
+
+typedef struct scree_contact
+{
+	scree_collidable a, b;
+	scree_vec normal; // from a to b
+	int count;        // 1 or 2
+	scree_contact_point points[2];
+} scree_contact;
+
+// Writes up to capacity of the touching contacts that bodies answer to, in the order of the contact pool (equal on all
+// devices), and how many there are.
+SCREE_API scree_status scree_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count);
+
+// The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
+// shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
+SCREE_API scree_status scree_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

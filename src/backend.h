@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// backend.h -- what a device must do: hold the pools and work through lists of runs. It knows no order of stages.
+#ifndef BACKEND_H
+#define BACKEND_H
+#include "pools/pools.h"
+#include "scree/scree.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum // what a pool has an item for
+{
+	ATTRIBUTE,
+	COLLIDABLE,
+	BODY,
+	CONTACT,
+	CONSTRAINT,
+	SHARE, // of a body, in the overflow set
+	LEAF,
+	NODE,
+	KEY,
+	COMMAND,
+	HASH,
+	ONE,
+	PER_COUNT
+} Per;
+
+typedef enum
+{
+#define X(type, name, per) POOL_##name,
+#include "pools/pools.def"
+#undef X
+	POOL_COUNT
+} PoolId;
+
+typedef enum
+{
+#define X(name, width, box) STAGE_##name,
+#include "stages/stages.def"
+#undef X
+	STAGE_COUNT,
+	// What a stage of one item cannot do. Each backend has its own, with equal results.
+	// SORT: sorts items 0 to end of pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
+	PRIMITIVE_SORT = STAGE_COUNT,
+	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
+	PRIMITIVE_SCAN,
+	RUN_KINDS
+} StageId;
+
+typedef enum // the boxes of the figure
+{
+	BOX_transform,
+	BOX_broad_phase,
+	BOX_narrow_phase,
+	BOX_color,
+	BOX_solve,
+	BOX_finalize,
+	BOX_COUNT
+} Box;
+
+typedef struct // of pools.def, in order; src/pools.c
+{
+	const char* name;
+	size_t bytes; // an item
+	Per per;
+} PoolInfo;
+extern const PoolInfo pool_info[POOL_COUNT];
+extern const char* const stage_names[RUN_KINDS];
+extern const Box stage_boxes[STAGE_COUNT];
+
+// Run.count of a member of Counters
+#define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
+#define NO_COUNT (-1)
+
+typedef struct
+{
+	const char* device; // part of a name, or null for the first that fits
+	int threads, lanes; // 0 for as many as there are
+	bool allow_unequal_bits, timings;
+	bool gpu; // OpenCL: only a GPU will do, else SCREE_NO_DEVICE
+} BackendOptions;
+
+typedef struct Backend Backend;
+typedef struct // every function that returns a status has set the error's sentence (fail, src/error.h)
+{
+	// closes the backend, waiting for what runs; called also after a failed open
+	void (*close)(Backend* b);
+	// gives the pools of one kind room for capacity items, keeping what they hold; new items are zero. capacity never shrinks.
+	scree_status (*resize)(Backend* b, Per per, int capacity);
+	// works through runs in order, each complete before the next begins; may return before the device is done
+	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
+	// copies items first to first + count - 1 to and from the device, in order with the runs; read waits
+	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
+	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
+	scree_status (*wait)(Backend* b);
+	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
+	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
+} BackendFunctions;
+
+struct Backend
+{
+	const BackendFunctions* f;
+	char name[160];          // "cpu", "opencl:NVIDIA H200"
+	int threads, lanes;      // 0 on OpenCL
+	int capacity[PER_COUNT]; // items that each kind of pool has room for
+	uint64_t bytes;          // memory of the pools
+	void* state;             // the backend's own
+};
+
+// Open a device into *backend (allocated with scree_allocate, src/error.h). On failure *backend is null.
+scree_status cpu_open(const BackendOptions* options, Backend** backend);
+scree_status opencl_open(const BackendOptions* options, Backend** backend);
+
+// Fill entries for scree_get_devices; return how many devices there are.
+int cpu_devices(scree_device* devices, int capacity);
+int opencl_devices(scree_device* devices, int capacity);
+const char* opencl_remedy(void);
+
+#endif

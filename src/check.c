@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// check.c -- checks of what users pass, and their sentences.
+#include "check.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...)
+{
+	char sentence[384], index[16] = "";
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(sentence, sizeof sentence, format, arguments);
+	va_end(arguments);
+	if (at.index != ALONE)
+		snprintf(index, sizeof index, "[%d]", at.index);
+	return fail(status, "%s: %s%s%s %s", at.function, at.argument, index, member, sentence);
+}
+
+scree_status check_real(Where at, const char* member, float x, float low, float high)
+{
+	if (isfinite(x) && x >= low && x <= high)
+		return SCREE_OK;
+	if (low == -FLT_MAX && high == FLT_MAX)
+		return refuse(SCREE_INVALID, at, member, "is %.9g, must be finite", x);
+	if (high == FLT_MAX)
+		return refuse(SCREE_INVALID, at, member, "is %.9g, must be finite and at least %.9g", x, low);
+	return refuse(SCREE_INVALID, at, member, "is %.9g, must be from %.9g to %.9g", x, low, high);
+}
+
+static scree_status check_component(Where at, const char* member, const char* component, float x, float limit)
+{
+	char name[64];
+	snprintf(name, sizeof name, "%s%s", member, component);
+	return check_real(at, name, x, -limit, limit);
+}
+
+scree_status check_vec(Where at, const char* member, scree_vec v, float limit)
+{
+	TRY(check_component(at, member, ".x", v.x, limit));
+	return check_component(at, member, ".y", v.y, limit);
+}
+
+scree_status check_pose(Where at, const char* member, scree_pose* pose)
+{
+	TRY(check_component(at, member, ".position.x", pose->position.x, SCREE_HUGE));
+	TRY(check_component(at, member, ".position.y", pose->position.y, SCREE_HUGE));
+	scree_rot q = pose->rotation;
+	double square = (double)q.c * q.c + (double)q.s * q.s;
+	if (!(square > 1.0 - 1e-3 && square < 1.0 + 1e-3))
+		return refuse(SCREE_INVALID, at, member,
+		              ".rotation is (%.9g, %.9g), the cosine and sine of no angle: see scree_make_rot", q.c, q.s);
+	if (square < 1.0 - 5e-7 || square > 1.0 + 5e-7)
+	{
+		double length = sqrt(square);
+		pose->rotation = (scree_rot){(float)(q.c / length), (float)(q.s / length)};
+	}
+	return SCREE_OK;
+}
+
+scree_status check_velocity(Where at, const char* member, scree_velocity velocity)
+{
+	TRY(check_component(at, member, ".linear.x", velocity.linear.x, SCREE_HUGE));
+	TRY(check_component(at, member, ".linear.y", velocity.linear.y, SCREE_HUGE));
+	return check_component(at, member, ".angular", velocity.angular, SCREE_HUGE);
+}
+
+scree_status check_cookie(Where at, int cookie, int expected, const char* default_function)
+{
+	if (cookie == expected)
+		return SCREE_OK;
+	return refuse(SCREE_INVALID, at, ".cookie", "is %d: the definition was not made by %s", cookie, default_function);
+}
+
+scree_status check_pointer(const char* function, const char* argument, const void* pointer)
+{
+	return pointer ? SCREE_OK : fail(SCREE_INVALID, "%s: %s is null", function, argument);
+}
+
+scree_status check_batch(const char* function, const char* argument, const void* array, int count)
+{
+	if (count < 0 || count > MAX_ITEMS)
+		return fail(SCREE_INVALID, "%s: count is %d, must be from 0 to %d", function, count, MAX_ITEMS);
+	return count > 0 ? check_pointer(function, argument, array) : SCREE_OK;
+}
+
+scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count)
+{
+	if (capacity < 0)
+		return fail(SCREE_INVALID, "%s: capacity is %d, must be at least 0", function, capacity);
+	if (capacity > 0)
+		TRY(check_pointer(function, argument, array));
+	return check_pointer(function, "count", count);
+}

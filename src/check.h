@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// check.h -- checks of what users pass: each returns a status and has set a sentence that names the place and the value.
+#ifndef CHECK_H
+#define CHECK_H
+#include "error.h"
+#include "scree/scree.h"
+#include <float.h>
+
+#define TRY(expression)                         \
+	do                                          \
+	{                                           \
+		scree_status try_status = (expression); \
+		if (try_status != SCREE_OK)             \
+			return try_status;                  \
+	} while (0)
+
+// Most bodies, collidables or attributes of a world: what the indices of the trees can name.
+#define MAX_ITEMS (1 << 24)
+
+// what scree_default_*_def leave in a definition, so that one without its defaults is caught
+#define COOKIE_WORLD      0x57c2ee01
+#define COOKIE_ATTRIBUTE  0x57c2ee02
+#define COOKIE_BODY       0x57c2ee03
+#define COOKIE_COLLIDABLE 0x57c2ee04
+
+#define ALONE (-1)
+
+typedef struct // where a value stands, as its user wrote it
+{
+	const char* function;
+	const char* argument;
+	int index; // in the batch; ALONE when the argument is no array
+} Where;
+
+// "function: argument[index]member SENTENCE"; member is "" or begins with a dot.
+scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...) FORMAT(4, 5);
+
+// A number that is finite and from low to high; FLT_MAX stands for no bound.
+scree_status check_real(Where at, const char* member, float x, float low, float high);
+
+// Both components from -limit to limit.
+scree_status check_vec(Where at, const char* member, scree_vec v, float limit);
+
+// A position within SCREE_HUGE and a rotation of length 1 up to 0.0005, of which rounding is then taken out. One that is
+// 1 to within a few units of the last place stays as it is, so that what was read can be set again.
+scree_status check_pose(Where at, const char* member, scree_pose* pose);
+
+scree_status check_velocity(Where at, const char* member, scree_velocity velocity);
+scree_status check_cookie(Where at, int cookie, int expected, const char* default_function);
+scree_status check_pointer(const char* function, const char* argument, const void* pointer);
+
+// 0 <= count <= MAX_ITEMS, and an array where there is something in it.
+scree_status check_batch(const char* function, const char* argument, const void* array, int count);
+
+// What the functions that list things take: an array of capacity entries, and where their number goes.
+scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count);
+
+#endif

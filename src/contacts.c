@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// contacts.c -- the contacts and overlaps of the last step, back from the device.
+#include "world.h"
+
+typedef struct // the pools of contacts, and where their collidables were
+{
+	Word* flags;
+	Int2* pair;
+	Int2* feature;
+	Float4* normal;
+	Float4* anchor;
+	Float4* impulse;
+	Placed* placed;
+} ContactRows;
+
+static scree_status read_pool(scree_world* world, const char* function, PoolId pool, int count, void** rows)
+{
+	Backend* b = world->backend;
+	*rows = scree_allocate(pool_info[pool].bytes * (size_t)count);
+	if (!*rows)
+		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, count);
+	return world_note(world, b->f->read(b, pool, 0, count, *rows));
+}
+
+static void release(ContactRows* rows)
+{
+	scree_release(rows->flags);
+	scree_release(rows->pair);
+	scree_release(rows->feature);
+	scree_release(rows->normal);
+	scree_release(rows->anchor);
+	scree_release(rows->impulse);
+	scree_release(rows->placed);
+}
+
+// Was it there in the last step, and is it still?
+static bool was_there(const scree_world* world, int collidable)
+{
+	return slots_in_use(&world->collidables, collidable) &&
+	       world->host_collidables[collidable].born < world->pipeline.steps;
+}
+
+static bool is_wanted(const scree_world* world, const ContactRows* rows, int k, Word detected)
+{
+	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED);
+	return flags == (CONTACT_TOUCHING | detected) && was_there(world, rows->pair[k].x) &&
+	       was_there(world, rows->pair[k].y);
+}
+
+static scree_contact contact_at(const scree_world* world, const ContactRows* rows, int k)
+{
+	Int2 pair = rows->pair[k];
+	Placed a = rows->placed[pair.x];
+	Float4 normal = rows->normal[k], anchor = rows->anchor[k], impulse = rows->impulse[k];
+	scree_contact contact = {.a = collidable_handle(world, pair.x),
+	                         .b = collidable_handle(world, pair.y),
+	                         .normal = {normal.x, normal.y},
+	                         .count = (int)(rows->flags[k] & CONTACT_COUNT)};
+
+	// anchors begin at the center of mass as it was when the contact was found
+	float x = a.x + a.center_x, y = a.y + a.center_y;
+	contact.points[0] = (scree_contact_point){
+	    {x + anchor.x, y + anchor.y}, normal.z, impulse.x, impulse.z, (uint32_t)rows->feature[k].x};
+	if (contact.count == 2)
+		contact.points[1] = (scree_contact_point){
+		    {x + anchor.z, y + anchor.w}, normal.w, impulse.y, impulse.w, (uint32_t)rows->feature[k].y};
+	return contact;
+}
+
+static scree_status list(scree_world* world, const char* function, Word detected, scree_contact* contacts, int capacity,
+                         int* count, ContactRows* rows)
+{
+	int slots = world->pipeline.counters.contacts, total = 0;
+	TRY(read_pool(world, function, POOL_contact_flags, slots, (void**)&rows->flags));
+	TRY(read_pool(world, function, POOL_pair, slots, (void**)&rows->pair));
+	for (int k = 0; k < slots; ++k)
+		total += is_wanted(world, rows, k, detected);
+	if (total > 0 && capacity > 0)
+	{
+		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
+		TRY(read_pool(world, function, POOL_contact_normal, slots, (void**)&rows->normal));
+		TRY(read_pool(world, function, POOL_contact_anchor, slots, (void**)&rows->anchor));
+		TRY(read_pool(world, function, POOL_contact_impulse, slots, (void**)&rows->impulse));
+		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
+		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
+		{
+			if (is_wanted(world, rows, k, detected))
+				contacts[listed++] = contact_at(world, rows, k);
+		}
+	}
+	*count = total;
+	return SCREE_OK;
+}
+
+static scree_status get(scree_world* world, const char* function, const char* argument, Word detected,
+                        scree_contact* contacts, int capacity, int* count)
+{
+	TRY(world_check(world, function));
+	TRY(check_list(function, argument, contacts, capacity, count));
+	TRY(world_flush(world));
+	if (world->pipeline.counters.contacts == 0)
+	{
+		*count = 0;
+		return SCREE_OK;
+	}
+	ContactRows rows = {0};
+	scree_status status = list(world, function, detected, contacts, capacity, count, &rows);
+	release(&rows);
+	return status;
+}
+
+scree_status scree_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count)
+{
+	return get(world, "scree_get_contacts", "contacts", 0, contacts, capacity, count);
+}
+
+scree_status scree_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count)
+{
+	return get(world, "scree_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, capacity, count);
+}

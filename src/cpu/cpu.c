@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+// cpu.c -- the CPU backend: pools in host memory, stages split over threads.
+//
+// A list of runs is worked through in one parallel region, with a barrier after each run. The last worker to arrive at
+// the barrier looks up the bound of the next run, does small runs by itself on the way, and lets the others go on when
+// there is something to share. So bounds are read once, by one worker, when nobody writes them, and a small world never
+// wakes a thread.
+#include "backend.h"
+#include "cpu/lanes.h"
+#include "cpu/primitives.h"
+#include "cpu/processor.h"
+#include "cpu/threads.h"
+#include "error.h"
+#include <stdatomic.h>
+#include <stdio.h>
+#include <string.h>
+
+// Runs of fewer items than this are done by one worker: a barrier costs a microsecond, an item a few nanoseconds.
+#define GRAIN      512
+#define SORT_GRAIN 8192
+#define SCAN_GRAIN 16384
+
+// Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
+// evenly and in order, so that a worker meets the same bodies and constraints in every pass.
+static const int chunks[STAGE_COUNT] = {
+    [STAGE_broad_phase] = 64, [STAGE_narrow_phase] = 64,     [STAGE_overflow_chunk] = 16,
+    [STAGE_hash_bodies] = 16, [STAGE_hash_collidables] = 16, [STAGE_hash_contacts] = 16,
+};
+
+static const size_t pool_offsets[POOL_COUNT] = {
+#define X(type, name, per) offsetof(Pools, name),
+#include "pools/pools.def"
+#undef X
+};
+
+// items that the pools really have room for: wide stages round up
+static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
+
+typedef struct
+{
+	Backend backend;
+	Pools pools;
+	Threads* threads;
+	StageFunction functions[STAGE_COUNT];
+	int lanes[STAGE_COUNT]; // items that a function does at once
+	bool timed;
+	Box box;     // of the last stage; a primitive counts to the box of the stage before it
+	double mark; // ms, when the last run ended
+	double milliseconds[BOX_COUNT];
+
+	// the list at work, and the items of run number at; written by one worker while the others wait
+	const Run* runs;
+	int count, at, begin, end;
+
+	_Alignas(64) atomic_int next; // first item that nobody has taken, of a run in chunks
+	Shared shared;
+} Cpu;
+
+static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
+{
+	StageFunction function = cpu->functions[stage];
+	int items = cpu->end - cpu->begin;
+	if (workers > 1 && chunks[stage])
+	{
+		for (;;)
+		{
+			int begin = atomic_fetch_add_explicit(&cpu->next, chunks[stage], memory_order_relaxed);
+			if (begin >= items)
+				return;
+			int end = items - begin < chunks[stage] ? items : begin + chunks[stage];
+			function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+		}
+	}
+
+	// shares are whole blocks of the widest lanes, so that no two workers write to one
+	int blocks = (items + MAX_LANES - 1) / MAX_LANES;
+	int begin = split(blocks, worker, workers) * MAX_LANES;
+	int end = split(blocks, worker + 1, workers) * MAX_LANES;
+	if (end > items)
+		end = items;
+	if (begin < end)
+		function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+}
+
+// A worker's share of the run at work.
+static void do_share(Cpu* cpu, int worker, int workers)
+{
+	const Run* run = &cpu->runs[cpu->at];
+	if (run->stage == PRIMITIVE_SORT)
+		sort_keys(&cpu->shared, cpu->threads, worker, workers, cpu->pools.key, cpu->pools.key_other, cpu->end,
+		          run->argument & 255, run->argument >> 8);
+	else if (run->stage == PRIMITIVE_SCAN)
+		scan_values(&cpu->shared, cpu->threads, worker, workers, cpu->pools.scan, cpu->end);
+	else
+		do_stage(cpu, (StageId)run->stage, worker, workers);
+}
+
+static int smallest_shared(int stage)
+{
+	switch (stage)
+	{
+	case PRIMITIVE_SORT:
+		return SORT_GRAIN;
+	case PRIMITIVE_SCAN:
+		return SCAN_GRAIN;
+	default:
+		return chunks[stage] ? 2 * chunks[stage] : GRAIN;
+	}
+}
+
+static void count_time(Cpu* cpu, const Run* run)
+{
+	if (!cpu->timed)
+		return;
+	if (run->stage < STAGE_COUNT)
+		cpu->box = stage_boxes[run->stage];
+	double time = processor_milliseconds();
+	cpu->milliseconds[cpu->box] += time - cpu->mark;
+	cpu->mark = time;
+}
+
+// Goes on to the next run worth sharing, or to the end of the list; what is not worth it is done on the way.
+static void advance(Cpu* cpu)
+{
+	if (cpu->at >= 0)
+		count_time(cpu, &cpu->runs[cpu->at]);
+	while (++cpu->at < cpu->count)
+	{
+		const Run* run = &cpu->runs[cpu->at];
+		cpu->begin = run->begin;
+		cpu->end = run->end;
+		if (run->count != NO_COUNT)
+		{
+			int bound = ((const int*)cpu->pools.counters)[run->count];
+			cpu->end = bound < run->end ? bound : run->end;
+		}
+		if (cpu->begin >= cpu->end)
+			continue;
+		cpu->pools.argument = run->argument;
+		if (run->stage < STAGE_COUNT)
+		{
+			// what rounding adds is padding: inert items that the pools have room for
+			int lanes = cpu->lanes[run->stage];
+			cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
+		}
+
+		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(run->stage))
+		{
+			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
+			return;
+		}
+		do_share(cpu, 0, 1);
+		count_time(cpu, run);
+	}
+}
+
+static void work(void* context, int worker, int workers)
+{
+	Cpu* cpu = context;
+	FloatMode found = float_mode_enter();
+	while (cpu->at < cpu->count)
+	{
+		do_share(cpu, worker, workers);
+		if (threads_arrive(cpu->threads))
+		{
+			advance(cpu);
+			threads_release(cpu->threads);
+		}
+	}
+	float_mode_leave(found);
+}
+
+static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	Cpu* cpu = b->state;
+	cpu->pools.step = *step;
+	cpu->runs = runs;
+	cpu->count = count;
+	cpu->at = -1;
+	if (cpu->timed)
+		cpu->mark = processor_milliseconds();
+
+	FloatMode found = float_mode_enter();
+	advance(cpu);
+	float_mode_leave(found);
+	if (cpu->at < cpu->count)
+		threads_run(cpu->threads, work, cpu);
+	return SCREE_OK;
+}
+
+static char* pool_memory(const Cpu* cpu, PoolId pool)
+{
+	char* memory;
+	memcpy(&memory, (const char*)&cpu->pools + pool_offsets[pool], sizeof(memory));
+	return memory;
+}
+
+static scree_status cpu_resize(Backend* b, Per per, int capacity)
+{
+	Cpu* cpu = b->state;
+	if (capacity <= b->capacity[per])
+		return SCREE_OK;
+	size_t items = padded(capacity), old_items = padded(b->capacity[per]);
+	uint64_t added = 0;
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		if (pool_info[pool].per != per)
+			continue;
+		// A pool that has grown when the next one fails only has more room than it is known to have.
+		size_t bytes = pool_info[pool].bytes;
+		char* memory = scree_reallocate(pool_memory(cpu, pool), old_items * bytes, items * bytes);
+		if (!memory)
+			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d items of pool %s (%zu bytes each)", capacity,
+			            pool_info[pool].name, bytes);
+		memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
+		added += (items - old_items) * bytes;
+	}
+	b->capacity[per] = capacity;
+	b->bytes += added;
+	return SCREE_OK;
+}
+
+static scree_status cpu_write(Backend* b, PoolId pool, int first, int count, const void* items)
+{
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count > 0)
+		memcpy(pool_memory(b->state, pool) + (size_t)first * bytes, items, (size_t)count * bytes);
+	return SCREE_OK;
+}
+
+static scree_status cpu_read(Backend* b, PoolId pool, int first, int count, void* items)
+{
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count > 0)
+		memcpy(items, pool_memory(b->state, pool) + (size_t)first * bytes, (size_t)count * bytes);
+	return SCREE_OK;
+}
+
+static scree_status cpu_wait(Backend* b)
+{
+	(void)b; // run returns when all is done
+	return SCREE_OK;
+}
+
+static scree_status cpu_timings(Backend* b, double milliseconds[BOX_COUNT])
+{
+	Cpu* cpu = b->state;
+	memcpy(milliseconds, cpu->milliseconds, sizeof(cpu->milliseconds));
+	memset(cpu->milliseconds, 0, sizeof(cpu->milliseconds));
+	return SCREE_OK;
+}
+
+static void cpu_close(Backend* b)
+{
+	Cpu* cpu = b->state;
+	threads_close(cpu->threads);
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+		scree_release(pool_memory(cpu, pool));
+	scree_release(cpu);
+}
+
+static const BackendFunctions functions = {cpu_close, cpu_resize, cpu_run, cpu_write, cpu_read, cpu_wait, cpu_timings};
+
+static void choose_stages(Cpu* cpu, int lanes)
+{
+	const StageFunction* wide = lanes == 16  ? stages_lanes16
+	                            : lanes == 8 ? stages_lanes8
+	                            : lanes == 4 ? stages_lanes4
+	                                         : stages_lanes1;
+	for (int stage = 0; stage < STAGE_COUNT; ++stage)
+	{
+		cpu->functions[stage] = wide[stage] ? wide[stage] : stages_lanes1[stage];
+		cpu->lanes[stage] = wide[stage] ? lanes : 1;
+	}
+}
+
+scree_status cpu_open(const BackendOptions* options, Backend** backend)
+{
+	*backend = NULL;
+	int widest = processor_widest_lanes();
+	int lanes = options->lanes ? options->lanes : widest;
+	if (lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16)
+		return fail(SCREE_INVALID, "lanes is %d, but must be 0, 1, 4, 8 or 16", lanes);
+	if (!processor_has_lanes(lanes))
+		return fail(SCREE_INVALID, "lanes is %d, but this processor has %d at most (%s)", lanes, widest,
+		            processor_instructions(widest));
+	if (options->threads < 0 || options->threads > MAX_WORKERS)
+		return fail(SCREE_INVALID, "threads is %d, but must be 0 to %d", options->threads, MAX_WORKERS);
+	int cores = processor_cores();
+	int threads = options->threads ? options->threads : cores < MAX_WORKERS ? cores : MAX_WORKERS;
+
+	Cpu* cpu = scree_allocate(sizeof(Cpu));
+	if (!cpu)
+		return fail(SCREE_OUT_OF_MEMORY, "no memory for the CPU backend (%zu bytes)", sizeof(Cpu));
+	Backend* b = &cpu->backend;
+	b->f = &functions;
+	b->threads = threads;
+	b->lanes = lanes;
+	b->state = cpu;
+	snprintf(b->name, sizeof(b->name), "cpu");
+	cpu->timed = options->timings;
+	choose_stages(cpu, lanes);
+
+	cpu->threads = threads_open(threads);
+	if (!cpu->threads)
+	{
+		cpu_close(b);
+		return SCREE_OUT_OF_MEMORY;
+	}
+	*backend = b;
+	return SCREE_OK;
+}
+
+int cpu_devices(scree_device* devices, int capacity)
+{
+	if (capacity > 0)
+	{
+		int lanes = processor_widest_lanes();
+		devices[0] = (scree_device){.name = "cpu", .equal_bits = true};
+		devices[0].units = processor_cores();
+		devices[0].memory = processor_memory();
+		snprintf(devices[0].driver, sizeof(devices[0].driver), "%d lanes, %s", lanes, processor_instructions(lanes));
+	}
+	return 1;
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// lanes.h -- the compiled stages, one table for each number of lanes.
+#ifndef LANES_H
+#define LANES_H
+#include "backend.h"
+
+// does items begin to end - 1; a wide stage with LANES lanes needs begin and end to be multiples of LANES
+typedef void (*StageFunction)(const Pools* p, int begin, int end);
+
+// Null for a stage that is not wide. Only lanes1 has them all.
+extern const StageFunction stages_lanes1[STAGE_COUNT];
+extern const StageFunction stages_lanes4[STAGE_COUNT];
+extern const StageFunction stages_lanes8[STAGE_COUNT];
+extern const StageFunction stages_lanes16[STAGE_COUNT];
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// table.h -- the end of each lanesN.c: the table of the stages compiled above.
+#include "cpu/lanes.h"
+
+#if LANES == 1
+#define ENTRY_ONE(name) STAGE_JOIN(name, LANES)
+#else
+#define ENTRY_ONE(name) NULL
+#endif
+#define ENTRY_WIDE(name) STAGE_JOIN(name, LANES)
+
+// clang-format off
+const StageFunction STAGE_JOIN(stages, LANES)[STAGE_COUNT] = {
+#define X(name, width, box) ENTRY_##width(name),
+#include "stages/stages.def"
+#undef X
+};

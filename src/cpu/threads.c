@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// threads.c -- workers that run one function together, and a barrier between them.
+//
+// There is one barrier and nothing else: idle workers wait at it for the caller, who arrives last with a function in
+// hand; all meet again when the function has returned.
+//
+// Whoever waits spins first, since a step has hundreds of barriers of about a microsecond. The spin is short and then
+// the core is given away: on a machine with other work to do, the worker waited for may need this very core.
+#include "cpu/threads.h"
+#include "cpu/processor.h"
+#include "error.h"
+#include <stdatomic.h>
+#include <stdint.h>
+
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+typedef SRWLOCK Mutex;
+typedef CONDITION_VARIABLE Condition;
+typedef HANDLE Thread;
+#define THREAD_RESULT         DWORD WINAPI
+#define THREAD_END            0
+#define mutex_open            InitializeSRWLock
+#define mutex_close(m)        ((void)(m))
+#define mutex_lock            AcquireSRWLockExclusive
+#define mutex_unlock          ReleaseSRWLockExclusive
+#define condition_open        InitializeConditionVariable
+#define condition_close(c)    ((void)(c))
+#define condition_wait(c, m)  SleepConditionVariableSRW(c, m, INFINITE, 0)
+#define condition_wake_all    WakeAllConditionVariable
+#define thread_start(t, f, x) ((*(t) = CreateThread(NULL, 0, f, x, 0, NULL)) != NULL)
+#define thread_join(t)        ((void)WaitForSingleObject(t, INFINITE), (void)CloseHandle(t))
+#define give_core_away()      ((void)SwitchToThread())
+#else
+#include <pthread.h>
+#include <sched.h>
+typedef pthread_mutex_t Mutex;
+typedef pthread_cond_t Condition;
+typedef pthread_t Thread;
+#define THREAD_RESULT         void*
+#define THREAD_END            NULL
+#define mutex_open(m)         pthread_mutex_init(m, NULL)
+#define mutex_close           pthread_mutex_destroy
+#define mutex_lock            pthread_mutex_lock
+#define mutex_unlock          pthread_mutex_unlock
+#define condition_open(c)     pthread_cond_init(c, NULL)
+#define condition_close       pthread_cond_destroy
+#define condition_wait        pthread_cond_wait
+#define condition_wake_all    pthread_cond_broadcast
+#define thread_start(t, f, x) (pthread_create(t, NULL, f, x) == 0)
+#define thread_join(t)        pthread_join(t, NULL)
+#define give_core_away()      sched_yield()
+#endif
+
+#define CACHE_LINE 64
+
+// Tries of a wait, each one pause instruction (20 to 50 ns): longer than a barrier between workers that all run, shorter
+// than the time slice that a spinning worker could steal from one that has work.
+#define SPINS 1000
+// After these, tries that give the core away; then the worker sleeps, and is woken in some 50 us.
+#define YIELDS 20
+
+typedef struct
+{
+	Threads* threads;
+	int worker;
+	Thread thread;
+} Seat;
+
+struct Threads
+{
+	int workers, spins;
+	WorkerFunction* function; // null: go home
+	void* context;
+	Seat seats[MAX_WORKERS]; // 0 is the caller's
+	Mutex mutex;
+	Condition released;
+	_Alignas(CACHE_LINE) atomic_int arrived;     // at the barrier now
+	_Alignas(CACHE_LINE) atomic_uint generation; // barriers passed
+	_Alignas(CACHE_LINE) atomic_int sleepers;    // on the condition, or about to be
+};
+
+static void pause_core(void)
+{
+#if defined(__x86_64__) || defined(__i386__)
+	__builtin_ia32_pause();
+#elif defined(__aarch64__)
+	__asm__ volatile("yield");
+#endif
+}
+
+static void wait_past(Threads* t, unsigned generation)
+{
+	for (int i = 0; i < t->spins; ++i)
+	{
+		if (atomic_load_explicit(&t->generation, memory_order_acquire) != generation)
+			return;
+		pause_core();
+	}
+	for (int i = 0; i < YIELDS; ++i)
+	{
+		if (atomic_load_explicit(&t->generation, memory_order_acquire) != generation)
+			return;
+		give_core_away();
+	}
+
+	// Sequentially consistent on both sides: this worker counts itself, then looks at the generation; the one that
+	// releases changes the generation, then looks at the count. One of them sees the other.
+	atomic_fetch_add(&t->sleepers, 1);
+	mutex_lock(&t->mutex);
+	while (atomic_load(&t->generation) == generation)
+		condition_wait(&t->released, &t->mutex);
+	mutex_unlock(&t->mutex);
+	atomic_fetch_sub(&t->sleepers, 1);
+}
+
+bool threads_arrive(Threads* t)
+{
+	unsigned generation = atomic_load_explicit(&t->generation, memory_order_relaxed);
+	if (atomic_fetch_add_explicit(&t->arrived, 1, memory_order_acq_rel) + 1 == t->workers)
+	{
+		atomic_store_explicit(&t->arrived, 0, memory_order_relaxed);
+		return true;
+	}
+	wait_past(t, generation);
+	return false;
+}
+
+void threads_release(Threads* t)
+{
+	atomic_fetch_add(&t->generation, 1);
+	if (atomic_load(&t->sleepers) > 0)
+	{
+		mutex_lock(&t->mutex);
+		condition_wake_all(&t->released);
+		mutex_unlock(&t->mutex);
+	}
+}
+
+void threads_barrier(Threads* t)
+{
+	if (threads_arrive(t))
+		threads_release(t);
+}
+
+static THREAD_RESULT thread_main(void* argument)
+{
+	Seat* seat = argument;
+	Threads* t = seat->threads;
+
+	// threads_open holds the mutex until it knows how many workers there are
+	mutex_lock(&t->mutex);
+	mutex_unlock(&t->mutex);
+
+	for (;;)
+	{
+		threads_barrier(t);
+		if (!t->function)
+			return THREAD_END;
+		t->function(t->context, seat->worker, t->workers);
+		threads_barrier(t);
+	}
+}
+
+Threads* threads_open(int workers)
+{
+	Threads* t = scree_allocate(sizeof(Threads));
+	if (!t)
+	{
+		fail(SCREE_OUT_OF_MEMORY, "no memory for %d threads", workers);
+		return NULL;
+	}
+	mutex_open(&t->mutex);
+	condition_open(&t->released);
+	t->spins = workers > processor_cores() ? 0 : SPINS;
+
+	mutex_lock(&t->mutex);
+	int started = 1;
+	for (; started < workers; ++started)
+	{
+		Seat* seat = &t->seats[started];
+		seat->threads = t;
+		seat->worker = started;
+		if (!thread_start(&seat->thread, thread_main, seat))
+			break;
+	}
+	t->workers = started;
+	mutex_unlock(&t->mutex);
+
+	if (started < workers)
+	{
+		threads_close(t);
+		fail(SCREE_OUT_OF_MEMORY, "the system refuses to start thread %d of %d: ask for fewer threads", started + 1,
+		     workers);
+		return NULL;
+	}
+	return t;
+}
+
+void threads_close(Threads* t)
+{
+	if (!t)
+		return;
+	t->function = NULL;
+	threads_barrier(t);
+	for (int i = 1; i < t->workers; ++i)
+		thread_join(t->seats[i].thread);
+	condition_close(&t->released);
+	mutex_close(&t->mutex);
+	scree_release(t);
+}
+
+int threads_workers(const Threads* t) { return t->workers; }
+
+void threads_run(Threads* t, WorkerFunction* function, void* context)
+{
+	t->function = function;
+	t->context = context;
+	threads_barrier(t);
+	function(context, 0, t->workers);
+	threads_barrier(t);
+}

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: MIT
+// flush.c -- what the user changed on its way to the device: long runs of rows as they lie in the pools, all else as
+// commands, grouped by the item that they change.
+#include "geometry.h"
+#include "world.h"
+#include <stdlib.h>
+#include <string.h>
+
+// A shorter run of rows travels as commands: on a GPU a transfer costs as much as some hundred commands.
+#define LONG_RUN 16
+
+#define BODY_COMMANDS       4 // that make up one row
+#define COLLIDABLE_COMMANDS 2
+
+static Float4 pose_value(scree_pose pose)
+{
+	return make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// rows in the order of their slots
+// ---------------------------------------------------------------------------------------------------------------
+
+static int compare_bodies(const void* a, const void* b)
+{
+	int x = ((const BodyRow*)a)->index, y = ((const BodyRow*)b)->index;
+	return (x > y) - (x < y);
+}
+
+static int compare_collidables(const void* a, const void* b)
+{
+	int x = ((const CollidableRow*)a)->index, y = ((const CollidableRow*)b)->index;
+	return (x > y) - (x < y);
+}
+
+static void sort_rows(scree_world* world)
+{
+	Pending* p = &world->pending;
+	int k = 1;
+	while (k < p->body_count && p->bodies[k - 1].index < p->bodies[k].index)
+		++k;
+	if (k < p->body_count)
+		qsort(p->bodies, (size_t)p->body_count, sizeof *p->bodies, compare_bodies);
+	for (k = 0; k < p->body_count; ++k)
+		world->host_bodies[p->bodies[k].index].waiting.row = k + 1;
+
+	k = 1;
+	while (k < p->collidable_count && p->collidables[k - 1].index < p->collidables[k].index)
+		++k;
+	if (k < p->collidable_count)
+		qsort(p->collidables, (size_t)p->collidable_count, sizeof *p->collidables, compare_collidables);
+	for (k = 0; k < p->collidable_count; ++k)
+		world->host_collidables[p->collidables[k].index].waiting.row = k + 1;
+}
+
+// The ends of the runs of neighboring slots that begin at row k.
+static int body_run(const Pending* p, int k)
+{
+	int end = k + 1;
+	while (end < p->body_count && p->bodies[end].index == p->bodies[end - 1].index + 1)
+		++end;
+	return end;
+}
+
+// Of a collidable that was destroyed only the kind is written: its contacts end when they see its box become empty.
+static bool is_dead(const scree_world* world, int k)
+{
+	return !slots_in_use(&world->collidables, world->pending.collidables[k].index);
+}
+
+static int collidable_run(const scree_world* world, int k)
+{
+	const Pending* p = &world->pending;
+	int end = k + 1;
+	while (end < p->collidable_count && p->collidables[end].index == p->collidables[end - 1].index + 1 &&
+	       is_dead(world, end) == is_dead(world, k))
+		++end;
+	return end;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// long runs, pool by pool
+// ---------------------------------------------------------------------------------------------------------------
+
+static const PoolId body_pools[] = {POOL_body, POOL_pose, POOL_motion, POOL_local_center, POOL_color_mask};
+
+static void body_item(PoolId pool, const BodyRow* row, void* item)
+{
+	scree_vec center = pose_point(row->pose, row->center);
+	switch (pool)
+	{
+	case POOL_body:
+		*(BodyState*)item = (BodyState){.vx = row->velocity.linear.x,
+		                                .vy = row->velocity.linear.y,
+		                                .w = row->velocity.angular,
+		                                .inv_mass = row->inv_mass,
+		                                .inv_inertia = row->inv_inertia};
+		break;
+	case POOL_pose:
+		*(Float4*)item = make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
+		break;
+	case POOL_motion:
+		*(Motion*)item = (Motion){.gravity_scale = row->gravity_scale,
+		                          .linear_damping = row->linear_damping,
+		                          .angular_damping = row->angular_damping,
+		                          .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
+		                          .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
+		break;
+	case POOL_local_center:
+		*(Float2*)item = make_float2(row->center.x, row->center.y);
+		break;
+	default:
+		*(Word64*)item = 0;
+	}
+}
+
+// the kind first: it is all that is written of a dead one
+static const PoolId collidable_pools[] = {
+    POOL_collidable_kind, POOL_collidable_attribute,
+    POOL_collidable_body, POOL_collidable_pose,
+    POOL_filter,          POOL_box,
+    POOL_old_box,         POOL_moved,
+};
+
+static Filter filter_item(scree_filter filter)
+{
+	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group};
+}
+
+static void collidable_item(const scree_world* world, PoolId pool, int index, void* item)
+{
+	const HostCollidable* host = world->host_collidables + index;
+	switch (pool)
+	{
+	case POOL_collidable_pose:
+		*(Float4*)item = pose_value(host->pose);
+		break;
+	case POOL_collidable_attribute:
+		*(int*)item = host->attribute;
+		break;
+	case POOL_collidable_body:
+		*(int*)item = host->body;
+		break;
+	case POOL_collidable_kind:
+		*(int*)item = collidable_kind(world, index);
+		break;
+	case POOL_filter:
+		*(Filter*)item = filter_item(host->filter);
+		break;
+	case POOL_box:
+	case POOL_old_box:
+		*(Float4*)item = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
+		break;
+	default:
+		*(int*)item = 0;
+	}
+}
+
+static scree_status write_bodies(scree_world* world, int begin, int end, char* stage)
+{
+	Backend* b = world->backend;
+	const BodyRow* rows = world->pending.bodies;
+	for (size_t p = 0; p < sizeof body_pools / sizeof *body_pools; ++p)
+	{
+		PoolId pool = body_pools[p];
+		for (int k = begin; k < end; ++k)
+			body_item(pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
+		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
+	}
+	return SCREE_OK;
+}
+
+static scree_status write_collidables(scree_world* world, int begin, int end, char* stage)
+{
+	Backend* b = world->backend;
+	const CollidableRow* rows = world->pending.collidables;
+	size_t pools = is_dead(world, begin) ? 1 : sizeof collidable_pools / sizeof *collidable_pools;
+	for (size_t p = 0; p < pools; ++p)
+	{
+		PoolId pool = collidable_pools[p];
+		for (int k = begin; k < end; ++k)
+			collidable_item(world, pool, rows[k].index, stage + (size_t)(k - begin) * pool_info[pool].bytes);
+		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
+	}
+	return SCREE_OK;
+}
+
+static scree_status write_attributes(scree_world* world, char* stage)
+{
+	Backend* b = world->backend;
+	int first = world->pending.attributes, count = world->attribute_count - first;
+	for (int k = 0; k < count; ++k)
+		attribute_item(world, first + k, (Attribute*)stage + k);
+	return count > 0 ? b->f->write(b, POOL_attribute, first, count, stage) : SCREE_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// commands
+// ---------------------------------------------------------------------------------------------------------------
+
+static int body_commands(const BodyRow* row, Command* to)
+{
+	scree_velocity v = row->velocity;
+	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};
+	to[1] = (Command){.kind = COMMAND_MASS,
+	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
+	to[2] = (Command){.kind = COMMAND_MOTION,
+	                  .whole = {(int)row->locks},
+	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
+	to[3] = (Command){.kind = COMMAND_VELOCITY, .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	for (int k = 0; k < BODY_COMMANDS; ++k)
+		to[k].index = row->index;
+	return BODY_COMMANDS;
+}
+
+static int collidable_commands(const scree_world* world, int k, Command* to)
+{
+	int index = world->pending.collidables[k].index, count = 0;
+	const HostCollidable* host = world->host_collidables + index;
+	if (!is_dead(world, k))
+		to[count++] = (Command){.kind = COMMAND_COLLIDABLE,
+		                        .index = index,
+		                        .whole = {host->attribute, host->body},
+		                        .value = pose_value(host->pose)};
+	Filter filter = filter_item(host->filter);
+	to[count] =
+	    (Command){.kind = COMMAND_FILTER, .index = index, .whole = {filter.group, collidable_kind(world, index)}};
+	Word words[4] = {(Word)filter.category, (Word)(filter.category >> 32), (Word)filter.mask,
+	                 (Word)(filter.mask >> 32)};
+	memcpy(&to[count].value, words, sizeof words);
+	return count + 1;
+}
+
+static Waiting* command_waiting(scree_world* world, const Command* c)
+{
+	if (c->kind >= COMMAND_PLACE)
+		return &world->host_collidables[c->index].waiting;
+	return &world->host_bodies[c->index].waiting;
+}
+
+// Does a command belong to what its slot held before it was made anew?
+static bool is_void(scree_world* world, int k)
+{
+	const Pending* p = &world->pending;
+	const Command* c = p->commands + k;
+	int row = command_waiting(world, c)->row;
+	return row > 0 && k < (c->kind >= COMMAND_PLACE ? p->collidables[row - 1].since : p->bodies[row - 1].since);
+}
+
+// The commands of short runs, then the user's; returns how many.
+static int collect_commands(scree_world* world, Command* to)
+{
+	const Pending* p = &world->pending;
+	int count = 0;
+	for (int k = 0, end; k < p->body_count; k = end)
+	{
+		end = body_run(p, k);
+		for (int i = k; i < end && end - k < LONG_RUN; ++i)
+			count += body_commands(p->bodies + i, to + count);
+	}
+	for (int k = 0, end; k < p->collidable_count; k = end)
+	{
+		end = collidable_run(world, k);
+		for (int i = k; i < end && end - k < LONG_RUN; ++i)
+			count += collidable_commands(world, i, to + count);
+	}
+	for (int k = 0; k < p->command_count; ++k)
+	{
+		if (!is_void(world, k))
+			to[count++] = p->commands[k];
+	}
+	return count;
+}
+
+// Commands by item, each item's in the order of the calls. begins gets the first command of each group and the end;
+// returns the number of groups.
+static int group_commands(scree_world* world, const Command* from, int count, Command* to, int* begins)
+{
+	int groups = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		int* group = &command_waiting(world, from + k)->group;
+		if (*group == 0)
+		{
+			*group = ++groups;
+			begins[groups] = 0;
+		}
+		++begins[*group];
+	}
+
+	// begins[g + 1] has counted group g; summed up it is the place of the group's next command, and at last its end
+	begins[0] = 0;
+	int sum = 0;
+	for (int g = 1; g <= groups; ++g)
+	{
+		int size = begins[g];
+		begins[g] = sum;
+		sum += size;
+	}
+	for (int k = 0; k < count; ++k)
+		to[begins[command_waiting(world, from + k)->group]++] = from[k];
+	for (int k = 0; k < count; ++k)
+		command_waiting(world, from + k)->group = 0;
+	return groups;
+}
+
+static scree_status send_commands(scree_world* world, int count, char* memory)
+{
+	Backend* b = world->backend;
+	Command *from = (Command*)memory, *grouped = from + count;
+	int* begins = (int*)(grouped + count);
+	int groups = group_commands(world, from, count, grouped, begins);
+	TRY(b->f->write(b, POOL_command, 0, count, grouped));
+	TRY(b->f->write(b, POOL_command_group, 0, groups + 1, begins));
+	Step step = {0};
+	Run run = {.stage = STAGE_command, .end = groups, .count = NO_COUNT};
+	return b->f->run(b, &step, &run, 1);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// all of it
+// ---------------------------------------------------------------------------------------------------------------
+
+static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
+
+static scree_status flush(scree_world* world)
+{
+	Pending* p = &world->pending;
+	sort_rows(world);
+	int body_rows = 0, collidable_rows = 0, commands = p->command_count;
+	for (int k = 0, end; k < p->body_count; k = end)
+	{
+		end = body_run(p, k);
+		if (end - k < LONG_RUN)
+			commands += BODY_COMMANDS * (end - k);
+		else
+			body_rows = end - k > body_rows ? end - k : body_rows;
+	}
+	for (int k = 0, end; k < p->collidable_count; k = end)
+	{
+		end = collidable_run(world, k);
+		if (end - k < LONG_RUN)
+			commands += COLLIDABLE_COMMANDS * (end - k);
+		else
+			collidable_rows = end - k > collidable_rows ? end - k : collidable_rows;
+	}
+
+	// room for everything before anything is sent
+	TRY(pipeline_reserve(world, ATTRIBUTE, world->attribute_count));
+	TRY(pipeline_reserve(world, BODY, world->bodies.used));
+	TRY(pipeline_reserve(world, COLLIDABLE, world->collidables.used));
+	TRY(pipeline_reserve(world, COMMAND, commands + 1));
+	size_t bytes = (size_t)(world->attribute_count - p->attributes) * sizeof(Attribute);
+	bytes = larger(bytes, (size_t)body_rows * sizeof(BodyState));
+	bytes = larger(bytes, (size_t)collidable_rows * sizeof(Filter));
+	bytes = larger(bytes, (size_t)commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
+	char* memory = world_scratch(world, bytes);
+	if (!memory)
+		return fail(SCREE_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
+
+	TRY(write_attributes(world, memory));
+	for (int k = 0, end; k < p->body_count; k = end)
+	{
+		end = body_run(p, k);
+		if (end - k >= LONG_RUN)
+			TRY(write_bodies(world, k, end, memory));
+	}
+	for (int k = 0, end; k < p->collidable_count; k = end)
+	{
+		end = collidable_run(world, k);
+		if (end - k >= LONG_RUN)
+			TRY(write_collidables(world, k, end, memory));
+	}
+	int count = collect_commands(world, (Command*)memory);
+	if (count > 0)
+		TRY(send_commands(world, count, memory));
+
+	for (int k = 0; k < p->body_count; ++k)
+		world->host_bodies[p->bodies[k].index].waiting.row = 0;
+	for (int k = 0; k < p->collidable_count; ++k)
+		world->host_collidables[p->collidables[k].index].waiting.row = 0;
+	p->body_count = p->collidable_count = p->command_count = 0;
+	p->attributes = world->attribute_count;
+	return SCREE_OK;
+}
+
+scree_status world_flush(scree_world* world)
+{
+	const Pending* p = &world->pending;
+	if (p->body_count + p->collidable_count + p->command_count == 0 && p->attributes == world->attribute_count)
+		return SCREE_OK;
+	return world_note(world, flush(world));
+}

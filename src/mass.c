@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// mass.c -- the mass of a body, from its collidables.
+#include "geometry.h"
+#include "world.h"
+
+// least and most that may be set: inverses, and their products with squares of arms, stay finite
+#define LEAST_MASS    1e-15f // kg
+#define LEAST_INERTIA 1e-20f // kg m^2
+#define MOST_MASS     1e30f  // kg, and kg m^2
+
+static scree_mass massless(scree_body_type type) { return (scree_mass){.mass = type == SCREE_DYNAMIC ? 1.0f : 0.0f}; }
+
+scree_mass mass_of_body(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	if (host->type != SCREE_DYNAMIC)
+		return massless(host->type);
+
+	// first the common center, then the inertia about it: Huygens-Steiner
+	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* collidable = world->host_collidables + k;
+		const scree_attribute_def* def = world->attributes + collidable->attribute;
+		double part = (double)def->density * def->shape.area;
+		scree_vec center = pose_point(collidable->pose, def->shape.centroid);
+		mass += part;
+		x += part * center.x;
+		y += part * center.y;
+	}
+	if (mass == 0.0)
+		return massless(host->type);
+	x /= mass;
+	y /= mass;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* collidable = world->host_collidables + k;
+		const scree_attribute_def* def = world->attributes + collidable->attribute;
+		scree_vec center = pose_point(collidable->pose, def->shape.centroid);
+		double dx = center.x - x, dy = center.y - y;
+		inertia += def->density * ((double)def->shape.inertia + def->shape.area * (dx * dx + dy * dy));
+	}
+	return (scree_mass){(float)mass, (float)inertia, {(float)x, (float)y}};
+}
+
+float mass_inverse(const HostBody* host) { return host->mass.mass > 0.0f ? 1.0f / host->mass.mass : 0.0f; }
+
+float mass_inverse_inertia(const HostBody* host)
+{
+	bool turns = host->mass.inertia > 0.0f && !(host->locks & SCREE_LOCK_ROTATION);
+	return turns ? 1.0f / host->mass.inertia : 0.0f;
+}
+
+void mass_set(scree_world* world, int body, scree_mass mass)
+{
+	HostBody* host = world->host_bodies + body;
+	host->mass = mass;
+	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
+	pending_command(world, COMMAND_MASS, body, value, 0);
+}
+
+scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
+{
+	const char* function = "scree_body_get_mass";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "mass", mass));
+	int index = 0;
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	*mass = world->host_bodies[index].mass;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
+{
+	const char* function = "scree_body_set_mass";
+	TRY(world_check(world, function));
+	int index = 0;
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	if (world->host_bodies[index].type != SCREE_DYNAMIC)
+		return fail(SCREE_INVALID, "%s: body is not dynamic: it has no mass", function);
+	Where at = {function, "mass", ALONE};
+	TRY(check_real(at, ".mass", mass.mass, LEAST_MASS, MOST_MASS));
+	if (mass.inertia != 0.0f)
+		TRY(check_real(at, ".inertia (when it is not 0)", mass.inertia, LEAST_INERTIA, MOST_MASS));
+	TRY(check_vec(at, ".center", mass.center, SCREE_HUGE));
+	TRY(pending_reserve(world, function, 0, 0, 1));
+	mass_set(world, index, mass);
+	return SCREE_OK;
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// cache.c -- built programs kept on disk: one file a key, checked when read, renamed into place when written.
+#include "opencl/cache.h"
+#include "error.h"
+#include <errno.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef _WIN32
+#include <direct.h>
+#include <process.h>
+#define make_folder(path) _mkdir(path)
+#define process_number()  _getpid()
+#define HOME              "LOCALAPPDATA"
+#define BELOW_HOME        "/scree"
+#else
+#include <sys/stat.h>
+#include <unistd.h>
+#define make_folder(path) mkdir(path, 0700)
+#define process_number()  (int)getpid()
+#define HOME              "HOME"
+#define BELOW_HOME        "/.cache/scree"
+#endif
+
+#define PATH_BYTES 1024
+#define MAX_BYTES  ((uint64_t)1 << 28) // a length beyond this is damage
+
+typedef struct // what a file begins with
+{
+	char magic[8];
+	Digest key, content;
+	uint64_t count;
+} Header;
+static const char magic[8] = "scree-1";
+
+Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
+
+// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another prime, and turned so that no two bytes commute.
+void digest_add(Digest* digest, const void* bytes, size_t count)
+{
+	const unsigned char* byte = bytes;
+	for (size_t i = 0; i < count; ++i)
+	{
+		digest->a = (digest->a ^ byte[i]) * 0x100000001b3u;
+		digest->b = (digest->b ^ byte[i]) * 0xff51afd7ed558ccdu;
+		digest->b = digest->b << 23 | digest->b >> 41;
+	}
+}
+
+// false when there is no place for a cache
+static bool cache_folder(char* path)
+{
+	const char* own = getenv("SCREE_CACHE");
+	const char* shared = getenv("XDG_CACHE_HOME");
+	const char* home = getenv(HOME);
+	int length = 0;
+	if (own)
+		length = snprintf(path, PATH_BYTES, "%s", own);
+	else if (shared && *shared)
+		length = snprintf(path, PATH_BYTES, "%s/scree", shared);
+	else if (home && *home)
+		length = snprintf(path, PATH_BYTES, "%s" BELOW_HOME, home);
+	return length > 0 && length < PATH_BYTES - 80; // room for the file's name
+}
+
+static void file_path(char* path, const char* folder, Digest key)
+{
+	snprintf(path, PATH_BYTES, "%.900s/%016llx%016llx.bin", folder, (unsigned long long)key.a,
+	         (unsigned long long)key.b);
+}
+
+static void make_folders(char* path)
+{
+	for (char* slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/'))
+	{
+		*slash = '\0';
+		make_folder(path);
+		*slash = '/';
+	}
+	make_folder(path);
+}
+
+static bool equal(Digest x, Digest y) { return x.a == y.a && x.b == y.b; }
+
+static Digest digest_of(const unsigned char* bytes, size_t count)
+{
+	Digest digest = digest_begin();
+	digest_add(&digest, bytes, count);
+	return digest;
+}
+
+unsigned char* cache_read(Digest key, size_t* count)
+{
+	char folder[PATH_BYTES], path[PATH_BYTES];
+	if (!cache_folder(folder))
+		return NULL;
+	file_path(path, folder, key);
+	FILE* file = fopen(path, "rb");
+	if (!file)
+		return NULL;
+
+	Header header;
+	unsigned char* bytes = NULL;
+	bool good = fread(&header, sizeof header, 1, file) == 1 && memcmp(header.magic, magic, sizeof magic) == 0 &&
+	            equal(header.key, key) && header.count > 0 && header.count < MAX_BYTES;
+	if (good)
+		bytes = scree_allocate((size_t)header.count);
+	good = good && bytes && fread(bytes, 1, (size_t)header.count, file) == header.count && fgetc(file) == EOF &&
+	       equal(digest_of(bytes, (size_t)header.count), header.content);
+	fclose(file);
+	if (!good)
+	{
+		scree_release(bytes);
+		log_sentence(SCREE_LOG_INFO, "%s is damaged and will be written again.", path);
+		return NULL;
+	}
+	*count = (size_t)header.count;
+	return bytes;
+}
+
+void cache_write(Digest key, const unsigned char* bytes, size_t count)
+{
+	static atomic_int writers; // no two threads of a process share a temporary file
+	char folder[PATH_BYTES], path[PATH_BYTES], temporary[PATH_BYTES + 32];
+	if (!cache_folder(folder))
+		return;
+	make_folders(folder);
+	file_path(path, folder, key);
+	snprintf(temporary, sizeof temporary, "%s.%d.%d", path, process_number(), atomic_fetch_add(&writers, 1));
+
+	Header header = {.key = key, .content = digest_of(bytes, count), .count = count};
+	memcpy(header.magic, magic, sizeof magic);
+	FILE* file = fopen(temporary, "wb");
+	bool good = file && fwrite(&header, sizeof header, 1, file) == 1 && fwrite(bytes, 1, count, file) == count;
+	if (file)
+		good = fclose(file) == 0 && good;
+#ifdef _WIN32
+	remove(path); // rename does not replace there
+#endif
+	good = good && rename(temporary, path) == 0;
+	if (!good)
+	{
+		log_sentence(SCREE_LOG_INFO, "The built program could not be kept in %s: %s.", folder, strerror(errno));
+		remove(temporary);
+	}
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// device.c -- lists OpenCL devices, judges and chooses them.
+#include "opencl/device.h"
+#include "error.h"
+#include "opencl/limits.h"
+#include <stdio.h>
+#include <string.h>
+
+#define MAX_PLATFORMS 16
+#define MAX_DEVICES   64
+
+static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
+{
+	char whole[1024] = "";
+	opencl.GetPlatformInfo(platform, what, sizeof whole, whole, NULL);
+	snprintf(text, size, "%.*s", (int)size - 1, whole);
+}
+
+static void device_text(cl_device_id device, cl_device_info what, char* text, size_t size)
+{
+	char whole[1024] = "";
+	opencl.GetDeviceInfo(device, what, sizeof whole, whole, NULL);
+	const char* start = whole + strspn(whole, " ");
+	snprintf(text, size, "%.*s", (int)size - 1, start);
+}
+
+// a device that does not know an answer leaves zero
+static cl_ulong device_number(cl_device_id device, cl_device_info what)
+{
+	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
+	opencl.GetDeviceInfo(device, what, sizeof number, &number, NULL);
+	return number;
+}
+
+// Says in about.reason what keeps a device from equal bits, or from working at all.
+static void judge(Device* d)
+{
+	char* reason = d->about.reason;
+	size_t size = sizeof d->about.reason;
+	char version[128];
+	device_text(d->id, CL_DEVICE_VERSION, version, sizeof version);
+	int major = 0, minor = 0;
+	sscanf(version, "OpenCL %d.%d", &major, &minor);
+	size_t arguments = POOL_COUNT * sizeof(cl_mem) + sizeof(Step) + sizeof(Run) + 64;
+	size_t most = (size_t)device_number(d->id, CL_DEVICE_MAX_PARAMETER_SIZE);
+	cl_ulong floats = device_number(d->id, CL_DEVICE_SINGLE_FP_CONFIG);
+	d->correct_division = floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
+
+	d->usable = false;
+	if (major * 10 + minor < 12)
+		snprintf(reason, size, "it offers only %.40s; Scree needs OpenCL 1.2", version);
+	else if (!device_number(d->id, CL_DEVICE_AVAILABLE))
+		snprintf(reason, size, "its driver says that it is not available");
+	else if (!device_number(d->id, CL_DEVICE_COMPILER_AVAILABLE))
+		snprintf(reason, size, "its driver has no compiler");
+	else if (!device_number(d->id, CL_DEVICE_ENDIAN_LITTLE))
+		snprintf(reason, size, "it is big-endian");
+	else if (most < arguments)
+		snprintf(reason, size, "it takes %zu bytes of kernel arguments; Scree needs %zu", most, arguments);
+	else if (device_number(d->id, CL_DEVICE_MAX_WORK_GROUP_SIZE) < PRIMITIVE_GROUP)
+		snprintf(reason, size, "its work-groups hold fewer than %d items", PRIMITIVE_GROUP);
+	else
+		d->usable = true;
+	if (!d->usable)
+		return;
+
+	if (!d->correct_division)
+		snprintf(reason, size, "it does not round division and square root correctly");
+	else if (!(floats & CL_FP_DENORM))
+		snprintf(reason, size, "it flushes denormal numbers to zero");
+	else if (!(floats & CL_FP_ROUND_TO_NEAREST))
+		snprintf(reason, size, "it does not round to nearest");
+	else
+		d->about.equal_bits = true;
+	if (!d->about.equal_bits)
+	{
+		size_t used = strlen(reason);
+		snprintf(reason + used, size - used, "; scree_world_def.allow_unequal_bits runs it anyway");
+	}
+}
+
+static void describe(cl_platform_id platform, cl_device_id id, Device* d)
+{
+	*d = (Device){.platform = platform, .id = id};
+	char name[120], version[128], driver[128], platform_version[128];
+	device_text(id, CL_DEVICE_NAME, name, sizeof name);
+	device_text(id, CL_DEVICE_VERSION, version, sizeof version);
+	device_text(id, CL_DRIVER_VERSION, driver, sizeof driver);
+	platform_text(platform, CL_PLATFORM_NAME, d->platform_name, sizeof d->platform_name);
+	platform_text(platform, CL_PLATFORM_VERSION, platform_version, sizeof platform_version);
+	snprintf(d->about.name, sizeof d->about.name, "opencl:%s", name);
+	snprintf(d->about.driver, sizeof d->about.driver, "%.60s, driver %.50s", d->platform_name, driver);
+	snprintf(d->identity, sizeof d->identity, "%s|%s|%s|%s|%s", d->platform_name, platform_version, name, version,
+	         driver);
+	d->type = device_number(id, CL_DEVICE_TYPE);
+	d->about.units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
+	d->about.memory = device_number(id, CL_DEVICE_GLOBAL_MEM_SIZE);
+	judge(d);
+}
+
+int device_list(Device* devices, int capacity)
+{
+	cl_platform_id platforms[MAX_PLATFORMS];
+	cl_uint platform_count = 0;
+	if (!opencl_load() || opencl.GetPlatformIDs(MAX_PLATFORMS, platforms, &platform_count))
+		return 0;
+	int count = 0;
+	for (cl_uint p = 0; p < platform_count && p < MAX_PLATFORMS; ++p)
+	{
+		cl_device_id ids[MAX_DEVICES];
+		cl_uint id_count = 0;
+		if (opencl.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, MAX_DEVICES, ids, &id_count))
+			continue;
+		for (cl_uint i = 0; i < id_count && i < MAX_DEVICES; ++i, ++count)
+		{
+			if (count < capacity)
+				describe(platforms[p], ids[i], &devices[count]);
+		}
+	}
+	return count;
+}
+
+static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + 'a' - 'A') : c; }
+
+static bool has_part(const char* text, const char* part)
+{
+	for (;; ++text)
+	{
+		size_t k = 0;
+		while (part[k] && lower(text[k]) == lower(part[k]))
+			++k;
+		if (!part[k])
+			return true;
+		if (!*text)
+			return false;
+	}
+}
+
+scree_status device_choose(const BackendOptions* options, Device* device)
+{
+	Device devices[MAX_DEVICES];
+	int count = device_list(devices, MAX_DEVICES);
+	if (count == 0)
+		return fail(SCREE_NO_DEVICE, "%s", opencl_remedy());
+
+	const char* part = options->device ? options->device : "";
+	const Device* best = NULL;
+	int best_score = -1;
+	for (int i = 0; i < count && i < MAX_DEVICES; ++i)
+	{
+		const Device* d = &devices[i];
+		if (!has_part(d->about.name + strlen("opencl:"), part) && !has_part(d->platform_name, part))
+			continue;
+		if (options->gpu && !(d->type & CL_DEVICE_TYPE_GPU))
+			continue;
+		bool allowed = d->about.equal_bits || (d->usable && options->allow_unequal_bits);
+		int score = 4 * allowed + 2 * ((d->type & CL_DEVICE_TYPE_GPU) != 0) + d->about.equal_bits;
+		if (score > best_score)
+		{
+			best = d;
+			best_score = score;
+		}
+	}
+	if (!best)
+		return fail(SCREE_NO_DEVICE, "No OpenCL device of this machine has \"%s\" in its name.", part);
+	if (!best->usable || (!best->about.equal_bits && !options->allow_unequal_bits))
+		return fail(SCREE_NO_DEVICE, "Device %s is refused: %s.", best->about.name, best->about.reason);
+	*device = *best;
+	return SCREE_OK;
+}
+
+int opencl_devices(scree_device* devices, int capacity)
+{
+	Device found[MAX_DEVICES];
+	int count = device_list(found, MAX_DEVICES);
+	for (int i = 0; i < count && i < capacity && i < MAX_DEVICES; ++i)
+		devices[i] = found[i].about;
+	return count < MAX_DEVICES ? count : MAX_DEVICES;
+}
+
+const char* opencl_remedy(void)
+{
+	if (!opencl_load())
+		return "There is no OpenCL on this machine: install ocl-icd-libopencl1 and, for the CPU, pocl-opencl-icd "
+		       "(Debian, "
+		       "Ubuntu), or the GPU vendor's driver.";
+	if (device_list(NULL, 0) == 0)
+		return "OpenCL is installed but has no device: install pocl-opencl-icd (Debian, Ubuntu) for the CPU, or the "
+		       "GPU "
+		       "vendor's driver.";
+	return "";
+}

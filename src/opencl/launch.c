@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// launch.c -- works through lists of runs: launches, uploads and their times.
+#include "error.h"
+#include "opencl/opencl.h"
+#include <string.h>
+
+// A launch is given at most this many groups a compute unit, which fills any device; its items stride over the rest.
+#define GROUPS_A_UNIT 64
+
+#define STAGING_BYTES ((size_t)1 << 20)
+#define LAPS          4096
+
+scree_status staging_open(OpenCl* d, bool timings)
+{
+	d->staging = scree_allocate(STAGING_BYTES);
+	d->laps = timings ? scree_allocate(LAPS * sizeof *d->laps) : NULL;
+	if (!d->staging || (timings && !d->laps))
+		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for transfers to an OpenCL device.");
+	return SCREE_OK;
+}
+
+static void add_laps(OpenCl* d)
+{
+	for (int i = 0; i < d->lap_count; ++i)
+	{
+		cl_ulong begin = 0, end = 0; // ns
+		opencl.GetEventProfilingInfo(d->laps[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
+		opencl.GetEventProfilingInfo(d->laps[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
+		opencl.ReleaseEvent(d->laps[i].event);
+		d->milliseconds[d->laps[i].box] += 1e-6 * (double)(end - begin);
+	}
+	d->lap_count = 0;
+}
+
+scree_status finish(OpenCl* d)
+{
+	scree_status status = CALL(Finish, d->queue);
+	d->staged = 0;
+	add_laps(d);
+	return status;
+}
+
+scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT])
+{
+	OpenCl* d = b->state;
+	TRY(finish(d));
+	memcpy(milliseconds, d->milliseconds, sizeof d->milliseconds);
+	memset(d->milliseconds, 0, sizeof d->milliseconds);
+	return SCREE_OK;
+}
+
+scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count)
+{
+	bool small = count <= STAGING_BYTES / 4;
+	if (small)
+	{
+		if (d->staged + count > STAGING_BYTES)
+			TRY(finish(d));
+		bytes = memcpy(d->staging + d->staged, bytes, count);
+		d->staged += count;
+	}
+	TRY(CALL(EnqueueWriteBuffer, d->queue, buffer, small ? CL_FALSE : CL_TRUE, offset, count, bytes, 0, NULL, NULL));
+	if (!small)
+		d->staged = 0;
+	return SCREE_OK;
+}
+
+scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer)
+{
+	cl_int error;
+	*buffer = opencl.CreateBuffer(d->context, CL_MEM_READ_WRITE, bytes, NULL, &error);
+	if (error)
+		*buffer = NULL;
+	else
+	{
+		const cl_int zero = 0;
+		error = opencl.EnqueueFillBuffer(d->queue, *buffer, &zero, sizeof zero, 0, bytes, 0, NULL, NULL);
+	}
+	// drivers that allocate on first use fail here with codes of their own choice
+	if (error == CL_MEM_OBJECT_ALLOCATION_FAILURE || error == CL_OUT_OF_RESOURCES || error == CL_OUT_OF_HOST_MEMORY ||
+	    error == CL_INVALID_BUFFER_SIZE)
+		return fail(SCREE_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d).", d->device.about.name,
+		            bytes, opencl_error_name(error), (int)error);
+	return opencl_check("clCreateBuffer", error);
+}
+
+scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
+{
+	cl_int error;
+	kernel->kernel = opencl.CreateKernel(d->program, name, &error);
+	if (error)
+		return fail(SCREE_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", name, opencl_error_name(error), (int)error);
+	size_t most = 1, multiple = 1;
+	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	         NULL));
+	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_PREFERRED_WORK_GROUP_SIZE_MULTIPLE,
+	         sizeof multiple, &multiple, NULL));
+	kernel->group = most < largest ? most : largest;
+	if (multiple > 1 && kernel->group > multiple)
+		kernel->group -= kernel->group % multiple;
+
+	for (cl_uint i = 0; i < POOL_COUNT; ++i)
+		TRY(CALL(SetKernelArg, kernel->kernel, i, sizeof d->pools[i], &d->pools[i]));
+	return SCREE_OK;
+}
+
+scree_status kernels_bind(OpenCl* d, Per per)
+{
+	for (cl_uint i = 0; i < POOL_COUNT; ++i)
+	{
+		if (pool_info[i].per != per)
+			continue;
+		for (int k = 0; k < STAGE_COUNT; ++k)
+			TRY(CALL(SetKernelArg, d->stages[k].kernel, i, sizeof d->pools[i], &d->pools[i]));
+		TRY(CALL(SetKernelArg, d->persistent.kernel, i, sizeof d->pools[i], &d->pools[i]));
+	}
+	return primitives_bind(d);
+}
+
+scree_status kernel_step(OpenCl* d, Kernel* kernel)
+{
+	if (kernel->version == d->step_version)
+		return SCREE_OK;
+	TRY(CALL(SetKernelArg, kernel->kernel, POOL_COUNT, sizeof d->step, &d->step));
+	kernel->version = d->step_version;
+	return SCREE_OK;
+}
+
+scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group)
+{
+	if (d->lap_count == LAPS)
+		TRY(finish(d));
+	cl_event* event = d->laps ? &d->laps[d->lap_count].event : NULL;
+	TRY(CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &items, &group, 0, NULL, event));
+	if (event)
+		d->laps[d->lap_count++].box = d->box;
+	return SCREE_OK;
+}
+
+static scree_status stage_run(OpenCl* d, const Run* run)
+{
+	Kernel* kernel = &d->stages[run->stage];
+	d->box = stage_boxes[run->stage];
+	TRY(kernel_step(d, kernel));
+	TRY(CALL(SetKernelArg, kernel->kernel, POOL_COUNT + 1, sizeof *run, run));
+	size_t groups = ((size_t)(run->end - run->begin) + kernel->group - 1) / kernel->group;
+	size_t most = (size_t)d->device.about.units * GROUPS_A_UNIT;
+	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
+}
+
+// How many runs from the first on are stages of the solver, and how many items the largest has.
+static int solver_runs(const Run* runs, int count, int* largest)
+{
+	int k = 0;
+	*largest = 0;
+	for (; k < count && runs[k].stage < STAGE_COUNT && stage_boxes[runs[k].stage] == BOX_solve; ++k)
+		if (runs[k].end - runs[k].begin > *largest)
+			*largest = runs[k].end - runs[k].begin;
+	return k;
+}
+
+scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	OpenCl* d = b->state;
+	if (d->step_version == 0 || memcmp(&d->step, step, sizeof *step) != 0)
+	{
+		d->step = *step;
+		++d->step_version;
+	}
+	for (int i = 0; i < count;)
+	{
+		int largest, together = solver_runs(runs + i, count - i, &largest);
+		if (persistent_suits(d, together, largest))
+		{
+			TRY(persistent_run(d, runs + i, together));
+			i += together;
+			continue;
+		}
+		for (int end = i + (together ? together : 1); i < end; ++i)
+		{
+			if (runs[i].begin >= runs[i].end)
+				continue;
+			TRY(runs[i].stage < STAGE_COUNT ? stage_run(d, &runs[i]) : primitive_run(d, &runs[i]));
+		}
+	}
+	return CALL(Flush, d->queue);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// limits.h -- the sizes that the kernels of this folder and the C that launches them must agree on.
+#ifndef OPENCL_LIMITS_H
+#define OPENCL_LIMITS_H
+
+// work-items of a group of a stage: small, so that one color of a small scene still spreads over many compute units
+#define STAGE_GROUP 128
+
+// work-items of a group of sort and scan: one a digit. Every GPU takes 256.
+#define PRIMITIVE_GROUP 256
+
+// Bits a pass of the sort. A pass costs two launches; 9 bits would double the local memory, past the 32 KiB that
+// OpenCL 1.2 promises.
+#define SORT_DIGIT_BITS 8
+#define SORT_DIGITS     (1 << SORT_DIGIT_BITS)
+// Groups of a pass. Each reads a row of the table for each other group: their square times 1 KiB is read a pass.
+#define SORT_BLOCKS 256
+// fewest keys worth a group of their own
+#define SORT_GRAIN 512
+
+#define SCAN_BLOCKS 512
+// a work-item takes this many neighbours at a time
+#define SCAN_ITEMS 4
+#define SCAN_GRAIN (PRIMITIVE_GROUP * SCAN_ITEMS)
+
+// ints before the runs in the list of the persistent kernel; the first counts arrivals at the meeting point
+#define PERSISTENT_HEADER 32
+// stage number of a run that tries whether groups meet and see each other's writes
+#define PERSISTENT_PROBE (-1)
+
+// Counters.fault
+#define FAULT_BLOWN 1 // groups did not meet within the bound
+#define FAULT_STALE 2 // a group did not see what another had written before they met
+
+#endif

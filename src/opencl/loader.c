@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// loader.c -- finds the OpenCL library and its functions.
+#include "opencl/loader.h"
+#include "error.h"
+#include <stdatomic.h>
+
+OpenClFunctions opencl;
+
+#ifdef _WIN32
+#include <windows.h>
+static void* open_library(void) { return (void*)LoadLibraryA("OpenCL.dll"); }
+static void* find(void* library, const char* name) { return (void*)GetProcAddress((HMODULE)library, name); }
+#else
+#include <dlfcn.h>
+static void* open_library(void)
+{
+	static const char* const names[] = {
+#ifdef __APPLE__
+	    "/System/Library/Frameworks/OpenCL.framework/OpenCL",
+#else
+	    "libOpenCL.so.1",
+	    "libOpenCL.so",
+#endif
+	};
+	for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
+	{
+		void* library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
+		if (library)
+			return library;
+	}
+	return NULL;
+}
+static void* find(void* library, const char* name) { return dlsym(library, name); }
+#endif
+
+static bool fill_table(void)
+{
+	void* library = open_library();
+	if (!library)
+		return false;
+#define X(name)                                                                                                 \
+	opencl.name = (__typeof__(opencl.name))find(library, "cl" #name);                                           \
+	if (!opencl.name)                                                                                           \
+	{                                                                                                           \
+		log_sentence(SCREE_LOG_WARNING, "The OpenCL library has no cl" #name ": it is older than OpenCL 1.2."); \
+		return false;                                                                                           \
+	}
+	OPENCL_FUNCTIONS(X)
+#undef X
+	return true;
+}
+
+bool opencl_load(void)
+{
+	enum
+	{
+		UNTRIED,
+		OPENING,
+		MISSING,
+		LOADED
+	};
+	static atomic_int state = UNTRIED;
+	int seen = UNTRIED;
+	if (atomic_compare_exchange_strong(&state, &seen, OPENING))
+		atomic_store(&state, fill_table() ? LOADED : MISSING);
+	while ((seen = atomic_load(&state)) == OPENING)
+		; // another thread is at it
+	return seen == LOADED;
+}
+
+const char* opencl_error_name(cl_int code)
+{
+#define X(name) \
+	case name:  \
+		return #name;
+	switch (code)
+	{
+		X(CL_DEVICE_NOT_FOUND)
+		X(CL_DEVICE_NOT_AVAILABLE)
+		X(CL_COMPILER_NOT_AVAILABLE)
+		X(CL_MEM_OBJECT_ALLOCATION_FAILURE)
+		X(CL_OUT_OF_RESOURCES)
+		X(CL_OUT_OF_HOST_MEMORY)
+		X(CL_PROFILING_INFO_NOT_AVAILABLE)
+		X(CL_BUILD_PROGRAM_FAILURE)
+		X(CL_INVALID_VALUE)
+		X(CL_INVALID_DEVICE)
+		X(CL_INVALID_CONTEXT)
+		X(CL_INVALID_QUEUE_PROPERTIES)
+		X(CL_INVALID_COMMAND_QUEUE)
+		X(CL_INVALID_MEM_OBJECT)
+		X(CL_INVALID_BINARY)
+		X(CL_INVALID_BUILD_OPTIONS)
+		X(CL_INVALID_PROGRAM)
+		X(CL_INVALID_PROGRAM_EXECUTABLE)
+		X(CL_INVALID_KERNEL_NAME)
+		X(CL_INVALID_KERNEL)
+		X(CL_INVALID_ARG_INDEX)
+		X(CL_INVALID_ARG_VALUE)
+		X(CL_INVALID_ARG_SIZE)
+		X(CL_INVALID_KERNEL_ARGS)
+		X(CL_INVALID_WORK_GROUP_SIZE)
+		X(CL_INVALID_WORK_ITEM_SIZE)
+		X(CL_INVALID_EVENT)
+		X(CL_INVALID_OPERATION)
+		X(CL_INVALID_BUFFER_SIZE)
+		X(CL_INVALID_GLOBAL_WORK_SIZE)
+	}
+#undef X
+	return code == -1001 ? "CL_PLATFORM_NOT_FOUND_KHR" : code == -9999 ? "bad memory access (NVIDIA)" : "unknown error";
+}
+
+scree_status opencl_check(const char* function, cl_int code)
+{
+	if (code == CL_SUCCESS)
+		return SCREE_OK;
+	return fail(SCREE_DEVICE_FAILED, "%s: %s (%d)", function, opencl_error_name(code), (int)code);
+}

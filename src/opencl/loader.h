@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// loader.h -- OpenCL, opened at run time: a machine without it builds Scree, runs it on the CPU, and is told what to do.
+#ifndef OPENCL_LOADER_H
+#define OPENCL_LOADER_H
+#include "scree/scree.h"
+#include <stdbool.h>
+
+#define CL_TARGET_OPENCL_VERSION 120
+#ifdef __APPLE__
+#include <OpenCL/opencl.h>
+#else
+#include <CL/cl.h>
+#endif
+
+// every function that Scree calls, without its "cl"
+#define OPENCL_FUNCTIONS(X)       \
+	X(GetPlatformIDs)             \
+	X(GetPlatformInfo)            \
+	X(GetDeviceIDs)               \
+	X(GetDeviceInfo)              \
+	X(CreateContext)              \
+	X(ReleaseContext)             \
+	X(CreateCommandQueue)         \
+	X(ReleaseCommandQueue)        \
+	X(CreateProgramWithSource)    \
+	X(CreateProgramWithBinary)    \
+	X(BuildProgram)               \
+	X(GetProgramInfo)             \
+	X(GetProgramBuildInfo)        \
+	X(ReleaseProgram)             \
+	X(CreateKernel)               \
+	X(SetKernelArg)               \
+	X(GetKernelWorkGroupInfo)     \
+	X(ReleaseKernel)              \
+	X(CreateBuffer)               \
+	X(ReleaseMemObject)           \
+	X(EnqueueNDRangeKernel)       \
+	X(EnqueueReadBuffer)          \
+	X(EnqueueWriteBuffer)         \
+	X(EnqueueCopyBuffer)          \
+	X(EnqueueFillBuffer)          \
+	X(EnqueueBarrierWithWaitList) \
+	X(GetEventProfilingInfo)      \
+	X(ReleaseEvent)               \
+	X(Flush)                      \
+	X(Finish)
+
+typedef struct
+{
+#define X(name) __typeof__(cl##name)* name;
+	OPENCL_FUNCTIONS(X)
+#undef X
+} OpenClFunctions;
+extern OpenClFunctions opencl; // filled by opencl_load
+
+// Opens the library once in a process, from any thread. False when there is none.
+bool opencl_load(void);
+
+// "CL_OUT_OF_RESOURCES", or "unknown error"
+const char* opencl_error_name(cl_int code);
+
+// SCREE_OK, or fails with "clName: CL_OUT_OF_RESOURCES (-5)"
+scree_status opencl_check(const char* function, cl_int code);
+
+// calls a function of OpenCL that returns a code, and checks it
+#define CALL(name, ...) opencl_check("cl" #name, opencl.name(__VA_ARGS__))
+// leaves the function with the status of what failed
+#define TRY(expression)                      \
+	do                                       \
+	{                                        \
+		scree_status status_ = (expression); \
+		if (status_ != SCREE_OK)             \
+			return status_;                  \
+	} while (0)
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// opencl.h -- what the files of the OpenCL backend share: its state, launches and uploads.
+#ifndef OPENCL_H
+#define OPENCL_H
+#include "opencl/device.h"
+#include "opencl/limits.h"
+
+typedef struct
+{
+	cl_kernel kernel;
+	size_t group;     // work-items of a group
+	uint64_t version; // of the step that its arguments hold
+} Kernel;
+
+typedef struct // a launch whose time has not been read
+{
+	cl_event event;
+	Box box;
+} Lap;
+
+typedef struct
+{
+	Device device;
+	cl_context context;
+	cl_command_queue queue; // in order
+	cl_program program;
+	cl_mem pools[POOL_COUNT];
+	Kernel stages[STAGE_COUNT];
+
+	// step: the one that was last given to run, and how often it has changed
+	Step step;
+	uint64_t step_version;
+
+	// primitives.c
+	cl_kernel sort_count, sort_place, sort_return, scan_sum, scan_place;
+	cl_mem table;
+
+	// persistent.c
+	Kernel persistent;
+	cl_mem list, probes;
+	struct PersistentList* gathered; // the list on its way to the device
+	int most_groups;                 // that meet; 0 when this device takes launches only
+	bool any_size;                   // SCREE_PERSISTENT=1: also where launches are faster
+
+	// data on its way to the device: the driver may still read it until the queue has been waited for
+	unsigned char* staging;
+	size_t staged;
+
+	// milliseconds by box; laps is null unless BackendOptions.timings
+	Lap* laps;
+	int lap_count;
+	double milliseconds[BOX_COUNT];
+	Box box; // of the run at work; a primitive counts to the box of the run before it
+} OpenCl;
+
+// Makes room for uploads, and for laps when timings are asked for.
+scree_status staging_open(OpenCl* d, bool timings);
+
+// Launches a kernel over so many work-items, a multiple of group.
+scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
+
+// Copies to a buffer, in order with the launches; the caller's bytes are free at once.
+scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
+
+// Waits for the queue and adds up the laps.
+scree_status finish(OpenCl* d);
+
+// Creates a zeroed buffer. Fails with SCREE_OUT_OF_MEMORY when there is no room.
+scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
+
+// Creates a kernel that takes all pools, sets them, and finds the size of its groups: at most largest.
+scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);
+
+// Sets the arguments of the pools of a kind, which have new buffers, in all kernels.
+scree_status kernels_bind(OpenCl* d, Per per);
+
+// Sets the step of a kernel that takes all pools, when it is not the current one.
+scree_status kernel_step(OpenCl* d, Kernel* kernel);
+
+scree_status primitives_open(OpenCl* d);
+void primitives_close(OpenCl* d);
+scree_status primitives_bind(OpenCl* d); // as kernels_bind
+scree_status primitive_run(OpenCl* d, const Run* run);
+
+// Decides whether the device can run the persistent kernel.
+scree_status persistent_open(OpenCl* d);
+void persistent_close(OpenCl* d);
+// whether consecutive runs of the solver, the largest of so many items, are better one launch than many
+bool persistent_suits(const OpenCl* d, int count, int largest);
+scree_status persistent_run(OpenCl* d, const Run* runs, int count);
+
+scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count);
+scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT]);
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// primitives.cl -- sort and scan, two launches a pass, which assume nothing about when groups run.
+//
+// In the first launch each group counts (or sums) its own part of the items into a row of a table. In the second each
+// group adds up what lies before it in the table, and puts its items where they go. A launch to scan the table between
+// the two would cost more than reading it many times, for it is small and cached.
+//
+// The number of items is read on the device: groups past it leave at once.
+#include "opencl/limits.h"
+#include "pools/pools.h"
+
+INLINE uint item_count(Run run, __global const int* counters)
+{
+	return (uint)max(0, run.count < 0 ? run.end : min(run.end, counters[run.count]));
+}
+
+// items of each group, when so many groups share n items; a whole number of grains
+INLINE uint part_size(uint n, uint groups, uint grain)
+{
+	uint grains = (n + grain - 1) / grain;
+	return max(1u, (grains + groups - 1) / groups) * grain;
+}
+
+// The sum of x over the work-items before this one; the total is left in sum[PRIMITIVE_GROUP - 1].
+INLINE uint group_scan(__local uint* sum, uint x)
+{
+	uint t = (uint)get_local_id(0);
+	uint all = x;
+	sum[t] = all;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	for (uint d = 1; d < PRIMITIVE_GROUP; d *= 2)
+	{
+		uint before = t >= d ? sum[t - d] : 0;
+		barrier(CLK_LOCAL_MEM_FENCE);
+		all += before;
+		sum[t] = all;
+		barrier(CLK_LOCAL_MEM_FENCE);
+	}
+	return all - x;
+}
+
+// How many keys of this group's part have each digit.
+__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
+sort_count(__global const Word64* key, __global const int* counters, __global uint* table, Run run, int shift, uint mask)
+{
+	__local uint count[SORT_DIGITS];
+	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
+	uint n = item_count(run, counters);
+	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
+	uint begin = min(n, block * part), end = min(n, begin + part);
+	if (begin >= end)
+		return;
+
+	count[t] = 0;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	for (uint i = begin + t; i < end; i += PRIMITIVE_GROUP)
+		atomic_inc(&count[(uint)(key[i] >> shift) & mask]);
+	barrier(CLK_LOCAL_MEM_FENCE);
+	table[block * SORT_DIGITS + t] = count[t];
+}
+
+// Puts the keys of this group's part where they belong by one digit, those of equal digits in the order they had.
+//
+// Within 256 neighbours, the rank of a key among its equals is found with a bit mask a digit: each work-item sets its
+// bit, whatever the order, and counts the bits below. Work-item t is the keeper of digit t.
+#define SORT_WORDS (PRIMITIVE_GROUP / 32)
+__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
+sort_place(__global const Word64* key, __global Word64* key_other, __global const int* counters,
+           __global const uint* table, Run run, int shift, uint mask)
+{
+	__local uint sum[PRIMITIVE_GROUP];
+	__local uint member[2][SORT_WORDS][SORT_DIGITS];
+	__local uint place[SORT_WORDS][SORT_DIGITS];
+	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
+	uint n = item_count(run, counters);
+	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
+	uint begin = min(n, block * part), end = min(n, begin + part);
+	if (begin >= end)
+		return;
+
+	// first place of digit t: after all smaller digits, and after the same digit in the parts before
+	uint before = 0, total = 0, blocks = (n + part - 1) / part;
+	for (uint k = 0; k < blocks; ++k)
+	{
+		uint count = table[k * SORT_DIGITS + t];
+		before += k < block ? count : 0;
+		total += count;
+	}
+	uint next_place = before + group_scan(sum, total);
+
+	for (uint w = 0; w < SORT_WORDS; ++w)
+		member[0][w][t] = 0;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	uint word = t / 32, bit = 1u << (t % 32), side = 0;
+	Word64 next = begin + t < end ? key[begin + t] : 0;
+	for (uint first = begin; first < end; first += PRIMITIVE_GROUP)
+	{
+		Word64 mine = next;
+		bool live = first + t < end;
+		uint digit = (uint)(mine >> shift) & mask;
+		if (live)
+			atomic_or(&member[side][word][digit], bit);
+		if (first + PRIMITIVE_GROUP + t < end)
+			next = key[first + PRIMITIVE_GROUP + t];
+		barrier(CLK_LOCAL_MEM_FENCE);
+		for (uint w = 0; w < SORT_WORDS; ++w)
+		{
+			place[w][t] = next_place;
+			next_place += popcount(member[side][w][t]);
+			member[side ^ 1][w][t] = 0;
+		}
+		barrier(CLK_LOCAL_MEM_FENCE);
+		if (live)
+			key_other[place[word][digit] + popcount(member[side][word][digit] & (bit - 1))] = mine;
+		side ^= 1;
+	}
+}
+
+// Brings the keys home after an odd number of passes.
+__kernel void sort_return(__global Word64* key, __global const Word64* key_other, __global const int* counters, Run run)
+{
+	uint n = item_count(run, counters);
+	for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
+		key[i] = key_other[i];
+}
+
+// The sum of this group's part.
+__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
+scan_sum(__global const int* scan, __global const int* counters, __global uint* table, Run run)
+{
+	__local uint sum[PRIMITIVE_GROUP];
+	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
+	uint n = item_count(run, counters);
+	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
+	uint begin = min(n, block * part), end = min(n, begin + part);
+	if (begin >= end)
+		return;
+
+	uint mine = 0;
+	for (uint i = begin + t; i < end; i += PRIMITIVE_GROUP)
+		mine += (uint)scan[i];
+	group_scan(sum, mine);
+	if (t == 0)
+		table[block] = sum[PRIMITIVE_GROUP - 1];
+}
+
+// Replaces each item of this group's part by the sum of all items before it.
+__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
+scan_place(__global int* scan, __global const int* counters, __global const uint* table, Run run)
+{
+	__local uint sum[PRIMITIVE_GROUP];
+	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
+	uint n = item_count(run, counters);
+	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
+	uint begin = min(n, block * part), end = min(n, begin + part);
+	if (begin >= end)
+		return;
+
+	uint earlier = 0;
+	for (uint k = t; k < block; k += PRIMITIVE_GROUP)
+		earlier += table[k];
+	group_scan(sum, earlier);
+	uint base = sum[PRIMITIVE_GROUP - 1];
+	barrier(CLK_LOCAL_MEM_FENCE);
+
+	for (uint first = begin; first < end; first += SCAN_GRAIN)
+	{
+		uint i = first + t * SCAN_ITEMS, mine = 0;
+		uint item[SCAN_ITEMS];
+		for (uint k = 0; k < SCAN_ITEMS; ++k)
+		{
+			item[k] = i + k < end ? (uint)scan[i + k] : 0;
+			mine += item[k];
+		}
+		uint running = base + group_scan(sum, mine);
+		for (uint k = 0; k < SCAN_ITEMS; ++k)
+		{
+			if (i + k < end)
+				scan[i + k] = (int)running;
+			running += item[k];
+		}
+		base += sum[PRIMITIVE_GROUP - 1];
+		barrier(CLK_LOCAL_MEM_FENCE);
+	}
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// program.c -- builds an embedded OpenCL program, or takes it from the cache.
+#include "opencl/program.h"
+#include "error.h"
+#include "opencl/cache.h"
+#include <string.h>
+
+// most lines of a compiler's messages that go to the log
+#define LOG_LINES 40
+
+static const char* build_options(const Device* device)
+{
+	return device->correct_division ? "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt" : "-cl-std=CL1.2";
+}
+
+// All that can change the binary.
+static Digest program_key(const Device* device, const char* text, size_t length)
+{
+	Digest key = digest_begin();
+	digest_add(&key, text, length);
+	digest_add(&key, build_options(device), strlen(build_options(device)) + 1);
+	digest_add(&key, device->identity, strlen(device->identity) + 1);
+	return key;
+}
+
+static cl_program from_cache(cl_context context, const Device* device, Digest key)
+{
+	size_t count;
+	unsigned char* bytes = cache_read(key, &count);
+	if (!bytes)
+		return NULL;
+	cl_int binary_error = CL_SUCCESS, error;
+	cl_program program = opencl.CreateProgramWithBinary(context, 1, &device->id, &count, (const unsigned char**)&bytes,
+	                                                    &binary_error, &error);
+	if (!error && !binary_error)
+		error = opencl.BuildProgram(program, 1, &device->id, build_options(device), NULL, NULL);
+	scree_release(bytes);
+	if (!error && !binary_error)
+		return program;
+	log_sentence(SCREE_LOG_INFO, "%s does not take the program that was kept for it; it is built again.",
+	             device->about.name);
+	if (program)
+		opencl.ReleaseProgram(program);
+	return NULL;
+}
+
+static void to_cache(cl_program program, Digest key)
+{
+	size_t count = 0;
+	if (opencl.GetProgramInfo(program, CL_PROGRAM_BINARY_SIZES, sizeof count, &count, NULL) || count == 0)
+		return;
+	unsigned char* bytes = scree_allocate(count);
+	if (bytes && !opencl.GetProgramInfo(program, CL_PROGRAM_BINARIES, sizeof bytes, &bytes, NULL))
+		cache_write(key, bytes, count);
+	scree_release(bytes);
+}
+
+static void log_messages(cl_program program, cl_device_id device)
+{
+	size_t size = 0;
+	opencl.GetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
+	char* text = scree_allocate(size + 1);
+	if (!text)
+		return;
+	opencl.GetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, size, text, NULL);
+	char* line = text;
+	for (int i = 0; i < LOG_LINES && *line; ++i)
+	{
+		size_t length = strcspn(line, "\n");
+		log_sentence(SCREE_LOG_WARNING, "%.*s", (int)length, line);
+		line += length + (line[length] == '\n');
+	}
+	scree_release(text);
+}
+
+scree_status program_build(cl_context context, const Device* device, const char* text, size_t length,
+                           cl_program* program)
+{
+	Digest key = program_key(device, text, length);
+	*program = from_cache(context, device, key);
+	if (*program)
+		return SCREE_OK;
+
+	cl_int error;
+	*program = opencl.CreateProgramWithSource(context, 1, &text, &length, &error);
+	TRY(opencl_check("clCreateProgramWithSource", error));
+	error = opencl.BuildProgram(*program, 1, &device->id, build_options(device), NULL, NULL);
+	if (error)
+	{
+		log_messages(*program, device->id);
+		opencl.ReleaseProgram(*program);
+		*program = NULL;
+		return fail(SCREE_DEVICE_FAILED,
+		            "The stages do not build on %s: clBuildProgram: %s (%d); the log has the messages.",
+		            device->about.name, opencl_error_name(error), (int)error);
+	}
+	to_cache(*program, key);
+	return SCREE_OK;
+}

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+// pipeline.c -- the step, as the figure draws it; the only file that knows the order of the stages.
+//
+//     transform -> broad phase -> narrow phase -> color -> (one small read-back) -> solve -> finalize
+//
+// integrate runs inside solve, once per substep.
+#include "pipeline.h"
+#include "tree.h"
+#include "world.h"
+#include <time.h>
+
+// coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
+#define SPARE_ROUNDS 2
+
+static double now(void)
+{
+	struct timespec t;
+	timespec_get(&t, TIME_UTC);
+	return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
+
+// ---------------------------------------------------------------------------------------------------------------
+// lists of runs
+// ---------------------------------------------------------------------------------------------------------------
+
+// Room for so many more is made before a list is built, so that building cannot fail.
+static scree_status list_reserve(RunList* list, int more)
+{
+	int capacity = list->count + more;
+	if (capacity <= list->capacity)
+		return SCREE_OK;
+	Run* runs = scree_reallocate(list->runs, sizeof(Run) * (size_t)list->count, sizeof(Run) * (size_t)capacity);
+	if (!runs)
+		return fail(SCREE_OUT_OF_MEMORY, "no memory for a list of %d runs", capacity);
+	list->runs = runs;
+	list->capacity = capacity;
+	return SCREE_OK;
+}
+
+static void add(RunList* list, int stage, int begin, int end, int count, int argument)
+{
+	ASSERT(list->count < list->capacity);
+	list->runs[list->count++] = (Run){.stage = stage, .begin = begin, .end = end, .count = count, .argument = argument};
+}
+
+// a stage of one item, for bookkeeping among the counters
+static void add_single(RunList* list, int stage) { add(list, stage, 0, 1, NO_COUNT, 0); }
+
+static void add_sort(RunList* list, int end, int count, int low_bit, int high_bit)
+{
+	add(list, PRIMITIVE_SORT, 0, end, count, low_bit | high_bit << 8);
+}
+
+static scree_status list_run(scree_world* world, const Step* step, RunList* list)
+{
+	Backend* b = world->backend;
+	scree_status status = b->f->run(b, step, list->runs, list->count);
+	list->count = 0;
+	return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the stages, in order
+// ---------------------------------------------------------------------------------------------------------------
+
+static void tree_refit(RunList* list, const Step* step, int t)
+{
+	const Tree* tree = &step->tree[t];
+	if (tree->leaves == 0)
+		return;
+	add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, NO_COUNT, t);
+	for (int level = 1; level <= tree->top; ++level)
+		add(list, STAGE_tree_node, 0, (tree->count[level] + ARITY - 1) / ARITY * ARITY, NO_COUNT, t | level << 1);
+}
+
+// user's changes are in; world boxes follow the bodies; trees follow the boxes
+static scree_status transform(scree_world* world, Step* step)
+{
+	Pipeline* pipeline = &world->pipeline;
+	RunList* list = &pipeline->list;
+	list->count = 0;
+	scree_status status = list_reserve(list, 64);
+	if (status)
+		return status;
+	add_single(list, STAGE_step_begin);
+	add(list, STAGE_transform, 0, step->collidables, NO_COUNT, 0);
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		if (!tree_wants_order(state))
+			continue;
+		tree_refit(list, step, t);
+		add(list, STAGE_tree_code, 0, state->tree.leaves, NO_COUNT, t);
+		add_sort(list, state->tree.leaves, NO_COUNT, 32, 64);
+		add(list, STAGE_tree_order, 0, state->tree.leaves, NO_COUNT, t);
+		status = list_run(world, step, list);
+		if (status)
+			return status;
+		tree_ordered(world, t);
+		step->tree[t] = state->tree;
+		state->touched = true;
+	}
+	for (int t = 0; t < 2; ++t)
+	{
+		// what is static stays where it is, unless the user moved it
+		if (t == 0 || pipeline->trees[t].touched)
+			tree_refit(list, step, t);
+		pipeline->trees[t].touched = false;
+	}
+	return SCREE_OK;
+}
+
+static void broad_phase(RunList* list, const Step* step)
+{
+	int contacts = step->contact_capacity;
+	add(list, STAGE_broad_phase, 0, step->collidables, COUNT(moved), 0);
+	add_single(list, STAGE_contact_admit);
+	add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
+	add(list, STAGE_contact_dead, 0, contacts, COUNT(search), 0);
+	add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
+	add(list, STAGE_contact_free, 0, contacts, COUNT(search), 0);
+	add_single(list, STAGE_contact_begin);
+	add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
+	add_single(list, STAGE_contact_end);
+}
+
+static void narrow_phase(RunList* list, const Step* step) { add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(live), 0); }
+
+// coloring rounds from one to the other, then the layout of the constraints if none is left
+static void color(RunList* list, const Step* step, int from, int to)
+{
+	int contacts = step->contact_capacity;
+	for (int round = from; round < to; ++round)
+	{
+		if (round > 0 && round % MAX_ROUNDS == 0)
+			add_single(list, STAGE_color_wrap);
+		int count = round == 0 ? COUNT(began) : COUNT(uncolored) + round % MAX_ROUNDS;
+		add(list, STAGE_color_claim, 0, contacts, count, round);
+		add(list, STAGE_color_take, 0, contacts, count, round);
+	}
+	add(list, STAGE_color_reset, 0, contacts, COUNT(began), 0);
+	add(list, STAGE_color_arrange, 0, 1, NO_COUNT, (to - 1) % MAX_ROUNDS + 1);
+	add(list, STAGE_color_key, 0, contacts, COUNT(arrange), 0);
+	add_sort(list, contacts, COUNT(arrange), 32, 39);
+	add(list, STAGE_color_edge, 0, contacts, COUNT(arrange), 0);
+	add_single(list, STAGE_color_range);
+	add(list, STAGE_color_place, 0, contacts, COUNT(arrange), 0);
+}
+
+// Runs what has been listed and reads the counters: the one time in a step that the host waits for the device.
+static scree_status read_back(scree_world* world, const Step* step)
+{
+	scree_status status = list_run(world, step, &world->pipeline.list);
+	return status ? status : pipeline_counters(world);
+}
+
+// Boxes to colored contacts. Where a pool was too small it grows, and the search for pairs runs again.
+static scree_status detect(scree_world* world, Step* step)
+{
+	Pipeline* pipeline = &world->pipeline;
+	Backend* b = world->backend;
+	RunList* list = &pipeline->list;
+	Counters* c = &pipeline->counters;
+	scree_status status = transform(world, step);
+	if (status)
+		return status;
+
+	int rounds = pipeline->rounds + SPARE_ROUNDS;
+	for (;;)
+	{
+		status = list_reserve(list, 2 * rounds + 64);
+		if (status)
+			return status;
+		broad_phase(list, step);
+		narrow_phase(list, step);
+		color(list, step, 0, rounds);
+		status = read_back(world, step);
+		if (status)
+			return status;
+		if (!c->stalled)
+			break;
+		if (c->pairs > step->pair_capacity)
+			status = pipeline_reserve(world, KEY, c->pairs);
+		else
+			status = pipeline_reserve(world, CONTACT, c->needed + 1);
+		if (status)
+			return status;
+		step->pair_capacity = b->capacity[KEY];
+		step->contact_capacity = b->capacity[CONTACT];
+		add_single(list, STAGE_broad_phase_begin);
+	}
+
+	// rare: a burst of new contacts that needs more rounds than were run
+	int done = rounds;
+	while (c->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0)
+	{
+		status = list_reserve(list, 4 * MAX_ROUNDS);
+		if (status)
+			return status;
+		color(list, step, done, done + MAX_ROUNDS / 2);
+		done += MAX_ROUNDS / 2;
+		status = read_back(world, step);
+		if (status)
+			return status;
+	}
+
+	// how many rounds were needed: the next step runs a few more than that
+	pipeline->rounds = 0;
+	if (done > rounds)
+		pipeline->rounds = done < MAX_ROUNDS ? done : MAX_ROUNDS;
+	else
+		for (int round = 0; round < rounds && round < MAX_ROUNDS; ++round)
+			if (c->uncolored[round + 1] > 0)
+				pipeline->rounds = round + 1;
+	return SCREE_OK;
+}
+
+// a pass over the overflow set and the colors
+static void add_pass(RunList* list, const Counters* c, int stage, int overflow_stage)
+{
+	int overflow = c->color_count[COLORS], begin = c->color_begin[COLORS];
+	if (overflow > 0)
+	{
+		add(list, overflow_stage, begin, begin + padded(overflow), NO_COUNT, 0);
+		add(list, STAGE_overflow_chunk, 0, 2 * overflow, NO_COUNT, 0);
+		add(list, STAGE_overflow_apply, 0, 2 * overflow, NO_COUNT, 0);
+	}
+	for (int color = 0; color < COLORS; ++color)
+		if (c->color_count[color] > 0)
+			add(list, stage, c->color_begin[color], c->color_begin[color] + padded(c->color_count[color]), NO_COUNT, 0);
+}
+
+static scree_status solve(scree_world* world, const Step* step, int substeps)
+{
+	Pipeline* pipeline = &world->pipeline;
+	const Counters* c = &pipeline->counters;
+	RunList* list = &pipeline->list;
+	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1], overflow = c->color_count[COLORS];
+
+	// the overflow set is sorted in the pool of keys and has pools of its own
+	int entries = 2 * overflow, body_bits = 1;
+	scree_status status = overflow > 0 ? pipeline_reserve(world, KEY, entries) : SCREE_OK;
+	if (!status && overflow > 0)
+		status = pipeline_reserve(world, SHARE, 2 * padded(overflow));
+	if (!status)
+		status = list_reserve(list, 64 + (2 * substeps + 2) * (COLORS + 8));
+	if (status)
+		return status;
+	while (body_bits < 31 && 1u << body_bits <= (uint32_t)world->bodies.used)
+		++body_bits;
+
+	add(list, STAGE_solve_begin, 0, bodies, NO_COUNT, 0);
+	add(list, STAGE_prepare, 0, constraints, NO_COUNT, 0);
+	if (overflow > 0)
+	{
+		// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
+		add(list, STAGE_overflow_key, 0, entries, NO_COUNT, 0);
+		add_sort(list, entries, NO_COUNT, 32, 32 + body_bits);
+		add(list, STAGE_overflow_order, 0, entries, NO_COUNT, entries);
+		add(list, STAGE_overflow_split, 0, entries, NO_COUNT, 0);
+	}
+	add_pass(list, c, STAGE_warm_start, STAGE_overflow_warm_start);
+	for (int substep = 0; substep < substeps; ++substep)
+	{
+		add(list, STAGE_integrate_velocity, 0, bodies, NO_COUNT, substep == 0);
+		add_pass(list, c, STAGE_bias, STAGE_overflow_bias);
+		add(list, STAGE_integrate_position, 0, bodies, NO_COUNT, 0);
+		add_pass(list, c, STAGE_relax, STAGE_overflow_relax);
+	}
+	if (step->extras)
+		add_pass(list, c, STAGE_bounce, STAGE_overflow_bounce);
+	return SCREE_OK;
+}
+
+static scree_status finalize(scree_world* world, const Step* step)
+{
+	RunList* list = &world->pipeline.list;
+	add(list, STAGE_store, 0, world->pipeline.counters.color_begin[COLORS + 1], NO_COUNT, 0);
+	add(list, STAGE_finalize, 0, world->bodies.used, NO_COUNT, 0);
+	return list_run(world, step, list);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the step
+// ---------------------------------------------------------------------------------------------------------------
+
+// Soft constraint of so many hertz and damping ratio in substeps of h: Catto, Soft Constraints, GDC 2011.
+static Softness softness(float hertz, float ratio, float h)
+{
+	float omega = 6.28318531f * hertz;
+	float a1 = 2.0f * ratio + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
+	return (Softness){.bias_rate = omega / a1, .mass_scale = a2 * a3, .impulse_scale = a3};
+}
+
+static Step step_constants(const scree_world* world, float dt, int substeps)
+{
+	const scree_world_def* def = &world->def;
+	const Backend* b = world->backend;
+	float h = dt / (float)substeps, rate = 1.0f / h;
+
+	// A contact under load F sags by F / (m omega^2), so that stiff is good; but a pyramid of base 100 stepped at 240 Hz
+	// came to rest with a mean square speed of 7e-7 (m/s)^2 at 30 Hz, 3e-6 at 50, 2e-4 at 55 and 9e-2 at 60 (damping ratio
+	// 15 to 20), with its deepest overlap at 34, 19, 18 and 18 mm. Hence a fifth of the substep rate at most.
+	float hertz = def->contact_hertz < 0.2f * rate ? def->contact_hertz : 0.2f * rate;
+
+	// a turn of more than half a circle a step, or an eighth a substep, could not be told from the other way round
+	float turn = 0.785398163f * (float)substeps;
+	Step step = {
+		.dt = dt,
+		.h = h,
+		.inv_h = rate,
+		.gravity_x = def->gravity.x,
+		.gravity_y = def->gravity.y,
+		.max_speed = def->max_speed,
+		.max_spin = (turn < 3.14159265f ? turn : 3.14159265f) / dt,
+		.push_speed = def->contact_push_speed,
+		.restitution_threshold = def->restitution_threshold,
+		.soft = softness(hertz, def->contact_damping_ratio, h),
+		.stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
+		.extras = world->pipeline.extras,
+		.collidables = world->collidables.used,
+		.pair_capacity = b->capacity[KEY],
+		.contact_capacity = b->capacity[CONTACT],
+		.key_bits = 1,
+	};
+	while (step.key_bits < 31 && 1 << step.key_bits < world->collidables.used)
+		++step.key_bits;
+	for (int t = 0; t < 2; ++t)
+		step.tree[t] = world->pipeline.trees[t].tree;
+	return step;
+}
+
+scree_status pipeline_step(scree_world* world, float dt, int substeps)
+{
+	Pipeline* pipeline = &world->pipeline;
+	Backend* b = world->backend;
+	double begin = now();
+	scree_status status = tree_flush(world);
+	if (status)
+		return status;
+	Step step = step_constants(world, dt, substeps);
+	status = detect(world, &step);
+	if (!status)
+		status = solve(world, &step, substeps);
+	if (!status)
+		status = finalize(world, &step);
+	if (!status && world->def.timings)
+		status = b->f->timings(b, pipeline->boxes);
+	if (status)
+		return status;
+	pipeline->milliseconds = now() - begin;
+	pipeline->trees[0].unsorted += pipeline->counters.moved;
+	++pipeline->steps;
+	return SCREE_OK;
+}
+
+scree_status pipeline_counters(scree_world* world)
+{
+	Backend* b = world->backend;
+	return b->f->read(b, POOL_counters, 0, 1, &world->pipeline.counters);
+}
+
+scree_status pipeline_hash(scree_world* world, uint64_t* hash)
+{
+	Backend* b = world->backend;
+	Step step = {0};
+	Run runs[3] = {
+		{.stage = STAGE_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = world->bodies.used},
+		{.stage = STAGE_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = world->collidables.used},
+		{.stage = STAGE_hash_contacts, .end = HASH_SUMS, .count = NO_COUNT, .argument = 0},
+	};
+	uint64_t sums[HASH_SUMS];
+	scree_status status = b->f->run(b, &step, runs, 3);
+	if (!status)
+		status = b->f->read(b, POOL_hash, 0, HASH_SUMS, sums);
+	if (status)
+		return status;
+	*hash = 0;
+	for (int i = 0; i < HASH_SUMS; ++i)
+		*hash += sums[i];
+	return SCREE_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// sizes
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status resize(scree_world* world, Per per, int64_t capacity)
+{
+	Backend* b = world->backend;
+	if (capacity <= b->capacity[per])
+		return SCREE_OK;
+	if (capacity > INT32_MAX / 2)
+		return fail(SCREE_OUT_OF_MEMORY, "a pool of %lld items is beyond what an index can name", (long long)capacity);
+	return b->f->resize(b, per, (int)capacity);
+}
+
+scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
+{
+	Backend* b = world->backend;
+	int old = b->capacity[per];
+	if (capacity <= old)
+		return SCREE_OK;
+	int64_t wanted = capacity > old + old / 2 ? capacity : (int64_t)old + old / 2;
+	wanted = (wanted + 63) / 64 * 64;
+	world->pipeline.grown += old > 0;
+
+	scree_status status = SCREE_OK;
+	int* leaves = NULL;
+	if (per == CONTACT)
+	{
+		// every color may need padding
+		status = resize(world, CONSTRAINT, wanted + (COLORS + 1) * MAX_LANES);
+		if (!status)
+			status = resize(world, KEY, wanted);
+	}
+	if (per == COLLIDABLE)
+	{
+		status = tree_save(world, &leaves);
+		if (!status)
+			status = resize(world, LEAF, 2 * wanted);
+		if (!status)
+			status = resize(world, NODE, 2 * (int64_t)tree_nodes((int)wanted));
+		if (!status)
+			status = resize(world, KEY, wanted);
+	}
+	if (!status)
+		status = resize(world, per, wanted);
+	if (!status && per == COLLIDABLE)
+		status = tree_restore(world, leaves);
+	scree_release(leaves);
+	return status;
+}
+
+scree_status pipeline_open(scree_world* world)
+{
+	int bodies = world->def.body_capacity, contacts = world->def.contact_capacity;
+	scree_status status = pipeline_reserve(world, ONE, 1);
+	if (!status)
+		status = pipeline_reserve(world, HASH, HASH_SUMS);
+	if (!status)
+		status = pipeline_reserve(world, ATTRIBUTE, 16);
+	if (!status)
+		status = pipeline_reserve(world, BODY, bodies > 0 ? bodies + 1 : 256);
+	if (!status)
+		status = pipeline_reserve(world, COLLIDABLE, bodies > 0 ? bodies : 256);
+	if (!status)
+		status = pipeline_reserve(world, CONTACT, contacts > 0 ? contacts + 1 : 512);
+	if (!status)
+		status = pipeline_reserve(world, SHARE, 64);
+	if (!status)
+		status = pipeline_reserve(world, COMMAND, 64);
+	return status;
+}
+
+void pipeline_close(scree_world* world)
+{
+	Pipeline* pipeline = &world->pipeline;
+	for (int t = 0; t < 2; ++t)
+		scree_release(pipeline->trees[t].added);
+	scree_release(pipeline->member);
+	scree_release(pipeline->list.runs);
+}

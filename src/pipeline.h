@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// pipeline.h -- the step, and what it keeps on the host from one step to the next.
+#ifndef PIPELINE_H
+#define PIPELINE_H
+#include "backend.h"
+
+typedef struct // host side of one tree of the broad phase; src/tree.c
+{
+	Tree tree;
+	int* added; // collidables to append to the leaves in the next step
+	int added_count, added_capacity;
+	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
+	bool touched;     // some box of this tree changed by the user's doing
+	bool shrunk;      // some leaf's collidable was destroyed or belongs to the other tree now
+} TreeState;
+
+typedef struct // a list under construction
+{
+	Run* runs;
+	int count, capacity;
+} RunList;
+
+typedef struct
+{
+	Counters counters;  // as read back in the last step
+	TreeState trees[2]; // what moves; what is static
+	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
+	int member_capacity;
+	RunList list;
+	bool extras;     // some attribute has restitution, rolling resistance or tangent speed
+	int rounds;      // coloring rounds that the last step needed
+	int64_t steps;
+	int grown;           // times that a pool grew
+	double milliseconds; // of the last step, by the wall clock
+	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
+} Pipeline;
+
+// Gives the pools their first sizes. world->backend is open; world->def has the capacities to begin with.
+scree_status pipeline_open(scree_world* world);
+void pipeline_close(scree_world* world); // releases what the pipeline holds, not the backend
+
+// One step: dt seconds in substeps. world_flush has been called.
+scree_status pipeline_step(scree_world* world, float dt, int substeps);
+
+// The hash of all simulated state. world_flush has been called.
+scree_status pipeline_hash(scree_world* world, uint64_t* hash);
+
+// Reads the counters again: those that the end of the last step changed are a step old otherwise.
+scree_status pipeline_counters(scree_world* world);
+
+// Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
+// room for at least capacity items; grows by half at least.
+scree_status pipeline_reserve(scree_world* world, Per per, int capacity);
+
+// Makes sure that tree t (0: moving, 1: static) has a leaf for a collidable. Its row is written by the time of the next
+// step.
+scree_status tree_insert(scree_world* world, int t, int collidable);
+// The box of some collidable of tree t changed by the user's doing: it was destroyed, moved or went to the other tree.
+void tree_touch(scree_world* world, int t);
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// pools.c -- what pools.def and stages.def list, as tables.
+#include "backend.h"
+
+// clang-format off
+const PoolInfo pool_info[POOL_COUNT] = {
+#define X(type, name, per) {#name, sizeof(type), per},
+#include "pools/pools.def"
+#undef X
+};
+
+const char* const stage_names[RUN_KINDS] = {
+#define X(name, width, box) #name,
+#include "stages/stages.def"
+#undef X
+	"sort",
+	"scan",
+};
+
+const Box stage_boxes[STAGE_COUNT] = {
+#define X(name, width, box) BOX_##box,
+#include "stages/stages.def"
+#undef X
+};

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// pools.h -- the types of pools.def, for C and OpenCL C alike.
+#ifndef POOLS_H
+#define POOLS_H
+#include "stages/dialect.h"
+
+// ranges of constraints and bodies are padded to this many items, so that every lane count divides them
+#define MAX_LANES 16
+
+// Colors 0 to COLORS - 1 hold constraints of which no two share a body that can move; color COLORS is the overflow set.
+// One bit of BodyState's mask a color: more would need a wider mask.
+#define COLORS 63
+#define COLOR_NONE (-1)
+#define COLOR_MASK 0x7fffffffffffffffUL // a body with all colors taken
+
+// Coloring rounds before the host looks whether any contact is left. Even: rounds alternate between two lists.
+#define MAX_ROUNDS 64
+
+// arity of the trees: the boxes of 8 children are 128 bytes, a cache line of a GPU
+#define ARITY 8
+#define MAX_LEVELS 8 // 8 bits each in the 64-bit stack of the traversal: 8^8 = 16.7 million leaves
+
+#define HASH_SUMS 1024
+#define OVERFLOW_CHUNK 64
+
+// contacts begin at this separation, so that they are in place before bodies meet: four times the slop
+#define LINEAR_SLOP 0.005f
+#define SPECULATIVE_DISTANCE 0.02f
+
+// an empty box overlaps nothing
+#define EMPTY_LOW 1.0e30f
+#define EMPTY_HIGH (-1.0e30f)
+
+// separation of a point that is not there: so far apart that no impulse ever arises
+#define NO_POINT 1.0e6f
+
+// kinds of collidables
+#define KIND_DEAD 0
+#define KIND_STATIC 1
+#define KIND_KINEMATIC 2
+#define KIND_DYNAMIC 3
+#define KIND_FREE 4 // without a body
+
+// contact_flags
+#define CONTACT_COUNT 3u     // mask of the number of points
+#define CONTACT_FRESH 4u     // created in this step
+#define CONTACT_DETECTED 8u  // nothing answers to it: one side has no body
+#define CONTACT_TOUCHING 16u // has points
+
+typedef struct // 160 bytes
+{
+	Float2 vertices[8]; // m, counter-clockwise
+	Float2 normals[8];  // outward, of the edge from vertex i to i + 1
+	float radius;       // m
+	int count;          // vertices: 1 circle, 2 capsule and segment, 3 to 8 polygon
+	float friction, restitution, rolling_resistance;
+	float tangent_speed; // m/s
+	float margin;        // m: how much an enlarged box exceeds a tight one
+	int unused;
+} Attribute;
+
+typedef struct // 24 bytes
+{
+	Word64 category, mask;
+	int group, unused;
+} Filter;
+
+typedef struct // 32 bytes: one sector
+{
+	float x, y, c, s;         // world pose
+	float center_x, center_y; // from here to the body's center of mass, world axes, m
+	int attribute, body;
+} Placed;
+
+typedef struct // 32 bytes: one sector, gathered at random by the solver
+{
+	float vx, vy, w;   // m/s, rad/s
+	float inv_mass;    // 1/kg, zero for static and kinematic bodies, which are never written
+	float dx, dy, da;  // m, rad: moved since the step began
+	float inv_inertia; // 1/(kg m^2)
+} BodyState;
+
+typedef struct // 32 bytes
+{
+	float fx, fy, torque; // N, N m; finalize clears them
+	float gravity_scale;  // 0 for static and kinematic bodies
+	float linear_damping, angular_damping; // 1/s
+	float free_x, free_y; // 1, or 0 where a motion lock holds
+} Motion;
+
+typedef struct // 32 bytes: a change that the user made between steps
+{
+	int kind;  // COMMAND_*
+	int index; // body, or collidable
+	int whole[2];
+	Float4 value;
+} Command;
+
+// Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
+#define COMMAND_FORCE 0           // x, y: N
+#define COMMAND_FORCE_AT 1        // force x, y, world point x, y
+#define COMMAND_TORQUE 2          // x: N m
+#define COMMAND_IMPULSE 3         // x, y: N s
+#define COMMAND_IMPULSE_AT 4      // impulse x, y, world point x, y
+#define COMMAND_ANGULAR_IMPULSE 5 // x: N m s
+#define COMMAND_VELOCITY 6        // linear x, y, angular
+#define COMMAND_POSE 7            // of the body's origin: x, y, cos, sin
+#define COMMAND_MASS 8            // inverse mass, inverse inertia, local center x, y: the origin stays where it is
+#define COMMAND_MOTION 9          // gravity scale, linear damping, angular damping; whole[0]: locks
+#define COMMAND_BODY 10           // a row anew, inert and without mass: pose of the origin x, y, cos, sin
+#define COMMAND_PLACE 11          // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE 12     // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_FILTER 13         // the bits of category and mask; whole: group, kind
+
+typedef struct // one tree of the broad phase, as the host sees it
+{
+	int leaf_begin;             // first item in the leaf pool
+	int leaves;                 // leaves in use
+	int top;                    // highest level, the first with at most ARITY nodes; level 0 are the leaves
+	int begin[MAX_LEVELS];      // first item of each level in the pool node_box
+	int count[MAX_LEVELS];      // nodes of each level; the pool is padded with empty boxes to a multiple of ARITY
+} Tree;
+
+typedef struct // how stiff a contact is: Erin Catto, Soft Constraints, GDC 2011
+{
+	float bias_rate, mass_scale, impulse_scale;
+} Softness;
+
+typedef struct // constants of one step, by value to every stage
+{
+	float dt, h, inv_h; // s, substep s, 1/s
+	float gravity_x, gravity_y;
+	float max_speed, max_spin; // m/s, rad/s
+	float push_speed;          // m/s
+	float restitution_threshold;
+	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
+	int extras;           // some attribute has restitution, rolling resistance or tangent speed
+	int collidables;      // slots in use
+	int pair_capacity, contact_capacity;
+	int key_bits;         // bits of a collidable's index in a pair's key
+	Tree tree[2];
+} Step;
+
+// Counts that live on the device. Everything is an int so that Run.count can name one by its position.
+typedef struct
+{
+	// kept from step to step
+	int contacts;                 // slots of the contact pool in use, free ones below it included
+	int alive;                    // contacts alive, the ones released in the last step included
+	int touching;                 // contacts with a color, or in the overflow set
+	int color_begin[COLORS + 2];  // first constraint of each color; color COLORS is the overflow set
+	int color_count[COLORS + 1];  // constraints of each color, padding not counted
+	// of this step
+	int moved;                    // collidables whose enlarged box changed
+	int pairs;                    // new pairs found, also those for which there was no room
+	int sort_pairs;               // the same, or 0 when there was no room
+	int search;                   // contact slots to search for free ones, and one more; 0 when no pair is new
+	int dead;                     // free slots found
+	int created;                  // new contacts
+	int needed;                   // contact slots that the step needs
+	int stalled;                  // a buffer was too small: nothing after it was done; the host grows it and runs again
+	int live;                     // contact slots that narrow phase goes over
+	int released;                 // contacts whose boxes parted
+	int began, ended;             // contacts that began and ceased to touch
+	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
+	int arrange;                  // contact slots to sort by color: 0 when none began or ended
+	int color_first[COLORS + 2];  // first and behind the last of each color among the sorted keys
+	int color_last[COLORS + 2];
+	int penetration;              // bits of the deepest overlap, m
+	int nonfinite;                // bodies frozen because their state was not finite
+	int first_nonfinite;          // lowest index of these
+	int fault;                    // set by a device that failed in the middle of a run; its backend reads it with the rest
+} Counters;
+
+typedef struct // one entry of the list that a backend works through, in order
+{
+	int stage;      // STAGE_*, or PRIMITIVE_*
+	int begin, end; // items
+	int count;      // position in Counters of an upper bound of end, or -1
+	int argument;   // what the stage makes of it
+} Run;
+
+typedef struct
+{
+#define X(type, name, per) GLOBAL type* name;
+#include "pools/pools.def"
+#undef X
+	Step step;
+	int argument;
+} Pools;
+
+#endif

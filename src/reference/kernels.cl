@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// kernels.cl -- the OpenCL program of the paper's pipeline: a kernel a stage, a work-item an item.
+#include "reference/pools.h"
+
+#define ARGUMENT(type, name, items) __global type* name,
+#define NAME(type, name, items) name,
+#define PAPER_STAGE(name)                                                  \
+	INLINE void name##_item(const PaperPools* p, int i);                   \
+	__kernel void name(PAPER_POOLS(ARGUMENT) PaperStep step, int count)    \
+	{                                                                      \
+		PaperPools pools = {PAPER_POOLS(NAME) step};                       \
+		int i = (int)get_global_id(0);                                     \
+		if (i < count)                                                     \
+			name##_item(&pools, i);                                        \
+	}                                                                      \
+	INLINE void name##_item(const PaperPools* p, int i)
+
+#include "reference/stages.h"

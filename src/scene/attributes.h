@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// attributes.h -- the attributes of a scene: shapes and surfaces by name.
+#ifndef ATTRIBUTES_H
+#define ATTRIBUTES_H
+#include "scene/reader.h"
+#include "scene/scene.h"
+
+struct Attribute
+{
+	char name[NAME_SIZE];
+	scree_attribute_def def;
+};
+
+bool attributes_read(Reader* reader, const Place* place, const json_t* value, Scene* scene);
+
+// The position of a name in Scene.attributes, -1 when there is none.
+int attributes_find(const Scene* scene, const char* name);
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// reader.c -- reading JSON values with checks whose errors name the place in the file.
+#include "scene/reader.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SHOWN 48 // characters of a wrong value that a sentence repeats
+
+void place_text(const Place* place, char* text, size_t size)
+{
+	text[0] = 0;
+	if (!place)
+		return;
+	place_text(place->up, text, size);
+	size_t length = strlen(text);
+	if (place->key)
+		snprintf(text + length, size - length, "%s%s", length ? "." : "", place->key);
+	else
+		snprintf(text + length, size - length, "[%d]", place->index);
+}
+
+bool reader_fail(Reader* reader, const Place* place, const char* format, ...)
+{
+	char path[160];
+	place_text(place, path, sizeof path);
+	int length = snprintf(reader->sentence, SENTENCE_SIZE, "%s: %s%s", reader->file, path, path[0] ? ": " : "");
+	if (length >= SENTENCE_SIZE)
+		return false;
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(reader->sentence + length, SENTENCE_SIZE - (size_t)length, format, arguments);
+	va_end(arguments);
+	return false;
+}
+
+bool reader_fail_value(Reader* reader, const Place* place, const json_t* value, const char* must)
+{
+	if (!value)
+		return reader_fail(reader, place, "is missing");
+	char* text = json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(9));
+	if (!text)
+		return reader_fail(reader, place, "out of memory");
+	bool cut = strlen(text) > SHOWN;
+	reader_fail(reader, place, "%.*s%s %s", SHOWN, text, cut ? "..." : "", must);
+	free(text);
+	return false;
+}
+
+const char* range_fault(Range range, double value, char* text, size_t size)
+{
+	if (range.floored)
+		value = floor(value);
+	if (!isfinite(value))
+		snprintf(text, size, "must be finite");
+	else if (value < range.low && range.low == 0)
+		snprintf(text, size, "must not be negative");
+	else if (value <= 0 && range.low > 0 && range.low < 1)
+		snprintf(text, size, "must be positive");
+	else if (value < range.low)
+		snprintf(text, size, "must be at least %.9g", range.low);
+	else if (value > range.high)
+		snprintf(text, size, "must be at most %.9g", range.high);
+	else if (range.whole && value != floor(value))
+		snprintf(text, size, "must be a whole number");
+	else
+		return NULL;
+	return text;
+}
+
+bool reader_object(Reader* reader, const Place* place, const json_t* value, const char* const* keys)
+{
+	if (!json_is_object(value))
+		return reader_fail_value(reader, place, value, "must be an object, { ... }");
+	for (void* at = json_object_iter((json_t*)value); at; at = json_object_iter_next((json_t*)value, at))
+	{
+		const char* key = json_object_iter_key(at);
+		const char* const* known = keys;
+		while (*known && strcmp(*known, key) != 0)
+			++known;
+		if (*known)
+			continue;
+
+		char list[360] = "";
+		for (known = keys; *known; ++known)
+			snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", known == keys ? "" : ", ", *known);
+		return reader_fail(reader, place, "unknown key \"%.40s\"; known are %s", key, list);
+	}
+	return true;
+}
+
+bool reader_number(Reader* reader, const Place* place, const json_t* value, Range range, Number* number)
+{
+	char text[160];
+	*number = (Number){.range = range};
+	if (json_is_number(value))
+	{
+		number->constant = json_number_value(value);
+		const char* fault = range_fault(range, number->constant, text, sizeof text);
+		return fault ? reader_fail_value(reader, place, value, fault) : true;
+	}
+	if (!json_is_string(value))
+		return reader_fail_value(reader, place, value, "must be a number, or a string with an expression");
+
+	const char* expression = json_string_value(value);
+	Expression* code = expression_compile(expression, &reader->scope, &reader->sites, text, sizeof text);
+	if (!code)
+		return reader_fail(reader, place, "\"%.60s\": %s", expression, text);
+
+	// outside of repeat blocks nothing varies
+	bool varies = !expression_is_constant(code, &number->constant);
+	bool indexed = false;
+	for (int k = 0; k < reader->scope.count; ++k)
+		indexed = indexed || reader->scope.names[k].slot >= 0;
+	const char* fault = NULL;
+	if (varies && !indexed)
+	{
+		Item item = {.seed = reader->seed};
+		fault = expression_evaluate(code, &item, &number->constant);
+		varies = false;
+	}
+	if (!varies)
+		free(code);
+	if (fault)
+		return reader_fail(reader, place, "\"%.60s\": %s", expression, fault);
+	if (!varies)
+	{
+		fault = range_fault(range, number->constant, text, sizeof text);
+		return fault ? reader_fail(reader, place, "\"%.60s\" is %.9g, %s", expression, number->constant, fault) : true;
+	}
+	place_text(place, text, sizeof text);
+	number->code = code;
+	number->text = strdup(expression);
+	number->path = strdup(text);
+	return number->text && number->path ? true : reader_fail(reader, place, "out of memory");
+}
+
+bool reader_constant(Reader* reader, const Place* place, const json_t* value, Range range, double* constant)
+{
+	Number number;
+	bool good = reader_number(reader, place, value, range, &number);
+	*constant = number.constant;
+	number_free(&number);
+	return good;
+}
+
+bool reader_vec(Reader* reader, const Place* place, const json_t* value, Range range, scree_vec* vec)
+{
+	if (!json_is_array(value) || json_array_size(value) != 2)
+		return reader_fail_value(reader, place, value, "must be a list of 2 numbers");
+	double x, y;
+	if (!reader_constant(reader, ELEMENT(place, 0), json_array_get(value, 0), range, &x) ||
+	    !reader_constant(reader, ELEMENT(place, 1), json_array_get(value, 1), range, &y))
+		return false;
+	*vec = (scree_vec){(float)x, (float)y};
+	return true;
+}
+
+bool reader_string(Reader* reader, const Place* place, const json_t* value, const char** string)
+{
+	*string = json_string_value(value);
+	return *string && **string ? true : reader_fail_value(reader, place, value, "must be a string that is not empty");
+}
+
+void number_free(Number* number)
+{
+	free(number->code);
+	free(number->text);
+	free(number->path);
+	*number = (Number){0};
+}

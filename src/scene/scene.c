@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// scene.c -- scene files: read and checked as a whole, then built into a world.
+#include "scene/scene.h"
+#include "scene/block.h"
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char* const scene_keys[] = {
+    "$schema", "name", "title",      "description", "seed",        "parameters",        "constants", "world",
+    "steps",   "view", "attributes", "bodies",      "collidables", "penetration_limit", NULL};
+static const char* const parameter_keys[] = {"default", "min", "max", "integer", "description", NULL};
+
+static const struct
+{
+	const char* key;
+	size_t offset;
+	Range range;
+} world_numbers[] = {
+    {"contact_hertz", offsetof(scree_world_def, contact_hertz), {0.001, 1e6, false, false}},
+    {"contact_damping_ratio", offsetof(scree_world_def, contact_damping_ratio), {0, 1e6, false, false}},
+    {"contact_push_speed", offsetof(scree_world_def, contact_push_speed), {0, 1e6, false, false}},
+    {"restitution_threshold", offsetof(scree_world_def, restitution_threshold), {0, 1e6, false, false}},
+    {"max_speed", offsetof(scree_world_def, max_speed), {0.001, 1e6, false, false}},
+};
+static const char* const world_keys[] = {"gravity",
+                                         "dt",
+                                         "substeps",
+                                         "contact_hertz",
+                                         "contact_damping_ratio",
+                                         "contact_push_speed",
+                                         "restitution_threshold",
+                                         "max_speed",
+                                         NULL};
+
+static bool add_name(Reader* reader, const Place* place, const char* text, double value)
+{
+	if (!name_is_allowed(text) || scope_find(&reader->scope, text))
+		return reader_fail(reader, place, "the name is taken, or is not 1 to %d small letters, digits and _",
+		                   NAME_SIZE - 1);
+	if (reader->scope.count == MAX_NAMES)
+		return reader_fail(reader, place, "more than %d names", MAX_NAMES);
+	Name* name = &reader->scope.names[reader->scope.count++];
+	*name = (Name){.slot = -1, .value = value};
+	strcpy(name->text, text);
+	return true;
+}
+
+// The value that the user set, if any.
+static bool read_setting(Reader* reader, const SceneSetting* setting, Range range, double* value)
+{
+	char fault[160];
+	const Scope no_names = {0};
+	uint32_t sites = 0;
+	Expression* expression = expression_compile(setting->value, &no_names, &sites, fault, sizeof fault);
+	bool good = expression && expression_is_constant(expression, value);
+	free(expression);
+	if (good && !range_fault(range, *value, fault, sizeof fault))
+		return true;
+	snprintf(reader->sentence, SENTENCE_SIZE, "--set %.60s=%.60s: %.160s", setting->name, setting->value,
+	         !expression ? fault
+	         : good      ? fault
+	                     : "must be a number");
+	return false;
+}
+
+static bool read_parameters(Reader* reader, const json_t* root, const SceneSetting* settings, int count)
+{
+	const json_t* parameters = json_object_get(root, "parameters");
+	const Place* place = KEY(NULL, "parameters");
+	char known[256] = "";
+	if (parameters && !json_is_object(parameters))
+		return reader_fail_value(reader, place, parameters, "must be an object, { ... }");
+
+	const char* text;
+	json_t* entry;
+	json_object_foreach((json_t*)parameters, text, entry)
+	{
+		const Place* at = KEY(place, text);
+		Range range = {-1e9, 1e9, json_is_true(json_object_get(entry, "integer")), false};
+		const json_t* low = json_object_get(entry, "min");
+		const json_t* high = json_object_get(entry, "max");
+		double value;
+		if (!reader_object(reader, at, entry, parameter_keys))
+			return false;
+		if (json_object_get(entry, "integer") && !json_is_boolean(json_object_get(entry, "integer")))
+			return reader_fail_value(reader, KEY(at, "integer"), json_object_get(entry, "integer"),
+			                         "must be true or false");
+		if (low && !reader_constant(reader, KEY(at, "min"), low, range, &range.low))
+			return false;
+		if (high && !reader_constant(reader, KEY(at, "max"), high, range, &range.high))
+			return false;
+		if (!json_object_get(entry, "default"))
+			return reader_fail(reader, at, "default is missing");
+		if (!reader_constant(reader, KEY(at, "default"), json_object_get(entry, "default"), range, &value))
+			return false;
+		for (int k = 0; k < count; ++k)
+		{
+			if (strcmp(settings[k].name, text) == 0 && !read_setting(reader, &settings[k], range, &value))
+				return false;
+		}
+		if (!add_name(reader, at, text, value))
+			return false;
+		snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", known[0] ? ", " : "", text);
+	}
+	for (int k = 0; k < count; ++k)
+	{
+		if (!scope_find(&reader->scope, settings[k].name))
+			return reader_fail(reader, NULL, "no parameter \"%.60s\" to set; %s%s", settings[k].name,
+			                   known[0] ? "there are " : "the scene has none", known);
+	}
+	return true;
+}
+
+static bool read_constants(Reader* reader, const json_t* root)
+{
+	const json_t* constants = json_object_get(root, "constants");
+	const Place* place = KEY(NULL, "constants");
+	if (constants && !json_is_object(constants))
+		return reader_fail_value(reader, place, constants, "must be an object, { ... }");
+	const char* text;
+	json_t* entry;
+	json_object_foreach((json_t*)constants, text, entry)
+	{
+		double value;
+		if (!reader_constant(reader, KEY(place, text), entry, (Range){-1e15, 1e15, false, false}, &value) ||
+		    !add_name(reader, KEY(place, text), text, value))
+			return false;
+	}
+	return true;
+}
+
+static bool read_optional(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+                          double* number)
+{
+	const json_t* value = json_object_get(object, key);
+	return !value || reader_constant(reader, KEY(place, key), value, range, number);
+}
+
+static bool read_world(Reader* reader, const json_t* root, Scene* scene)
+{
+	const json_t* world = json_object_get(root, "world");
+	const Place* place = KEY(NULL, "world");
+	double dt = 1.0 / 60, substeps = 4;
+	if (!world)
+		return true;
+	if (!reader_object(reader, place, world, world_keys))
+		return false;
+	const json_t* gravity = json_object_get(world, "gravity");
+	if (gravity && !reader_vec(reader, KEY(place, "gravity"), gravity, any_speed, &scene->world.gravity))
+		return false;
+	if (!read_optional(reader, place, world, "dt", (Range){1e-5, 1, false, false}, &dt) ||
+	    !read_optional(reader, place, world, "substeps", (Range){1, 64, true, false}, &substeps))
+		return false;
+	scene->dt = (float)dt;
+	scene->substeps = (int)substeps;
+	for (size_t k = 0; k < sizeof world_numbers / sizeof world_numbers[0]; ++k)
+	{
+		float* member = (float*)((char*)&scene->world + world_numbers[k].offset);
+		double number = *member;
+		if (!read_optional(reader, place, world, world_numbers[k].key, world_numbers[k].range, &number))
+			return false;
+		*member = (float)number;
+	}
+	return true;
+}
+
+static bool read_view(Reader* reader, const json_t* root, Scene* scene)
+{
+	const json_t* view = json_object_get(root, "view");
+	const Place* place = KEY(NULL, "view");
+	scene->has_view = view != NULL;
+	if (!view)
+		return true;
+	if (!json_is_array(view) || json_array_size(view) != 4)
+		return reader_fail_value(reader, place, view, "must be a list of 4 numbers: left, bottom, right, top");
+	double side[4];
+	for (int k = 0; k < 4; ++k)
+	{
+		const json_t* value = json_array_get(view, (size_t)k);
+		if (!reader_constant(reader, ELEMENT(place, k), value, any_coordinate, &side[k]))
+			return false;
+	}
+	if (side[0] >= side[2] || side[1] >= side[3])
+		return reader_fail_value(reader, place, view, "is empty: left and bottom must be less than right and top");
+	scene->view.lower = (scree_vec){(float)side[0], (float)side[1]};
+	scene->view.upper = (scree_vec){(float)side[2], (float)side[3]};
+	return true;
+}
+
+static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
+{
+	const char* name;
+	const char* title;
+	if (!reader_object(reader, NULL, root, scene_keys) ||
+	    !reader_string(reader, KEY(NULL, "name"), json_object_get(root, "name"), &name) ||
+	    !reader_string(reader, KEY(NULL, "title"), json_object_get(root, "title"), &title))
+		return false;
+	snprintf(scene->name, sizeof scene->name, "%s", name);
+	snprintf(scene->title, sizeof scene->title, "%s", title);
+	return true;
+}
+
+static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
+{
+	double seed = 1, steps = 300, limit = 0.05;
+	if (!read_optional(reader, NULL, root, "seed", (Range){0, 1e9, true, false}, &seed) ||
+	    !read_optional(reader, NULL, root, "steps", (Range){1, 1e9, true, false}, &steps) ||
+	    !read_optional(reader, NULL, root, "penetration_limit", (Range){0, 1e6, false, false}, &limit))
+		return false;
+	reader->seed = scene->seed = (uint64_t)seed;
+	scene->steps = (int)steps;
+	scene->penetration_limit = (float)limit;
+	return true;
+}
+
+// Reads, counts and evaluates one list of blocks; the evaluation finds bad numbers before there is a world.
+static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* scene)
+{
+	const char* key = bodies ? "bodies" : "collidables";
+	const json_t* list = json_object_get(root, key);
+	const Place* place = KEY(NULL, key);
+	if (list && !json_is_array(list))
+		return reader_fail_value(reader, place, list, "must be a list, [ ... ]");
+	for (int k = 0; k < (int)json_array_size(list); ++k)
+	{
+		const Place* at = ELEMENT(place, k);
+		Block* block = &scene->blocks[scene->block_count++];
+		if (!block_read(reader, at, json_array_get(list, (size_t)k), scene, bodies, block))
+			return false;
+		int64_t room = SCENE_MAX_BODIES - (bodies ? scene->body_count : scene->collidable_count);
+		if (!block_count(reader, at, block, room))
+			return false;
+		int64_t collidables = block->count * block->part_count;
+		if (collidables > SCENE_MAX_BODIES - scene->collidable_count)
+			return reader_fail(reader, at, "%.9g collidables; a scene has at most %d", (double)collidables,
+			                   SCENE_MAX_BODIES);
+		scene->body_count += bodies ? (int)block->count : 0;
+		scene->collidable_count += (int)collidables;
+		if (!block_walk(reader, block, NULL, NULL))
+			return false;
+	}
+	return true;
+}
+
+static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* settings, int count, Scene* scene)
+{
+	if (!read_heading(reader, root, scene) || !read_parameters(reader, root, settings, count) ||
+	    !read_constants(reader, root) || !read_numbers(reader, root, scene) || !read_world(reader, root, scene) ||
+	    !read_view(reader, root, scene))
+		return false;
+	if (!attributes_read(reader, KEY(NULL, "attributes"), json_object_get(root, "attributes"), scene))
+		return false;
+	size_t blocks = json_array_size(json_object_get(root, "bodies"));
+	blocks += json_array_size(json_object_get(root, "collidables"));
+	scene->blocks = calloc(blocks + 1, sizeof(Block));
+	if (!scene->blocks)
+		return reader_fail(reader, NULL, "out of memory");
+	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene))
+		return false;
+	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
+}
+
+static json_t* load_json(const char* path, char* sentence)
+{
+	json_error_t error;
+	json_t* root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+	if (root)
+		return root;
+	if (error.line > 0)
+		snprintf(sentence, SCENE_SENTENCE, "%.200s: line %d, column %d: %.200s", path, error.line, error.column,
+		         error.text);
+	else
+		snprintf(sentence, SCENE_SENTENCE, "%.200s: %.200s", path, error.text);
+	return NULL;
+}
+
+Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence)
+{
+	json_t* root = load_json(path, sentence);
+	if (!root)
+		return NULL;
+	Scene* scene = calloc(1, sizeof(Scene));
+	Reader* reader = calloc(1, sizeof(Reader));
+	bool good = scene && reader;
+	snprintf(sentence, SCENE_SENTENCE, "%.200s: out of memory", path);
+	if (good)
+	{
+		reader->file = path;
+		reader->sentence = sentence;
+		scene->world = scree_default_world_def();
+		scene->dt = 1.0f / 60.0f;
+		scene->substeps = 4;
+		good = read_scene(reader, root, settings, count, scene);
+	}
+	if (good)
+	{
+		scene->world.body_capacity = scene->body_count + 1;
+		sentence[0] = 0;
+	}
+	else
+	{
+		scene_free(scene);
+		scene = NULL;
+	}
+	free(reader);
+	json_decref(root);
+	return scene;
+}
+
+void scene_free(Scene* scene)
+{
+	if (!scene)
+		return;
+	for (int k = 0; k < scene->block_count; ++k)
+		block_free(&scene->blocks[k]);
+	free(scene->blocks);
+	free(scene->attributes);
+	free(scene);
+}
+
+bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
+                   char* sentence)
+{
+	json_t* root = load_json(path, sentence);
+	if (!root)
+		return false;
+	const char* text = json_string_value(json_object_get(root, "title"));
+	snprintf(title, title_size, "%s", text ? text : "");
+	parameters[0] = 0;
+	json_t* entry;
+	json_object_foreach(json_object_get(root, "parameters"), text, entry)
+	{
+		size_t length = strlen(parameters);
+		const json_t* value = json_object_get(entry, "default");
+		snprintf(parameters + length, parameters_size - length, "%s%s=", length ? " " : "", text);
+		length = strlen(parameters);
+		if (json_is_string(value))
+			snprintf(parameters + length, parameters_size - length, "%s", json_string_value(value));
+		else
+			snprintf(parameters + length, parameters_size - length, "%.9g", json_number_value(value));
+	}
+	json_decref(root);
+	return true;
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// sprites.c -- what a picture of a world consists of, read through the public interface alone.
+#include "scene/sprites.h"
+#include <stdlib.h>
+
+static const Color stone = {196, 192, 184};
+static const Color palette[] = {{214, 106, 77}, {69, 139, 136},  {228, 174, 80},  {84, 116, 168},
+                                {139, 90, 131}, {134, 168, 107}, {206, 138, 152}, {112, 170, 198}};
+#define PALETTE_SIZE (int)(sizeof palette / sizeof palette[0])
+
+static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attribute)
+{
+	int needed = (int)attribute.index + 1;
+	if (needed > p->attribute_count)
+	{
+		scree_attribute_def* defs = realloc(p->attributes, (size_t)needed * sizeof *defs);
+		p->attributes = defs ? defs : p->attributes;
+		int* color_of = realloc(p->color_of, (size_t)needed * sizeof(int));
+		p->color_of = color_of ? color_of : p->color_of;
+		if (!defs || !color_of)
+			return false;
+		for (int k = p->attribute_count; k < needed; ++k)
+		{
+			defs[k].shape.count = 0; // not fetched yet
+			color_of[k] = -1;
+		}
+		p->attribute_count = needed;
+	}
+	scree_attribute_def* def = &p->attributes[attribute.index];
+	return def->shape.count > 0 || scree_get_attribute(world, attribute, def) == SCREE_OK;
+}
+
+// The attribute's color, a little lighter or darker from body to body so that equal neighbors can be told apart.
+static Color sprite_color(Sprites* p, int attribute, bool moving, int body)
+{
+	if (!moving)
+		return stone;
+	if (p->color_of[attribute] < 0)
+		p->color_of[attribute] = p->colors++ % PALETTE_SIZE;
+	Color base = palette[p->color_of[attribute]];
+	uint32_t mixed = (uint32_t)body * 0x9e3779b1u;
+	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
+	float shade = 0.92f + 0.16f * (float)(mixed >> 24) / 255.0f;
+	float channels[3] = {base.r * shade, base.g * shade, base.b * shade};
+	for (int k = 0; k < 3; ++k)
+		channels[k] = channels[k] > 255 ? 255 : channels[k];
+	return (Color){(uint8_t)channels[0], (uint8_t)channels[1], (uint8_t)channels[2]};
+}
+
+static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidable, int body, bool moving)
+{
+	scree_attribute attribute;
+	Sprite sprite = {.body = body};
+	if (scree_collidable_get_attribute(world, collidable, &attribute) != SCREE_OK ||
+	    scree_collidable_get_local_pose(world, collidable, &sprite.pose) != SCREE_OK ||
+	    !use_attribute(p, world, attribute))
+		return false;
+	if (p->count == p->capacity)
+	{
+		int capacity = p->capacity ? 2 * p->capacity : 1024;
+		Sprite* sprites = realloc(p->list, (size_t)capacity * sizeof(Sprite));
+		if (!sprites)
+			return false;
+		p->list = sprites;
+		p->capacity = capacity;
+	}
+	sprite.attribute = (int)attribute.index;
+	sprite.color = sprite_color(p, sprite.attribute, moving, body);
+	p->list[p->count++] = sprite;
+	return true;
+}
+
+static bool add_body(Sprites* p, scree_world* world, scree_body body, int position, bool moving)
+{
+	scree_collidable few[8];
+	scree_collidable* list = few;
+	int count = 0;
+	bool good = scree_get_collidables(world, body, few, 8, &count) == SCREE_OK;
+	if (good && count > 8)
+	{
+		list = malloc((size_t)count * sizeof *list);
+		good = list && scree_get_collidables(world, body, list, count, &count) == SCREE_OK;
+	}
+	for (int k = 0; good && k < count; ++k)
+		good = add_sprite(p, world, list[k], position, moving);
+	if (list != few)
+		free(list);
+	return good;
+}
+
+bool sprites_list(Sprites* p, scree_world* world)
+{
+	if (scree_get_bodies(world, NULL, 0, &p->body_count) != SCREE_OK)
+		return false;
+	p->bodies = malloc(((size_t)p->body_count + 1) * sizeof(scree_body));
+	if (!p->bodies || scree_get_bodies(world, p->bodies, p->body_count, &p->body_count) != SCREE_OK)
+		return false;
+	for (int moving = 0; moving < 2; ++moving)
+	{
+		for (int k = 0; k < p->body_count; ++k)
+		{
+			scree_body_type type;
+			if (scree_body_get_type(world, p->bodies[k], &type) != SCREE_OK)
+				return false;
+			if ((type == SCREE_DYNAMIC) == moving && !add_body(p, world, p->bodies[k], k, moving))
+				return false;
+		}
+		if (!moving)
+			p->first_moving = p->count;
+	}
+	return add_body(p, world, (scree_body){0, 0}, -1, false);
+}
+
+void sprites_free(Sprites* p)
+{
+	free(p->bodies);
+	free(p->list);
+	free(p->attributes);
+	free(p->color_of);
+}
+
+scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses)
+{
+	if (sprite->body < 0)
+		return sprite->pose;
+	scree_pose body = poses[sprite->body];
+	scree_rot q = body.rotation;
+	scree_vec at = sprite->pose.position;
+	scree_pose pose;
+	pose.position.x = body.position.x + q.c * at.x - q.s * at.y;
+	pose.position.y = body.position.y + q.s * at.x + q.c * at.y;
+	pose.rotation.c = q.c * sprite->pose.rotation.c - q.s * sprite->pose.rotation.s;
+	pose.rotation.s = q.s * sprite->pose.rotation.c + q.c * sprite->pose.rotation.s;
+	return pose;
+}

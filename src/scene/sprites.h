@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// sprites.h -- what a picture of a world consists of, read through the public interface alone.
+#ifndef SPRITES_H
+#define SPRITES_H
+#include "scree/scree.h"
+
+typedef struct
+{
+	uint8_t r, g, b;
+} Color;
+
+typedef struct // one collidable to draw
+{
+	int body;        // position in Sprites.bodies, -1 for none
+	int attribute;   // position in Sprites.attributes
+	scree_pose pose; // in the body's frame, or in the world
+	Color color;
+} Sprite;
+
+typedef struct
+{
+	scree_body* bodies;
+	int body_count;
+	Sprite* list; // from back to front: bodies that are not dynamic, dynamic ones, collidables without a body
+	int count, capacity;
+	int first_moving;
+	scree_attribute_def* attributes; // by the index of their handles
+	int* color_of;                   // palette entry of an attribute, -1 when it has none yet
+	int attribute_count, colors;
+} Sprites;
+
+// Lists everything in a world; false when memory is short.
+bool sprites_list(Sprites* sprites, scree_world* world);
+void sprites_free(Sprites* sprites);
+
+// Where a sprite is in the world, when its body is at one of poses.
+scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses);
+
+#endif

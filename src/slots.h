@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// slots.h -- slots with generations: what handles name. The lowest free slot is taken first.
+#ifndef SLOTS_H
+#define SLOTS_H
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct
+{
+	uint32_t* generation; // of each slot; odd while the slot is in use
+	int* free;            // free slots below used, a heap with the lowest on top
+	int free_count, used, capacity, alive;
+} Slots;
+
+// Room for more slots to be taken without failing; false when there is no memory.
+bool slots_reserve(Slots* slots, int more);
+void slots_close(Slots* slots);
+
+int slots_take(Slots* slots);
+void slots_free(Slots* slots, int slot);
+
+// Undoes slots_take, the last taken first. used is what Slots.used was before the first.
+void slots_put_back(Slots* slots, int slot, int used);
+
+static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// box.h -- axis-aligned boxes: lower x, y, upper x, y in a Float4.
+#ifndef BOX_H
+#define BOX_H
+#include "pools/pools.h"
+
+INLINE Float4 box_empty(void) { return make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH); }
+INLINE int box_is_empty(Float4 b) { return b.x > b.z; }
+
+INLINE int box_overlap(Float4 a, Float4 b) { return a.x <= b.z && b.x <= a.z && a.y <= b.w && b.y <= a.w; }
+
+INLINE int box_contains(Float4 outer, Float4 inner)
+{
+	return outer.x <= inner.x && outer.y <= inner.y && inner.z <= outer.z && inner.w <= outer.w;
+}
+
+INLINE Float4 box_union(Float4 a, Float4 b)
+{
+	return make_float4(b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, b.z > a.z ? b.z : a.z, b.w > a.w ? b.w : a.w);
+}
+
+#endif

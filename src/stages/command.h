@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// command.h -- the user's changes since the last step, each item's in the order in which they were made.
+#ifndef COMMAND_H
+#define COMMAND_H
+#include "pools/pools.h"
+#include "stages/vec.h"
+
+// The velocity of a body, nothing along what is locked.
+INLINE void command_velocity(const Pools* p, int body, Vec v)
+{
+	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : v.x;
+	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : v.y;
+}
+
+INLINE void command_push(const Pools* p, int body, Vec impulse)
+{
+	BodyState state = p->body[body];
+	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
+}
+
+// from the center of mass to a point of the world
+INLINE Vec command_arm(const Pools* p, int body, float x, float y)
+{
+	Float4 pose = p->pose[body];
+	return vec(x - pose.x, y - pose.y);
+}
+
+// The center of mass moves within the body; what it was doing as a rigid body goes on.
+INLINE void command_mass(const Pools* p, int i, Float4 value)
+{
+	Float4 pose = p->pose[i];
+	Float2 old = p->local_center[i];
+	Vec shift = vec_turn(vec(pose.z, pose.w), vec(value.z - old.x, value.w - old.y));
+	BodyState state = p->body[i];
+	Vec v = vec_add(vec(state.vx, state.vy), vec_spin(state.w, shift));
+	p->local_center[i] = make_float2(value.z, value.w);
+	p->pose[i] = make_float4(pose.x + shift.x, pose.y + shift.y, pose.z, pose.w);
+	p->body[i].inv_mass = value.x;
+	p->body[i].inv_inertia = value.y;
+	command_velocity(p, i, v);
+}
+
+// locks has the bits of scree_body_def.locks: 1 for x, 2 for y, 4 for rotation
+INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
+{
+	GLOBAL Motion* motion = p->motion + i;
+	motion->gravity_scale = value.x;
+	motion->linear_damping = value.y;
+	motion->angular_damping = value.z;
+	motion->free_x = locks & 1 ? 0.0f : 1.0f;
+	motion->free_y = locks & 2 ? 0.0f : 1.0f;
+	command_velocity(p, i, vec(p->body[i].vx, p->body[i].vy));
+	if (locks & 4)
+		p->body[i].w = 0.0f;
+}
+
+// A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
+INLINE void command_body(const Pools* p, int i, Float4 pose)
+{
+	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
+	p->body[i] = state;
+	p->motion[i] = motion;
+	p->pose[i] = pose;
+	p->local_center[i] = make_float2(0.0f, 0.0f);
+	p->color_mask[i] = 0;
+}
+
+// A row anew: its box is empty, so that it is found as if it had just come.
+INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute, int body)
+{
+	p->collidable_pose[i] = pose;
+	p->collidable_attribute[i] = attribute;
+	p->collidable_body[i] = body;
+	p->box[i] = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
+	p->old_box[i] = p->box[i];
+	p->moved[i] = 0;
+}
+
+INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
+
+INLINE void command_apply(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	Vec v = vec(value.x, value.y);
+	switch (c.kind)
+	{
+	case COMMAND_FORCE_AT:
+		p->motion[i].torque += vec_cross(command_arm(p, i, value.z, value.w), v);
+		p->motion[i].fx += v.x;
+		p->motion[i].fy += v.y;
+		break;
+	case COMMAND_FORCE:
+		p->motion[i].fx += v.x;
+		p->motion[i].fy += v.y;
+		break;
+	case COMMAND_TORQUE:
+		p->motion[i].torque += value.x;
+		break;
+	case COMMAND_IMPULSE_AT:
+		p->body[i].w += p->body[i].inv_inertia * vec_cross(command_arm(p, i, value.z, value.w), v);
+		command_push(p, i, v);
+		break;
+	case COMMAND_IMPULSE:
+		command_push(p, i, v);
+		break;
+	case COMMAND_ANGULAR_IMPULSE:
+		p->body[i].w += p->body[i].inv_inertia * value.x;
+		break;
+	case COMMAND_VELOCITY:
+		command_velocity(p, i, v);
+		p->body[i].w = value.z;
+		break;
+	case COMMAND_POSE:
+	{
+		Float2 center = p->local_center[i];
+		Vec position = vec_add(v, vec_turn(vec(value.z, value.w), vec(center.x, center.y)));
+		p->pose[i] = make_float4(position.x, position.y, value.z, value.w);
+		break;
+	}
+	case COMMAND_MASS:
+		command_mass(p, i, value);
+		break;
+	case COMMAND_MOTION:
+		command_motion(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_BODY:
+		command_body(p, i, value);
+		break;
+	case COMMAND_PLACE:
+		p->collidable_pose[i] = value;
+		break;
+	case COMMAND_COLLIDABLE:
+		command_collidable(p, i, value, c.whole[0], c.whole[1]);
+		break;
+	case COMMAND_FILTER:
+		p->filter[i].category = command_word64(value.x, value.y);
+		p->filter[i].mask = command_word64(value.z, value.w);
+		p->filter[i].group = c.whole[0];
+		p->collidable_kind[i] = c.whole[1];
+		break;
+	}
+}
+
+// Item i is a group: the commands of one body or one collidable.
+STAGE(command)
+{
+	for (int k = p->command_group[i]; k < p->command_group[i + 1]; ++k)
+		command_apply(p, p->command[k]);
+}
+
+#endif

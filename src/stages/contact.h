@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// contact.h -- new pairs into slots of the contact pool: in the order of their keys, the lowest free slots first.
+//
+// Slots name contacts wherever an order is needed (colors' priorities, read-back), so they must not depend on the device.
+#ifndef CONTACT_H
+#define CONTACT_H
+#include "pools/pools.h"
+
+// is there room for the pairs found?
+STAGE(contact_admit)
+{
+	GLOBAL Counters* c = p->counters;
+	c->stalled = c->pairs > p->step.pair_capacity;
+	c->sort_pairs = c->stalled ? 0 : c->pairs;
+	c->search = c->sort_pairs > 0 ? c->contacts + 1 : 0;
+	c->dead = 0;
+	(void)i;
+}
+
+STAGE(contact_dead) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
+
+// after the scan: slot i is free and the scan says how many are before it
+STAGE(contact_free)
+{
+	if (i < p->counters->contacts && p->pair[i].x < 0)
+		p->free_slot[p->scan[i]] = i;
+}
+
+// is there room for the contacts?
+STAGE(contact_begin)
+{
+	GLOBAL Counters* c = p->counters;
+	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
+	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
+	c->needed = c->contacts + beyond;
+	// one slot stays free for the end of the scan
+	if (c->needed + 1 > p->step.contact_capacity)
+		c->stalled = 1;
+	c->created = c->stalled ? 0 : c->sort_pairs;
+	(void)i;
+}
+
+INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
+
+STAGE(contact_create)
+{
+	Word64 key = p->key[i];
+	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
+	int dead = p->counters->dead;
+	int slot = i < dead ? p->free_slot[i] : p->counters->contacts + (i - dead);
+	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
+	const GLOBAL Attribute* sa = p->attribute + p->collidable_attribute[a];
+	const GLOBAL Attribute* sb = p->attribute + p->collidable_attribute[b];
+
+	p->pair[slot] = make_int2(a, b);
+	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
+	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0 ? CONTACT_DETECTED : 0u);
+	p->contact_color[slot] = COLOR_NONE;
+	p->contact_feature[slot] = make_int2(-1, -1);
+	p->contact_normal[slot] = make_float4(0.0f, 0.0f, NO_POINT, NO_POINT);
+	p->contact_anchor[slot] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	p->contact_impulse[slot] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	p->contact_rolling_impulse[slot] = 0.0f;
+	p->contact_constraint[slot] = -1;
+
+	// friction as the geometric mean, so that ice stays slippery on anything; the livelier restitution; a lever of
+	// rolling resistance as long as the larger radius; belts that run against each other add up
+	float lever = surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	p->contact_surface[slot] = make_float4(square_root(sa->friction * sb->friction),
+		surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
+}
+
+STAGE(contact_end)
+{
+	GLOBAL Counters* c = p->counters;
+	if (c->created > 0 && c->needed > c->contacts)
+		c->contacts = c->needed;
+	c->alive = c->alive + c->created;
+	c->live = c->stalled ? 0 : c->contacts;
+	(void)i;
+}
+
+#endif

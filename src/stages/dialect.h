@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// dialect.h -- what C and OpenCL C do not share. The only file of the stages that asks which compiler is reading it.
+//
+// A wide stage computes in Real and Int. On the GPU they are float and int. On the CPU they are LANES floats and LANES
+// ints, so that one call does one block. A stage that branches on an item is compiled with LANES 1; branching on a
+// vector does not compile, so the mistake cannot pass.
+//
+// docs/dialect.md has the table of words.
+#ifndef DIALECT_H
+#define DIALECT_H
+
+// The wide passes are inlined whole: clang left calls in them that cost 18 to 36 % at 8 and 16 lanes. With one lane the
+// same made gcc half as fast again, for want of registers.
+#if defined(LANES) && LANES > 1
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+#ifdef __OPENCL_C_VERSION__
+
+#pragma OPENCL FP_CONTRACT OFF
+#undef LANES
+#define LANES 1
+#define GLOBAL __global
+typedef uint Word;
+typedef ulong Word64;
+typedef float2 Float2;
+typedef float4 Float4;
+typedef int2 Int2;
+#define make_float2(a, b) ((Float2)((a), (b)))
+#define make_float4(a, b, c, d) ((Float4)((a), (b), (c), (d)))
+#define make_int2(a, b) ((Int2)((a), (b)))
+#define float_bits(x) as_int(x)
+#define float_word(x) as_uint(x)
+#define bits_float(x) as_float(x)
+#define leading_zeros(x) ((int)clz(x))
+#define square_root(x) sqrt(x)
+
+// integer atomics: they count and build sets; whatever they collect is sorted before anything reads it in order
+#define atomic_add_int(place, x) atomic_add(place, x)
+#define atomic_max_int(place, x) atomic_max(place, x)
+#define atomic_min_int(place, x) atomic_min(place, x)
+#define atomic_max_word(place, x) atomic_max(place, x)
+#define atomic_and_word64(place, x) ((void)atomic_and((volatile __global uint*)(place), (uint)(x)), (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
+// reads past first-level caches, which other compute units do not keep up to date
+#define read_shared(place) (*(volatile __global int*)(place))
+#define read_shared_word(place) (*(volatile __global uint*)(place))
+#define read_shared_word64(place) (*(volatile __global ulong*)(place))
+#define write_shared_word64(place, x) (*(volatile __global ulong*)(place) = (x))
+
+#else
+
+#include <stdint.h>
+#include <string.h>
+#define GLOBAL
+typedef uint32_t Word;
+typedef uint64_t Word64;
+typedef struct { _Alignas(8) float x; float y; } Float2;
+typedef struct { _Alignas(16) float x; float y, z, w; } Float4;
+typedef struct { _Alignas(8) int x; int y; } Int2;
+#define make_float2(a, b) ((Float2){(a), (b)})
+#define make_float4(a, b, c, d) ((Float4){(a), (b), (c), (d)})
+#define make_int2(a, b) ((Int2){(a), (b)})
+INLINE int float_bits(float x) { int i; memcpy(&i, &x, 4); return i; }
+INLINE Word float_word(float x) { Word i; memcpy(&i, &x, 4); return i; }
+INLINE float bits_float(int i) { float x; memcpy(&x, &i, 4); return x; }
+INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
+#define square_root(x) __builtin_sqrtf(x)
+
+INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }
+INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(place, x, __ATOMIC_RELAXED); }
+INLINE int read_shared(int* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
+INLINE Word read_shared_word(Word* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
+INLINE Word64 read_shared_word64(Word64* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
+INLINE void write_shared_word64(Word64* place, Word64 x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
+INLINE void atomic_max_int(int* place, int x)
+{
+	int old = read_shared(place);
+	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+}
+INLINE void atomic_min_int(int* place, int x)
+{
+	int old = read_shared(place);
+	while (old > x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+}
+INLINE void atomic_max_word(Word* place, Word x)
+{
+	Word old = read_shared_word(place);
+	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+}
+#ifndef LANES
+#define LANES 1
+#endif
+
+#endif
+
+#if LANES == 1
+typedef float Real;
+typedef int Int;
+#define splat(x) (x)
+#define load(array, i) ((array)[i])
+#define load_int(array, i) ((array)[i])
+#define store(array, i, x) ((array)[i] = (x))
+// b where c is set, else a
+INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
+#define root(x) square_root(x)
+
+// Rows of 8 and 4 floats. On a GPU they are read past the first-level cache, which in a kernel that goes through several
+// passes may hold what another compute unit has changed since.
+#ifdef __OPENCL_C_VERSION__
+#define ROW volatile __global float4*
+INLINE void gather_rows8(__global float* base, int index, float out[8])
+{
+	float4 low = ((ROW)base)[2 * index], high = ((ROW)base)[2 * index + 1];
+	out[0] = low.x; out[1] = low.y; out[2] = low.z; out[3] = low.w;
+	out[4] = high.x; out[5] = high.y; out[6] = high.z; out[7] = high.w;
+}
+INLINE void store_rows8(__global float* base, int first, const float in[8])
+{
+	((ROW)base)[2 * first] = (float4)(in[0], in[1], in[2], in[3]);
+	((ROW)base)[2 * first + 1] = (float4)(in[4], in[5], in[6], in[7]);
+}
+INLINE void load_rows4(__global float* base, int first, float out[4])
+{
+	float4 row = ((ROW)base)[first];
+	out[0] = row.x; out[1] = row.y; out[2] = row.z; out[3] = row.w;
+}
+INLINE void store_rows4(__global float* base, int first, const float in[4])
+{
+	((ROW)base)[first] = (float4)(in[0], in[1], in[2], in[3]);
+}
+INLINE void scatter_rows4of8(__global float* base, int index, const float in[4], int wanted)
+{
+	if (wanted)
+		((ROW)base)[2 * index] = (float4)(in[0], in[1], in[2], in[3]);
+}
+#else
+INLINE void gather_rows8(const float* base, int index, float out[8]) { memcpy(out, base + 8 * (size_t)index, 32); }
+INLINE void store_rows8(float* base, int first, const float in[8]) { memcpy(base + 8 * (size_t)first, in, 32); }
+INLINE void load_rows4(const float* base, int first, float out[4]) { memcpy(out, base + 4 * (size_t)first, 16); }
+INLINE void store_rows4(float* base, int first, const float in[4]) { memcpy(base + 4 * (size_t)first, in, 16); }
+INLINE void scatter_rows4of8(float* base, int index, const float in[4], int wanted)
+{
+	if (wanted)
+		memcpy(base + 8 * (size_t)index, in, 16);
+}
+#endif
+#define load_rows8(base, first, out) gather_rows8(base, first, out)
+#else
+typedef float Real __attribute__((vector_size(4 * LANES)));
+typedef int Int __attribute__((vector_size(4 * LANES)));
+#define splat(x) ((Real){0} + (x))
+#define load(array, i) (*(const Real*)((array) + (i)))
+#define load_int(array, i) (*(const Int*)((array) + (i)))
+#define store(array, i, x) (*(Real*)((array) + (i)) = (x))
+// b where c is set, else a
+INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
+INLINE Real root(Real x)
+{
+	for (int k = 0; k < LANES; ++k)
+		x[k] = __builtin_sqrtf(x[k]);
+	return x;
+}
+#include "cpu/transpose.h"
+#endif
+
+// one meaning for NaN and -0 on every target: b is taken only when the comparison holds
+INLINE Real maximum(Real a, Real b) { return choose(a, b, a < b); }
+INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
+
+// STAGE(name) { ... } says what happens to item i of the pools p; WIDE_STAGE(name) to items i to i + LANES - 1.
+#ifdef __OPENCL_C_VERSION__
+// parentheses around a kernel's name, because a macro (store) may have the same
+#define STAGE(name)                                                       \
+	INLINE void name##_item(const Pools* p, int i);                       \
+	__kernel void (name)(POOL_ARGUMENTS Step step, Run run)               \
+	{                                                                     \
+		Pools pools = {POOL_NAMES step, run.argument};                    \
+		int end = run.count < 0 ? run.end : min(run.end, ((__global int*)pools.counters)[run.count]); \
+		for (int i = run.begin + (int)get_global_id(0); i < end; i += (int)get_global_size(0)) \
+			name##_item(&pools, i);                                       \
+	}                                                                     \
+	INLINE void name##_item(const Pools* p, int i)
+#define WIDE_STAGE(name) STAGE(name)
+#else
+#define STAGE_JOIN_(name, lanes) name##_lanes##lanes
+#define STAGE_JOIN(name, lanes) STAGE_JOIN_(name, lanes)
+#define STAGE(name)                                                       \
+	INLINE void name##_item(const Pools* p, int i);                       \
+	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end) \
+	{                                                                     \
+		for (int i = begin; i < end; i += LANES)                          \
+			name##_item(p, i);                                            \
+	}                                                                     \
+	INLINE void name##_item(const Pools* p, int i)
+#define WIDE_STAGE(name) STAGE(name)
+#endif
+#endif

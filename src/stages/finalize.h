@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// finalize.h -- the step's motion into the poses; bodies whose state is not finite are frozen and counted.
+#ifndef FINALIZE_H
+#define FINALIZE_H
+#include "stages/body.h"
+
+// Cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. Off by under 2e-7.
+INLINE Vec finalize_rotation(float angle)
+{
+	float a = 0.25f * angle, q = a * a;
+	float s = a * (1.0f - q * (1.0f / 6.0f) * (1.0f - q * (1.0f / 20.0f) * (1.0f - q * (1.0f / 42.0f))));
+	float c = 1.0f - q * 0.5f * (1.0f - q * (1.0f / 12.0f) * (1.0f - q * (1.0f / 30.0f)));
+	for (int k = 0; k < 2; ++k)
+	{
+		float twice = 2.0f * s * c;
+		c = 1.0f - 2.0f * s * s;
+		s = twice;
+	}
+	return vec(c, s);
+}
+
+// false for NaN too
+INLINE int finalize_bounded(float x, float limit) { return x >= -limit && x <= limit; }
+
+STAGE(finalize)
+{
+	GLOBAL BodyState* body = p->body + i;
+	Motion motion = p->motion[i];
+	Float4 pose = p->pose[i];
+	float vx = motion.free_x * body->vx, vy = motion.free_y * body->vy, w = body->w;
+	float x = pose.x + body->dx, y = pose.y + body->dy, da = body->da;
+
+	// the largest float is 3.4e38; a hundred million metres is as good as lost, and keeps every later product finite
+	float far = 1.0e8f;
+	if (!(finalize_bounded(x, far) && finalize_bounded(y, far) && finalize_bounded(da, 4.0f) && finalize_bounded(vx, far) &&
+			finalize_bounded(vy, far) && finalize_bounded(w, far)))
+	{
+		atomic_add_int(&p->counters->nonfinite, 1);
+		atomic_min_int(&p->counters->first_nonfinite, i);
+		x = pose.x;
+		y = pose.y;
+		da = 0.0f;
+		vx = 0.0f;
+		vy = 0.0f;
+		w = 0.0f;
+		body->dx = 0.0f;
+		body->dy = 0.0f;
+		body->da = 0.0f;
+	}
+	if (da != 0.0f)
+	{
+		Vec q = vec_turn(finalize_rotation(da), vec(pose.z, pose.w));
+		float scale = 1.0f / square_root(vec_dot(q, q));
+		pose.z = scale * q.x;
+		pose.w = scale * q.y;
+	}
+	p->pose[i] = make_float4(x, y, pose.z, pose.w);
+	body->vx = vx;
+	body->vy = vy;
+	body->w = w;
+	motion.fx = 0.0f;
+	motion.fy = 0.0f;
+	motion.torque = 0.0f;
+	p->motion[i] = motion;
+}
+
+#endif

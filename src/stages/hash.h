@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// hash.h -- the world hash: a sum over items of a hash of each, so that no order and no padding matters.
+#ifndef HASH_H
+#define HASH_H
+#include "pools/pools.h"
+
+// the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input moves half of the output's
+INLINE Word64 hash_mix(Word64 h)
+{
+	h ^= h >> 33;
+	h *= (Word64)0xff51afd7ed558ccdUL;
+	h ^= h >> 33;
+	h *= (Word64)0xc4ceb9fe1a85ec53UL;
+	h ^= h >> 33;
+	return h;
+}
+
+INLINE Word64 hash_word(Word64 h, Word x) { return hash_mix(h + (Word64)0x9e3779b97f4a7c15UL + (Word64)x); }
+INLINE Word64 hash_float(Word64 h, float x) { return hash_word(h, float_word(x)); }
+INLINE Word64 hash_float4(Word64 h, Float4 v) { return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w); }
+INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
+
+// Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies begins the sums, the others add to them.
+STAGE(hash_bodies)
+{
+	Word64 sum = 0;
+	for (int k = i; k < p->argument; k += HASH_SUMS)
+	{
+		BodyState body = p->body[k];
+		Motion motion = p->motion[k];
+		Word64 h = hash_float4(hash_begin(1, k), p->pose[k]);
+		h = hash_float(hash_float(hash_float(hash_float(hash_float(h, body.vx), body.vy), body.w), body.inv_mass), body.inv_inertia);
+		h = hash_float(hash_float(hash_float(hash_float(h, motion.fx), motion.fy), motion.torque), motion.gravity_scale);
+		h = hash_float(hash_float(hash_float(hash_float(h, motion.linear_damping), motion.angular_damping), motion.free_x), motion.free_y);
+		sum += hash_float(hash_float(h, p->local_center[k].x), p->local_center[k].y);
+	}
+	p->hash[i] = sum;
+}
+
+STAGE(hash_collidables)
+{
+	Word64 sum = 0;
+	for (int k = i; k < p->argument; k += HASH_SUMS)
+	{
+		int kind = p->collidable_kind[k];
+		if (kind == KIND_DEAD)
+			continue;
+		Filter filter = p->filter[k];
+		Word64 h = hash_word(hash_word(hash_word(hash_begin(2, k), (Word)kind), (Word)p->collidable_body[k]), (Word)p->collidable_attribute[k]);
+		h = hash_float4(hash_float4(h, p->collidable_pose[k]), p->box[k]);
+		h = hash_word(hash_word(h, (Word)filter.category), (Word)(filter.category >> 32));
+		h = hash_word(hash_word(h, (Word)filter.mask), (Word)(filter.mask >> 32));
+		sum += hash_word(h, (Word)filter.group);
+	}
+	p->hash[i] += sum;
+}
+
+STAGE(hash_contacts)
+{
+	Word64 sum = 0;
+	for (int k = i; k < p->counters->contacts; k += HASH_SUMS)
+	{
+		Int2 pair = p->pair[k], feature = p->contact_feature[k];
+		if (pair.x < 0)
+			continue;
+		Word64 h = hash_word(hash_word(hash_begin(3, k), (Word)pair.x), (Word)pair.y);
+		h = hash_word(hash_word(h, p->contact_flags[k]), (Word)p->contact_color[k]);
+		h = hash_word(hash_word(h, (Word)feature.x), (Word)feature.y);
+		h = hash_float4(hash_float4(h, p->contact_normal[k]), p->contact_anchor[k]);
+		h = hash_float4(hash_float4(h, p->contact_impulse[k]), p->contact_surface[k]);
+		sum += hash_float(h, p->contact_rolling_impulse[k]);
+	}
+	p->hash[i] += sum;
+}
+
+#endif

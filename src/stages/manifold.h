@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// manifold.h -- where two convex shapes touch: a normal and at most two points.
+//
+// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices counts as a polygon of
+// two edges, back to back. The edge along whose normal the cores are furthest apart is the reference edge. The edge of
+// the other core that faces it most is cut to its length (I. Sutherland and G. Hodgman, Reentrant Polygon Clipping,
+// 1974), which leaves two points. Where a corner is before a corner, that normal is not the direction of the nearest
+// points; then these make a manifold of one point.
+#ifndef MANIFOLD_H
+#define MANIFOLD_H
+#include "stages/manifold_axis.h"
+#include "stages/manifold_nearest.h"
+
+// m: of two edges that face each other, b's is the reference only when it is better by this, or else edges that are
+// nearly parallel would take turns. Between others the better decides, for the lesser may be off the nearest points.
+#define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
+// m: how far a manifold on an edge may be from the distance of the cores; shorter vectors count as without direction
+#define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
+// cosine: edges face each other when their normals are opposite by more. Then points are named by two corners, because
+// equal boxes in a stack must keep the names while one slides over the other's corner; otherwise by corner and edge.
+#define FACING 0.9f
+// index of a shape's first edge as a feature; smaller ones are its corners
+#define FEATURE_EDGE 8
+
+typedef struct // in the frame of a
+{
+	Vec normal;         // unit, from a to b
+	Vec point[2];       // halfway between the two surfaces, m
+	Real separation[2]; // of the surfaces, negative when they overlap, m; NO_POINT when there is no such point
+	int feature[2];     // feature of a << 8 | feature of b; no two points share one
+	int count;          // points; when 0 there is no normal
+} Manifold;
+
+INLINE Manifold no_manifold(void)
+{
+	Manifold m;
+	m.normal = m.point[0] = m.point[1] = vec(0.0f, 0.0f);
+	m.separation[0] = m.separation[1] = NO_POINT;
+	m.feature[0] = m.feature[1] = 0;
+	m.count = 0;
+	return m;
+}
+
+// Adds the point between one on the core of a and the one on the core of b that is at a height (m) over it.
+INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature)
+{
+	Real separation = height - radius_a - radius_b;
+	if (!(separation <= SPECULATIVE_DISTANCE))
+		return;
+	Vec point = vec_add(from, vec_scale(0.5f * (height + radius_a - radius_b), m->normal));
+
+	// indices that the compiler knows keep the manifold in registers
+	if (m->count == 0)
+	{
+		m->point[0] = point;
+		m->separation[0] = separation;
+		m->feature[0] = feature;
+	}
+	else
+	{
+		m->point[1] = point;
+		m->separation[1] = separation;
+		m->feature[1] = feature;
+	}
+	m->count += 1;
+}
+
+INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
+{
+	Manifold m = no_manifold();
+	Vec from = shape_corner(a, 0);
+	Vec delta = vec_sub(frame_point(f, shape_corner(b, 0)), from);
+	Real distance = root(vec_dot(delta, delta));
+	m.normal = distance > NEAREST_TOLERANCE ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
+	manifold_add(&m, from, distance, a->radius, b->radius, 0);
+	return m;
+}
+
+INLINE int feature_pair(int a, int b) { return a << 8 | b; }
+
+// The manifold of a, which has the reference edge, and b. separation is the largest over the edges of both.
+INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f)
+{
+	// the reference edge from corner i to i2: coordinates along it and over it
+	int i = axis.edge, i2 = shape_next(a, i);
+	Vec origin = shape_corner(a, i), up = shape_normal(a, i), right = vec(-up.y, up.x);
+	Edge reference;
+	reference.start = vec(0.0f, 0.0f);
+	reference.end = vec(vec_dot(vec_sub(shape_corner(a, i2), origin), right), 0.0f);
+	reference.start_feature = i;
+	reference.end_feature = i2;
+	reference.feature = FEATURE_EDGE + i;
+	Real length = reference.end.x;
+
+	// of the two edges at the deepest corner of b, the one that faces the reference edge more; it runs against it
+	int j = axis.corner, before = j > 0 ? j - 1 : b->count - 1;
+	Vec turned = vec_turn_back(f.rotation, up);
+	Real facing = vec_dot(turned, shape_normal(b, j)), facing_before = vec_dot(turned, shape_normal(b, before));
+	if (facing_before < facing)
+	{
+		facing = facing_before;
+		j = before;
+	}
+	int j2 = shape_next(b, j);
+	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), origin);
+	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), origin);
+	Edge incident;
+	incident.start = vec(vec_dot(start, right), vec_dot(start, up));
+	incident.end = vec(vec_dot(end, right), vec_dot(end, up));
+	incident.start_feature = j;
+	incident.end_feature = j2;
+	incident.feature = FEATURE_EDGE + j;
+
+	// cut it to the length of the reference edge
+	Vec high = incident.start, low = incident.end;
+	int overlap = high.x >= 0.0f && low.x <= length;
+	int cut_high = overlap && high.x > length, cut_low = overlap && low.x < 0.0f;
+	Vec along = vec_sub(low, high);
+	if (cut_high)
+		high = vec(length, high.y + (high.x - length) / -along.x * along.y);
+	if (cut_low)
+		low = vec(0.0f, low.y + low.x / along.x * -along.y);
+
+	Manifold m = no_manifold();
+	m.normal = up;
+
+	// cut points are no nearer than the cores, and the cores no nearer than the separation; when the outer two differ, a
+	// corner is before a corner. Two thin cores in line are apart along no edge's normal.
+	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
+	{
+		Nearest n = nearest_points(reference, incident);
+		Real distance = root(n.square);
+		int thin = a->count < 3 && b->count < 3;
+		int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
+		Vec from = vec(n.to.x, 0.0f);
+		Real height = n.to.y;
+		if (apart && distance > NEAREST_TOLERANCE)
+		{
+			Vec delta = vec_scale(1.0f / distance, vec_sub(n.to, n.from));
+			m.normal = vec_add(vec_scale(delta.x, right), vec_scale(delta.y, up));
+			from = n.from;
+			height = distance;
+		}
+		from = vec_add(origin, vec_add(vec_scale(from.x, right), vec_scale(from.y, up)));
+		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature));
+		return m;
+	}
+
+	int steep = facing > -FACING;
+	manifold_add(&m, vec_add(origin, vec_scale(high.x, right)), high.y, a->radius, b->radius,
+	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j));
+	if (b->count > 1)
+		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
+		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2));
+	return m;
+}
+
+// The same manifold, seen from the other shape, which lies at f in the new frame.
+INLINE Manifold manifold_swap(Manifold m, Frame f)
+{
+	m.normal = vec_neg(vec_turn(f.rotation, m.normal));
+	for (int k = 0; k < 2; ++k)
+	{
+		if (k >= m.count)
+			continue;
+		m.point[k] = frame_point(f, m.point[k]);
+		m.feature[k] = feature_pair(m.feature[k] & 255, m.feature[k] >> 8);
+	}
+	return m;
+}
+
+// The manifold of two shapes in the frame of a, where b is placed at a position (m) and rotation (cos, sin).
+INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec position, Vec rotation)
+{
+	Frame f;
+	f.position = position;
+	f.rotation = rotation;
+	if (a->count == 1 && b->count == 1)
+		return circles_manifold(a, b, f);
+
+	Real reach = a->radius + b->radius + SPECULATIVE_DISTANCE;
+	Axis on_a = best_axis(a, b, f);
+	if (on_a.separation > reach)
+		return no_manifold();
+	Frame back = frame_inverse(f);
+	Axis on_b = best_axis(b, a, back);
+	if (on_b.separation > reach)
+		return no_manifold();
+
+	Real separation = maximum(on_a.separation, on_b.separation);
+	Real facing = vec_dot(shape_normal(a, on_a.edge), vec_turn(rotation, shape_normal(b, on_b.edge)));
+	Real bias = facing < -FACING ? REFERENCE_BIAS : 0.0f;
+	int swap = on_b.separation > on_a.separation + bias;
+	const GLOBAL Attribute* reference = a;
+	const GLOBAL Attribute* incident = b;
+	Frame placed = f;
+	Axis axis = on_a;
+	if (swap)
+	{
+		reference = b;
+		incident = a;
+		placed = back;
+		axis = on_b;
+	}
+	Manifold m = edge_manifold(reference, incident, axis, separation, placed);
+	if (swap)
+		m = manifold_swap(m, f);
+	return m;
+}
+
+#endif

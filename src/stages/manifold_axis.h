@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// manifold_axis.h -- the axis test: along which edge's normal one convex core is furthest from another.
+//
+// S. Gottschalk, Separating Axis Theorem, 1996. Two cores overlap when they do along the normals of all edges of both.
+#ifndef MANIFOLD_AXIS_H
+#define MANIFOLD_AXIS_H
+#include "pools/pools.h"
+#include "stages/vec.h"
+
+// a separation below all others
+#define NO_AXIS (-1.0e30f)
+
+typedef struct // of one shape in the frame of another
+{
+	Vec position, rotation;
+} Frame;
+
+typedef struct
+{
+	Real separation; // of the cores along the edge's normal, m
+	int edge;        // of one core
+	int corner;      // of the other, the deepest
+} Axis;
+
+INLINE Vec shape_corner(const GLOBAL Attribute* shape, int i)
+{
+	Float2 v = shape->vertices[i];
+	return vec(v.x, v.y);
+}
+
+INLINE Vec shape_normal(const GLOBAL Attribute* shape, int i)
+{
+	Float2 v = shape->normals[i];
+	return vec(v.x, v.y);
+}
+
+INLINE int shape_next(const GLOBAL Attribute* shape, int i) { return i + 1 < shape->count ? i + 1 : 0; }
+
+INLINE Vec frame_point(Frame f, Vec v) { return vec_add(f.position, vec_turn(f.rotation, v)); }
+
+INLINE Frame frame_inverse(Frame f)
+{
+	Frame back;
+	back.position = vec_neg(vec_turn_back(f.rotation, f.position));
+	back.rotation = vec(f.rotation.x, -f.rotation.y);
+	return back;
+}
+
+// The edge of a along whose normal b is furthest. A circle has no edges. Vertices are read where they are and normals
+// turned to meet them, so that no array has to be kept per item.
+INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
+{
+	Axis best = {NO_AXIS, 0, 0};
+	if (a->count == 1)
+		return best;
+	for (int i = 0; i < a->count; ++i)
+	{
+		Vec normal = shape_normal(a, i);
+		Vec turned = vec_turn_back(f.rotation, normal);
+		int corner = 0;
+		Real lowest = vec_dot(turned, shape_corner(b, 0));
+		for (int j = 1; j < b->count; ++j)
+		{
+			Real height = vec_dot(turned, shape_corner(b, j));
+			if (height < lowest)
+			{
+				lowest = height;
+				corner = j;
+			}
+		}
+		Real separation = vec_dot(normal, vec_sub(f.position, shape_corner(a, i))) + lowest;
+		if (separation > best.separation)
+		{
+			best.separation = separation;
+			best.edge = i;
+			best.corner = corner;
+		}
+	}
+	return best;
+}
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// manifold_nearest.h -- the nearest points of two edges, and which features they lie on.
+#ifndef MANIFOLD_NEAREST_H
+#define MANIFOLD_NEAREST_H
+#include "stages/vec.h"
+
+typedef struct // of a core; start and end are given along the reference edge and over it, m
+{
+	Vec start, end;
+	int start_feature, end_feature, feature;
+} Edge;
+
+typedef struct // nearest points of two edges
+{
+	Vec from, to;
+	Real square; // of their distance, m^2
+	int from_feature, to_feature;
+} Nearest;
+
+// The point of edge a that is nearest to a corner.
+INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
+{
+	Vec direction = vec_sub(a.end, a.start);
+	Real along = vec_dot(vec_sub(corner, a.start), direction), square = vec_dot(direction, direction);
+	Nearest n;
+	n.from = a.start;
+	n.from_feature = a.start_feature;
+	if (along > 0.0f && along < square)
+	{
+		n.from = vec_add(a.start, vec_scale(along / square, direction));
+		n.from_feature = a.feature;
+	}
+	else if (along > 0.0f)
+	{
+		n.from = a.end;
+		n.from_feature = a.end_feature;
+	}
+	n.to = corner;
+	n.to_feature = feature;
+	Vec delta = vec_sub(n.to, n.from);
+	n.square = vec_dot(delta, delta);
+	return n;
+}
+
+// The nearest points of edge a and a corner of edge b.
+INLINE Nearest nearest_corner(Edge a, Edge b)
+{
+	Nearest start = nearest_to_corner(a, b.start, b.start_feature);
+	Nearest end = nearest_to_corner(a, b.end, b.end_feature);
+	if (end.square < start.square)
+		return end;
+	return start;
+}
+
+// The nearest points of two edges that do not cross: one of them is a corner.
+INLINE Nearest nearest_points(Edge a, Edge b)
+{
+	Nearest n = nearest_corner(a, b), back = nearest_corner(b, a);
+	if (back.square < n.square)
+	{
+		n.from = back.to;
+		n.to = back.from;
+		n.square = back.square;
+		n.from_feature = back.to_feature;
+		n.to_feature = back.from_feature;
+	}
+	return n;
+}
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// program.h -- all stages, in order; read by lanes1.c and by the OpenCL program.
+#include "stages/dialect.h"
+#include "pools/pools.h"
+#include "stages/vec.h"
+#include "stages/command.h"
+#include "stages/transform.h"
+#include "stages/tree.h"
+#include "stages/broad_phase.h"
+#include "stages/contact.h"
+#include "stages/narrow_phase.h"
+#include "stages/color.h"
+#include "stages/solve_one.h"
+#include "stages/solve.h"
+#include "stages/overflow_one.h"
+#include "stages/overflow.h"
+#include "stages/finalize.h"
+#include "stages/hash.h"

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// solve.h -- one pass of soft sequential impulses over the constraints of one color, and the passes over bodies between.
+//
+// This work is based on:
+// Erin Catto, Soft Constraints, GDC 2011: bias rate, mass and impulse scale of a constraint with a frequency.
+// Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of iterations.
+// Erin Catto, Solver2D, 2024: a biased and a relaxing pass per substep ("soft step").
+//
+// Warm starting takes no pass over the contacts. Anchors and normals are constant within a step, so that the velocity
+// which all contacts together gave a body in one substep is what they would give it again: velocity after the relaxing
+// pass less the velocity before any impulse (the pool base). integrate_velocity adds it to the next substep.
+#ifndef SOLVE_H
+#define SOLVE_H
+#include "stages/body.h"
+
+typedef struct // the part of a constraint that all passes share
+{
+	Int ia, ib;
+	Body a, b;
+	Vec n, t;           // normal from a to b; tangent
+	Vec ra[2], rb[2];   // anchors from the centers of mass
+} Pair;
+
+INLINE Pair pair_load(const Pools* p, int i)
+{
+	Pair c;
+	c.ia = load_int(p->constraint_a, i);
+	c.ib = load_int(p->constraint_b, i);
+	c.a = body_gather(p, c.ia);
+	c.b = body_gather(p, c.ib);
+	c.n = vec(load(p->normal_x, i), load(p->normal_y, i));
+	c.t = vec(c.n.y, -c.n.x);
+	Vec offset = vec(load(p->offset_x, i), load(p->offset_y, i));
+	c.ra[0] = vec(load(p->anchor1_x, i), load(p->anchor1_y, i));
+	c.ra[1] = vec(load(p->anchor2_x, i), load(p->anchor2_y, i));
+	c.rb[0] = vec_add(c.ra[0], offset);
+	c.rb[1] = vec_add(c.ra[1], offset);
+	return c;
+}
+
+INLINE void pair_store(const Pools* p, Pair c)
+{
+	body_scatter(p, c.ia, c.a);
+	body_scatter(p, c.ib, c.b);
+}
+
+// normal velocity at point k
+INLINE Real pair_approach(Pair c, int k, Vec n)
+{
+	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
+}
+
+// One point's push along the normal. Returns the new accumulated impulse, which never pulls. With soft null the
+// overlap is left alone: what bodies gained by being pushed out is taken from them again.
+INLINE Real pair_normal(Pair* c, int k, Real separation, Real old, const Step* step, int soft)
+{
+	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
+	Real s = separation + vec_dot(moved, c->n);
+	Int apart = s > splat(0.0f);
+
+	// speculative: no push before the gap closes within the substep
+	Real bias = choose(splat(0.0f), s * step->inv_h, apart);
+	Real mass_scale = splat(1.0f), impulse_scale = splat(0.0f);
+	if (soft)
+	{
+		// contacts with what cannot move are stiffer, so that nothing sinks into the ground
+		Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
+		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate), splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
+		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
+		mass_scale = choose(choose(splat(step->soft.mass_scale), splat(step->stiff.mass_scale), fixed), mass_scale, apart);
+		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed), impulse_scale, apart);
+	}
+
+	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
+	Real change = -mass * (mass_scale * pair_approach(*c, k, c->n) + bias) - impulse_scale * old;
+	Real impulse = maximum(old + change, splat(0.0f));
+	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
+	return impulse;
+}
+
+// One point's friction: Coulomb's cone with the normal impulse of the pass before.
+INLINE Real pair_tangent(Pair* c, int k, Real speed, Real limit, Real old)
+{
+	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->t);
+	Real impulse = old - mass * (pair_approach(*c, k, c->t) + speed);
+	impulse = minimum(maximum(impulse, -limit), limit);
+	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
+	return impulse;
+}
+
+INLINE void bias_pass(const Pools* p, int i, Pair* c)
+{
+	store(p->normal_impulse1, i, pair_normal(c, 0, load(p->separation1, i), load(p->normal_impulse1, i), &p->step, 1));
+	store(p->normal_impulse2, i, pair_normal(c, 1, load(p->separation2, i), load(p->normal_impulse2, i), &p->step, 1));
+}
+
+INLINE void relax_pass(const Pools* p, int i, Pair* c)
+{
+	Real normal1 = load(p->normal_impulse1, i), normal2 = load(p->normal_impulse2, i);
+	Real speed = splat(0.0f);
+	if (p->step.extras)
+	{
+		// rolling resistance: a torque against the relative spin, limited by the load times a lever
+		Real inertia = c->a.inv_inertia + c->b.inv_inertia;
+		Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
+		Real limit = load(p->rolling, i) * (normal1 + normal2), old = load(p->rolling_impulse, i);
+		Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
+		c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
+		c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
+		store(p->rolling_impulse, i, impulse);
+		speed = load(p->tangent_speed, i);
+	}
+
+	// friction first: keeping bodies apart matters more, so it has the last word
+	Real friction = load(p->friction, i);
+	store(p->tangent_impulse1, i, pair_tangent(c, 0, speed, friction * normal1, load(p->tangent_impulse1, i)));
+	store(p->tangent_impulse2, i, pair_tangent(c, 1, speed, friction * normal2, load(p->tangent_impulse2, i)));
+
+	normal1 = pair_normal(c, 0, load(p->separation1, i), normal1, &p->step, 0);
+	normal2 = pair_normal(c, 1, load(p->separation2, i), normal2, &p->step, 0);
+	store(p->normal_impulse1, i, normal1);
+	store(p->normal_impulse2, i, normal2);
+	if (p->step.extras)
+	{
+		store(p->peak_impulse1, i, maximum(load(p->peak_impulse1, i), normal1));
+		store(p->peak_impulse2, i, maximum(load(p->peak_impulse2, i), normal2));
+	}
+}
+
+// all impulses of the last step at once
+INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
+{
+	Vec j1 = vec_add(vec_scale(load(p->normal_impulse1, i), c->n), vec_scale(load(p->tangent_impulse1, i), c->t));
+	Vec j2 = vec_add(vec_scale(load(p->normal_impulse2, i), c->n), vec_scale(load(p->tangent_impulse2, i), c->t));
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], j1);
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], j2);
+	if (p->step.extras)
+	{
+		Real rolling = load(p->rolling_impulse, i);
+		c->a.w = c->a.w - c->a.inv_inertia * rolling;
+		c->b.w = c->b.w + c->b.inv_inertia * rolling;
+	}
+}
+
+// restitution of one point that approached faster than the threshold and was pushed (Newton's law of impact)
+INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real peak, Real old, float threshold)
+{
+	Int hit = (restitution > splat(0.0f)) & (approach < splat(-threshold)) & (peak > splat(0.0f));
+	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
+	Real impulse = maximum(old - mass * (pair_approach(*c, k, c->n) + restitution * approach), splat(0.0f));
+	impulse = choose(old, impulse, hit);
+	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
+	return impulse;
+}
+
+INLINE void bounce_pass(const Pools* p, int i, Pair* c)
+{
+	Real e = load(p->restitution, i);
+	float threshold = p->step.restitution_threshold;
+	store(p->normal_impulse1, i, pair_bounce(c, 0, e, load(p->approach1, i), load(p->peak_impulse1, i), load(p->normal_impulse1, i), threshold));
+	store(p->normal_impulse2, i, pair_bounce(c, 1, e, load(p->approach2, i), load(p->peak_impulse2, i), load(p->normal_impulse2, i), threshold));
+}
+
+// a pass over the constraints of one color
+#define PASS(name)                   \
+	WIDE_STAGE(name)                 \
+	{                                \
+		Pair c = pair_load(p, i);    \
+		name##_pass(p, i, &c);       \
+		pair_store(p, c);            \
+	}
+PASS(warm_start)
+PASS(bias)
+PASS(relax)
+PASS(bounce)
+
+// Forces into velocity, and the contacts' share of the substep before as warm start. argument is 1 in the first
+// substep, where base still holds the velocity of the body alone and the warm start has been added to it.
+WIDE_STAGE(integrate_velocity)
+{
+	Real b[8], m[8], base[4];
+	load_rows8((GLOBAL float*)p->body, i, b);
+	load_rows8((GLOBAL float*)p->motion, i, m);
+	load_rows4((GLOBAL float*)p->base, i, base);
+	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
+	Real w = b[2], contacts_w = w - base[2];
+	if (p->argument)
+	{
+		v = vec(base[0], base[1]);
+		w = base[2];
+	}
+
+	// implicit damping, semi-implicit Euler; a lock holds by taking the velocity away
+	float h = p->step.h;
+	Real linear = 1.0f / (1.0f + h * m[4]), angular = 1.0f / (1.0f + h * m[5]);
+	v.x = m[6] * (linear * v.x + h * (p->step.gravity_x * m[3] + b[3] * m[0]));
+	v.y = m[7] * (linear * v.y + h * (p->step.gravity_y * m[3] + b[3] * m[1]));
+	w = angular * w + h * (b[7] * m[2]);
+	base[0] = v.x;
+	base[1] = v.y;
+	base[2] = w;
+	v.x = v.x + m[6] * contacts.x;
+	v.y = v.y + m[7] * contacts.y;
+	w = w + contacts_w;
+
+	Real square = vec_dot(v, v);
+	float limit = p->step.max_speed, spin = p->step.max_spin;
+	v = vec_scale(choose(splat(1.0f), limit / root(square), square > splat(limit * limit)), v);
+	w = minimum(maximum(w, splat(-spin)), splat(spin));
+
+	b[0] = v.x;
+	b[1] = v.y;
+	b[2] = w;
+	store_rows8((GLOBAL float*)p->body, i, b);
+	store_rows4((GLOBAL float*)p->base, i, base);
+}
+
+WIDE_STAGE(integrate_position)
+{
+	Real b[8], m[8];
+	load_rows8((GLOBAL float*)p->body, i, b);
+	load_rows8((GLOBAL float*)p->motion, i, m);
+	float h = p->step.h;
+	b[4] = b[4] + h * (m[6] * b[0]);
+	b[5] = b[5] + h * (m[7] * b[1]);
+	b[6] = b[6] + h * b[2];
+	store_rows8((GLOBAL float*)p->body, i, b);
+}
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// transform.h -- collidables to their world pose and box; the enlarged box follows when the tight one leaves it.
+#ifndef TRANSFORM_H
+#define TRANSFORM_H
+#include "stages/box.h"
+#include "stages/vec.h"
+
+// the counters of one step, cleared
+STAGE(step_begin)
+{
+	GLOBAL Counters* c = p->counters;
+	c->alive = c->alive - c->released;
+	c->moved = 0;
+	c->pairs = 0;
+	c->created = 0;
+	c->stalled = 0;
+	c->needed = 0;
+	c->released = 0;
+	c->began = 0;
+	c->ended = 0;
+	c->penetration = 0;
+	for (int k = 0; k <= MAX_ROUNDS; ++k)
+		c->uncolored[k] = 0;
+	(void)i;
+}
+
+// Where collidable i is. Without a body its local pose is its world pose.
+INLINE Placed collidable_place(const Pools* p, int i)
+{
+	Placed placed;
+	Float4 own = p->collidable_pose[i];
+	int body = p->collidable_body[i];
+	placed.attribute = p->collidable_attribute[i];
+	placed.body = body;
+	Vec position = vec(own.x, own.y), rotation = vec(own.z, own.w), center = vec(0.0f, 0.0f);
+	if (body >= 0)
+	{
+		Float4 pose = p->pose[body];
+		Float2 middle = p->local_center[body];
+		Vec turn = vec(pose.z, pose.w);
+		Vec arm = vec_turn(turn, vec(own.x - middle.x, own.y - middle.y));
+		position = vec_add(vec(pose.x, pose.y), arm);
+		rotation = vec_turn(turn, rotation);
+		center = vec_neg(arm);
+	}
+	placed.x = position.x;
+	placed.y = position.y;
+	placed.c = rotation.x;
+	placed.s = rotation.y;
+	placed.center_x = center.x;
+	placed.center_y = center.y;
+	return placed;
+}
+
+// world vertex k of a placed attribute
+INLINE Vec world_vertex(Placed placed, const GLOBAL Attribute* attribute, int k)
+{
+	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
+	return vec_add(vec(placed.x, placed.y), vec_turn(vec(placed.c, placed.s), vertex));
+}
+
+// the box of a placed attribute and of all within extra metres of it
+INLINE Float4 world_box(Placed placed, const GLOBAL Attribute* attribute, float extra)
+{
+	Float4 box = box_empty();
+	for (int k = 0; k < attribute->count; ++k)
+	{
+		Vec v = world_vertex(placed, attribute, k);
+		box = box_union(box, make_float4(v.x, v.y, v.x, v.y));
+	}
+	float r = attribute->radius + extra;
+	return make_float4(box.x - r, box.y - r, box.z + r, box.w + r);
+}
+
+STAGE(transform)
+{
+	Float4 box = p->box[i];
+	int moved = p->moved[i];
+	if (p->collidable_kind[i] == KIND_DEAD)
+	{
+		// its contacts see an empty box once, and end
+		moved = !box_is_empty(box);
+		p->moved[i] = moved;
+		p->box[i] = box_empty();
+		return;
+	}
+
+	Placed placed = collidable_place(p, i);
+	p->placed[i] = placed;
+	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
+
+	// contacts begin at the speculative distance, so half of it on either side belongs to the tight box
+	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
+	if (box_contains(box, tight))
+	{
+		if (moved)
+		{
+			p->old_box[i] = box;
+			p->moved[i] = 0;
+		}
+		return;
+	}
+	float m = attribute->margin;
+	p->old_box[i] = box;
+	p->box[i] = make_float4(tight.x - m, tight.y - m, tight.z + m, tight.w + m);
+	p->moved[i] = 1;
+	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
+}
+
+#endif

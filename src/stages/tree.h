@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// tree.h -- packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children to a node, no pointers.
+//
+// This work is based on:
+// Ibrahim Kamel, Christos Faloutsos, On Packing R-trees, 1993.
+//
+// Node n of a level has children ARITY * n and up on the level below, so that a level is built by one pass over the
+// level below, the eight boxes of a node are one cache line of a GPU, and a walk needs 8 bits a level for its way back.
+// A binary radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes, but needs
+// pointers, atomics between compute units to refit, and 20 levels where this has 7.
+//
+// Which leaves share a node decides speed alone: the set of pairs found is defined by the boxes.
+#ifndef TREE_H
+#define TREE_H
+#include "stages/box.h"
+
+INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
+
+// argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
+STAGE(tree_leaf)
+{
+	const Tree tree = p->step.tree[p->argument];
+	Float4 box = box_empty();
+	if (i < tree.leaves)
+	{
+		int k = p->leaf[tree.leaf_begin + i], kind = p->collidable_kind[k];
+		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
+			box = p->box[k];
+	}
+	p->node_box[tree.begin[0] + i] = box;
+}
+
+// argument is the tree and, times two, the level
+STAGE(tree_node)
+{
+	const Tree tree = p->step.tree[p->argument & 1];
+	int level = p->argument >> 1;
+	Float4 box = box_empty();
+	if (i < tree.count[level])
+	{
+		const GLOBAL Float4* child = p->node_box + tree.begin[level - 1] + ARITY * i;
+		for (int k = 0; k < ARITY; ++k)
+			box = box_union(box, child[k]);
+	}
+	p->node_box[tree.begin[level] + i] = box;
+}
+
+// Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
+// largest quadrant down, each quadrant's curve turned into the frame of its parent.
+INLINE Word hilbert_distance(Word x, Word y)
+{
+	Word distance = 0;
+	for (Word side = 32768u; side > 0u; side >>= 1)
+	{
+		Word right = (x & side) != 0u, upper = (y & side) != 0u;
+		distance = distance << 2 | ((3u * right) ^ upper);
+		if (!upper)
+		{
+			if (right)
+			{
+				x = ~x;
+				y = ~y;
+			}
+			Word swap = x;
+			x = y;
+			y = swap;
+		}
+	}
+	return distance;
+}
+
+// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
+// last, where the host drops them.
+STAGE(tree_code)
+{
+	const Tree tree = p->step.tree[p->argument];
+	Float4 bounds = box_empty();
+	for (int k = 0; k < tree.count[tree.top]; ++k)
+		bounds = box_union(bounds, p->node_box[tree.begin[tree.top] + k]);
+	Word code = 0xffffffffu;
+	Float4 box = p->node_box[tree.begin[0] + i];
+	if (!box_is_empty(box))
+	{
+		float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
+		float cells = side > 0.0f ? 65535.0f / side : 0.0f;
+		float x = (0.5f * (box.x + box.z) - bounds.x) * cells, y = (0.5f * (box.y + box.w) - bounds.y) * cells;
+		x = x > 0.0f ? x : 0.0f;
+		y = y > 0.0f ? y : 0.0f;
+		code = hilbert_distance(x < 65535.0f ? (Word)x : 65535u, y < 65535.0f ? (Word)y : 65535u);
+		code = code < 0xfffffffeu ? code : 0xfffffffeu;
+	}
+	p->key[i] = (Word64)code << 32 | (Word64)p->leaf[tree.leaf_begin + i];
+}
+
+STAGE(tree_order) { p->leaf[p->step.tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu); }
+
+// bit k is set when the box overlaps child k of the eight from first on
+INLINE Word64 tree_hits(const Pools* p, int first, Float4 box)
+{
+	const GLOBAL Float4* child = p->node_box + first;
+	Word hits = 0;
+	for (int k = 0; k < ARITY; ++k)
+		hits |= box_overlap(child[k], box) ? 1u << k : 0u;
+	return (Word64)hits;
+}
+
+#endif

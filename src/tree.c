@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// tree.c -- the host's share of the broad phase's trees: which leaves there are, and when to put them in order.
+#include "tree.h"
+#include "world.h"
+#include <string.h>
+
+static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
+
+int tree_nodes(int leaves)
+{
+	int nodes = padded(leaves);
+	while (leaves > ARITY)
+	{
+		leaves = (leaves + ARITY - 1) / ARITY;
+		nodes += padded(leaves);
+	}
+	return nodes;
+}
+
+// where the tree lies in the pools, and its levels
+static void tree_layout(scree_world* world, int t)
+{
+	Tree* tree = &world->pipeline.trees[t].tree;
+	int capacity = world->backend->capacity[COLLIDABLE];
+	tree->leaf_begin = t * capacity;
+	int begin = t * tree_nodes(capacity), count = tree->leaves;
+	for (tree->top = 0;; ++tree->top)
+	{
+		tree->begin[tree->top] = begin;
+		tree->count[tree->top] = count;
+		if (count <= ARITY)
+			break;
+		begin += padded(count);
+		count = (count + ARITY - 1) / ARITY;
+	}
+}
+
+scree_status tree_insert(scree_world* world, int t, int collidable)
+{
+	Pipeline* pipeline = &world->pipeline;
+	if (collidable >= pipeline->member_capacity)
+	{
+		int capacity = collidable + collidable / 2 + 64;
+		uint8_t* member = scree_reallocate(pipeline->member, (size_t)pipeline->member_capacity, (size_t)capacity);
+		if (!member)
+			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d collidables", capacity);
+		pipeline->member = member;
+		pipeline->member_capacity = capacity;
+	}
+	TreeState* state = &pipeline->trees[t];
+	state->touched = true;
+	if (pipeline->member[collidable] & 1 << t)
+		return SCREE_OK;
+	if (state->added_count == state->added_capacity)
+	{
+		int capacity = 2 * state->added_capacity + 64;
+		int* added = scree_reallocate(state->added, sizeof(int) * (size_t)state->added_capacity, sizeof(int) * (size_t)capacity);
+		if (!added)
+			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d new leaves", capacity);
+		state->added = added;
+		state->added_capacity = capacity;
+	}
+	pipeline->member[collidable] |= (uint8_t)(1 << t);
+	state->added[state->added_count++] = collidable;
+	return SCREE_OK;
+}
+
+void tree_touch(scree_world* world, int t)
+{
+	world->pipeline.trees[t].touched = true;
+	world->pipeline.trees[t].shrunk = true;
+}
+
+scree_status tree_flush(scree_world* world)
+{
+	Backend* b = world->backend;
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &world->pipeline.trees[t];
+		if (state->added_count > 0)
+		{
+			int first = t * b->capacity[COLLIDABLE] + state->tree.leaves;
+			scree_status status = b->f->write(b, POOL_leaf, first, state->added_count, state->added);
+			if (status)
+				return status;
+			state->tree.leaves += state->added_count;
+			state->unsorted += state->added_count;
+			state->added_count = 0;
+			state->touched = true;
+		}
+		tree_layout(world, t);
+	}
+	return SCREE_OK;
+}
+
+// Sorting costs as much as looking up about every box once; a tree whose every box has changed its place twice still
+// finds pairs, only more slowly.
+bool tree_wants_order(const TreeState* state) { return state->tree.leaves > ARITY && state->unsorted > 2 * (int64_t)state->tree.leaves / 3; }
+
+// does collidable k belong to tree t?
+static bool tree_owns(const scree_world* world, int t, int k)
+{
+	if (k >= world->collidables.used || !(world->collidables.generation[k] & 1))
+		return false;
+	int body = world->host_collidables[k].body;
+	bool fixed = body >= 0 && world->host_bodies[body].type == SCREE_STATIC;
+	return fixed == (t == 1);
+}
+
+void tree_ordered(scree_world* world, int t)
+{
+	Pipeline* pipeline = &world->pipeline;
+	TreeState* state = &pipeline->trees[t];
+	state->unsorted = 0;
+	if (!state->shrunk)
+		return;
+	int leaves = 0;
+	for (int k = 0; k < pipeline->member_capacity; ++k)
+		if (pipeline->member[k] & 1 << t)
+		{
+			if (tree_owns(world, t, k))
+				++leaves;
+			else
+				pipeline->member[k] &= (uint8_t)~(1 << t);
+		}
+	state->tree.leaves = leaves;
+	state->shrunk = false;
+	tree_layout(world, t);
+}
+
+scree_status tree_save(scree_world* world, int** leaves)
+{
+	Backend* b = world->backend;
+	const TreeState* trees = world->pipeline.trees;
+	*leaves = scree_allocate(sizeof(int) * (size_t)(trees[0].tree.leaves + trees[1].tree.leaves));
+	if (!*leaves)
+		return fail(SCREE_OUT_OF_MEMORY, "no memory to move %d leaves", trees[0].tree.leaves + trees[1].tree.leaves);
+	int* to = *leaves;
+	for (int t = 0; t < 2; ++t)
+	{
+		int count = trees[t].tree.leaves;
+		scree_status status = count > 0 ? b->f->read(b, POOL_leaf, t * b->capacity[COLLIDABLE], count, to) : SCREE_OK;
+		if (status)
+			return status;
+		to += count;
+	}
+	return SCREE_OK;
+}
+
+scree_status tree_restore(scree_world* world, int* leaves)
+{
+	Backend* b = world->backend;
+	const int* from = leaves;
+	scree_status status = SCREE_OK;
+	for (int t = 0; t < 2 && !status; ++t)
+	{
+		TreeState* state = &world->pipeline.trees[t];
+		if (state->tree.leaves > 0)
+			status = b->f->write(b, POOL_leaf, t * b->capacity[COLLIDABLE], state->tree.leaves, from);
+		from += state->tree.leaves;
+		state->touched = true;
+		tree_layout(world, t);
+	}
+	return status;
+}

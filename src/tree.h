@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// tree.h -- the host's share of the broad phase's trees: which leaves there are, and when to put them in order.
+#ifndef TREE_HOST_H
+#define TREE_HOST_H
+#include "pipeline.h"
+
+// nodes of all levels of a tree of so many leaves, padding included
+int tree_nodes(int leaves);
+
+// sends new leaves to the device
+scree_status tree_flush(scree_world* world);
+
+// whether the leaves of tree t are so far out of order that sorting them pays
+bool tree_wants_order(const TreeState* state);
+
+// after the leaves were sorted: dead ones, which are last, are dropped
+void tree_ordered(scree_world* world, int t);
+
+// The leaves lie elsewhere when the pools grow: read before, written after. leaves is scree_allocate'd by tree_save.
+scree_status tree_save(scree_world* world, int** leaves);
+scree_status tree_restore(scree_world* world, int* leaves);
+
+#endif

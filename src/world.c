@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// world.c -- the world: created, stepped, hashed, counted and destroyed.
+#include "world.h"
+#include "devices.h"
+#include <limits.h>
+#include <string.h>
+
+// Shorter than this, rates of change are too large for a float; seconds.
+#define SHORTEST_STEP 1e-9f
+
+scree_world_def scree_default_world_def(void)
+{
+	return (scree_world_def){.gravity = {0.0f, -10.0f},
+	                         .device = "auto",
+	                         .contact_hertz = 30.0f,
+	                         .contact_damping_ratio = 10.0f,
+	                         .contact_push_speed = 3.0f,
+	                         .restitution_threshold = 1.0f,
+	                         .max_speed = 400.0f,
+	                         .cookie = COOKIE_WORLD};
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// for the other files
+// ---------------------------------------------------------------------------------------------------------------
+
+scree_status world_check(const scree_world* world, const char* function)
+{
+	TRY(check_pointer(function, "world", world));
+	if (world->failed)
+		return fail(SCREE_DEVICE_FAILED, "%s: the device of this world has failed; the world can only be destroyed",
+		            function);
+	return SCREE_OK;
+}
+
+scree_status world_note(scree_world* world, scree_status status)
+{
+	world->failed |= status == SCREE_DEVICE_FAILED;
+	return status;
+}
+
+void* world_scratch(scree_world* world, size_t bytes)
+{
+	if (bytes > world->scratch_bytes || !world->scratch)
+	{
+		void* memory = scree_allocate(bytes);
+		if (!memory)
+			return NULL;
+		scree_release(world->scratch);
+		world->scratch = memory;
+		world->scratch_bytes = bytes;
+	}
+	return world->scratch;
+}
+
+scree_status grow(const char* function, void** array, int* capacity, size_t item, int needed)
+{
+	if (needed <= *capacity)
+		return SCREE_OK;
+	int64_t larger = *capacity + (int64_t)*capacity / 2 + 16;
+	larger = larger > needed ? larger : needed;
+	larger = larger < INT_MAX ? larger : INT_MAX;
+	void* memory = scree_reallocate(*array, (size_t)*capacity * item, (size_t)larger * item);
+	if (!memory)
+		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %lld items of %zu bytes", function, (long long)larger,
+		            item);
+	*array = memory;
+	*capacity = (int)larger;
+	return SCREE_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// create and destroy
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status check_def(const char* function, const scree_world_def* def)
+{
+	TRY(check_pointer(function, "def", def));
+	Where at = {function, "def", ALONE};
+	TRY(check_cookie(at, def->cookie, COOKIE_WORLD, "scree_default_world_def"));
+	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
+	TRY(check_device(at, def->device));
+	if (def->threads < 0 || def->threads > 64)
+		return refuse(SCREE_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
+	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
+		return refuse(SCREE_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
+	TRY(check_real(at, ".contact_hertz", def->contact_hertz, 1e-3f, 1e6f));
+	TRY(check_real(at, ".contact_damping_ratio", def->contact_damping_ratio, 0.0f, 1e6f));
+	TRY(check_real(at, ".contact_push_speed", def->contact_push_speed, 0.0f, SCREE_HUGE));
+	TRY(check_real(at, ".restitution_threshold", def->restitution_threshold, 0.0f, FLT_MAX));
+	TRY(check_real(at, ".max_speed", def->max_speed, 1e-3f, SCREE_HUGE));
+	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
+		return refuse(SCREE_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
+		              MAX_ITEMS);
+	if (def->contact_capacity < 0 || def->contact_capacity > 8 * MAX_ITEMS)
+		return refuse(SCREE_INVALID, at, ".contact_capacity", "is %d, must be from 0 to %d", def->contact_capacity,
+		              8 * MAX_ITEMS);
+	return SCREE_OK;
+}
+
+static void close_device(scree_world* world)
+{
+	pipeline_close(world);
+	world->pipeline = (Pipeline){0};
+	if (world->backend)
+		world->backend->f->close(world->backend);
+	world->backend = NULL;
+}
+
+// "auto" is a GPU that keeps equal bits where there is one that works, else the CPU.
+static scree_status open_device(scree_world* world)
+{
+	if (strcmp(world->def.device, "auto") == 0)
+	{
+		scree_status status = device_open_gpu(&world->def, &world->backend);
+		if (status == SCREE_OK)
+			status = pipeline_open(world);
+		if (status == SCREE_OK)
+			return SCREE_OK;
+		if (status != SCREE_NO_DEVICE)
+			log_sentence(SCREE_LOG_WARNING, "scree_create_world: the CPU is taken, because the GPU failed: %s",
+			             scree_error());
+		close_device(world);
+	}
+	TRY(device_open(&world->def, &world->backend));
+	return pipeline_open(world);
+}
+
+// Body 0, what everything without a body of its own is bound to. Its slot is never in use, so that no handle names it.
+static scree_status add_ground(scree_world* world, const char* function)
+{
+	if (!slots_reserve(&world->bodies, 1))
+		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for bodies", function);
+	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
+	TRY(pending_reserve(world, function, 1, 0, 0));
+	world->bodies.used = 1;
+	world->host_bodies[0] = (HostBody){.first_collidable = -1, .last_collidable = -1};
+	pending_body(world, (BodyRow){.index = 0, .pose.rotation.c = 1.0f});
+	return SCREE_OK;
+}
+
+scree_status scree_create_world(const scree_world_def* def, scree_world** world)
+{
+	const char* function = "scree_create_world";
+	TRY(check_pointer(function, "world", world));
+	*world = NULL;
+	TRY(check_def(function, def));
+	scree_world* made = scree_allocate(sizeof *made);
+	if (!made)
+		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for a world", function);
+	worlds_add(1);
+	made->def = *def;
+	scree_status status = open_device(made);
+	if (status == SCREE_OK)
+		status = add_ground(made, function);
+	if (status != SCREE_OK)
+	{
+		scree_destroy_world(made);
+		return status;
+	}
+
+	// the string was lent for the call alone
+	made->def.device = made->backend->name;
+	*world = made;
+	return SCREE_OK;
+}
+
+void scree_destroy_world(scree_world* world)
+{
+	if (!world)
+		return;
+	close_device(world);
+	pending_close(&world->pending);
+	slots_close(&world->bodies);
+	slots_close(&world->collidables);
+	scree_release(world->host_bodies);
+	scree_release(world->host_collidables);
+	scree_release(world->attributes);
+	scree_release(world->attribute_names);
+	scree_release(world->attribute_table);
+	scree_release(world->scratch);
+	scree_release(world);
+	worlds_add(-1);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the whole world
+// ---------------------------------------------------------------------------------------------------------------
+
+scree_status scree_step(scree_world* world, float dt, int substeps)
+{
+	const char* function = "scree_step";
+	TRY(world_check(world, function));
+	TRY(check_real((Where){function, "dt", ALONE}, "", dt, SHORTEST_STEP, 1.0f));
+	if (substeps < 1 || substeps > 64)
+		return fail(SCREE_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
+	TRY(world_flush(world));
+	TRY(world_note(world, pipeline_step(world, dt, substeps)));
+	const Counters* c = &world->pipeline.counters;
+	if (c->nonfinite > 0)
+		log_sentence(SCREE_LOG_WARNING,
+		             "%s: %d bodies were frozen because their state was not finite; the first is body %d", function,
+		             c->nonfinite, c->first_nonfinite);
+	return SCREE_OK;
+}
+
+scree_status scree_set_gravity(scree_world* world, scree_vec gravity)
+{
+	TRY(world_check(world, "scree_set_gravity"));
+	TRY(check_vec((Where){"scree_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
+	world->def.gravity = gravity;
+	return SCREE_OK;
+}
+
+scree_vec scree_get_gravity(const scree_world* world) { return world ? world->def.gravity : (scree_vec){0}; }
+const char* scree_world_device(const scree_world* world) { return world ? world->backend->name : ""; }
+int scree_world_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
+int scree_world_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
+
+scree_status scree_world_hash(scree_world* world, uint64_t* hash)
+{
+	const char* function = "scree_world_hash";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "hash", hash));
+	TRY(world_flush(world));
+	return world_note(world, pipeline_hash(world, hash));
+}
+
+scree_status scree_get_counters(scree_world* world, scree_counters* counters)
+{
+	const char* function = "scree_get_counters";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "counters", counters));
+	TRY(world_note(world, pipeline_counters(world)));
+	const Pipeline* pipeline = &world->pipeline;
+	const Counters* c = &pipeline->counters;
+	*counters = (scree_counters){.bodies = world->bodies.alive,
+	                             .dynamic_bodies = world->dynamic_bodies,
+	                             .collidables = world->collidables.alive,
+	                             .attributes = world->attribute_count,
+	                             .contacts = c->alive - c->released,
+	                             .touching = c->touching,
+	                             .overflow = c->color_count[COLORS],
+	                             .moved = c->moved,
+	                             .new_contacts = c->created,
+	                             .grown = pipeline->grown,
+	                             .nonfinite = c->nonfinite,
+	                             .penetration = bits_float(c->penetration),
+	                             .steps = pipeline->steps,
+	                             .device_bytes = world->backend->bytes};
+	for (int color = 0; color < COLORS; ++color)
+		counters->colors += c->color_count[color] > 0;
+	return SCREE_OK;
+}
+
+scree_status scree_get_timings(scree_world* world, scree_timings* timings)
+{
+	const char* function = "scree_get_timings";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "timings", timings));
+	*timings = (scree_timings){0};
+	if (!world->def.timings)
+		return SCREE_OK;
+	const double* boxes = world->pipeline.boxes;
+	*timings = (scree_timings){.step = (float)world->pipeline.milliseconds,
+	                           .transform = (float)boxes[BOX_transform],
+	                           .broad_phase = (float)boxes[BOX_broad_phase],
+	                           .narrow_phase = (float)boxes[BOX_narrow_phase],
+	                           .color = (float)boxes[BOX_color],
+	                           .solve = (float)boxes[BOX_solve],
+	                           .finalize = (float)boxes[BOX_finalize]};
+	return SCREE_OK;
+}
+
+scree_status scree_wait(scree_world* world)
+{
+	TRY(world_check(world, "scree_wait"));
+	return world_note(world, world->backend->f->wait(world->backend));
+}

@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# test_cli.sh -- the command line: what each command prints, and the exit codes and sentences of what cannot be done.
+set -uo pipefail
+scree=${SCREE_BINARY:?is the path of the command line}
+[ -x "$scree" ] || { echo "no command line was built"; exit 77; }
+scratch=$(mktemp -d "${SCREE_BUILD:?}/test_cli.XXXXXX")
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failures=0
+
+fail()
+{
+	echo "FAILED: $*"
+	sed 's/^/    | /' out err
+	failures=$((failures + 1))
+}
+
+# expect CODE TEXT words...: the words end with the code, and the text is in what they print
+expect()
+{
+	local code=$1 text=$2 got
+	shift 2
+	"$scree" "$@" >out 2>err </dev/null
+	got=$?
+	[ "$got" = "$code" ] || fail "scree $*: exit code $got instead of $code"
+	cat out err | grep -qF -- "$text" || fail "scree $*: does not say \"$text\""
+}
+
+# refuse CODE TEXT words...: the same, and nothing stands on standard output
+refuse()
+{
+	expect "$@"
+	[ -s out ] && fail "scree ${*:3}: prints results in spite of the error"
+}
+
+small=(--device cpu --threads 1 --steps 5 --set rows=6)
+
+# help and versions
+expect 0 'scree run SCENE|FILE' help
+expect 0 '--allow-unequal-bits' run --help
+expect 0 '.' --version
+expect 2 'scree run SCENE|FILE'
+
+# bad command lines
+refuse 2 'unknown command "dance"' dance
+refuse 2 'unknown option --frobnicate' run pile --frobnicate
+refuse 2 'takes no --picture' hash pile --steps 1 --picture x.png
+refuse 2 'takes no --steps' scenes --steps 3
+refuse 2 'needs a value' run pile --steps
+refuse 2 '--steps 0: must be a whole number from 1' run pile --steps 0
+refuse 2 '--steps -3' run pile --steps -3
+refuse 2 '--steps 3x' run pile --steps 3x
+refuse 2 '--threads 65: must be' run pile --threads 65
+refuse 2 '--lanes 3: must be 1, 4, 8 or 16' run pile --lanes 3
+refuse 2 '--pipeline rough: must be one of soft' run pile --pipeline rough
+refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
+refuse 2 '--size 10: must be WxH' run pile --size 10
+refuse 2 '0 arguments, takes one scene' run
+refuse 2 '2 arguments, takes one scene' run pile pile
+refuse 2 '--steps N is missing' hash pile
+refuse 2 'gpu' run pyramid --steps 1 --device gpu
+
+# bad scenes
+refuse 2 'no scene is called "nothing"' run nothing
+refuse 2 './nothing.json' run ./nothing.json
+refuse 2 '--set rows=0: must be at least 1' run pyramid --set rows=0
+refuse 2 'no parameter "row" to set; there are rows' run pyramid --set row=3
+refuse 2 'at most' run pyramids --set columns=700 --set rows=700 --set base=100
+printf '{"name": "x",\n  "title": oops}' >bad.json
+refuse 2 'bad.json: line 2, column' run bad.json
+printf '{"name":"x","title":"y","attributes":{"a":{"circle":-1}},"bodies":[{"attribute":"a"}]}' >bad.json
+refuse 2 'bad.json: attributes.a.circle: -1 must be positive' hash bad.json --steps 1
+
+# lists
+expect 0 'pyramid' scenes
+grep -q 'rows=100' out || fail "scenes: no parameters"
+expect 0 'pyramid' scenes --names
+[ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "scenes --names: more than one word a line"
+expect 0 'equal bits' devices
+head -n 1 out | grep -qx 'cpu' || fail "devices: the CPU is not the first"
+mkdir own
+printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a"}]}' >own/ball.json
+SCREE_SCENES=own expect 0 'ball' scenes --names
+SCREE_SCENES=own expect 0 'bodies         1' run ball --steps 2 --device cpu
+SCREE_SCENES=own expect 0 'bodies         22' run pyramid "${small[@]}"
+
+# hash
+expect 0 '' hash pyramid "${small[@]}"
+grep -qxE '[0-9a-f]{16}' out || fail "hash: not 16 digits alone"
+[ "$(wc -l <out)" = 1 ] || fail "hash: not one line"
+hash=$(cat out)
+expect 0 "$hash" hash pyramid "${small[@]}" --threads 2 --lanes 1
+expect 0 "$hash" run pyramid "${small[@]}"
+
+# run and its files
+for line in scene device bodies contacts colors steps steps/s ms/step transform broad_phase narrow_phase color solve \
+	finalize penetration hash; do
+	grep -qE "^ *$line " out || fail "run: no line for $line"
+done
+[ -s err ] && fail "run: a progress bar in a pipe"
+expect 0 '' run pyramid "${small[@]}" --csv rows.csv
+[ "$(wc -l <rows.csv)" = 6 ] || fail "run --csv: not a heading and one row a step"
+head -n 1 rows.csv | grep -q '^step,bodies,contacts,.*,ms_finalize$' || fail "run --csv: another heading"
+refuse 1 'cannot write nowhere/rows.csv' run pyramid "${small[@]}" --csv nowhere/rows.csv
+if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
+	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
+	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
+	refuse 1 'cannot write nowhere/picture.png' run pyramid "${small[@]}" --picture nowhere/picture.png
+	[ -w /dev/full ] && refuse 1 'cannot write /dev/full' run pyramid "${small[@]}" --picture /dev/full
+	if command -v ffmpeg >/dev/null; then
+		expect 0 '' run pyramid "${small[@]}" --video "it's a video.mp4" --size 321x201
+		[ -s "it's a video.mp4" ] || fail "run --video: no file"
+		refuse 1 'ffmpeg could not write nowhere/video.mp4' run pyramid "${small[@]}" --video nowhere/video.mp4
+	fi
+	env PATH="$scratch" "$scree" run pyramid "${small[@]}" --video video.mp4 >out 2>err
+	[ $? = 1 ] || fail "run --video without ffmpeg: no failure"
+	grep -q 'needs ffmpeg' err || fail "run --video without ffmpeg: no remedy"
+else
+	refuse 1 'libcairo2-dev' run pyramid "${small[@]}" --picture picture.png
+fi
+if [ -w /dev/full ]; then
+	refuse 1 'cannot write /dev/full' run pyramid "${small[@]}" --csv /dev/full
+	"$scree" hash pyramid "${small[@]}" >/dev/full 2>err
+	[ $? = 1 ] || fail "hash: a full standard output is no error"
+fi
+
+# bench
+expect 0 'scene,device,threads,lanes,bodies,contacts,colors,steps,ms_step,ms_transform,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize,penetration,hash,valid' \
+	bench pyramid "${small[@]}" --repeats 2
+row=$(sed -n 2p out)
+[ "$(tr -cd , <<<"$row" | wc -c)" = 17 ] || fail "bench: not 18 columns"
+grep -qE "^pyramid,cpu,1,[0-9]+,22,.*,$hash,1\$" <<<"$row" || fail "bench: an unexpected row"
+refuse 2 'no scene is called "nothing"' hash nothing --steps 1
+refuse 2 'no scene is called "nothing"' bench pyramid nothing
+
+echo "$failures failures"
+[ "$failures" = 0 ]

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# test_docs.sh -- the documents tell the truth about paths, kernels, words and the first program.
+set -euo pipefail
+cd "$SCREE_SOURCE"
+failed=0
+complain()
+{
+	echo "$*"
+	failed=1
+}
+
+# whatever stands in back quotes and looks like a path of this repository is there; a * may stand for files of one kind
+for document in README.md ARCHITECTURE.md STYLE.md docs/*.md; do
+	while read -r path; do
+		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
+	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
+		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scenes|src|tests|tools)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+	while read -r path; do
+		[ -e "$(dirname "$document")/$path" ] || complain "$document: the link to $path leads nowhere"
+	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
+done
+
+# the README shows the first program as it is
+sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - ||
+	complain "README.md: its program is not examples/hello.c"
+
+# every kernel has its line in docs/step.md
+while read -r kernel; do
+	grep -q "\`$kernel\`" docs/step.md || complain "docs/step.md: kernel $kernel is missing"
+done < <(sed -n 's/^X(\([a-z_0-9]*\),.*/\1/p' src/stages/stages.def)
+
+# every word of the dialect has its line in docs/dialect.md, but for what only other words use
+while read -r word; do
+	grep -qE "\`$word[\`(]" docs/dialect.md || complain "docs/dialect.md: the word $word is missing"
+done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9]+\*? ([a-z_0-9]+)\(.*/\1/p' \
+	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/stages/dialect.h |
+	grep -vxE 'DIALECT_H|ROW|STAGE_JOIN_?' | sort -u)
+
+# only one file of the stages asks which compiler is reading it
+asks=$(grep -lE '__OPENCL|__GNUC__|__clang__' src/stages/*.h | tr '\n' ' ')
+[ "$asks" = "src/stages/dialect.h " ] || complain "src/stages: these files ask which compiler reads them: $asks"
+
+# every file says what it is
+while read -r file; do
+	head -n 2 "$file" | tr -d '\n' | grep -q "^// SPDX-License-Identifier: MIT// $(basename "$file") -- " ||
+		complain "$file: does not begin with its licence and what it is"
+done < <(find include src cli tests examples \( -name '*.c' -o -name '*.h' \) 2>/dev/null)
+exit $failed

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# test_package.sh -- installs into a scratch folder, builds examples/hello.c against it through CMake and through
+# pkg-config, static and shared, and runs it: all four must print the same.
+set -euo pipefail
+scratch=$SCREE_BUILD/package
+rm -rf "$scratch"
+mkdir -p "$scratch"
+trap 'rm -rf "$scratch"' EXIT
+export CC=${CC:-cc}
+
+cmake --install "$SCREE_BUILD" --prefix "$scratch/first" >"$scratch/log"
+# an installed tree may be moved
+mv "$scratch/first" "$scratch/prefix"
+prefix=$scratch/prefix
+libdir=$(dirname "$(find "$prefix" -name pkgconfig -type d)")
+
+for shared in OFF ON; do
+	build=$scratch/cmake_$shared
+	cmake -S "$SCREE_SOURCE/examples" -B "$build" -DCMAKE_PREFIX_PATH="$prefix" -DBUILD_SHARED_LIBS=$shared >>"$scratch/log" ||
+		{ cat "$scratch/log"; exit 1; }
+	cmake --build "$build" >>"$scratch/log" || { cat "$scratch/log"; exit 1; }
+	LD_LIBRARY_PATH=$libdir "$build/hello" | tee "$scratch/cmake_$shared.txt"
+	linked=$(objdump -p "$build/hello" | grep -c 'NEEDED.*libscree' || true)
+	[ "$linked" = "$([ $shared = ON ] && echo 1 || echo 0)" ] || { echo "BUILD_SHARED_LIBS=$shared links the wrong library"; exit 1; }
+done
+
+export PKG_CONFIG_PATH=$libdir/pkgconfig
+[ "$(pkg-config --modversion scree)" = "$(sed -n 's/^#define SCREE_VERSION_[A-Z]* //p' "$SCREE_SOURCE/include/scree/scree.h" | paste -sd .)" ]
+hello=$SCREE_SOURCE/examples/hello.c
+# word splitting of what pkg-config prints is meant
+$CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_shared" $(pkg-config --cflags --libs scree)
+$CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_static" $(pkg-config --cflags scree) "$libdir/libscree.a" \
+	$(pkg-config --static --libs scree | sed 's/-lscree//')
+LD_LIBRARY_PATH=$libdir "$scratch/hello_shared" | tee "$scratch/pc_shared.txt"
+"$scratch/hello_static" | tee "$scratch/pc_static.txt"
+
+for other in cmake_ON pc_shared pc_static; do
+	cmp "$scratch/cmake_OFF.txt" "$scratch/$other.txt"
+done
+grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
+
+# the library exports its interface and nothing else
+strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep -v '^scree_' || true)
+[ -z "$strangers" ] || { echo "libscree.so exports: $strangers"; exit 1; }
+
+# the header is C++ as well
+if command -v c++ >/dev/null; then
+	echo '#include <scree/scree.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags scree) -
+fi
+
+# the installed command line finds its scenes
+if [ -x "$prefix/bin/scree" ]; then
+	"$prefix/bin/scree" scenes --names | grep -qx pile
+fi

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// test_paper.c -- the paper's pipeline against formulas and worked answers, and its bits on CPU and OpenCL.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "reference/paper.h"
+#include <math.h>
+#include <string.h>
+
+#define DT (1.0f / 60.0f)
+
+static void good(scree_status status)
+{
+	if (status != SCREE_OK)
+		fail_msg("%s", scree_error());
+}
+
+static scree_world* make_world(float gravity)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = "cpu";
+	def.threads = 1;
+	def.gravity = (scree_vec){0.0f, gravity};
+	scree_world* world;
+	good(scree_create_world(&def, &world));
+	return world;
+}
+
+// the default surface: friction 0.6, no restitution
+static scree_attribute make_attribute(scree_world* world, const scree_shape* shape, float friction, float restitution)
+{
+	scree_attribute_def def = scree_default_attribute_def();
+	def.shape = *shape;
+	def.friction = friction;
+	def.restitution = restitution;
+	scree_attribute attribute;
+	good(scree_create_attribute(world, &def, &attribute));
+	return attribute;
+}
+
+static scree_attribute make_box(scree_world* world, float half_width, float half_height)
+{
+	scree_shape shape;
+	good(scree_make_box(half_width, half_height, &shape));
+	return make_attribute(world, &shape, 0.6f, 0.0f);
+}
+
+static scree_attribute make_circle(scree_world* world, float radius, float restitution)
+{
+	scree_shape shape;
+	good(scree_make_circle((scree_vec){0.0f, 0.0f}, radius, &shape));
+	return make_attribute(world, &shape, 0.6f, restitution);
+}
+
+static scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
+                           float angle, float vx)
+{
+	scree_body_def def = scree_default_body_def();
+	def.type = type;
+	def.attribute = attribute;
+	def.pose = (scree_pose){{x, y}, scree_make_rot(angle)};
+	def.velocity.linear.x = vx;
+	scree_body body;
+	good(scree_create_body(world, &def, &body));
+	return body;
+}
+
+// The pipeline with what is in a world, which ends.
+static Paper* take(scree_world* world, const char* device)
+{
+	Paper* paper;
+	good(paper_create(world, device, false, &paper));
+	scree_destroy_world(world);
+	return paper;
+}
+
+static void step(Paper* paper, int steps)
+{
+	for (int k = 0; k < steps; ++k)
+		good(paper_step(paper, DT));
+}
+
+static scree_pose pose_of(const Paper* paper, int body)
+{
+	scree_pose poses[64];
+	good(paper_poses(paper, poses, body + 1));
+	return poses[body];
+}
+
+static scree_velocity velocity_of(const Paper* paper, int body)
+{
+	scree_velocity velocities[64];
+	good(paper_velocities(paper, velocities, body + 1));
+	return velocities[body];
+}
+
+// n steps of semi-implicit Euler: v = g n dt, y = y0 + g dt^2 n (n + 1) / 2
+static void test_free_fall(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_body(world, SCREE_DYNAMIC, make_circle(world, 0.5f, 0.0f), 3.0f, 100.0f, 0.0f, 2.0f);
+	Paper* paper = take(world, "cpu");
+	int n = 120;
+	step(paper, n);
+	double dt = DT;
+	assert_true(fabs(pose_of(paper, 0).position.x - (3.0 + 2.0 * n * dt)) < 1e-4);
+	assert_true(fabs(pose_of(paper, 0).position.y - (100.0 - 10.0 * dt * dt * n * (n + 1) / 2)) < 1e-3);
+	assert_true(fabs(velocity_of(paper, 0).linear.y + 10.0 * n * dt) < 1e-3);
+	paper_destroy(paper);
+}
+
+// A force F for one step: v = F dt / m. A torque T: w = T dt / I, and after n steps the angle n w dt. The next step finds
+// the accumulators empty.
+static void test_accumulators(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_mass mass;
+	good(scree_body_get_mass(world, add_body(world, SCREE_DYNAMIC, make_box(world, 0.5f, 1.0f), 0.0f, 0.0f, 0.0f, 0.0f),
+	                         &mass));
+	Paper* paper = take(world, "cpu");
+	good(paper_apply(paper, 0, (scree_vec){12.0f, -6.0f}, 3.0f));
+	int n = 30;
+	step(paper, n);
+	double dt = DT, w = 3.0 * dt / mass.inertia;
+	assert_true(fabs(velocity_of(paper, 0).linear.x - 12.0 * dt / mass.mass) < 1e-6);
+	assert_true(fabs(velocity_of(paper, 0).linear.y + 6.0 * dt / mass.mass) < 1e-6);
+	assert_true(fabs(velocity_of(paper, 0).angular - w) < 1e-6);
+	assert_true(fabs(scree_rot_angle(pose_of(paper, 0).rotation) - n * w * dt) < 1e-5);
+	assert_int_equal(paper_apply(paper, 1, (scree_vec){0.0f, 0.0f}, 0.0f), SCREE_INVALID);
+	assert_int_equal(paper_apply(paper, 0, (scree_vec){NAN, 0.0f}, 0.0f), SCREE_INVALID);
+	paper_destroy(paper);
+}
+
+// A box comes to rest on the ground: half its height above it, upright, without speed.
+static void test_rest(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_body(world, SCREE_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 0.0f);
+	Paper* paper = take(world, "cpu");
+	step(paper, 300);
+	scree_pose pose = pose_of(paper, 1);
+	scree_velocity v = velocity_of(paper, 1);
+	assert_true(pose.position.y > 0.499f && pose.position.y < 0.505f);
+	assert_true(fabs(pose.rotation.s) < 0.01f);
+	assert_true(fabs(v.linear.x) < 0.01f && fabs(v.linear.y) < 0.01f && fabs(v.angular) < 0.02f);
+	assert_int_equal(paper_counters(paper).contacts, 1);
+	paper_destroy(paper);
+}
+
+// Two circles on one line: momentum stays, the speed of parting is restitution times the speed of closing.
+static void test_restitution(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body small = add_body(world, SCREE_DYNAMIC, make_circle(world, 0.5f, 0.5f), -2.0f, 0.0f, 0.0f, 3.0f);
+	scree_body large = add_body(world, SCREE_DYNAMIC, make_circle(world, 1.0f, 0.2f), 2.0f, 0.0f, 0.0f, -1.0f);
+	scree_mass a, b;
+	good(scree_body_get_mass(world, small, &a));
+	good(scree_body_get_mass(world, large, &b));
+	Paper* paper = take(world, "cpu");
+	step(paper, 120);
+	float va = velocity_of(paper, 0).linear.x, vb = velocity_of(paper, 1).linear.x;
+	assert_true(fabs(a.mass * va + b.mass * vb - (a.mass * 3.0f - b.mass)) < 1e-4f);
+	assert_true(fabs((vb - va) - 0.5f * 4.0f) < 1e-4f);
+	paper_destroy(paper);
+}
+
+// A box that slides on the ground: v = v0 - mu g t, mu the geometric mean of both frictions.
+static void test_friction(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_shape ground, flat;
+	good(scree_make_box(50.0f, 1.0f, &ground));
+	good(scree_make_box(1.0f, 0.1f, &flat));
+	add_body(world, SCREE_STATIC, make_attribute(world, &ground, 0.9f, 0.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_DYNAMIC, make_attribute(world, &flat, 0.1f, 0.0f), 0.0f, 0.1f, 0.0f, 5.0f);
+	Paper* paper = take(world, "cpu");
+	step(paper, 60);
+	assert_true(fabs(velocity_of(paper, 1).linear.x - (5.0f - 0.3f * 10.0f)) < 0.05f);
+	paper_destroy(paper);
+}
+
+// A circle is 2 cm deep in a floor and 1 cm deep in a wall whose normal is (-0.6, 0.8). Raised by 2 cm from the floor it
+// is 0.8 * 2 cm farther from the wall and free. Taken in the other order it would move 6 mm to the left as well.
+static void test_most_severe_first(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	float nx = -0.6f, ny = 0.8f, radius = 0.5f, half = 1.0f;
+	add_body(world, SCREE_DYNAMIC, make_circle(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+
+	// the wall has the lower pair, so that the order of pairs would be the other one
+	float away = half + radius - 0.01f;
+	scree_attribute wall = make_box(world, 0.3f, half);
+	add_body(world, SCREE_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
+	add_body(world, SCREE_STATIC, make_box(world, 0.2f, half), 0.0f, -(half + radius - 0.02f), 0.0f, 0.0f);
+	Paper* paper = take(world, "cpu");
+	step(paper, 1);
+	assert_int_equal(paper_counters(paper).contacts, 2);
+	assert_true(fabs(paper_counters(paper).penetration - 0.02f) < 1e-5f);
+	assert_true(fabs(pose_of(paper, 0).position.x) < 1e-5f);
+	assert_true(fabs(pose_of(paper, 0).position.y - 0.02f) < 2e-4f);
+	paper_destroy(paper);
+}
+
+// A collidable without a body is found, and nothing answers.
+static void test_detected_only(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	add_body(world, SCREE_DYNAMIC, make_circle(world, 0.5f, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+	scree_collidable_def def = scree_default_collidable_def();
+	def.attribute = make_box(world, 1.0f, 1.0f);
+	scree_collidable collidable;
+	good(scree_create_collidable(world, &def, &collidable));
+	Paper* paper = take(world, "cpu");
+	step(paper, 1);
+	assert_int_equal(paper_counters(paper).collidables, 2);
+	assert_int_equal(paper_counters(paper).contacts, 1);
+	assert_true(paper_counters(paper).penetration == 0.0f);
+	assert_true(pose_of(paper, 0).position.x == 0.0f && pose_of(paper, 0).position.y == 0.0f);
+	paper_destroy(paper);
+}
+
+static bool no_opencl(void)
+{
+	scree_device devices[16];
+	int count;
+	good(scree_get_devices(devices, 16, &count));
+	for (int i = 0; i < count && i < 16; ++i)
+		if (strncmp(devices[i].name, "opencl", 6) == 0 && devices[i].equal_bits)
+			return false;
+	return true;
+}
+
+// 60 bodies of every kind: boxes, circles, capsules, rounded triangles, one made of two boxes, one that may not turn.
+static scree_world* make_pile(void)
+{
+	scree_world* world = make_world(-10.0f);
+	scree_shape capsule, triangle;
+	const scree_vec corners[3] = {{-0.4f, -0.3f}, {0.5f, -0.3f}, {0.0f, 0.5f}};
+	good(scree_make_capsule((scree_vec){-0.4f, 0.0f}, (scree_vec){0.4f, 0.0f}, 0.25f, &capsule));
+	good(scree_make_polygon(corners, 3, 0.05f, &triangle));
+	scree_attribute kinds[4] = {make_box(world, 0.4f, 0.4f), make_circle(world, 0.4f, 0.3f),
+	                            make_attribute(world, &capsule, 0.3f, 0.0f),
+	                            make_attribute(world, &triangle, 0.8f, 0.5f)};
+	add_body(world, SCREE_STATIC, make_box(world, 10.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_KINEMATIC, kinds[2], -4.0f, 0.5f, 0.0f, 0.5f);
+	for (int i = 0; i < 56; ++i)
+		add_body(world, SCREE_DYNAMIC, kinds[i % 4], -3.5f + 1.05f * (float)(i % 7), 1.0f + 1.1f * (float)(i / 7),
+		         0.4f * (float)i, 0.3f * (float)(i % 5) - 0.6f);
+	scree_body pair = add_body(world, SCREE_DYNAMIC, kinds[0], 0.3f, 10.5f, 0.7f, 0.0f);
+	scree_collidable_def second = scree_default_collidable_def();
+	second.attribute = kinds[1];
+	second.body = pair;
+	second.pose.position = (scree_vec){0.7f, 0.2f};
+	scree_collidable collidable;
+	good(scree_create_collidable(world, &second, &collidable));
+	good(scree_body_set_damping(world, pair, 0.1f, 0.2f));
+	good(scree_body_set_locks(world, add_body(world, SCREE_DYNAMIC, kinds[0], 2.0f, 11.0f, 0.0f, 0.0f),
+	                          SCREE_LOCK_ROTATION));
+	return world;
+}
+
+// The same bits after each of 200 steps.
+static void test_parity(void** state)
+{
+	(void)state;
+	if (no_opencl())
+		skip();
+	scree_world* world = make_pile();
+	Paper *cpu, *device;
+	good(paper_create(world, "cpu", false, &cpu));
+	good(paper_create(world, "opencl", false, &device));
+	scree_destroy_world(world);
+	assert_string_equal(paper_device(cpu), "cpu");
+	assert_memory_equal(paper_device(device), "opencl:", 7);
+	assert_int_equal(paper_counters(cpu).bodies, 60);
+	uint64_t first = paper_hash(cpu);
+	assert_int_equal(first, paper_hash(device));
+	for (int k = 0; k < 200; ++k)
+	{
+		step(cpu, 1);
+		step(device, 1);
+		assert_int_equal(paper_hash(cpu), paper_hash(device));
+	}
+	assert_true(paper_hash(cpu) != first);
+	assert_int_equal(paper_counters(cpu).steps, 200);
+	assert_true(paper_counters(cpu).contacts > 60 && paper_counters(cpu).penetration < 0.1f);
+	PaperTimings t = paper_timings(device);
+	assert_true(t.to_device > 0 && t.from_device > 0 && t.integrate > 0 && t.transform > 0 && t.detect > 0);
+	assert_true(t.step > 0 && paper_timings(cpu).to_device == 0 && paper_timings(cpu).detect > 0);
+	paper_destroy(cpu);
+	paper_destroy(device);
+}
+
+// 40 circles in one place are 40 * 39 / 2 contacts: more than there was room for, and none is lost.
+static void test_growth(void** state)
+{
+	(void)state;
+	const char* const devices[] = {"cpu", "opencl"};
+	uint64_t hash[2];
+	int count = no_opencl() ? 1 : 2;
+	for (int k = 0; k < count; ++k)
+	{
+		scree_world* world = make_world(0.0f);
+		scree_attribute circle = make_circle(world, 0.5f, 0.0f);
+		for (int i = 0; i < 40; ++i)
+			add_body(world, SCREE_DYNAMIC, circle, 0.01f * (float)i, 0.0f, 0.0f, 0.0f);
+		Paper* paper = take(world, devices[k]);
+		step(paper, 1);
+		assert_int_equal(paper_counters(paper).contacts, 780);
+		hash[k] = paper_hash(paper);
+		paper_destroy(paper);
+	}
+	assert_int_equal(hash[0], hash[count - 1]);
+}
+
+// Of the boxes below only 0 and 1 share an inside, 1 and 3 an edge, 0 and 3 a corner; 4 is a point inside of 1.
+static void test_pairs(void** state)
+{
+	(void)state;
+	const scree_box boxes[] = {
+	    {{0.0f, 0.0f}, {2.0f, 2.0f}}, {{1.0f, 1.0f}, {3.0f, 2.0f}}, {{0.0f, 2.5f}, {9.0f, 3.0f}},
+	    {{2.0f, 2.0f}, {3.0f, 2.4f}}, {{2.5f, 1.5f}, {2.5f, 1.5f}}, {{-2.0f, -2.0f}, {-1.0f, 9.0f}},
+	};
+	const PaperPair expected[] = {{0, 1}, {0, 3}, {1, 3}, {1, 4}};
+	PaperPair pairs[4];
+	int count;
+	good(paper_pairs(boxes, 6, pairs, 4, &count));
+	assert_int_equal(count, 4);
+	assert_memory_equal(pairs, expected, sizeof expected);
+	good(paper_pairs(boxes, 6, NULL, 0, &count));
+	assert_int_equal(count, 4);
+	good(paper_pairs(NULL, 0, NULL, 0, &count));
+	assert_int_equal(count, 0);
+	assert_int_equal(paper_pairs(boxes, -1, NULL, 0, &count), SCREE_INVALID);
+}
+
+static void test_refusals(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	Paper* paper = (Paper*)world;
+	assert_int_equal(paper_create(world, "gpu", false, &paper), SCREE_INVALID);
+	assert_null(paper);
+	assert_non_null(strstr(scree_error(), "\"gpu\""));
+	assert_int_equal(paper_create(world, "opencl:no such device", false, &paper), SCREE_NO_DEVICE);
+	assert_null(paper);
+	assert_int_equal(paper_create(NULL, "cpu", false, &paper), SCREE_INVALID);
+
+	// a world with nothing in it can be stepped
+	paper = take(world, no_opencl() ? "cpu" : "opencl");
+	step(paper, 2);
+	assert_int_equal(paper_step(paper, 0.0f), SCREE_INVALID);
+	assert_int_equal(paper_step(paper, NAN), SCREE_INVALID);
+	scree_pose pose;
+	assert_int_equal(paper_poses(paper, &pose, 1), SCREE_INVALID);
+	assert_int_equal(paper_counters(paper).steps, 2);
+	paper_destroy(paper);
+	paper_destroy(NULL);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(test_free_fall),     cmocka_unit_test(test_accumulators),
+	    cmocka_unit_test(test_rest),          cmocka_unit_test(test_restitution),
+	    cmocka_unit_test(test_friction),      cmocka_unit_test(test_most_severe_first),
+	    cmocka_unit_test(test_detected_only), cmocka_unit_test(test_parity),
+	    cmocka_unit_test(test_growth),        cmocka_unit_test(test_pairs),
+	    cmocka_unit_test(test_refusals),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

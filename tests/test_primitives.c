@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// test_primitives.c -- sort and scan of every backend against the plainest way to do them.
+//
+// Formulas. Sort: the output is a permutation of the input, rising in the given bits, and keys whose bits are equal keep
+// their order. Scan: out[i] = in[0] + ... + in[i - 1].
+#include "backend.h"
+#include "error.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define CAPACITY     (1 << 20)
+#define MAX_BACKENDS 16
+
+static Backend* backends[MAX_BACKENDS];
+static int backend_count;
+
+static int open_backends(void** state)
+{
+	(void)state;
+	int threads[] = {1, 3};
+	for (int i = 0; i < 2; ++i)
+	{
+		BackendOptions options = {.threads = threads[i]};
+		if (cpu_open(&options, &backends[backend_count]) == SCREE_OK)
+			++backend_count;
+	}
+#ifndef SCREE_NO_OPENCL
+	scree_device devices[MAX_BACKENDS];
+	int count = opencl_devices(devices, MAX_BACKENDS - 2);
+	for (int i = 0; i < count && i < MAX_BACKENDS - 2; ++i)
+	{
+		BackendOptions options = {.device = devices[i].name + strlen("opencl:"), .allow_unequal_bits = true};
+		if (opencl_open(&options, &backends[backend_count]) == SCREE_OK)
+			++backend_count;
+		else
+			print_message("%s: %s\n", devices[i].name, scree_error());
+	}
+#endif
+	for (int i = 0; i < backend_count; ++i)
+	{
+		Backend* b = backends[i];
+		print_message("backend: %s\n", b->name);
+		if (b->f->resize(b, KEY, CAPACITY) || b->f->resize(b, CONTACT, CAPACITY) || b->f->resize(b, ONE, 1))
+			return -1;
+	}
+	return backend_count > 0 ? 0 : -1;
+}
+
+static int close_backends(void** state)
+{
+	(void)state;
+	for (int i = 0; i < backend_count; ++i)
+		backends[i]->f->close(backends[i]);
+	return 0;
+}
+
+static uint64_t random_word(uint64_t* seed) // xorshift64*, George Marsaglia and Sebastiano Vigna
+{
+	*seed ^= *seed >> 12;
+	*seed ^= *seed << 25;
+	*seed ^= *seed >> 27;
+	return *seed * 0x2545f4914f6cdd1du;
+}
+
+typedef enum
+{
+	RANDOM,
+	FEW,   // many equal digits
+	EQUAL, // one digit only
+	RISING,
+	FALLING,
+	EXTREMES, // all bits, or none
+	INPUTS
+} Input;
+
+static uint64_t make_key(Input input, int i, int count, uint64_t* seed)
+{
+	uint64_t word = random_word(seed);
+	switch (input)
+	{
+	case FEW:
+		return word & 0x0003000300030003u;
+	case EQUAL:
+		return 0x5555555555555555u;
+	case RISING:
+		return (uint64_t)i << 20 | (uint64_t)i;
+	case FALLING:
+		return (uint64_t)(count - i) << 20 | (uint64_t)i;
+	case EXTREMES:
+		return word & 1 ? UINT64_MAX : 0;
+	default:
+		return word;
+	}
+}
+
+// by insertion of one bit after the other, so that it shares no idea with what it checks
+static void reference_sort(uint64_t* keys, uint64_t* other, int count, int first_bit, int end_bit)
+{
+	for (int bit = first_bit; bit < end_bit; ++bit)
+	{
+		int place = 0;
+		for (uint64_t value = 0; value < 2; ++value)
+			for (int i = 0; i < count; ++i)
+				if ((keys[i] >> bit & 1) == value)
+					other[place++] = keys[i];
+		memcpy(keys, other, (size_t)count * sizeof *keys);
+	}
+}
+
+// Fails naming the backend and the first item that differs.
+static void check_equal(const Backend* b, const char* what, const void* got, const void* expected, size_t item,
+                        int count)
+{
+	for (int i = 0; i < count; ++i)
+		if (memcmp((const char*)got + item * (size_t)i, (const char*)expected + item * (size_t)i, item) != 0)
+			fail_msg("%s: %s: item %d of %d is wrong", b->name, what, i, count);
+}
+
+static void run_on(Backend* b, Run run, int bound)
+{
+	Counters counters = {0};
+	counters.contacts = bound;
+	Step step = {0};
+	assert_int_equal(b->f->write(b, POOL_counters, 0, 1, &counters), SCREE_OK);
+	assert_int_equal(b->f->run(b, &step, &run, 1), SCREE_OK);
+}
+
+// Sorts end keys, of which the device knows only bound, on every backend.
+static void check_sort(Input input, int end, int bound, bool use_bound, int first_bit, int end_bit, uint64_t seed)
+{
+	static uint64_t keys[CAPACITY], expected[CAPACITY], got[CAPACITY];
+	int count = use_bound && bound < end ? bound : end;
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // what lies behind must stay
+	for (int i = 0; i < whole; ++i)
+		keys[i] = make_key(input, i, end, &seed);
+	memcpy(expected, keys, (size_t)whole * sizeof *keys);
+	reference_sort(expected, got, count, first_bit, end_bit);
+
+	char what[128];
+	snprintf(what, sizeof what, "sort of input %d, %d keys, bound %d, bits %d to %d", (int)input, end,
+	         use_bound ? bound : -1, first_bit, end_bit);
+	Run run = {PRIMITIVE_SORT, 0, end, use_bound ? COUNT(contacts) : NO_COUNT, first_bit | end_bit << 8};
+	for (int k = 0; k < backend_count; ++k)
+	{
+		Backend* b = backends[k];
+		assert_int_equal(b->f->write(b, POOL_key, 0, whole, keys), SCREE_OK);
+		run_on(b, run, bound);
+		assert_int_equal(b->f->read(b, POOL_key, 0, whole, got), SCREE_OK);
+		check_equal(b, what, got, expected, sizeof *got, whole);
+	}
+}
+
+static void check_scan(int end, int bound, bool use_bound, int range, uint64_t seed)
+{
+	static int items[CAPACITY], expected[CAPACITY], got[CAPACITY];
+	int count = use_bound && bound < end ? bound : end;
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY;
+	int sum = 0;
+	for (int i = 0; i < whole; ++i)
+	{
+		items[i] = expected[i] = (int)(random_word(&seed) % (uint64_t)range);
+		if (i < count)
+			expected[i] = sum;
+		sum += i < count ? items[i] : 0;
+	}
+
+	char what[128];
+	snprintf(what, sizeof what, "scan of %d items, bound %d", end, use_bound ? bound : -1);
+	Run run = {PRIMITIVE_SCAN, 0, end, use_bound ? COUNT(contacts) : NO_COUNT, 0};
+	for (int k = 0; k < backend_count; ++k)
+	{
+		Backend* b = backends[k];
+		assert_int_equal(b->f->write(b, POOL_scan, 0, whole, items), SCREE_OK);
+		run_on(b, run, bound);
+		assert_int_equal(b->f->read(b, POOL_scan, 0, whole, got), SCREE_OK);
+		check_equal(b, what, got, expected, sizeof *got, whole);
+	}
+}
+
+static const int sizes[] = {1,   2,   3,    31,   32,   33,   255,   256,   257,    511,
+                            512, 513, 1000, 4095, 4096, 4097, 20000, 65536, 131073, 300001};
+#define SIZES (int)(sizeof sizes / sizeof *sizes)
+
+static void test_sort_sizes(void** state)
+{
+	(void)state;
+	for (int i = 0; i < SIZES; ++i)
+		check_sort(RANDOM, sizes[i], 0, false, 0, 32, (uint64_t)i + 1);
+}
+
+static void test_sort_inputs(void** state)
+{
+	(void)state;
+	for (int input = 0; input < INPUTS; ++input)
+		for (int i = 0; i < SIZES; i += 3)
+			check_sort((Input)input, sizes[i], 0, false, 0, 64, 7);
+}
+
+// whatever the number of passes and their widths, the result ends in pool key
+static void test_sort_bits(void** state)
+{
+	(void)state;
+	for (int first = 0; first < 64; first += 7)
+		for (int end = first; end <= 64; end += 3)
+			check_sort(RANDOM, 3000, 0, false, first, end, 11);
+}
+
+// the bits outside the range tell equal keys apart
+static void test_sort_is_stable(void** state)
+{
+	(void)state;
+	check_sort(FALLING, 100000, 0, false, 24, 28, 13);
+	check_sort(RANDOM, 100000, 0, false, 60, 64, 13);
+	check_sort(RANDOM, 100000, 0, false, 33, 34, 13);
+}
+
+static void test_sort_counts_from_device(void** state)
+{
+	(void)state;
+	const int bounds[] = {0, 1, 2, 255, 256, 257, 5000, 131072, 299999, 300000, 300001, 2000000};
+	for (size_t i = 0; i < sizeof bounds / sizeof *bounds; ++i)
+		check_sort(RANDOM, 300000, bounds[i], true, 0, i % 2 ? 32 : 24, 17 + i);
+}
+
+static void test_sort_fills_the_pool(void** state)
+{
+	(void)state;
+	check_sort(RANDOM, CAPACITY, 0, false, 0, 40, 19);
+}
+
+static void test_scan_sizes(void** state)
+{
+	(void)state;
+	for (int i = 0; i < SIZES; ++i)
+		check_scan(sizes[i], 0, false, i % 2 ? 2 : 1000, (uint64_t)i + 1);
+	check_scan(CAPACITY, 0, false, 2, 23);
+}
+
+static void test_scan_counts_from_device(void** state)
+{
+	(void)state;
+	const int bounds[] = {0, 1, 2, 1023, 1024, 1025, 5000, 131072, 899999, 900000, 900001, 2000000};
+	for (size_t i = 0; i < sizeof bounds / sizeof *bounds; ++i)
+		check_scan(900000, bounds[i], true, 2, 29 + i);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(test_sort_sizes),
+	    cmocka_unit_test(test_sort_inputs),
+	    cmocka_unit_test(test_sort_bits),
+	    cmocka_unit_test(test_sort_is_stable),
+	    cmocka_unit_test(test_sort_counts_from_device),
+	    cmocka_unit_test(test_sort_fills_the_pool),
+	    cmocka_unit_test(test_scan_sizes),
+	    cmocka_unit_test(test_scan_counts_from_device),
+	};
+	return cmocka_run_group_tests(tests, open_backends, close_backends);
+}

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+// test_scene.c -- scene files: expressions, every kind of bad input with its sentence, and the scenes that we ship.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/expression.h"
+#include "scene/scene.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SCRATCH "test_scene_scratch.json"
+
+static double value_of(const char* text)
+{
+	char error[160];
+	Scope scope = {2, {{"rows", -1, 12}, {"i", 0, 0}}};
+	const double indices[] = {3};
+	uint32_t sites = 0;
+	Expression* expression = expression_compile(text, &scope, &sites, error, sizeof error);
+	if (!expression)
+		fail_msg("%s: %s", text, error);
+	Item item = {indices, 1, 0};
+	double value = 0;
+	const char* fault = expression_evaluate(expression, &item, &value);
+	if (fault)
+		fail_msg("%s: %s", text, fault);
+	free(expression);
+	return value;
+}
+
+static void test_values(void** state)
+{
+	(void)state;
+	const struct
+	{
+		const char* text;
+		double value;
+	} cases[] = {
+	    {"1", 1},
+	    {" 2 * i + 0.5 * rows ", 12},
+	    {"1 - 2 - 3", -4},
+	    {"8 / 4 / 2", 1},
+	    {"2 + 3 * 4", 14},
+	    {"(2 + 3) * 4", 20},
+	    {"-i", -3},
+	    {"--i", 3},
+	    {"2 - -2", 4},
+	    {"-2 * -3", 6},
+	    {"1.5e2 + 1E-1", 150.1},
+	    {".5", 0.5},
+	    {"floor(-0.5)", -1},
+	    {"ceil(0.2)", 1},
+	    {"abs(-i)", 3},
+	    {"sqrt(16)", 4},
+	    {"min(i, 2)", 2},
+	    {"max(i, 2)", 3},
+	    {"mod(7, i)", 1},
+	    {"mod(-1, 3)", 2},
+	    {"mod(i, rows) * (rows - 1) / 2", 16.5},
+	    {"random(5, 5)", 5},
+	};
+	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+		assert_true(value_of(cases[k].text) == cases[k].value);
+	// sine and cosine are polynomials of floats
+	assert_true(fabs(value_of("sin(pi / 6)") - 0.5) < 1e-6);
+	assert_true(fabs(value_of("cos(pi)") + 1) < 1e-6);
+}
+
+static void test_constants_fold(void** state)
+{
+	(void)state;
+	char error[160];
+	const Scope scope = {2, {{"rows", -1, 12}, {"i", 0, 0}}};
+	uint32_t sites = 0;
+	double value;
+	Expression* expression = expression_compile("-(rows + 3) * 2 / sqrt(4)", &scope, &sites, error, sizeof error);
+	assert_true(expression_is_constant(expression, &value) && value == -15);
+	free(expression);
+	expression = expression_compile("rows * i", &scope, &sites, error, sizeof error);
+	assert_false(expression_is_constant(expression, &value));
+	free(expression);
+	expression = expression_compile("random(0, 1)", &scope, &sites, error, sizeof error);
+	assert_false(expression_is_constant(expression, &value));
+	free(expression);
+}
+
+static void test_bad_expressions(void** state)
+{
+	(void)state;
+	const struct
+	{
+		const char* text;
+		const char* sentence;
+	} cases[] = {
+	    {"", "unexpected end at column 1"},
+	    {"1 +", "unexpected end at column 4"},
+	    {"1 2", "unexpected character at column 3"},
+	    {"(1", "expected ) at column 3"},
+	    {"1)", "unexpected character at column 2"},
+	    {"2 # 3", "unexpected character at column 3"},
+	    {"1.2.3", "malformed number"},
+	    {"1e999", "malformed number"},
+	    {"0x10", "unexpected character"},
+	    {"nan", "nan is no parameter"},
+	    {"column", "column is no parameter"},
+	    {"sin", "expected ("},
+	    {"min(1)", "expected ,"},
+	    {"abs(1, 2)", "expected )"},
+	    {"1 / 0", "division by zero"},
+	    {"1 / (i - i)", NULL},
+	    {"mod(1, 0)", "division by zero"},
+	    {"sqrt(-1)", "square root of a negative number"},
+	};
+	const Scope scope = {1, {{"i", 0, 0}}};
+	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+	{
+		char error[160] = "";
+		uint32_t sites = 0;
+		Expression* expression = expression_compile(cases[k].text, &scope, &sites, error, sizeof error);
+		if (cases[k].sentence && (expression || !strstr(error, cases[k].sentence)))
+			fail_msg("\"%s\": \"%s\" instead of \"%s\"", cases[k].text, error, cases[k].sentence);
+		free(expression);
+	}
+
+	// what depends on an index shows when it is evaluated
+	char error[160], deep[400] = "";
+	const double indices[] = {3};
+	Item item = {indices, 1, 0};
+	uint32_t sites = 0;
+	double value;
+	Expression* expression = expression_compile("1 / (i - 3)", &scope, &sites, error, sizeof error);
+	assert_string_equal(expression_evaluate(expression, &item, &value), "division by zero");
+	free(expression);
+	memset(deep, '(', 300);
+	assert_null(expression_compile(deep, &scope, &sites, error, sizeof error));
+	memset(deep, 0, sizeof deep);
+	for (int k = 0; k < 60; ++k)
+		strcat(deep, "i+(");
+	assert_null(expression_compile(deep, &scope, &sites, error, sizeof error));
+}
+
+// Each call draws its own numbers, which are spread evenly and the same forever.
+static void test_random(void** state)
+{
+	(void)state;
+	char error[160];
+	const Scope none = {0};
+	uint32_t sites = 0;
+	Expression* first = expression_compile("random(-1, 1)", &none, &sites, error, sizeof error);
+	Expression* second = expression_compile("random(-1, 1)", &none, &sites, error, sizeof error);
+	assert_int_equal(sites, 2);
+	double sum = 0, product = 0, a = 0, b = 0;
+	for (int k = 0; k < 10000; ++k)
+	{
+		Item item = {NULL, 1, (uint64_t)k};
+		assert_null(expression_evaluate(first, &item, &a));
+		assert_null(expression_evaluate(second, &item, &b));
+		assert_true(a >= -1 && a < 1);
+		sum += a;
+		product += a * b;
+	}
+	// standard deviations of the means: 0.0058 and 0.0033
+	assert_true(fabs(sum / 10000) < 0.03 && fabs(product / 10000) < 0.02);
+	Item item = {NULL, 1, 0};
+	assert_null(expression_evaluate(first, &item, &a));
+	assert_true(a == -0x1.ca460c3079e44p-2);
+	free(first);
+	free(second);
+}
+
+static Scene* load_text(const char* text, const SceneSetting* settings, int count, char* sentence)
+{
+	FILE* file = fopen(SCRATCH, "w");
+	assert_non_null(file);
+	fputs(text, file);
+	fclose(file);
+	Scene* scene = scene_load(SCRATCH, settings, count, sentence);
+	remove(SCRATCH);
+	return scene;
+}
+
+#define HEAD            "{\"name\": \"x\", \"title\": \"y\", "
+#define GOOD_ATTRIBUTES "\"attributes\": {\"a\": {\"circle\": 1}, \"b\": {\"box\": [1, 2]}}, "
+#define ATTRIBUTE(text) HEAD "\"attributes\": {\"a\": {" text "}}, \"bodies\": [{\"attribute\": \"a\"}]}"
+#define BODY(text)      HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}, {" text "}]}"
+
+static void test_bad_scenes(void** state)
+{
+	(void)state;
+	const struct
+	{
+		const char* text;
+		const char* sentence;
+	} cases[] = {
+	    // syntax
+	    {"{\"name\": \"x\",\n \"title\": }", "line 2, column 11"},
+	    {"{\"name\": \"x\", \"name\": \"y\"}", "duplicate"},
+	    {HEAD "\"seed\": NaN}", "line 1, column"},
+	    {HEAD "\"seed\": 1e999}", "line 1, column"},
+	    {"", "line 1, column 0"},
+	    {"[]", "must be an object"},
+	    {HEAD "\"bodies\": [", "line 1"},
+	    // keys and types
+	    {"{\"title\": \"y\"}", "name: is missing"},
+	    {HEAD "\"atributes\": {}}", "unknown key \"atributes\"; known are"},
+	    {HEAD "\"attributes\": 5}", "attributes: 5 must be an object"},
+	    {HEAD "\"attributes\": {}}", "at least one attribute"},
+	    {HEAD GOOD_ATTRIBUTES "\"bodies\": 5}", "bodies: 5 must be a list"},
+	    {HEAD GOOD_ATTRIBUTES "\"bodies\": []}", "no bodies and no collidables"},
+	    {BODY("\"attribute\": \"a\", \"positon\": [0, 0]"), "bodies[1]: unknown key \"positon\""},
+	    {BODY("\"attribute\": \"a\", \"position\": 3"), "bodies[1].position: 3 must be a list of 2 numbers"},
+	    {BODY("\"attribute\": \"a\", \"position\": [3]"), "bodies[1].position: [3] must be a list of 2 numbers"},
+	    {BODY("\"attribute\": \"a\", \"position\": [3, null]"), "bodies[1].position[1]: null must be a number"},
+	    {BODY("\"attribute\": \"a\", \"angle\": true"), "bodies[1].angle: true must be a number"},
+	    {BODY("\"attribute\": \"a\", \"type\": \"solid\""), "bodies[1].type: \"solid\" must be \"static\""},
+	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be \"x\""},
+	    {BODY("\"attribute\": \"a\", \"category\": [64]"), "bodies[1].category[0]: 64 must be at most 63"},
+	    // references
+	    {BODY("\"position\": [0, 0]"), "bodies[1]: attribute is missing"},
+	    {BODY("\"attribute\": \"c\""), "bodies[1].attribute: \"c\" is not among the attributes"},
+	    {BODY("\"attribute\": [\"a\", \"b\"]"), "bodies[1]: a list of attributes needs choose"},
+	    {BODY("\"attribute\": [\"a\", \"b\"], \"choose\": 2"), "bodies[1].choose: 2 must be at most 1"},
+	    {BODY("\"collidables\": []"), "bodies[1].collidables: an empty list"},
+	    {BODY("\"collidables\": [{\"attribute\": \"d\"}]"), "bodies[1].collidables[0].attribute: \"d\" is not among"},
+	    {BODY("\"attribute\": \"a\", \"angle\": \"i\""), "bodies[1].angle: \"i\": i is no parameter"},
+	    // values
+	    {BODY("\"attribute\": \"a\", \"linear_damping\": -1"), "bodies[1].linear_damping: -1 must not be negative"},
+	    {BODY("\"attribute\": \"a\", \"position\": [0, 1e6]"),
+	     "bodies[1].position[1]: 1000000.0 must be at most 100000"},
+	    {BODY("\"attribute\": \"a\", \"angle\": \"1/0\""), "bodies[1].angle: \"1/0\": division by zero"},
+	    {BODY("\"attribute\": \"a\", \"angle\": \"1e300*1e300\""),
+	     "bodies[1].angle: \"1e300*1e300\" is inf, must be finite"},
+	    {ATTRIBUTE("\"circle\": -1"), "attributes.a.circle: -1 must be positive"},
+	    {ATTRIBUTE("\"circle\": 0.0001"), "attributes.a.circle: 0.0001 must be at least 0.001"},
+	    {ATTRIBUTE("\"box\": [1, 0]"), "attributes.a.box[1]: 0 must be positive"},
+	    {ATTRIBUTE("\"circle\": 1, \"density\": -1"), "attributes.a.density: -1 must not be negative"},
+	    {ATTRIBUTE("\"circle\": 1, \"restitution\": 2"), "attributes.a.restitution: 2 must be at most 1"},
+	    {ATTRIBUTE("\"density\": 1"), "attributes.a: no shape"},
+	    {ATTRIBUTE("\"circle\": 1, \"box\": [1, 1]"), "attributes.a: both box and circle"},
+	    {ATTRIBUTE("\"capsule\": [[0, 0], [1, 0]]"), "attributes.a: a capsule needs a radius"},
+	    {ATTRIBUTE("\"segment\": [[0, 0]]"), "attributes.a.segment: 1 points, must be 2"},
+	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, 0]]"), "attributes.a.polygon: 2 corners, must be 3 to 8"},
+	    {ATTRIBUTE("\"polygon\": [[0,0],[1,0],[2,1],[3,3],[2,4],[1,5],[0,5],[-1,4],[-1,1]]"),
+	     "attributes.a.polygon: 9 corners, must be 3 to 8"},
+	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, 0], [2, 0]]"), "attributes.a.polygon: "},
+	    {ATTRIBUTE("\"polygon\": [[0, 0], [2, 0], [1, 0.2], [1, 2]]"), "attributes.a.polygon: "},
+	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, \"x\"], [2, 0]]"),
+	     "attributes.a.polygon[1][1]: \"x\": x is no parameter"},
+	    {HEAD "\"world\": {\"dt\": 0}, " GOOD_ATTRIBUTES "\"bodies\": []}", "world.dt: 0 must be positive"},
+	    {HEAD "\"world\": {\"substeps\": 1.5}, " GOOD_ATTRIBUTES "\"bodies\": []}",
+	     "world.substeps: 1.5 must be a whole"},
+	    {HEAD "\"view\": [0, 0, 0, 1], " GOOD_ATTRIBUTES "\"bodies\": []}", "view: [0,0,0,1] is empty"},
+	    // parameters
+	    {HEAD "\"parameters\": {\"n\": {}}}", "parameters.n: default is missing"},
+	    {HEAD "\"parameters\": {\"N\": {\"default\": 1}}}", "parameters.N: the name is taken, or is not"},
+	    {HEAD "\"parameters\": {\"sin\": {\"default\": 1}}}", "parameters.sin: the name is taken"},
+	    {HEAD "\"parameters\": {\"n\": {\"default\": 0, \"min\": 1}}}", "parameters.n.default: 0 must be at least 1"},
+	    {HEAD "\"constants\": {\"n\": \"m + 1\"}}", "constants.n: \"m + 1\": m is no parameter"},
+	    // repeat blocks
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\"}"), "bodies[1].repeat: to is missing"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"to\": 3}"), "bodies[1].repeat.index: is missing"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"pi\", \"to\": 3}"),
+	     "bodies[1].repeat.index: \"pi\" is taken"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 1.5}"),
+	     "bodies[1].repeat.to: 1.5 must be a whole"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 30000000}"),
+	     "bodies[1]: 30000000 or more items; a scene has at most 20000000"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": [{\"index\": \"i\", \"to\": 1e9}, {\"index\": \"j\", \"to\": 0}]"),
+	     "bodies[1]: more than 50000000 rounds of nested ranges"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 9}, \"position\": [0, \"1 / (i - 4)\"]"),
+	     "bodies[1].position[1]: \"1 / (i - 4)\": division by zero, at i = 4"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 9}, \"linear_damping\": \"3 - i\""),
+	     "bodies[1].linear_damping: \"3 - i\" is -1, must not be negative, at i = 4"},
+	    {BODY("\"collidables\": [{\"attribute\": \"a\", \"repeat\": {\"index\": \"k\", \"to\": -1}}]"),
+	     "bodies[1].collidables[0].repeat: must give the same"},
+	};
+	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+	{
+		char sentence[SCENE_SENTENCE] = "";
+		Scene* scene = load_text(cases[k].text, NULL, 0, sentence);
+		if (scene || !strstr(sentence, cases[k].sentence) || strncmp(sentence, SCRATCH ": ", strlen(SCRATCH) + 2) != 0)
+			fail_msg("%s\nsays \"%s\"\nnot  \"%s\"", cases[k].text, sentence, cases[k].sentence);
+	}
+	char sentence[SCENE_SENTENCE];
+	assert_null(scene_load("no/such/scene.json", NULL, 0, sentence));
+	assert_non_null(strstr(sentence, "no/such/scene.json"));
+	assert_null(scene_load("/", NULL, 0, sentence));
+}
+
+static void test_settings(void** state)
+{
+	(void)state;
+	const char* text = HEAD "\"parameters\": {\"n\": {\"default\": 2, \"min\": 1, \"max\": 9, \"integer\": true}}, "
+	                        "\"attributes\": {\"a\": {\"circle\": 1}}, "
+	                        "\"bodies\": [{\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": \"n * n\"}}]}";
+	const struct
+	{
+		SceneSetting setting;
+		const char* sentence; // null when it is good
+	} cases[] = {
+	    {{"n", "3"}, NULL},
+	    {{"n", "2 * 4"}, NULL},
+	    {{"n", "0"}, "--set n=0: must be at least 1"},
+	    {{"n", "10"}, "--set n=10: must be at most 9"},
+	    {{"n", "2.5"}, "--set n=2.5: must be a whole number"},
+	    {{"n", "nan"}, "--set n=nan: nan is no parameter"},
+	    {{"n", "1/0"}, "--set n=1/0: division by zero"},
+	    {{"m", "1"}, "no parameter \"m\" to set; there are n"},
+	};
+	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+	{
+		char sentence[SCENE_SENTENCE] = "";
+		Scene* scene = load_text(text, &cases[k].setting, 1, sentence);
+		if (!!scene == !!cases[k].sentence || (cases[k].sentence && !strstr(sentence, cases[k].sentence)))
+			fail_msg("%s=%s: \"%s\"", cases[k].setting.name, cases[k].setting.value, sentence);
+		if (k == 0)
+			assert_int_equal(scene->body_count, 9);
+		scene_free(scene);
+	}
+}
+
+static void test_shipped(void** state)
+{
+	(void)state;
+	const struct
+	{
+		const char* name;
+		int bodies, collidables;
+	} cases[] = {
+	    {"pyramid", 5051, 5051}, {"pyramids", 22020, 22020}, {"pile", 2003, 2003},          {"tumbler", 2026, 2029},
+	    {"smash", 9601, 9601},   {"dominoes", 793, 793},     {"billiards", 305, 305},       {"slope", 21, 21},
+	    {"washer", 4100, 4159},  {"shapes", 140, 140},       {"million", 1000096, 1000096},
+	};
+	char** names;
+	int count = scene_list(NULL, &names);
+	assert_int_equal(count, sizeof cases / sizeof cases[0]);
+	for (int k = 0; k < count; ++k)
+	{
+		char path[SCENE_PATH], sentence[SCENE_SENTENCE], title[160], parameters[256];
+		size_t n = 0;
+		while (n < sizeof cases / sizeof cases[0] && strcmp(cases[n].name, names[k]) != 0)
+			++n;
+		assert_true(n < sizeof cases / sizeof cases[0]);
+		assert_true(scene_find(names[k], NULL, path, sentence));
+		assert_true(scene_heading(path, title, sizeof title, parameters, sizeof parameters, sentence));
+		Scene* scene = scene_load(path, NULL, 0, sentence);
+		if (!scene)
+			fail_msg("%s", sentence);
+		assert_string_equal(scene->name, names[k]);
+		assert_string_equal(scene->title, title);
+		assert_int_equal(scene->body_count, cases[n].bodies);
+		assert_int_equal(scene->collidable_count, cases[n].collidables);
+		assert_true(scene->has_view);
+		scene_free(scene);
+		free(names[k]);
+	}
+	free(names);
+}
+
+// Ten million boxes stay within 5 km, where a float has steps of half a millimetre.
+static void test_ten_million(void** state)
+{
+	(void)state;
+	const char* quick = getenv("SCREE_QUICK");
+	if (quick && *quick == '1')
+		skip();
+	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
+	const SceneSetting settings[] = {{"columns", "426"}, {"rows", "427"}};
+	assert_true(scene_find("pyramids", NULL, path, sentence));
+	Scene* scene = scene_load(path, settings, 2, sentence);
+	assert_non_null(scene);
+	assert_true(scene->body_count > 10000000);
+	assert_true(scene->view.lower.x > -5000 && scene->view.lower.y > -5000);
+	scene_free(scene);
+}
+
+// What a scene says is what a world gets.
+static void test_build(void** state)
+{
+	(void)state;
+	const char* text = HEAD
+	    "\"parameters\": {\"n\": {\"default\": 3}}, \"world\": {\"gravity\": [1, \"-n\"]}, " GOOD_ATTRIBUTES
+	    "\"bodies\": ["
+	    "{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, -5]},"
+	    "{\"attribute\": [\"a\", \"b\"], \"choose\": \"j\", \"position\": [\"10 * i\", \"20 * j\"],"
+	    " \"velocity\": [\"i\", 2], \"repeat\": [{\"index\": \"i\", \"to\": \"n\"}, {\"index\": \"j\", \"to\": 2}]},"
+	    "{\"type\": \"kinematic\", \"angular_velocity\": 0.5, \"position\": [-20, 0], \"collidables\": ["
+	    " {\"attribute\": \"b\", \"position\": [\"k\", 0], \"repeat\": {\"index\": \"k\", \"to\": 3}},"
+	    " {\"attribute\": \"a\", \"group\": -2, \"category\": [3], \"mask\": [0, 63]}]}],"
+	    "\"collidables\": [{\"attribute\": \"a\", \"position\": [50, 0]}]}";
+	char sentence[SCENE_SENTENCE] = "";
+	Scene* scene = load_text(text, NULL, 0, sentence);
+	if (!scene)
+		fail_msg("%s", sentence);
+	scree_world* world;
+	scree_world_def def = scene->world;
+	def.device = "cpu";
+	def.threads = 1;
+	assert_int_equal(scree_create_world(&def, &world), SCREE_OK);
+	assert_int_equal(scene_build(scene, world), SCREE_OK);
+	scree_counters counters;
+	assert_int_equal(scree_get_counters(world, &counters), SCREE_OK);
+	assert_int_equal(counters.bodies, 8);
+	assert_int_equal(counters.dynamic_bodies, 6);
+	assert_int_equal(counters.collidables, 12);
+	assert_int_equal(counters.attributes, 2);
+	assert_true(scree_get_gravity(world).x == 1 && scree_get_gravity(world).y == -3);
+
+	scree_body bodies[8];
+	scree_pose poses[8];
+	scree_velocity velocities[8];
+	scree_collidable collidables[8];
+	scree_filter filter;
+	scree_body_type type;
+	int count;
+	assert_int_equal(scree_get_bodies(world, bodies, 8, &count), SCREE_OK);
+	assert_int_equal(scree_get_poses(world, bodies, poses, 8), SCREE_OK);
+	assert_int_equal(scree_get_velocities(world, bodies, velocities, 8), SCREE_OK);
+	// i = 2, j = 1 is the last of six
+	assert_true(poses[6].position.x == 20 && poses[6].position.y == 20);
+	assert_true(velocities[6].linear.x == 2 && velocities[6].linear.y == 2);
+	assert_true(velocities[7].angular == 0.5f);
+	assert_int_equal(scree_body_get_type(world, bodies[7], &type), SCREE_OK);
+	assert_int_equal(type, SCREE_KINEMATIC);
+	assert_int_equal(scree_get_collidables(world, bodies[7], collidables, 8, &count), SCREE_OK);
+	assert_int_equal(count, 4);
+	assert_int_equal(scree_collidable_get_local_pose(world, collidables[2], &poses[0]), SCREE_OK);
+	assert_true(poses[0].position.x == 2);
+	assert_int_equal(scree_collidable_get_filter(world, collidables[3], &filter), SCREE_OK);
+	assert_true(filter.group == -2 && filter.category == 8 && filter.mask == 0x8000000000000001u);
+	assert_int_equal(scree_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count), SCREE_OK);
+	assert_int_equal(count, 1);
+	scree_destroy_world(world);
+	scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(test_values),  cmocka_unit_test(test_constants_fold), cmocka_unit_test(test_bad_expressions),
+	    cmocka_unit_test(test_random),  cmocka_unit_test(test_bad_scenes),     cmocka_unit_test(test_settings),
+	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),    cmocka_unit_test(test_build),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

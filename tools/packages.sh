@@ -1,0 +1,48 @@
+#!/bin/sh
+# packages.sh -- packages.sh PACKAGE...: installs the Debian packages that are missing, and nothing when none is.
+set -eu
+
+if ! command -v dpkg-query >/dev/null 2>&1; then
+	# not Debian: the user has what is needed, or CMake says what it misses
+	if ! command -v cmake >/dev/null 2>&1 || ! command -v ninja >/dev/null 2>&1; then
+		echo "scree: this is not Debian, so install what these Debian packages hold, then try again: $*" >&2
+		exit 1
+	fi
+	exit 0
+fi
+
+missing=
+for package in "$@"; do
+	case $(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true) in
+	*" installed") ;;
+	*) missing="$missing $package" ;;
+	esac
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" -eq 0 ]; then
+	as_root=
+elif command -v sudo >/dev/null 2>&1; then
+	as_root=sudo
+else
+	echo "scree: packages are missing, and neither root nor sudo is here to install them. As root: apt-get install$missing" >&2
+	exit 1
+fi
+
+echo "scree: installing$missing"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+install_missing()
+{
+	# word splitting of $as_root and $missing is meant
+	$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >"$log" 2>&1 </dev/null
+}
+# the lists may be there and fresh enough: fetch them only when the first attempt fails
+if ! install_missing; then
+	$as_root apt-get update >"$log" 2>&1 </dev/null || true
+	if ! install_missing; then
+		tail -n 5 "$log" >&2
+		echo "scree: apt-get could not install the packages (no network?). As root: apt-get update; apt-get install$missing" >&2
+		exit 1
+	fi
+fi
