@@ -21,7 +21,7 @@ cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSCREE_BUILD_TESTS=OFF 
 rm -f build.log
 scree=build/scree
 {
-	echo "commit: $(git describe --always --dirty 2>/dev/null || echo unknown)"
+	echo "commit: ${COMMIT:-$(git describe --always --dirty 2>/dev/null || echo unknown)}"
 	echo "processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
 	command -v nvidia-smi >/dev/null && nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader
 	$scree devices
@@ -55,7 +55,12 @@ xargs -P $(($(nproc) / 2 + 1)) -I{} bash -c '{}' <"$jobs" &
 references=$!
 for scene in $($scree scenes --names); do
 	count=$steps
-	case $heavy in *" $scene "*) count=$heavy_steps ;; esac
+	case $heavy in *" $scene "*)
+		count=$heavy_steps
+		# nothing may be lost in the long run either: all cores against the GPU, for as many steps as the others
+		hash_of "long" "$scene" "$steps" --device "opencl:$device"
+		;;
+	esac
 	hash_of gpu "$scene" "$count" --device "opencl:$device"
 	SCREE_PERSISTENT=0 hash_of launches "$scene" "$count" --device "opencl:$device"
 done
@@ -75,6 +80,12 @@ for scene in $($scree scenes --names); do
 	grep -q failed "$work/$scene.one" && equal=no
 	[ $equal = yes ] || differ=1
 	echo "$row,$equal" >>"$folder/parity.csv"
+done
+for scene in $heavy; do
+	hash_of all "$scene" "$steps" --device cpu
+	equal=yes
+	cmp -s "$work/$scene.all" "$work/$scene.long" || { equal=no; differ=1; }
+	echo "$scene,$steps,,,$(cat "$work/$scene.all"),$(cat "$work/$scene.long"),,$equal" >>"$folder/parity.csv"
 done
 cat "$folder/parity.csv"
 

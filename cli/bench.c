@@ -95,7 +95,7 @@ static int measure_all(const Options* options, char** names, int count)
 	{
 		printf("scene,device,threads,lanes,bodies,contacts,colors,steps,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
-			printf(",ms_%s", stage_columns[k].name);
+			printf(",ms_%s", pipeline_functions(options->pipeline)->stages[k]);
 		printf(",penetration,hash,valid\n");
 	}
 	for (int k = 0; k < count && code == EXIT_GOOD; ++k)

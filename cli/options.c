@@ -18,7 +18,7 @@ static const struct
     {"device", 'd', "NAME", RUN | HASH | BENCH, "auto, cpu, opencl, or opencl:NAME with part of a device's name"},
     {"threads", 't', "N", RUN | HASH | BENCH, "CPU threads, 1 to 64; without it one a core"},
     {"lanes", 'l', "N", RUN | HASH | BENCH, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is"},
-    {"pipeline", 'P', "NAME", RUN | HASH, "soft: the soft step solver"},
+    {"pipeline", 'P', "NAME", RUN | HASH | BENCH, "soft: the soft step solver; paper: the paper's, on one thread"},
     {"allow-unequal-bits", 'u', NULL, RUN | HASH | BENCH, "use a device that cannot keep the promise of equal bits"},
     {"set", 's', "NAME=VALUE", RUN | HASH | BENCH, "give a parameter of the scene another value; may be repeated"},
     {"picture", 'p', "FILE.png", RUN, "draw the end state"},
@@ -50,7 +50,7 @@ static const struct
 {
 	const char* name;
 	PipelineChoice choice;
-} pipelines[] = {{"soft", PIPELINE_SOFT}};
+} pipelines[] = {{"soft", PIPELINE_SOFT}, {"paper", PIPELINE_PAPER}};
 #define PIPELINE_COUNT (int)(sizeof pipelines / sizeof pipelines[0])
 
 void print_help(FILE* file)

@@ -23,7 +23,8 @@ typedef enum // bits, so that an option can belong to several
 
 typedef enum
 {
-	PIPELINE_SOFT, // the soft step solver of libscree
+	PIPELINE_SOFT,  // the soft step solver of libscree
+	PIPELINE_PAPER, // integrate, transform, detect, resolve, as in the paper
 } PipelineChoice;
 
 typedef struct

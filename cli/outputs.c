@@ -58,7 +58,7 @@ int outputs_open(Outputs* outputs, const Options* options, Simulation* simulatio
 	{
 		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,overflow,moved,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
-			fprintf(outputs->csv, ",ms_%s", stage_columns[k].name);
+			fprintf(outputs->csv, ",ms_%s", simulation->f->stages[k]);
 		fprintf(outputs->csv, "\n");
 	}
 	return EXIT_GOOD;
@@ -88,7 +88,7 @@ static void write_row(FILE* csv, const Record* record)
 	fprintf(csv, "%lld,%d,%d,%d,%d,%d,%d,%d,%.6f,%.4f", (long long)c->steps, c->bodies, c->contacts, c->touching,
 	        c->colors, c->overflow, c->moved, c->new_contacts, (double)c->penetration, (double)record->milliseconds);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
-		fprintf(csv, ",%.4f", (double)stage_milliseconds(&record->timings, k));
+		fprintf(csv, ",%.4f", (double)record->stages[k]);
 	fprintf(csv, "\n");
 }
 

@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: MIT
 // record.c -- what each step of a simulation left behind: counters and milliseconds.
 #include "record.h"
-#include <stddef.h>
 #include <stdlib.h>
-
-const StageColumn stage_columns[STAGE_COLUMNS] = {
-    {"transform", offsetof(scree_timings, transform)},
-    {"broad_phase", offsetof(scree_timings, broad_phase)},
-    {"narrow_phase", offsetof(scree_timings, narrow_phase)},
-    {"color", offsetof(scree_timings, color)},
-    {"solve", offsetof(scree_timings, solve)},
-    {"finalize", offsetof(scree_timings, finalize)},
-};
-
-float stage_milliseconds(const scree_timings* timings, int stage)
-{
-	return *(const float*)((const char*)timings + stage_columns[stage].offset);
-}
 
 scree_status record_step(Simulation* simulation, Record* record)
 {
@@ -28,7 +13,7 @@ scree_status record_step(Simulation* simulation, Record* record)
 		status = simulation->f->counters(simulation, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
 	if (status == SCREE_OK)
-		status = simulation->f->timings(simulation, &record->timings);
+		status = simulation->f->timings(simulation, record->stages);
 	return status;
 }
 
@@ -68,7 +53,7 @@ double step_of(const Record* record, int unused)
 	return record->milliseconds;
 }
 
-double stage_of(const Record* record, int stage) { return stage_milliseconds(&record->timings, stage); }
+double stage_of(const Record* record, int stage) { return record->stages[stage]; }
 
 double contacts_of(const Record* record, int unused)
 {

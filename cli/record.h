@@ -7,20 +7,9 @@
 typedef struct
 {
 	scree_counters counters;
-	scree_timings timings;
-	float milliseconds; // of the step, by our own clock
+	float stages[STAGE_COLUMNS]; // milliseconds
+	float milliseconds;          // of the step, by our own clock
 } Record;
-
-typedef struct
-{
-	const char* name;
-	size_t offset; // of a float in scree_timings
-} StageColumn;
-
-#define STAGE_COLUMNS 6
-extern const StageColumn stage_columns[STAGE_COLUMNS]; // in the order of the step
-
-float stage_milliseconds(const scree_timings* timings, int stage);
 
 // Takes one step and records it.
 scree_status record_step(Simulation* simulation, Record* record);

@@ -33,7 +33,7 @@ static void add_record(Totals* totals, const Record* record)
 	totals->last = *record;
 	totals->seconds += 1e-3 * (double)record->milliseconds;
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
-		totals->stages[k] += (double)stage_milliseconds(&record->timings, k);
+		totals->stages[k] += (double)record->stages[k];
 	if (record->counters.penetration > totals->penetration)
 		totals->penetration = record->counters.penetration;
 	totals->nonfinite += record->counters.nonfinite;
@@ -73,7 +73,7 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
-		printf("  %-12s %.4f\n", stage_columns[k].name, totals->stages[k] / steps);
+		printf("  %-12s %.4f\n", simulation->f->stages[k], totals->stages[k] / steps);
 	printf("%-14s %.4f m, the deepest seen\n", "penetration", (double)totals->penetration);
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: MIT
 // simulation.c -- a scene set in motion by one of the pipelines.
 #include "simulation.h"
+#include <string.h>
 #include <time.h>
+
+// the world is all that this pipeline has
+static int soft_open(const Options* options, Simulation* simulation)
+{
+	(void)options;
+	simulation->state = NULL;
+	return EXIT_GOOD;
+}
 
 static scree_status soft_step(Simulation* simulation, float dt, int substeps)
 {
@@ -18,9 +27,13 @@ static scree_status soft_counters(Simulation* simulation, scree_counters* counte
 	return scree_get_counters(simulation->world, counters);
 }
 
-static scree_status soft_timings(Simulation* simulation, scree_timings* timings)
+static scree_status soft_timings(Simulation* simulation, float milliseconds[STAGE_COLUMNS])
 {
-	return scree_get_timings(simulation->world, timings);
+	scree_timings t;
+	scree_status status = scree_get_timings(simulation->world, &t);
+	const float stages[STAGE_COLUMNS] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
+	memcpy(milliseconds, stages, sizeof stages);
+	return status;
 }
 
 static scree_status soft_poses(Simulation* simulation, const scree_body* bodies, scree_pose* poses, int count)
@@ -30,18 +43,20 @@ static scree_status soft_poses(Simulation* simulation, const scree_body* bodies,
 
 static void soft_close(Simulation* simulation) { simulation->state = NULL; }
 
-static const SimulationFunctions soft = {soft_step, soft_hash, soft_counters, soft_timings, soft_poses, soft_close};
+static const SimulationFunctions soft_functions = {
+    .stages = {"transform", "broad_phase", "narrow_phase", "color", "solve", "finalize"},
+    .open = soft_open,
+    .step = soft_step,
+    .hash = soft_hash,
+    .counters = soft_counters,
+    .timings = soft_timings,
+    .poses = soft_poses,
+    .close = soft_close,
+};
 
-// The one place where a pipeline is chosen.
-static scree_status choose_pipeline(Simulation* simulation, PipelineChoice choice)
+const SimulationFunctions* pipeline_functions(PipelineChoice choice)
 {
-	switch (choice)
-	{
-	case PIPELINE_SOFT:
-		simulation->f = &soft;
-		break;
-	}
-	return SCREE_OK;
+	return choice == PIPELINE_PAPER ? &paper_functions : &soft_functions;
 }
 
 Scene* open_scene(const Options* options, const char* name)
@@ -65,28 +80,24 @@ int report(scree_status status)
 int simulation_open(const Options* options, const Scene* scene, bool timings, Simulation* simulation)
 {
 	scree_world_def def = scene->world;
-	*simulation = (Simulation){.scene = scene};
+	*simulation = (Simulation){.scene = scene, .f = pipeline_functions(options->pipeline)};
 	def.device = options->device;
-	def.threads = options->threads;
-	def.lanes = options->lanes;
+	def.threads = simulation->f->one_thread ? 1 : options->threads;
+	def.lanes = simulation->f->one_thread ? 1 : options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
 	scree_status status = scree_create_world(&def, &simulation->world);
 	if (status == SCREE_OK)
 		status = scene_build(scene, simulation->world);
-	if (status == SCREE_OK)
-		status = choose_pipeline(simulation, options->pipeline);
-	if (status == SCREE_OK)
-		return EXIT_GOOD;
-	int code = report(status);
-	simulation_close(simulation);
+	int code = status == SCREE_OK ? simulation->f->open(options, simulation) : report(status);
+	if (code != EXIT_GOOD)
+		simulation_close(simulation);
 	return code;
 }
 
 void simulation_close(Simulation* simulation)
 {
-	if (simulation->f)
-		simulation->f->close(simulation);
+	simulation->f->close(simulation);
 	scree_destroy_world(simulation->world);
 	*simulation = (Simulation){0};
 }

@@ -6,15 +6,22 @@
 
 typedef struct Simulation Simulation;
 
+#define STAGE_COLUMNS 6
+
 typedef struct // what a pipeline must do; all as the functions of scree.h with the same names
 {
+	const char* stages[STAGE_COLUMNS]; // that it is timed by, in the order of the step
+	bool one_thread;                   // on the CPU it uses one thread and one lane
+	// from the world; returns an exit code, after printing what is wrong. Closed also then
+	int (*open)(const Options* options, Simulation* simulation);
 	scree_status (*step)(Simulation* simulation, float dt, int substeps);
 	scree_status (*hash)(Simulation* simulation, uint64_t* hash);
 	scree_status (*counters)(Simulation* simulation, scree_counters* counters);
-	scree_status (*timings)(Simulation* simulation, scree_timings* timings);
+	scree_status (*timings)(Simulation* simulation, float milliseconds[STAGE_COLUMNS]);
 	scree_status (*poses)(Simulation* simulation, const scree_body* bodies, scree_pose* poses, int count);
 	void (*close)(Simulation* simulation); // releases state; the world is not the pipeline's
 } SimulationFunctions;
+extern const SimulationFunctions paper_functions; // cli/paper.c
 
 struct Simulation
 {
@@ -23,6 +30,9 @@ struct Simulation
 	void* state;        // of the pipeline
 	const Scene* scene;
 };
+
+// The one place where a pipeline is chosen.
+const SimulationFunctions* pipeline_functions(PipelineChoice choice);
 
 // Reads the scene named by the user. Returns null after printing what is wrong.
 Scene* open_scene(const Options* options, const char* name);

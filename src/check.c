@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...)
 {
@@ -17,19 +18,32 @@ scree_status refuse(scree_status status, Where at, const char* member, const cha
 	return fail(status, "%s: %s%s%s %s", at.function, at.argument, index, member, sentence);
 }
 
+Decimal decimal(float x)
+{
+	Decimal d;
+	int digits = 7;
+	do
+		snprintf(d.text, sizeof d.text, "%.*g", digits, x);
+	while (strtof(d.text, NULL) != x && ++digits <= 9);
+	return d;
+}
+
 scree_status check_real(Where at, const char* member, float x, float low, float high)
 {
 	if (isfinite(x) && x >= low && x <= high)
 		return SCREE_OK;
+	Decimal value = decimal(x), least = decimal(low), most = decimal(high);
 	if (low == -FLT_MAX && high == FLT_MAX)
-		return refuse(SCREE_INVALID, at, member, "is %.9g, must be finite", x);
+		return refuse(SCREE_INVALID, at, member, "is %s, must be finite", value.text);
 	if (high == FLT_MAX)
-		return refuse(SCREE_INVALID, at, member, "is %.9g, must be finite and at least %.9g", x, low);
-	return refuse(SCREE_INVALID, at, member, "is %.9g, must be from %.9g to %.9g", x, low, high);
+		return refuse(SCREE_INVALID, at, member, "is %s, must be finite and at least %s", value.text, least.text);
+	return refuse(SCREE_INVALID, at, member, "is %s, must be from %s to %s", value.text, least.text, most.text);
 }
 
 static scree_status check_component(Where at, const char* member, const char* component, float x, float limit)
 {
+	if (x >= -limit && x <= limit)
+		return SCREE_OK;
 	char name[64];
 	snprintf(name, sizeof name, "%s%s", member, component);
 	return check_real(at, name, x, -limit, limit);
@@ -48,8 +62,12 @@ scree_status check_pose(Where at, const char* member, scree_pose* pose)
 	scree_rot q = pose->rotation;
 	double square = (double)q.c * q.c + (double)q.s * q.s;
 	if (!(square > 1.0 - 1e-3 && square < 1.0 + 1e-3))
-		return refuse(SCREE_INVALID, at, member,
-		              ".rotation is (%.9g, %.9g), the cosine and sine of no angle: see scree_make_rot", q.c, q.s);
+	{
+		char name[64];
+		snprintf(name, sizeof name, "%s.rotation", member);
+		return refuse(SCREE_INVALID, at, name, "is (%s, %s), the cosine and sine of no angle: see scree_make_rot",
+		              decimal(q.c).text, decimal(q.s).text);
+	}
 	if (square < 1.0 - 5e-7 || square > 1.0 + 5e-7)
 	{
 		double length = sqrt(square);

@@ -32,6 +32,13 @@ typedef struct // where a value stands, as its user wrote it
 	int index; // in the batch; ALONE when the argument is no array
 } Where;
 
+// The shortest decimal number that reads back as a float, for sentences.
+typedef struct
+{
+	char text[24];
+} Decimal;
+Decimal decimal(float x);
+
 // "function: argument[index]member SENTENCE"; member is "" or begins with a dot.
 scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...) FORMAT(4, 5);
 

@@ -117,7 +117,7 @@ static scree_status refuse_corner(const char* function, const char* argument, co
                                   const char* reason)
 {
 	Where at = {function, argument, i};
-	return refuse(SCREE_INVALID, at, "", "(%.9g, %.9g) %s", v[i].x, v[i].y, reason);
+	return refuse(SCREE_INVALID, at, "", "(%s, %s) %s", decimal(v[i].x).text, decimal(v[i].y).text, reason);
 }
 
 // Are these the corners of a convex polygon, either way round? Distances in metres.
@@ -169,8 +169,8 @@ static scree_status check_ends(const char* function, scree_vec a, scree_vec b)
 {
 	double length = vec_distance(a, b);
 	if (length < (double)SMALLEST_SIZE)
-		return fail(SCREE_INVALID, "%s: b is (%.9g, %.9g), %.9g m from a, must be at least %g", function, b.x, b.y,
-		            length, SMALLEST_SIZE);
+		return fail(SCREE_INVALID, "%s: b is (%s, %s), closer to a than %g m", function, decimal(b.x).text,
+		            decimal(b.y).text, SMALLEST_SIZE);
 	return SCREE_OK;
 }
 

@@ -12,8 +12,8 @@ scree_world_def scree_default_world_def(void)
 {
 	return (scree_world_def){.gravity = {0.0f, -10.0f},
 	                         .device = "auto",
-	                         .contact_hertz = 30.0f,
-	                         .contact_damping_ratio = 10.0f,
+	                         .contact_hertz = 48.0f,
+	                         .contact_damping_ratio = 15.0f,
 	                         .contact_push_speed = 3.0f,
 	                         .restitution_threshold = 1.0f,
 	                         .max_speed = 400.0f,

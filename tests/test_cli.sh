@@ -53,7 +53,7 @@ refuse 2 '--steps -3' run pile --steps -3
 refuse 2 '--steps 3x' run pile --steps 3x
 refuse 2 '--threads 65: must be' run pile --threads 65
 refuse 2 '--lanes 3: must be 1, 4, 8 or 16' run pile --lanes 3
-refuse 2 '--pipeline rough: must be one of soft' run pile --pipeline rough
+refuse 2 '--pipeline rough: must be one of soft paper' run pile --pipeline rough
 refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '0 arguments, takes one scene' run
@@ -91,6 +91,18 @@ grep -qxE '[0-9a-f]{16}' out || fail "hash: not 16 digits alone"
 [ "$(wc -l <out)" = 1 ] || fail "hash: not one line"
 hash=$(cat out)
 expect 0 "$hash" hash pyramid "${small[@]}" --threads 2 --lanes 1
+expect 0 "$hash" run pyramid "${small[@]}"
+
+# the paper's pipeline
+expect 0 '' hash pyramid "${small[@]}" --pipeline paper
+paper=$(cat out)
+[ "$paper" != "$hash" ] || fail "hash --pipeline paper: the other pipeline's"
+expect 0 "$paper" run pyramid "${small[@]}" --pipeline paper --csv rows.csv
+for line in to_device integrate transform detect from_device resolve; do
+	grep -qE "^ *$line " out || fail "run --pipeline paper: no line for $line"
+done
+head -n 1 rows.csv | grep -q ',ms_resolve$' || fail "run --pipeline paper --csv: another heading"
+expect 0 "$paper" bench pyramid "${small[@]}" --pipeline paper --repeats 1
 expect 0 "$hash" run pyramid "${small[@]}"
 
 # run and its files

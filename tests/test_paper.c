@@ -137,7 +137,8 @@ static void test_accumulators(void** state)
 	paper_destroy(paper);
 }
 
-// A box comes to rest on the ground: half its height above it, upright, without speed.
+// A box comes to rest on the ground: half its height above it but for the millimetre that resolution leaves, upright,
+// without speed.
 static void test_rest(void** state)
 {
 	(void)state;
@@ -148,7 +149,7 @@ static void test_rest(void** state)
 	step(paper, 300);
 	scree_pose pose = pose_of(paper, 1);
 	scree_velocity v = velocity_of(paper, 1);
-	assert_true(pose.position.y > 0.499f && pose.position.y < 0.505f);
+	assert_true(pose.position.y > 0.4985f && pose.position.y < 0.5015f);
 	assert_true(fabs(pose.rotation.s) < 0.01f);
 	assert_true(fabs(v.linear.x) < 0.01f && fabs(v.linear.y) < 0.01f && fabs(v.angular) < 0.02f);
 	assert_int_equal(paper_counters(paper).contacts, 1);
@@ -189,7 +190,7 @@ static void test_friction(void** state)
 	paper_destroy(paper);
 }
 
-// A circle is 2 cm deep in a floor and 1 cm deep in a wall whose normal is (-0.6, 0.8). Raised by 2 cm from the floor it
+// Resolution leaves half a millimetre. A circle is 2 cm deep in a floor and 1 cm deep in a wall whose normal is (-0.6, 0.8). Raised by 2 cm from the floor it
 // is 0.8 * 2 cm farther from the wall and free. Taken in the other order it would move 6 mm to the left as well.
 static void test_most_severe_first(void** state)
 {
@@ -208,7 +209,7 @@ static void test_most_severe_first(void** state)
 	assert_int_equal(paper_counters(paper).contacts, 2);
 	assert_true(fabs(paper_counters(paper).penetration - 0.02f) < 1e-5f);
 	assert_true(fabs(pose_of(paper, 0).position.x) < 1e-5f);
-	assert_true(fabs(pose_of(paper, 0).position.y - 0.02f) < 2e-4f);
+	assert_true(fabs(pose_of(paper, 0).position.y - 0.02f) < 6e-4f);
 	paper_destroy(paper);
 }
 

@@ -41,7 +41,7 @@ static void judge(Device* d)
 	device_text(d->id, CL_DEVICE_VERSION, version, sizeof version);
 	int major = 0, minor = 0;
 	sscanf(version, "OpenCL %d.%d", &major, &minor);
-	size_t arguments = POOL_COUNT * sizeof(cl_mem) + sizeof(Step) + sizeof(Run) + 64;
+	size_t arguments = PER_COUNT * (sizeof(cl_mem) + sizeof(int)) + sizeof(Step) + sizeof(Run) + 64;
 	size_t most = (size_t)device_number(d->id, CL_DEVICE_MAX_PARAMETER_SIZE);
 	cl_ulong floats = device_number(d->id, CL_DEVICE_SINGLE_FP_CONFIG);
 	d->correct_division = floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;

@@ -98,22 +98,25 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 	kernel->group = most < largest ? most : largest;
 	if (multiple > 1 && kernel->group > multiple)
 		kernel->group -= kernel->group % multiple;
-
-	for (cl_uint i = 0; i < POOL_COUNT; ++i)
-		TRY(CALL(SetKernelArg, kernel->kernel, i, sizeof d->pools[i], &d->pools[i]));
 	return SCREE_OK;
+}
+
+size_t pool_offset(const OpenCl* d, PoolId pool) { return d->before[pool] * (size_t)d->room[pool_info[pool].per]; }
+
+static scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
+{
+	int rooms[PER_COUNT];
+	for (int i = 0; i < PER_COUNT; ++i)
+		rooms[d->argument[i]] = d->room[i];
+	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[per], sizeof(cl_mem), &d->buffers[per]));
+	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_ROOMS, sizeof rooms, rooms);
 }
 
 scree_status kernels_bind(OpenCl* d, Per per)
 {
-	for (cl_uint i = 0; i < POOL_COUNT; ++i)
-	{
-		if (pool_info[i].per != per)
-			continue;
-		for (int k = 0; k < STAGE_COUNT; ++k)
-			TRY(CALL(SetKernelArg, d->stages[k].kernel, i, sizeof d->pools[i], &d->pools[i]));
-		TRY(CALL(SetKernelArg, d->persistent.kernel, i, sizeof d->pools[i], &d->pools[i]));
-	}
+	for (int k = 0; k < STAGE_COUNT; ++k)
+		TRY(kernel_bind(d, per, &d->stages[k]));
+	TRY(kernel_bind(d, per, &d->persistent));
 	return primitives_bind(d);
 }
 
@@ -121,7 +124,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 {
 	if (kernel->version == d->step_version)
 		return SCREE_OK;
-	TRY(CALL(SetKernelArg, kernel->kernel, POOL_COUNT, sizeof d->step, &d->step));
+	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_STEP, sizeof d->step, &d->step));
 	kernel->version = d->step_version;
 	return SCREE_OK;
 }
@@ -142,7 +145,7 @@ static scree_status stage_run(OpenCl* d, const Run* run)
 	Kernel* kernel = &d->stages[run->stage];
 	d->box = stage_boxes[run->stage];
 	TRY(kernel_step(d, kernel));
-	TRY(CALL(SetKernelArg, kernel->kernel, POOL_COUNT + 1, sizeof *run, run));
+	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_RUN, sizeof *run, run));
 	size_t groups = ((size_t)(run->end - run->begin) + kernel->group - 1) / kernel->group;
 	size_t most = (size_t)d->device.about.units * GROUPS_A_UNIT;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);

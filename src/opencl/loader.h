@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// loader.h -- OpenCL, opened at run time: a machine without it builds Scree, runs it on the CPU, and is told what to do.
+// loader.h -- OpenCL, opened at run time: a machine without it builds Scree, runs it on the CPU and is told the remedy.
 #ifndef OPENCL_LOADER_H
 #define OPENCL_LOADER_H
 #include "scree/scree.h"

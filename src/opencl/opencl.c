@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// opencl.c -- the OpenCL backend: one buffer a pool, one kernel a stage, one queue in order.
+// opencl.c -- the OpenCL backend: one buffer a kind of pool, one kernel a stage, one queue in order.
 #include "opencl/opencl.h"
 #include "error.h"
 #include "opencl/program.h"
+#include <limits.h>
 #include <stdio.h>
 
 // written by cmake/embed.cmake
+// every pool begins at a multiple of so many items of its own, and so at 256 bytes
+#define ROOM_ITEMS 64
+
 extern const char opencl_program[];
 extern const size_t opencl_program_length;
 
@@ -21,9 +25,9 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < STAGE_COUNT; ++i)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
-		for (int i = 0; i < POOL_COUNT; ++i)
-			if (d->pools[i])
-				opencl.ReleaseMemObject(d->pools[i]);
+		for (int i = 0; i < PER_COUNT; ++i)
+			if (d->buffers[i])
+				opencl.ReleaseMemObject(d->buffers[i]);
 		if (d->program)
 			opencl.ReleaseProgram(d->program);
 		if (d->queue)
@@ -37,59 +41,78 @@ static void opencl_close(Backend* b)
 	scree_release(b);
 }
 
-// Makes a larger copy of a pool, zero behind what it held. The old one is still in use.
-static scree_status pool_grow(OpenCl* d, PoolId pool, int old_capacity, int capacity, cl_mem* grown)
+// Makes a larger copy of the pools of a kind, zero behind what they held, and lets the old go.
+static scree_status buffer_grow(OpenCl* d, Per per, int room, size_t item_bytes)
 {
-	size_t old_bytes = pool_info[pool].bytes * (size_t)old_capacity;
-	TRY(buffer_create(d, pool_info[pool].bytes * (size_t)capacity, grown));
-	if (old_bytes == 0)
-		return SCREE_OK;
-	return CALL(EnqueueCopyBuffer, d->queue, d->pools[pool], *grown, 0, 0, old_bytes, 0, NULL, NULL);
+	cl_mem grown;
+	scree_status status = buffer_create(d, item_bytes * (size_t)room, &grown);
+	for (int i = 0; i < POOL_COUNT && status == SCREE_OK; ++i)
+		if (pool_info[i].per == per && d->buffers[per])
+			status = CALL(EnqueueCopyBuffer, d->queue, d->buffers[per], grown, pool_offset(d, (PoolId)i),
+			              d->before[i] * (size_t)room, pool_info[i].bytes * (size_t)d->room[per], 0, NULL, NULL);
+	if (status == SCREE_OK)
+		status = finish(d); // drivers that allocate late say so by now
+	cl_mem dropped = grown;
+	if (status == SCREE_OK)
+	{
+		dropped = d->buffers[per];
+		d->buffers[per] = grown;
+		d->room[per] = room;
+	}
+	if (dropped)
+		opencl.ReleaseMemObject(dropped);
+	return status;
+}
+
+// Gives a kind room for capacity items, and a few more.
+static scree_status make_room(Backend* b, Per per, int capacity)
+{
+	OpenCl* d = b->state;
+	size_t item_bytes = 0;
+	for (int i = 0; i < POOL_COUNT; ++i)
+		if (pool_info[i].per == per)
+			item_bytes += pool_info[i].bytes;
+
+	// while they are copied, both sizes are held
+	uint64_t larger = (uint64_t)item_bytes * (uint64_t)capacity,
+	         smaller = (uint64_t)item_bytes * (uint64_t)d->room[per];
+	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + larger > d->device.about.memory)
+		return fail(SCREE_OUT_OF_MEMORY, "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.",
+		            b->name, (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
+		            (unsigned long long)(larger >> 20));
+	int room = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
+	TRY(buffer_grow(d, per, room, item_bytes));
+	b->bytes += (uint64_t)item_bytes * (uint64_t)room - smaller;
+	return SCREE_OK;
 }
 
 static scree_status opencl_resize(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
-	int old = b->capacity[per];
-	if (capacity <= old)
-		return SCREE_OK;
+	if (capacity > d->room[per])
+	{
+		TRY(make_room(b, per, capacity));
+		TRY(kernels_bind(d, per));
+	}
+	if (capacity > b->capacity[per])
+		b->capacity[per] = capacity;
+	return SCREE_OK;
+}
 
-	// while they are copied, both sizes are held
-	uint64_t larger = 0, smaller = 0;
+// Where pools lie in the buffers of their kinds, and each kind among a kernel's arguments.
+static void lay_out(OpenCl* d)
+{
+	size_t item_bytes[PER_COUNT] = {0};
+	int kinds = 0;
 	for (int i = 0; i < POOL_COUNT; ++i)
-		if (pool_info[i].per == per)
-		{
-			larger += (uint64_t)capacity * pool_info[i].bytes;
-			smaller += (uint64_t)old * pool_info[i].bytes;
-		}
-	if (b->bytes + larger > d->device.about.memory)
-		return fail(SCREE_OUT_OF_MEMORY, "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.",
-		            b->name, (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
-		            (unsigned long long)(larger >> 20));
-
-	cl_mem grown[POOL_COUNT] = {0};
-	scree_status status = SCREE_OK;
-	for (int i = 0; i < POOL_COUNT && status == SCREE_OK; ++i)
-		if (pool_info[i].per == per)
-			status = pool_grow(d, (PoolId)i, old, capacity, &grown[i]);
-	if (status == SCREE_OK)
-		status = finish(d); // drivers that allocate late say so by now
-	for (int i = 0; i < POOL_COUNT; ++i)
-		if (grown[i])
-		{
-			cl_mem dropped = grown[i];
-			if (status == SCREE_OK)
-			{
-				dropped = d->pools[i];
-				d->pools[i] = grown[i];
-			}
-			opencl.ReleaseMemObject(dropped);
-		}
-	if (status != SCREE_OK)
-		return status;
-	b->capacity[per] = capacity;
-	b->bytes += larger - smaller;
-	return kernels_bind(d, per);
+	{
+		Per per = pool_info[i].per;
+		if (item_bytes[per] == 0)
+			d->argument[per] = kinds++;
+		d->before[i] = item_bytes[per];
+		item_bytes[per] += pool_info[i].bytes;
+	}
+	ASSERT(kinds == PER_COUNT);
 }
 
 static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, const void* items)
@@ -99,7 +122,8 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	return upload(d, d->pools[pool], bytes * (size_t)first, items, bytes * (size_t)count);
+	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
+	              bytes * (size_t)count);
 }
 
 static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
@@ -109,8 +133,8 @@ static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, v
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	TRY(CALL(EnqueueReadBuffer, d->queue, d->pools[pool], CL_TRUE, bytes * (size_t)first, bytes * (size_t)count, items,
-	         0, NULL, NULL));
+	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
+	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
 	d->staged = 0;
 	if (pool == POOL_counters && ((const Counters*)items)->fault)
 		return fail(SCREE_DEVICE_FAILED,
@@ -138,12 +162,17 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(opencl_check("clCreateCommandQueue", error));
 	TRY(program_build(d->context, &d->device, opencl_program, opencl_program_length, &d->program));
 
-	// a pool without items is one item all the same: kernels need something to point at
-	for (int i = 0; i < POOL_COUNT; ++i)
-		TRY(buffer_create(d, pool_info[i].bytes, &d->pools[i]));
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], STAGE_GROUP, &d->stages[i]));
+	TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
 	TRY(primitives_open(d));
+
+	// pools without items have room all the same: kernels need something to point at
+	lay_out(d);
+	for (int i = 0; i < PER_COUNT; ++i)
+		TRY(make_room(b, (Per)i, 1));
+	for (int i = 0; i < PER_COUNT; ++i)
+		TRY(kernels_bind(d, (Per)i));
 	TRY(persistent_open(d));
 	return finish(d);
 }

@@ -12,6 +12,19 @@ typedef struct
 	uint64_t version; // of the step that its arguments hold
 } Kernel;
 
+// arguments of a kernel behind the buffers
+enum
+{
+	ARGUMENT_ROOMS = PER_COUNT,
+	ARGUMENT_STEP,
+	ARGUMENT_RUN,
+	// of the persistent kernel
+	ARGUMENT_LIST = ARGUMENT_RUN,
+	ARGUMENT_COUNT,
+	ARGUMENT_PROBES,
+	ARGUMENT_SPINS
+};
+
 typedef struct // a launch whose time has not been read
 {
 	cl_event event;
@@ -24,7 +37,14 @@ typedef struct
 	cl_context context;
 	cl_command_queue queue; // in order
 	cl_program program;
-	cl_mem pools[POOL_COUNT];
+
+	// One buffer a kind of item holds the pools of that kind, each with the same room. Kernels take the kinds in the
+	// order in which pools.def names them (cmake/embed.cmake).
+	cl_mem buffers[PER_COUNT];
+	int room[PER_COUNT];       // items, rounded up
+	int argument[PER_COUNT];   // of each kind's buffer
+	size_t before[POOL_COUNT]; // bytes an item of the pools before this one in its buffer
+
 	Kernel stages[STAGE_COUNT];
 
 	// step: the one that was last given to run, and how often it has changed
@@ -68,10 +88,13 @@ scree_status finish(OpenCl* d);
 // Creates a zeroed buffer. Fails with SCREE_OUT_OF_MEMORY when there is no room.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
-// Creates a kernel that takes all pools, sets them, and finds the size of its groups: at most largest.
+// Creates a kernel that takes all pools, and finds the size of its groups: at most largest.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);
 
-// Sets the arguments of the pools of a kind, which have new buffers, in all kernels.
+// where a pool begins in its buffer, in bytes
+size_t pool_offset(const OpenCl* d, PoolId pool);
+
+// Sets the buffer of a kind, which is new, in all kernels.
 scree_status kernels_bind(OpenCl* d, Per per);
 
 // Sets the step of a kernel that takes all pools, when it is not the current one.

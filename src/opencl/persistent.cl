@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // persistent.cl -- one launch that works through many runs of the solver: all groups meet between two runs.
 //
-// A meeting costs a sixth of a launch. It needs all groups on the device at once, which OpenCL does not promise: the
+// A meeting costs a quarter of a launch. It needs all groups on the device at once, which OpenCL does not promise: the
 // host tries it once when it opens a device (PERSISTENT_PROBE), and no wait here is without a bound.
 #include "opencl/limits.h"
 #include "pools/pools.h"
@@ -23,7 +23,8 @@ enum
 #endif
 
 // Waits until so many arrivals of groups are counted. False when that took more than so many spins, here or elsewhere.
-INLINE bool meet(volatile __global int* arrived, volatile __global int* fault, __local int* healthy, int arrivals, int spins)
+INLINE bool meet(volatile __global int* arrived, volatile __global int* fault, __local int* healthy, int arrivals,
+                 int spins)
 {
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	if (get_local_id(0) == 0)
@@ -53,19 +54,29 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
+INLINE int run_end(Run run, const Pools* p)
+{
+	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
+}
+
 // list holds PERSISTENT_HEADER ints, of which the first is zero, then count runs. A run without items is passed over
-// without meeting, so no run may change the counter that bounds a later one of the same list.
+// without meeting, and the next is fetched early, so no run may change the counter that bounds a later one of the list.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global int* probes, int spins)
 {
 	__local int healthy;
 	Pools pools = {POOL_NAMES step, 0};
-	volatile __global int* fault = &counters->fault;
+	volatile __global int* fault = &pools.counters->fault;
 	__global const Run* runs = (__global const Run*)(list + PERSISTENT_HEADER);
 	int begin = (int)get_global_id(0), stride = (int)get_global_size(0), arrivals = 0;
+	Run next = runs[0];
+	int next_end = run_end(next, &pools);
 	for (int k = 0; k < count; ++k)
 	{
-		Run run = runs[k];
-		int end = run.count < 0 ? run.end : min(run.end, ((volatile __global int*)counters)[run.count]);
+		// the next run is fetched while this one is worked on
+		Run run = next;
+		int end = next_end;
+		next = runs[min(k + 1, count - 1)];
+		next_end = run_end(next, &pools);
 		if (run.begin >= end)
 			continue;
 		pools.argument = run.argument;

@@ -10,7 +10,7 @@ static size_t groups_for(int items, int grain, int most)
 	return (size_t)(groups < most ? groups : most);
 }
 
-static scree_status set_arguments(cl_kernel kernel, const cl_mem* buffers, cl_uint count)
+static scree_status set_buffers(cl_kernel kernel, const cl_mem* buffers, cl_uint count)
 {
 	for (cl_uint i = 0; i < count; ++i)
 		TRY(CALL(SetKernelArg, kernel, i, sizeof *buffers, &buffers[i]));
@@ -19,10 +19,19 @@ static scree_status set_arguments(cl_kernel kernel, const cl_mem* buffers, cl_ui
 
 scree_status primitives_bind(OpenCl* d)
 {
-	cl_mem counters = d->pools[POOL_counters], scan = d->pools[POOL_scan];
-	TRY(set_arguments(d->scan_sum, (cl_mem[]){scan, counters, d->table}, 3));
-	TRY(set_arguments(d->scan_place, (cl_mem[]){scan, counters, d->table}, 3));
-	return set_arguments(d->sort_return, (cl_mem[]){d->pools[POOL_key], d->pools[POOL_key_other], counters}, 3);
+	cl_ulong scan = pool_offset(d, POOL_scan);
+	cl_kernel scans[] = {d->scan_sum, d->scan_place};
+	for (int i = 0; i < 2; ++i)
+	{
+		TRY(set_buffers(scans[i], (cl_mem[]){d->buffers[CONTACT], d->buffers[ONE], d->table}, 3));
+		TRY(CALL(SetKernelArg, scans[i], 4, sizeof scan, &scan));
+	}
+	cl_ulong from = pool_offset(d, POOL_key_other), to = pool_offset(d, POOL_key);
+	TRY(set_buffers(d->sort_count, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->table}, 3));
+	TRY(set_buffers(d->sort_place, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->table}, 3));
+	TRY(set_buffers(d->sort_return, (cl_mem[]){d->buffers[KEY], d->buffers[ONE]}, 2));
+	TRY(CALL(SetKernelArg, d->sort_return, 3, sizeof from, &from));
+	return CALL(SetKernelArg, d->sort_return, 4, sizeof to, &to);
 }
 
 scree_status primitives_open(OpenCl* d)
@@ -43,8 +52,7 @@ scree_status primitives_open(OpenCl* d)
 			return fail(SCREE_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", kernels[i].name, opencl_error_name(error),
 			            (int)error);
 	}
-	TRY(buffer_create(d, (size_t)SORT_BLOCKS * SORT_DIGITS * sizeof(cl_uint), &d->table));
-	return primitives_bind(d);
+	return buffer_create(d, (size_t)SORT_BLOCKS * SORT_DIGITS * sizeof(cl_uint), &d->table);
 }
 
 void primitives_close(OpenCl* d)
@@ -57,19 +65,19 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->table);
 }
 
-// One pass: orders the keys of one buffer by bits shift to shift + bits - 1 into the other.
-static scree_status sort_pass(OpenCl* d, const Run* run, cl_mem from, cl_mem to, cl_int shift, int bits)
+// One pass: orders the keys that begin at one offset by bits shift to shift + bits - 1, into the place of the others.
+static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
-	cl_mem counters = d->pools[POOL_counters];
 	cl_uint mask = (1u << bits) - 1;
-	TRY(set_arguments(d->sort_count, (cl_mem[]){from, counters, d->table}, 3));
-	TRY(set_arguments(d->sort_place, (cl_mem[]){from, to, counters, d->table}, 4));
 	TRY(CALL(SetKernelArg, d->sort_count, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->sort_count, 4, sizeof shift, &shift));
-	TRY(CALL(SetKernelArg, d->sort_count, 5, sizeof mask, &mask));
-	TRY(CALL(SetKernelArg, d->sort_place, 4, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->sort_place, 5, sizeof shift, &shift));
-	TRY(CALL(SetKernelArg, d->sort_place, 6, sizeof mask, &mask));
+	TRY(CALL(SetKernelArg, d->sort_count, 4, sizeof from, &from));
+	TRY(CALL(SetKernelArg, d->sort_count, 5, sizeof shift, &shift));
+	TRY(CALL(SetKernelArg, d->sort_count, 6, sizeof mask, &mask));
+	TRY(CALL(SetKernelArg, d->sort_place, 3, sizeof *run, run));
+	TRY(CALL(SetKernelArg, d->sort_place, 4, sizeof from, &from));
+	TRY(CALL(SetKernelArg, d->sort_place, 5, sizeof to, &to));
+	TRY(CALL(SetKernelArg, d->sort_place, 6, sizeof shift, &shift));
+	TRY(CALL(SetKernelArg, d->sort_place, 7, sizeof mask, &mask));
 	size_t items = PRIMITIVE_GROUP * groups_for(run->end, SORT_GRAIN, SORT_BLOCKS);
 	TRY(launch(d, d->sort_count, items, PRIMITIVE_GROUP));
 	return launch(d, d->sort_place, items, PRIMITIVE_GROUP);
@@ -79,12 +87,12 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 {
 	int first = run->argument & 255, end = run->argument >> 8;
 	int passes = (end - first + SORT_DIGIT_BITS - 1) / SORT_DIGIT_BITS;
-	cl_mem from = d->pools[POOL_key], to = d->pools[POOL_key_other];
+	cl_ulong from = pool_offset(d, POOL_key), to = pool_offset(d, POOL_key_other);
 	for (int pass = 0; pass < passes; ++pass)
 	{
 		int shift = first + pass * SORT_DIGIT_BITS;
 		TRY(sort_pass(d, run, from, to, shift, end - shift < SORT_DIGIT_BITS ? end - shift : SORT_DIGIT_BITS));
-		cl_mem swapped = from;
+		cl_ulong swapped = from;
 		from = to;
 		to = swapped;
 	}
@@ -92,7 +100,7 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 		return SCREE_OK;
 
 	// a copy is cheaper than a pass more
-	TRY(CALL(SetKernelArg, d->sort_return, 3, sizeof *run, run));
+	TRY(CALL(SetKernelArg, d->sort_return, 2, sizeof *run, run));
 	return launch(d, d->sort_return, PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS),
 	              PRIMITIVE_GROUP);
 }

@@ -5,7 +5,8 @@
 // group adds up what lies before it in the table, and puts its items where they go. A launch to scan the table between
 // the two would cost more than reading it many times, for it is small and cached.
 //
-// The number of items is read on the device: groups past it leave at once.
+// The number of items is read on the device: groups past it leave at once. Pools come as the buffer of their kind and
+// the place in it, in bytes; the counters are alone in theirs.
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
@@ -41,8 +42,10 @@ INLINE uint group_scan(__local uint* sum, uint x)
 
 // How many keys of this group's part have each digit.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-sort_count(__global const Word64* key, __global const int* counters, __global uint* table, Run run, int shift, uint mask)
+sort_count(__global uchar* keys, __global const int* counters, __global uint* table, Run run, ulong from, int shift,
+           uint mask)
 {
+	__global const Word64* key = (__global const Word64*)(keys + from);
 	__local uint count[SORT_DIGITS];
 	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
 	uint n = item_count(run, counters);
@@ -65,9 +68,11 @@ sort_count(__global const Word64* key, __global const int* counters, __global ui
 // bit, whatever the order, and counts the bits below. Work-item t is the keeper of digit t.
 #define SORT_WORDS (PRIMITIVE_GROUP / 32)
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-sort_place(__global const Word64* key, __global Word64* key_other, __global const int* counters,
-           __global const uint* table, Run run, int shift, uint mask)
+sort_place(__global uchar* keys, __global const int* counters, __global const uint* table, Run run, ulong from,
+           ulong to, int shift, uint mask)
 {
+	__global const Word64* key = (__global const Word64*)(keys + from);
+	__global Word64* key_other = (__global Word64*)(keys + to);
 	__local uint sum[PRIMITIVE_GROUP];
 	__local uint member[2][SORT_WORDS][SORT_DIGITS];
 	__local uint place[SORT_WORDS][SORT_DIGITS];
@@ -117,8 +122,10 @@ sort_place(__global const Word64* key, __global Word64* key_other, __global cons
 }
 
 // Brings the keys home after an odd number of passes.
-__kernel void sort_return(__global Word64* key, __global const Word64* key_other, __global const int* counters, Run run)
+__kernel void sort_return(__global uchar* keys, __global const int* counters, Run run, ulong from, ulong to)
 {
+	__global const Word64* key_other = (__global const Word64*)(keys + from);
+	__global Word64* key = (__global Word64*)(keys + to);
 	uint n = item_count(run, counters);
 	for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
 		key[i] = key_other[i];
@@ -126,8 +133,9 @@ __kernel void sort_return(__global Word64* key, __global const Word64* key_other
 
 // The sum of this group's part.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-scan_sum(__global const int* scan, __global const int* counters, __global uint* table, Run run)
+scan_sum(__global uchar* contacts, __global const int* counters, __global uint* table, Run run, ulong at)
 {
+	__global const int* scan = (__global const int*)(contacts + at);
 	__local uint sum[PRIMITIVE_GROUP];
 	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
 	uint n = item_count(run, counters);
@@ -146,8 +154,9 @@ scan_sum(__global const int* scan, __global const int* counters, __global uint* 
 
 // Replaces each item of this group's part by the sum of all items before it.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-scan_place(__global int* scan, __global const int* counters, __global const uint* table, Run run)
+scan_place(__global uchar* contacts, __global const int* counters, __global const uint* table, Run run, ulong at)
 {
+	__global int* scan = (__global int*)(contacts + at);
 	__local uint sum[PRIMITIVE_GROUP];
 	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
 	uint n = item_count(run, counters);

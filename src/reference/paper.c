@@ -49,7 +49,7 @@ static scree_status open_device(Paper* paper, const char* device, bool allow_une
 		return fail(SCREE_INVALID, "paper_create: device is \"%s\", must be cpu, opencl or opencl:NAME", device);
 #ifdef SCREE_NO_OPENCL
 	(void)allow_unequal_bits;
-	return fail(SCREE_NO_DEVICE, "paper_create: device is \"%s\", but this build has no OpenCL", device);
+	return fail(SCREE_NO_DEVICE, "%s", scree_opencl_remedy());
 #else
 	return paper_opencl_open(paper, device[6] ? device + 7 : NULL, allow_unequal_bits);
 #endif

@@ -12,12 +12,17 @@
 #include "stages/body.h"
 #include <stdlib.h>
 
-// Most resolutions a contact, on average over all: piles sink when it is lower, and take longer when it is higher.
-#define ROUNDS 16
+// Most resolutions a contact, on average over all. Fewer fell taller piles: in ten seconds a column of ten boxes falls
+// at 16 and stands at 64; one of twenty falls at 64 and stands at 200, but not for thirty seconds.
+#define ROUNDS 200
 
 // what is left as it is
-#define DEPTH_TOLERANCE 0.0001f // m
-#define SPEED_TOLERANCE 0.001f  // m/s
+#define DEPTH_TOLERANCE 0.001f // m
+#define SPEED_TOLERANCE 0.001f // m/s
+
+// Overlap that a resolution leaves, m: without it, what rests on another thing would lose its contact every other step,
+// and piles would tremble.
+#define DEPTH_LEFT 0.0005f
 
 // Slower impacts do not bounce, m/s: what gravity adds in a step must not. The default of scree_world_def.
 #define RESTITUTION_THRESHOLD 1.0f
@@ -50,7 +55,7 @@ static float overlap_severity(const Resolution* r, const Touch* t)
 static void overlap_resolve(Resolution* r, Touch* t)
 {
 	Body *a = r->bodies + t->a, *b = r->bodies + t->b;
-	Vec shift = vec_scale(t->severity / (a->inv_mass + b->inv_mass), t->normal);
+	Vec shift = vec_scale((t->severity - DEPTH_LEFT) / (a->inv_mass + b->inv_mass), t->normal);
 	a->d = vec_sub(a->d, vec_scale(a->inv_mass, shift));
 	b->d = vec_add(b->d, vec_scale(b->inv_mass, shift));
 }
@@ -136,27 +141,28 @@ static Vec arm(const PaperBody* body, Float2 point) { return vec(point.x - body-
 
 static Touch touch(const PaperBody* bodies, const PaperContact* contact)
 {
-	Touch t = {.a = contact->body_a, .b = contact->body_b, .friction = contact->friction};
+	Touch t = {.a = contact->body_a, .b = contact->body_b, .count = contact->count, .friction = contact->friction};
 	t.normal = vec(contact->normal.x, contact->normal.y);
 	for (int k = 0; k < contact->count; ++k)
 	{
-		if (!(contact->separation[k] < 0.0f))
-			continue;
-		t.arm_a[t.count] = arm(&bodies[t.a], contact->point[k]);
-		t.arm_b[t.count] = arm(&bodies[t.b], contact->point[k]);
+		t.arm_a[k] = arm(&bodies[t.a], contact->point[k]);
+		t.arm_b[k] = arm(&bodies[t.b], contact->point[k]);
 		t.depth = maximum(t.depth, -contact->separation[k]);
-		++t.count;
 	}
 	return t;
 }
 
-// What the impact leaves of the closing speed: Newton's law of restitution.
-static void aim(const Resolution* r, Touch* t, float restitution)
+// Where the surfaces overlap: what the impact leaves of the closing speed, Newton's law of restitution. A second point may
+// hover over the other surface, and close that gap within a step.
+static void aim(const Resolution* r, Touch* t, const PaperContact* contact, float dt)
 {
 	for (int k = 0; k < t->count; ++k)
 	{
-		float closing = point_severity(r, t, k);
-		t->target[k] = closing > RESTITUTION_THRESHOLD ? restitution * closing : 0.0f;
+		float closing = point_severity(r, t, k), gap = contact->separation[k];
+		if (gap > 0.0f)
+			t->target[k] = -gap / dt;
+		else if (closing > RESTITUTION_THRESHOLD)
+			t->target[k] = contact->restitution * closing;
 	}
 }
 
@@ -196,7 +202,7 @@ scree_status paper_resolve(Paper* paper)
 			continue;
 		Touch* t = &r.touches[r.count++];
 		*t = touch(p->body, contact);
-		aim(&r, t, contact->restitution);
+		aim(&r, t, contact, p->step.dt);
 		paper->counters.penetration = maximum(paper->counters.penetration, t->depth);
 	}
 	resolve_all(&r, overlap_severity, overlap_resolve, DEPTH_TOLERANCE);

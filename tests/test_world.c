@@ -1,0 +1,773 @@
+// SPDX-License-Identifier: MIT
+// test_world.c -- handles, batches, commands and what is read back, on the CPU and on OpenCL where there is one.
+#include "world.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define STEP (1.0f / 60.0f)
+
+static const char* device; // of the worlds that the tests make
+
+static void assert_ok(scree_status status)
+{
+	if (status != SCREE_OK)
+		fail_msg("%s: %s", scree_status_name(status), scree_error());
+}
+
+static void assert_near(double value, double expected, double tolerance)
+{
+	if (!(fabs(value - expected) <= tolerance))
+		fail_msg("%.9g is not %.9g within %g", value, expected, tolerance);
+}
+
+static scree_world* make_world(float gravity)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = device;
+	def.threads = 2;
+	def.gravity.y = gravity;
+	scree_world* world;
+	assert_ok(scree_create_world(&def, &world));
+	return world;
+}
+
+static scree_attribute make_box(scree_world* world, float half_width, float half_height)
+{
+	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute attribute;
+	assert_ok(scree_make_box(half_width, half_height, &def.shape));
+	assert_ok(scree_create_attribute(world, &def, &attribute));
+	return attribute;
+}
+
+static scree_body_def box_def(scree_world* world, scree_body_type type, float x, float y)
+{
+	scree_body_def def = scree_default_body_def();
+	def.type = type;
+	def.pose.position = (scree_vec){x, y};
+	def.attribute = make_box(world, 0.5f, 0.5f);
+	return def;
+}
+
+static scree_body add_box(scree_world* world, scree_body_type type, float x, float y)
+{
+	scree_body_def def = box_def(world, type, x, y);
+	scree_body body;
+	assert_ok(scree_create_body(world, &def, &body));
+	return body;
+}
+
+static void add_ground(scree_world* world)
+{
+	scree_body_def def = scree_default_body_def();
+	def.type = SCREE_STATIC;
+	def.pose.position.y = -1.0f;
+	def.attribute = make_box(world, 50.0f, 1.0f);
+	assert_ok(scree_create_body(world, &def, NULL));
+}
+
+static void step(scree_world* world, int steps)
+{
+	for (int k = 0; k < steps; ++k)
+		assert_ok(scree_step(world, STEP, 4));
+}
+
+static scree_pose pose_of(scree_world* world, scree_body body)
+{
+	scree_pose pose;
+	assert_ok(scree_body_get_pose(world, body, &pose));
+	return pose;
+}
+
+static scree_velocity velocity_of(scree_world* world, scree_body body)
+{
+	scree_velocity velocity;
+	assert_ok(scree_body_get_velocity(world, body, &velocity));
+	return velocity;
+}
+
+static uint64_t hash_of(scree_world* world)
+{
+	uint64_t hash;
+	assert_ok(scree_world_hash(world, &hash));
+	return hash;
+}
+
+static int contacts_of(scree_world* world)
+{
+	int count;
+	assert_ok(scree_get_contacts(world, NULL, 0, &count));
+	return count;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// handles and batches
+// ---------------------------------------------------------------------------------------------------------------
+
+static void handles_name_one_life(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body a = add_box(world, SCREE_DYNAMIC, 0, 0), b = add_box(world, SCREE_DYNAMIC, 2, 0);
+	scree_body c = add_box(world, SCREE_DYNAMIC, 4, 0);
+	assert_int_equal(a.index, 1);
+	assert_int_equal(c.index, 3);
+	assert_true(scree_body_is_valid(world, a));
+	assert_false(scree_body_is_valid(world, (scree_body){0, 0}));
+	assert_false(scree_body_is_valid(world, (scree_body){0, 1}));
+	assert_false(scree_body_is_valid(world, (scree_body){4, 1}));
+
+	// the lowest free slot is taken first, with another generation
+	assert_ok(scree_destroy_body(world, b));
+	assert_ok(scree_destroy_body(world, a));
+	assert_false(scree_body_is_valid(world, a));
+	scree_body d = add_box(world, SCREE_DYNAMIC, 0, 0);
+	assert_int_equal(d.index, a.index);
+	assert_int_not_equal(d.generation, a.generation);
+	assert_int_equal(scree_body_apply_torque(world, a, 1.0f), SCREE_STALE);
+	assert_int_equal(scree_destroy_body(world, a), SCREE_STALE);
+
+	scree_counters counters;
+	assert_ok(scree_get_counters(world, &counters));
+	assert_int_equal(counters.bodies, 2);
+	assert_int_equal(counters.dynamic_bodies, 2);
+	assert_int_equal(counters.collidables, 2);
+	assert_int_equal(counters.attributes, 1);
+	scree_destroy_world(world);
+}
+
+static void equal_attributes_are_one(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_attribute first = make_box(world, 0.5f, 0.25f), again = make_box(world, 0.5f, 0.25f);
+	assert_memory_equal(&first, &again, sizeof first);
+	for (int k = 0; k < 1000; ++k)
+		make_box(world, 1.0f + 0.01f * (float)k, 0.25f);
+	again = make_box(world, 0.5f, 0.25f);
+	assert_memory_equal(&first, &again, sizeof first);
+	scree_counters counters;
+	assert_ok(scree_get_counters(world, &counters));
+	assert_int_equal(counters.attributes, 1001);
+
+	// a negative zero is zero
+	scree_attribute_def def;
+	assert_ok(scree_get_attribute(world, first, &def));
+	def.restitution = -0.0f;
+	assert_ok(scree_create_attribute(world, &def, &again));
+	assert_memory_equal(&first, &again, sizeof first);
+	assert_false(world->pipeline.extras);
+	def.restitution = 0.5f;
+	assert_ok(scree_create_attribute(world, &def, &again));
+	assert_memory_not_equal(&first, &again, sizeof first);
+	assert_true(world->pipeline.extras);
+	scree_destroy_world(world);
+}
+
+static void batches_survive_churn(void** state)
+{
+	(void)state;
+	enum
+	{
+		COUNT_OF = 500
+	};
+	scree_world* world = make_world(0.0f);
+	scree_body_def defs[COUNT_OF];
+	scree_body bodies[COUNT_OF], listed[COUNT_OF];
+	scree_pose poses[COUNT_OF];
+	for (int k = 0; k < COUNT_OF; ++k)
+		defs[k] = box_def(world, SCREE_DYNAMIC, 3.0f * (float)k, (float)(k % 7));
+	assert_ok(scree_create_bodies(world, defs, COUNT_OF, bodies));
+	step(world, 1);
+
+	// every third goes and comes back elsewhere, over and over; half of the rounds are not seen by the device
+	for (int round = 0; round < 6; ++round)
+	{
+		for (int k = 0; k < COUNT_OF; k += 3)
+			assert_ok(scree_destroy_body(world, bodies[k]));
+		if (round % 2)
+			step(world, 1);
+		for (int k = 0; k < COUNT_OF; k += 3)
+		{
+			defs[k].pose.position.y = (float)(100 + round);
+			assert_ok(scree_create_body(world, defs + k, bodies + k));
+		}
+	}
+	int count;
+	assert_ok(scree_get_bodies(world, listed, COUNT_OF, &count));
+	assert_int_equal(count, COUNT_OF);
+	for (int k = 1; k < COUNT_OF; ++k)
+		assert_true(listed[k - 1].index < listed[k].index);
+	assert_ok(scree_get_poses(world, bodies, poses, COUNT_OF));
+	for (int k = 0; k < COUNT_OF; ++k)
+	{
+		assert_near(poses[k].position.x, 3.0 * k, 1e-6);
+		assert_near(poses[k].position.y, k % 3 ? k % 7 : 105, 1e-6);
+	}
+
+	// a batch with one bad handle changes nothing
+	uint64_t hash = hash_of(world);
+	scree_body kept = bodies[77];
+	bodies[77] = bodies[3];
+	assert_int_equal(scree_destroy_bodies(world, bodies, COUNT_OF), SCREE_STALE);
+	assert_int_equal(hash_of(world), hash);
+	bodies[77] = kept;
+	assert_ok(scree_destroy_bodies(world, bodies, COUNT_OF));
+	assert_ok(scree_get_bodies(world, NULL, 0, &count));
+	assert_int_equal(count, 0);
+	step(world, 2);
+	scree_counters counters;
+	assert_ok(scree_get_counters(world, &counters));
+	assert_int_equal(counters.contacts, 0);
+	assert_int_equal(counters.collidables, 0);
+	scree_destroy_world(world);
+}
+
+static const BackendFunctions* true_functions;
+static int writes;
+
+static scree_status counted_write(Backend* b, PoolId pool, int first, int count, const void* items)
+{
+	++writes;
+	return true_functions->write(b, pool, first, count, items);
+}
+
+static void rows_travel_together(void** state)
+{
+	(void)state;
+	enum
+	{
+		COUNT_OF = 20000
+	};
+	scree_world* world = make_world(0.0f);
+	true_functions = world->backend->f;
+	BackendFunctions counted = *true_functions;
+	counted.write = counted_write;
+	world->backend->f = &counted;
+	scree_body_def* defs = malloc(COUNT_OF * sizeof *defs);
+	scree_body* bodies = malloc(COUNT_OF * sizeof *bodies);
+	for (int k = 0; k < COUNT_OF; ++k)
+		defs[k] =
+		    box_def(world, k % 2 ? SCREE_DYNAMIC : SCREE_STATIC, 2.0f * (float)(k % 200), 2.0f * (float)(k / 200));
+
+	writes = 0;
+	assert_ok(scree_create_bodies(world, defs, COUNT_OF, bodies));
+	assert_ok(world_flush(world));
+	assert_true(writes <= 16);
+
+	writes = 0;
+	for (int k = 0; k < COUNT_OF; ++k)
+		assert_ok(scree_create_body(world, defs + k, NULL));
+	assert_ok(world_flush(world));
+	assert_true(writes <= 16);
+
+	// scattered rows are commands
+	writes = 0;
+	for (int k = 0; k < COUNT_OF; k += 5)
+		assert_ok(scree_destroy_body(world, bodies[k]));
+	assert_ok(world_flush(world));
+	assert_true(writes <= 2);
+	writes = 0;
+	assert_ok(world_flush(world));
+	assert_int_equal(writes, 0);
+	world->backend->f = true_functions;
+	free(defs);
+	free(bodies);
+	scree_destroy_world(world);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// commands
+// ---------------------------------------------------------------------------------------------------------------
+
+// v = F dt / m; the force holds for one step
+static void forces_follow_newton(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body a = add_box(world, SCREE_DYNAMIC, 0, 0), b = add_box(world, SCREE_DYNAMIC, 10, 0);
+	scree_mass mass;
+	assert_ok(scree_body_get_mass(world, a, &mass));
+	assert_near(mass.mass, 1.0, 1e-6);
+	assert_near(mass.inertia, 1.0 / 6.0, 1e-6);
+
+	assert_ok(scree_body_apply_force(world, a, (scree_vec){6.0f, 0.0f}));
+	assert_ok(scree_body_apply_force(world, a, (scree_vec){0.0f, 12.0f}));
+	assert_ok(scree_body_apply_torque(world, a, 3.0f));
+	assert_ok(scree_body_apply_force_at(world, b, (scree_vec){0.0f, 6.0f}, (scree_vec){10.5f, 0.0f}));
+	step(world, 2);
+	scree_velocity v = velocity_of(world, a);
+	assert_near(v.linear.x, 6.0 / 60.0, 1e-6);
+	assert_near(v.linear.y, 12.0 / 60.0, 1e-6);
+	assert_near(v.angular, 3.0 * 6.0 / 60.0, 1e-5);
+	v = velocity_of(world, b);
+	assert_near(v.linear.y, 6.0 / 60.0, 1e-6);
+	assert_near(v.angular, 0.5 * 6.0 * 6.0 / 60.0, 1e-5);
+
+	// impulses act at once
+	scree_body c = add_box(world, SCREE_DYNAMIC, 20, 0);
+	assert_ok(scree_body_apply_impulse_at(world, c, (scree_vec){2.0f, 0.0f}, (scree_vec){20.0f, 0.5f}));
+	assert_ok(scree_body_apply_impulse(world, c, (scree_vec){1.0f, 1.0f}));
+	assert_ok(scree_body_apply_angular_impulse(world, c, 1.0f));
+	v = velocity_of(world, c);
+	assert_near(v.linear.x, 3.0, 1e-6);
+	assert_near(v.linear.y, 1.0, 1e-6);
+	assert_near(v.angular, -2.0 * 0.5 * 6.0 + 6.0, 1e-5);
+	scree_destroy_world(world);
+}
+
+// a body in free fall in n substeps of h: y = -g h^2 n (n + 1) / 2
+static void bodies_fall(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body loose = add_box(world, SCREE_DYNAMIC, 0, 0), half = add_box(world, SCREE_DYNAMIC, 5, 0);
+	scree_body locked = add_box(world, SCREE_DYNAMIC, 10, 0), fixed = add_box(world, SCREE_STATIC, 15, 0);
+	scree_body driven = add_box(world, SCREE_KINEMATIC, 20, 0);
+	assert_ok(scree_body_set_gravity_scale(world, half, 0.5f));
+	assert_ok(scree_body_set_locks(world, locked, SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
+	scree_velocity v = {{1.0f, 2.0f}, 3.0f};
+	scree_body moved[3] = {locked, fixed, driven};
+	assert_ok(scree_set_velocities(world, moved, (scree_velocity[]){v, v, v}, 3));
+	step(world, 60);
+	double h = STEP / 4.0, fall = -10.0 * h * h * 240.0 * 241.0 / 2.0;
+	assert_near(pose_of(world, loose).position.y, fall, 1e-3);
+	assert_near(pose_of(world, half).position.y, 0.5 * fall, 1e-3);
+	assert_near(pose_of(world, locked).position.x, 11.0, 1e-4);
+	assert_true(pose_of(world, locked).position.y == 0.0f && pose_of(world, locked).rotation.s == 0.0f);
+	assert_true(pose_of(world, fixed).position.x == 15.0f && pose_of(world, fixed).position.y == 0.0f);
+	assert_near(pose_of(world, driven).position.x, 21.0, 1e-4);
+	assert_near(pose_of(world, driven).position.y, 2.0, 1e-4);
+	assert_near(scree_rot_angle(pose_of(world, driven).rotation), 3.0, 1e-3);
+
+	// types change in mid-run
+	assert_ok(scree_body_set_type(world, loose, SCREE_STATIC));
+	assert_ok(scree_body_set_type(world, driven, SCREE_DYNAMIC));
+	v = velocity_of(world, loose);
+	assert_true(v.linear.x == 0.0f && v.linear.y == 0.0f && v.angular == 0.0f);
+	float y = pose_of(world, loose).position.y, before = pose_of(world, driven).position.y;
+	step(world, 60);
+	assert_true(pose_of(world, loose).position.y == y);
+	assert_near(pose_of(world, driven).position.y, before + 2.0 + fall, 2e-3);
+	scree_destroy_world(world);
+}
+
+// v = v0 / (1 + c h)^n
+static void damping_slows(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body body = add_box(world, SCREE_DYNAMIC, 0, 0);
+	assert_ok(scree_body_set_damping(world, body, 0.5f, 2.0f));
+	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{8.0f, 0.0f}, 4.0f}));
+	step(world, 60);
+	double h = STEP / 4.0;
+	assert_near(velocity_of(world, body).linear.x, 8.0 / pow(1.0 + 0.5 * h, 240.0), 1e-3);
+	assert_near(velocity_of(world, body).angular, 4.0 / pow(1.0 + 2.0 * h, 240.0), 1e-3);
+	scree_destroy_world(world);
+}
+
+static void mass_follows_collidables(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body_def def = scree_default_body_def();
+	def.pose = (scree_pose){{3.0f, 4.0f}, scree_make_rot(0.5f)};
+	scree_body body;
+	scree_mass mass;
+	assert_ok(scree_create_body(world, &def, &body));
+	assert_ok(scree_body_get_mass(world, body, &mass));
+	assert_true(mass.mass == 1.0f && mass.inertia == 0.0f && mass.center.x == 0.0f);
+
+	// two boxes of 1 kg, 2 m apart: I = 2 (1 / 6 + 1)
+	scree_collidable_def part = scree_default_collidable_def();
+	scree_collidable parts[3];
+	part.attribute = make_box(world, 0.5f, 0.5f);
+	part.body = body;
+	assert_ok(scree_create_collidable(world, &part, &parts[0]));
+	part.pose.position.x = 2.0f;
+	assert_ok(scree_create_collidable(world, &part, &parts[1]));
+	assert_ok(scree_body_get_mass(world, body, &mass));
+	assert_near(mass.mass, 2.0, 1e-6);
+	assert_near(mass.inertia, 2.0 * (1.0 / 6.0 + 1.0), 1e-5);
+	assert_near(mass.center.x, 1.0, 1e-6);
+	scree_pose pose = pose_of(world, body);
+	assert_near(pose.position.x, 3.0, 1e-6);
+	assert_near(pose.position.y, 4.0, 1e-6);
+
+	// it turns about its center: the origin moves
+	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{0.0f, 0.0f}, 1.0f}));
+	step(world, 30);
+	scree_rot q = scree_make_rot(0.5f), turned = scree_make_rot(1.0f);
+	pose = pose_of(world, body);
+	assert_near(pose.position.x, 3.0 + q.c - turned.c, 1e-3);
+	assert_near(pose.position.y, 4.0 + q.s - turned.s, 1e-3);
+
+	// a teleport names the origin
+	assert_ok(scree_body_set_pose(world, body, (scree_pose){{-7.0f, 0.0f}, {0.0f, 1.0f}}));
+	pose = pose_of(world, body);
+	assert_near(pose.position.x, -7.0, 1e-6);
+	assert_near(pose.rotation.s, 1.0, 1e-6);
+
+	// taking a part away leaves the origin, and the other part's motion
+	assert_ok(scree_destroy_collidable(world, parts[1]));
+	assert_ok(scree_body_get_mass(world, body, &mass));
+	assert_near(mass.mass, 1.0, 1e-6);
+	assert_near(mass.center.x, 0.0, 1e-6);
+	assert_near(pose_of(world, body).position.x, -7.0, 1e-6);
+	assert_near(velocity_of(world, body).linear.x, 1.0, 1e-5);
+
+	// set mass holds until then
+	assert_ok(scree_body_set_mass(world, body, (scree_mass){5.0f, 2.0f, {0.0f, 1.0f}}));
+	assert_ok(scree_body_apply_impulse(world, body, (scree_vec){5.0f, 0.0f}));
+	assert_near(pose_of(world, body).position.x, -7.0, 1e-6);
+	part.pose.position.x = 0.0f;
+	assert_ok(scree_create_collidable(world, &part, &parts[2]));
+	assert_ok(scree_body_get_mass(world, body, &mass));
+	assert_near(mass.mass, 2.0, 1e-6);
+
+	scree_collidable listed[3];
+	int count;
+	assert_ok(scree_get_collidables(world, body, listed, 3, &count));
+	assert_int_equal(count, 2);
+	assert_memory_equal(&listed[0], &parts[0], sizeof *parts);
+	assert_memory_equal(&listed[1], &parts[2], sizeof *parts);
+	scree_destroy_world(world);
+}
+
+static void changes_keep_their_order(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body a = add_box(world, SCREE_DYNAMIC, 0, 0), b = add_box(world, SCREE_DYNAMIC, 5, 0);
+	scree_body order[4] = {a, b, a, b};
+	scree_velocity velocities[4] = {{{1, 0}, 0}, {{2, 0}, 0}, {{3, 0}, 0}, {{4, 0}, 0}};
+	assert_ok(scree_set_velocities(world, order, velocities, 4));
+	assert_ok(scree_body_apply_impulse(world, a, (scree_vec){0.5f, 0.0f}));
+	assert_ok(scree_body_set_mass(world, a, (scree_mass){2.0f, 1.0f, {0.0f, 0.0f}}));
+	assert_ok(scree_body_apply_impulse(world, a, (scree_vec){0.5f, 0.0f}));
+	assert_near(velocity_of(world, a).linear.x, 3.75, 1e-6);
+	assert_near(velocity_of(world, b).linear.x, 4.0, 1e-6);
+
+	// what was asked of a body that went is not done to the next in its slot
+	assert_ok(scree_body_set_velocity(world, b, (scree_velocity){{9.0f, 9.0f}, 9.0f}));
+	assert_ok(scree_destroy_body(world, b));
+	scree_body c = add_box(world, SCREE_DYNAMIC, 5, 0);
+	assert_int_equal(c.index, b.index);
+	assert_true(velocity_of(world, c).linear.x == 0.0f && velocity_of(world, c).angular == 0.0f);
+	scree_destroy_world(world);
+}
+
+// One world is told of each change at once, the other only before its steps; a third is read all the time.
+static void reading_changes_nothing(void** state)
+{
+	(void)state;
+	scree_world* worlds[3];
+	uint64_t hashes[3];
+	for (int w = 0; w < 3; ++w)
+	{
+		scree_world* world = worlds[w] = make_world(-10.0f);
+		add_ground(world);
+		scree_body bodies[60], compound;
+		scree_collidable parts[3];
+#define CALL(expression)                   \
+	do                                     \
+	{                                      \
+		assert_ok(expression);             \
+		if (w == 1)                        \
+			assert_ok(world_flush(world)); \
+		if (w == 2)                        \
+			hash_of(world);                \
+	} while (0)
+		for (int k = 0; k < 60; ++k)
+		{
+			scree_body_def def = box_def(world, SCREE_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
+			def.pose.rotation = scree_make_rot(0.1f * (float)k);
+			def.velocity.linear.x = (float)(k % 3);
+			CALL(scree_create_body(world, &def, bodies + k));
+		}
+		scree_body_def empty = scree_default_body_def();
+		empty.pose = (scree_pose){{-3.0f, 2.0f}, scree_make_rot(1.0f)};
+		empty.velocity.angular = 2.0f;
+		CALL(scree_create_body(world, &empty, &compound));
+		for (int k = 0; k < 3; ++k)
+		{
+			scree_collidable_def part = scree_default_collidable_def();
+			part.attribute = make_box(world, 0.2f, 0.4f);
+			part.body = compound;
+			part.pose = (scree_pose){{0.3f * (float)k, 0.1f}, scree_make_rot(0.3f * (float)k)};
+			CALL(scree_create_collidable(world, &part, parts + k));
+		}
+		for (int round = 0; round < 20; ++round)
+		{
+			scree_body body = bodies[7 * round % 60];
+			CALL(scree_body_apply_force_at(world, body, (scree_vec){10.0f, 20.0f}, (scree_vec){1.0f, 1.0f}));
+			CALL(scree_body_set_locks(world, bodies[5], round % 8));
+			CALL(scree_body_set_type(world, bodies[11], round % 3));
+			CALL(scree_body_set_damping(world, bodies[3], 0.1f * (float)round, 0.2f));
+			CALL(scree_body_apply_impulse(world, compound, (scree_vec){0.3f, 0.7f}));
+			if (round % 4 == 0)
+			{
+				CALL(scree_destroy_body(world, body));
+				scree_body_def def = box_def(world, SCREE_DYNAMIC, -5.0f, 3.0f);
+				CALL(scree_create_body(world, &def, &bodies[7 * round % 60]));
+				CALL(scree_body_set_velocity(world, bodies[7 * round % 60], (scree_velocity){{1.0f, 0.0f}, 5.0f}));
+			}
+			if (round == 10)
+				CALL(scree_destroy_collidable(world, parts[1]));
+			CALL(scree_collidable_set_filter(world, parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
+			step(world, 1);
+		}
+#undef CALL
+		hashes[w] = hash_of(world);
+		scree_destroy_world(world);
+	}
+	assert_int_equal(hashes[0], hashes[1]);
+	assert_int_equal(hashes[0], hashes[2]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// contacts
+// ---------------------------------------------------------------------------------------------------------------
+
+// A box at rest: two points on the ground's surface which carry its weight, m g h a substep.
+static void contacts_carry_weight(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	int count;
+	assert_int_equal(contacts_of(world), 0);
+	add_ground(world);
+	scree_body box = add_box(world, SCREE_DYNAMIC, 3.0f, 0.5f);
+	assert_int_equal(contacts_of(world), 0);
+	step(world, 60);
+	scree_contact contact;
+	assert_ok(scree_get_contacts(world, &contact, 1, &count));
+	assert_int_equal(count, 1);
+	assert_int_equal(contact.count, 2);
+	assert_near(fabs(contact.normal.y), 1.0, 1e-5);
+	scree_body owner;
+	assert_ok(scree_collidable_get_body(world, contact.normal.y > 0.0f ? contact.b : contact.a, &owner));
+	assert_memory_equal(&owner, &box, sizeof box);
+	assert_near(contact.points[0].normal_impulse + contact.points[1].normal_impulse, 10.0 * STEP / 4.0, 1e-3);
+	assert_near(contact.points[0].point.y, 0.0, 0.02);
+	assert_near(fabs(contact.points[0].point.x - contact.points[1].point.x), 1.0, 0.02);
+	assert_near(contact.points[0].point.x + contact.points[1].point.x, 6.0, 0.02);
+	assert_int_not_equal(contact.points[0].feature, contact.points[1].feature);
+
+	// it stays where the step found it, though the box is elsewhere
+	float x = contact.points[0].point.x;
+	assert_ok(scree_body_set_pose(world, box, (scree_pose){{-20.0f, 5.0f}, {1.0f, 0.0f}}));
+	assert_ok(scree_get_contacts(world, &contact, 1, &count));
+	assert_true(count == 1 && contact.points[0].point.x == x);
+	step(world, 1);
+	assert_int_equal(contacts_of(world), 0);
+	scree_destroy_world(world);
+}
+
+static void contacts_end_with_their_collidables(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body low = add_box(world, SCREE_DYNAMIC, 0.0f, 0.5f), high = add_box(world, SCREE_DYNAMIC, 0.0f, 1.5f);
+	step(world, 30);
+	assert_int_equal(contacts_of(world), 2);
+
+	// what takes the slot at once did not touch anything in the last step
+	assert_ok(scree_destroy_body(world, low));
+	assert_int_equal(contacts_of(world), 0);
+	scree_body other = add_box(world, SCREE_DYNAMIC, 30.0f, 0.5f);
+	assert_int_equal(other.index, low.index);
+	assert_int_equal(contacts_of(world), 0);
+	step(world, 120);
+	assert_int_equal(contacts_of(world), 2);
+	assert_near(pose_of(world, high).position.y, 0.5, 0.02);
+
+	// a filter that forbids the contact ends it
+	scree_collidable collidable;
+	int count;
+	assert_ok(scree_get_collidables(world, high, &collidable, 1, &count));
+	assert_ok(scree_collidable_set_filter(world, collidable, (scree_filter){2, 2, 0}));
+	step(world, 30);
+	assert_int_equal(contacts_of(world), 1);
+	assert_true(pose_of(world, high).position.y < 0.0f);
+	scree_counters counters;
+	assert_ok(scree_get_counters(world, &counters));
+	assert_int_equal(counters.contacts, 1);
+	assert_int_equal(counters.touching, 1);
+	scree_destroy_world(world);
+}
+
+static void filters_decide(void** state)
+{
+	(void)state;
+	static const struct
+	{
+		scree_filter a, b;
+		int contacts;
+	} cases[] = {
+	    {{1, UINT64_MAX, 0}, {1, UINT64_MAX, 0}, 1},
+	    {{1, 2, 0}, {2, 1, 0}, 1},
+	    {{1, 2, 0}, {2, 2, 0}, 0},
+	    {{1ull << 63, 1ull << 62, 0}, {1ull << 62, 1ull << 63, 0}, 1},
+	    {{1, UINT64_MAX, -3}, {1, UINT64_MAX, -3}, 0},
+	    {{1, 0, 3}, {1, 0, 3}, 1},
+	    {{1, UINT64_MAX, -3}, {1, UINT64_MAX, -4}, 1},
+	    {{1, 0, 3}, {1, 0, 4}, 0},
+	};
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k)
+	{
+		scree_world* world = make_world(0.0f);
+		scree_body_def a = box_def(world, SCREE_DYNAMIC, 0, 0), b = box_def(world, SCREE_DYNAMIC, 0.9f, 0);
+		a.filter = cases[k].a;
+		b.filter = cases[k].b;
+		assert_ok(scree_create_body(world, &a, NULL));
+		assert_ok(scree_create_body(world, &b, NULL));
+		step(world, 1);
+		assert_int_equal(contacts_of(world), cases[k].contacts);
+		scree_destroy_world(world);
+	}
+}
+
+// What is static is found where the user put it: moved, made static in mid-run, or gone.
+static void statics_obey_the_user(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body shelf = add_box(world, SCREE_STATIC, 0.0f, 0.0f), box = add_box(world, SCREE_DYNAMIC, 0.0f, 1.0f);
+	scree_body hung = add_box(world, SCREE_DYNAMIC, 60.0f, 0.0f);
+	assert_ok(scree_body_set_gravity_scale(world, hung, 0.0f));
+	step(world, 30);
+	assert_near(pose_of(world, box).position.y, 1.0, 0.02);
+
+	assert_ok(scree_body_set_type(world, hung, SCREE_STATIC));
+	step(world, 15);
+	assert_ok(scree_body_set_pose(world, shelf, (scree_pose){{30.0f, 0.0f}, {1.0f, 0.0f}}));
+	step(world, 30);
+	assert_true(pose_of(world, box).position.y < 0.5f);
+	scree_body first = add_box(world, SCREE_DYNAMIC, 30.0f, 2.0f), other = add_box(world, SCREE_DYNAMIC, 60.0f, 2.0f);
+	step(world, 120);
+	assert_near(pose_of(world, first).position.y, 1.0, 0.02);
+	assert_near(pose_of(world, other).position.y, 1.0, 0.02);
+
+	assert_ok(scree_destroy_body(world, shelf));
+	assert_ok(scree_body_set_type(world, hung, SCREE_DYNAMIC));
+	assert_ok(scree_body_set_velocity(world, hung, (scree_velocity){{0.0f, -20.0f}, 0.0f}));
+	step(world, 60);
+	assert_true(pose_of(world, first).position.y < -1.0f && pose_of(world, other).position.y < -1.0f);
+	scree_destroy_world(world);
+}
+
+static void free_collidables_only_detect(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body box = add_box(world, SCREE_DYNAMIC, 0, 0);
+	scree_collidable_def def = scree_default_collidable_def();
+	def.attribute = make_box(world, 1.0f, 1.0f);
+	def.pose.position.x = 1.0f;
+	scree_collidable zone;
+	assert_ok(scree_create_collidable(world, &def, &zone));
+	step(world, 30);
+	int count;
+	scree_contact overlap;
+	assert_int_equal(contacts_of(world), 0);
+	assert_ok(scree_get_overlaps(world, &overlap, 1, &count));
+	assert_int_equal(count, 1);
+	assert_true(overlap.points[0].separation < 0.0f && overlap.points[0].normal_impulse == 0.0f);
+	assert_true(overlap.points[0].point.x >= -0.01f && overlap.points[0].point.x <= 0.51f);
+	assert_true(pose_of(world, box).position.x == 0.0f);
+
+	assert_ok(scree_set_collidable_poses(world, &zone, &(scree_pose){{10.0f, 0.0f}, {1.0f, 0.0f}}, 1));
+	step(world, 1);
+	assert_ok(scree_get_overlaps(world, NULL, 0, &count));
+	assert_int_equal(count, 0);
+	scree_pose pose;
+	assert_ok(scree_collidable_get_local_pose(world, zone, &pose));
+	assert_true(pose.position.x == 10.0f);
+	scree_collidable listed;
+	assert_ok(scree_get_collidables(world, (scree_body){0, 0}, &listed, 1, &count));
+	assert_int_equal(count, 1);
+	assert_memory_equal(&listed, &zone, sizeof zone);
+	scree_destroy_world(world);
+}
+
+static void settings_are_kept(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body body = add_box(world, SCREE_DYNAMIC, 0, 0);
+	float linear, angular, scale;
+	uint32_t locks;
+	uint64_t user;
+	scree_body_type type;
+	assert_ok(scree_body_set_damping(world, body, 0.25f, 0.75f));
+	assert_ok(scree_body_set_gravity_scale(world, body, -2.0f));
+	assert_ok(scree_body_set_locks(world, body, SCREE_LOCK_X));
+	assert_ok(scree_body_set_user(world, body, 12345678901234567890u));
+	assert_ok(scree_body_set_type(world, body, SCREE_KINEMATIC));
+	assert_ok(scree_body_get_damping(world, body, &linear, &angular));
+	assert_ok(scree_body_get_gravity_scale(world, body, &scale));
+	assert_ok(scree_body_get_locks(world, body, &locks));
+	assert_ok(scree_body_get_user(world, body, &user));
+	assert_ok(scree_body_get_type(world, body, &type));
+	assert_true(linear == 0.25f && angular == 0.75f && scale == -2.0f && locks == SCREE_LOCK_X);
+	assert_true(user == 12345678901234567890u && type == SCREE_KINEMATIC);
+	assert_ok(scree_set_gravity(world, (scree_vec){1.0f, 2.0f}));
+	assert_true(scree_get_gravity(world).x == 1.0f && scree_get_gravity(world).y == 2.0f);
+	assert_ok(scree_wait(world));
+	scree_destroy_world(world);
+}
+
+static int use_cpu(void** state)
+{
+	(void)state;
+	device = "cpu";
+	return 0;
+}
+
+static int use_opencl(void** state)
+{
+	(void)state;
+	device = "opencl";
+	return 0;
+}
+
+static int memory_is_back(void** state)
+{
+	(void)state;
+	return scree_memory() == 0 ? 0 : -1;
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(handles_name_one_life),
+	    cmocka_unit_test(equal_attributes_are_one),
+	    cmocka_unit_test(batches_survive_churn),
+	    cmocka_unit_test(rows_travel_together),
+	    cmocka_unit_test(forces_follow_newton),
+	    cmocka_unit_test(bodies_fall),
+	    cmocka_unit_test(damping_slows),
+	    cmocka_unit_test(mass_follows_collidables),
+	    cmocka_unit_test(changes_keep_their_order),
+	    cmocka_unit_test(reading_changes_nothing),
+	    cmocka_unit_test(contacts_carry_weight),
+	    cmocka_unit_test(contacts_end_with_their_collidables),
+	    cmocka_unit_test(filters_decide),
+	    cmocka_unit_test(statics_obey_the_user),
+	    cmocka_unit_test(free_collidables_only_detect),
+	    cmocka_unit_test(settings_are_kept),
+	};
+	int failures = cmocka_run_group_tests_name("cpu", tests, use_cpu, memory_is_back);
+	if (scree_opencl_remedy()[0] == '\0')
+		failures += cmocka_run_group_tests_name("opencl", tests, use_opencl, memory_is_back);
+	return failures;
+}
