@@ -173,4 +173,5 @@ void attribute_item(const scree_world* world, int index, Attribute* item)
 	float margin = 0.125f * ((width > height ? width : height) + 2.0f * shape->radius);
 	margin = margin < MOST_MARGIN ? margin : MOST_MARGIN;
 	item->margin = margin > LEAST_MARGIN ? margin : LEAST_MARGIN;
+	item->reach = shape->reach;
 }

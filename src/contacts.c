@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // contacts.c -- the contacts and overlaps of the last step, back from the device.
+#include "stages/contact_points.h"
 #include "world.h"
 
 typedef struct // the pools of contacts, and where their collidables were
@@ -8,7 +9,8 @@ typedef struct // the pools of contacts, and where their collidables were
 	Int2* pair;
 	Int2* feature;
 	Float4* normal;
-	Float4* anchor;
+	Float4* on_a;
+	Float4* on_b;
 	Float4* impulse;
 	Placed* placed;
 } ContactRows;
@@ -28,7 +30,8 @@ static void release(ContactRows* rows)
 	scree_release(rows->pair);
 	scree_release(rows->feature);
 	scree_release(rows->normal);
-	scree_release(rows->anchor);
+	scree_release(rows->on_a);
+	scree_release(rows->on_b);
 	scree_release(rows->impulse);
 	scree_release(rows->placed);
 }
@@ -50,20 +53,24 @@ static bool is_wanted(const scree_world* world, const ContactRows* rows, int k, 
 static scree_contact contact_at(const scree_world* world, const ContactRows* rows, int k)
 {
 	Int2 pair = rows->pair[k];
-	Placed a = rows->placed[pair.x];
-	Float4 normal = rows->normal[k], anchor = rows->anchor[k], impulse = rows->impulse[k];
+	Placed a = rows->placed[pair.x], b = rows->placed[pair.y];
+	ContactPoints at = contact_points(a, b, rows->normal[k], rows->on_a[k], rows->on_b[k]);
+	Float4 impulse = rows->impulse[k];
 	scree_contact contact = {.a = collidable_handle(world, pair.x),
 	                         .b = collidable_handle(world, pair.y),
-	                         .normal = {normal.x, normal.y},
+	                         .normal = {at.normal.x, at.normal.y},
 	                         .count = (int)(rows->flags[k] & CONTACT_COUNT)};
-
-	// anchors begin at the center of mass as it was when the contact was found
-	float x = a.x + a.center_x, y = a.y + a.center_y;
-	contact.points[0] = (scree_contact_point){
-	    {x + anchor.x, y + anchor.y}, normal.z, impulse.x, impulse.z, (uint32_t)rows->feature[k].x};
+	contact.points[0] = (scree_contact_point){{a.x + at.point[0].x, a.y + at.point[0].y},
+	                                          at.separation[0],
+	                                          impulse.x,
+	                                          impulse.z,
+	                                          (uint32_t)rows->feature[k].x};
 	if (contact.count == 2)
-		contact.points[1] = (scree_contact_point){
-		    {x + anchor.z, y + anchor.w}, normal.w, impulse.y, impulse.w, (uint32_t)rows->feature[k].y};
+		contact.points[1] = (scree_contact_point){{a.x + at.point[1].x, a.y + at.point[1].y},
+		                                          at.separation[1],
+		                                          impulse.y,
+		                                          impulse.w,
+		                                          (uint32_t)rows->feature[k].y};
 	return contact;
 }
 
@@ -79,7 +86,8 @@ static scree_status list(scree_world* world, const char* function, Word detected
 	{
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
 		TRY(read_pool(world, function, POOL_contact_normal, slots, (void**)&rows->normal));
-		TRY(read_pool(world, function, POOL_contact_anchor, slots, (void**)&rows->anchor));
+		TRY(read_pool(world, function, POOL_contact_on_a, slots, (void**)&rows->on_a));
+		TRY(read_pool(world, function, POOL_contact_on_b, slots, (void**)&rows->on_b));
 		TRY(read_pool(world, function, POOL_contact_impulse, slots, (void**)&rows->impulse));
 		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)

@@ -56,7 +56,7 @@ typedef struct // 160 bytes
 	float friction, restitution, rolling_resistance;
 	float tangent_speed; // m/s
 	float margin;        // m: how much an enlarged box exceeds a tight one
-	int unused;
+	float reach;         // m: largest distance of a point from the origin
 } Attribute;
 
 typedef struct // 24 bytes

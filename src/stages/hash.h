@@ -66,7 +66,8 @@ STAGE(hash_contacts)
 		Word64 h = hash_word(hash_word(hash_begin(3, k), (Word)pair.x), (Word)pair.y);
 		h = hash_word(hash_word(h, p->contact_flags[k]), (Word)p->contact_color[k]);
 		h = hash_word(hash_word(h, (Word)feature.x), (Word)feature.y);
-		h = hash_float4(hash_float4(h, p->contact_normal[k]), p->contact_anchor[k]);
+		h = hash_float4(hash_float4(h, p->contact_relative[k]), p->contact_normal[k]);
+		h = hash_float4(hash_float4(h, p->contact_on_a[k]), p->contact_on_b[k]);
 		h = hash_float4(hash_float4(h, p->contact_impulse[k]), p->contact_surface[k]);
 		sum += hash_float(h, p->contact_rolling_impulse[k]);
 	}
