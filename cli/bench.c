@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // bench.c -- the command that measures scenes and proves that the work was done.
+//
+// A GPU's clocks between kernels cost time themselves. So the repeats run without them and give ms_step; one more run,
+// with them, gives the stages. Its hash must be the same.
 #include "commands.h"
 #include "record.h"
 #include <inttypes.h>
@@ -12,6 +15,7 @@ typedef struct
 {
 	Record* records; // of the steps whose time counts, of all repeats
 	int count;
+	int staged;        // of these, the ones of the last run, with milliseconds by stage
 	float penetration; // deepest of all steps, m
 	uint64_t hash;
 	bool equal, finite;
@@ -19,10 +23,10 @@ typedef struct
 	int threads, lanes;
 } Measurement;
 
-static int measure_once(const Options* options, const Scene* scene, int steps, int repeat, Measurement* m)
+static int measure_once(const Options* options, const Scene* scene, int steps, bool first, bool timings, Measurement* m)
 {
 	Simulation simulation;
-	int code = simulation_open(options, scene, true, &simulation);
+	int code = simulation_open(options, scene, timings, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
 	scree_status status = SCREE_OK;
@@ -36,12 +40,15 @@ static int measure_once(const Options* options, const Scene* scene, int steps, i
 			m->penetration = deepest(&record, 1);
 		m->finite = m->finite && record.counters.nonfinite == 0;
 		if (step >= WARM_UP || steps <= WARM_UP)
+		{
 			m->records[m->count++] = record;
+			m->staged += timings;
+		}
 	}
 	uint64_t hash = 0;
 	if (status == SCREE_OK)
 		status = simulation.f->hash(&simulation, &hash);
-	m->equal = m->equal && (repeat == 0 || hash == m->hash);
+	m->equal = m->equal && (first || hash == m->hash);
 	m->hash = hash;
 	snprintf(m->device, sizeof m->device, "%s", scree_world_device(simulation.world));
 	m->threads = scree_world_threads(simulation.world);
@@ -56,11 +63,13 @@ static void print_row(const Scene* scene, Measurement* m, int steps)
 	for (char* c = m->device; *c; ++c)
 		*c = *c == ',' ? ' ' : *c;
 	bool valid = m->equal && m->finite && m->penetration <= scene->penetration_limit;
+	int count = m->count - m->staged;
+	const Record* staged = m->records + count;
 	printf("%s,%s,%d,%d,%d,%.0f,%.0f,%d,%.4f", scene->name, m->device, m->threads, m->lanes,
-	       m->records[m->count - 1].counters.bodies, median(m->records, m->count, contacts_of, 0),
-	       median(m->records, m->count, colors_of, 0), steps, median(m->records, m->count, step_of, 0));
+	       m->records[count - 1].counters.bodies, median(m->records, count, contacts_of, 0),
+	       median(m->records, count, colors_of, 0), steps, median(m->records, count, step_of, 0));
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
-		printf(",%.4f", median(m->records, m->count, stage_of, k));
+		printf(",%.4f", median(staged, m->staged, stage_of, k));
 	printf(",%.5f,%016" PRIx64 ",%d\n", (double)m->penetration, m->hash, valid);
 	fflush(stdout);
 }
@@ -69,12 +78,12 @@ static int measure(const Options* options, const Scene* scene)
 {
 	int steps = options->steps > 0 ? options->steps : scene->steps;
 	Measurement m = {.equal = true, .finite = true};
-	m.records = malloc((size_t)steps * (size_t)options->repeats * sizeof(Record));
+	m.records = malloc((size_t)steps * (size_t)(options->repeats + 1) * sizeof(Record));
 	int code = m.records ? EXIT_GOOD : EXIT_FAILED;
 	if (!m.records)
 		fprintf(stderr, "scree bench: out of memory for %d steps\n", steps);
-	for (int repeat = 0; repeat < options->repeats && code == EXIT_GOOD; ++repeat)
-		code = measure_once(options, scene, steps, repeat, &m);
+	for (int repeat = 0; repeat <= options->repeats && code == EXIT_GOOD; ++repeat)
+		code = measure_once(options, scene, steps, repeat == 0, repeat == options->repeats, &m);
 	if (code == EXIT_GOOD)
 		print_row(scene, &m, steps);
 	free(m.records);

@@ -15,6 +15,7 @@ typedef enum // what a pool has an item for
 	CONTACT,
 	CONSTRAINT,
 	SHARE, // of a body, in the overflow set
+	TREE,
 	LEAF,
 	NODE,
 	KEY,

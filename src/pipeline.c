@@ -65,9 +65,8 @@ static scree_status list_run(scree_world* world, const Step* step, RunList* list
 // the stages, in order
 // ---------------------------------------------------------------------------------------------------------------
 
-static void tree_refit(RunList* list, const Step* step, int t)
+static void tree_refit(RunList* list, const Tree* tree, int t)
 {
-	const Tree* tree = &step->tree[t];
 	if (tree->leaves == 0)
 		return;
 	add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, NO_COUNT, t);
@@ -76,7 +75,7 @@ static void tree_refit(RunList* list, const Step* step, int t)
 }
 
 // user's changes are in; world boxes follow the bodies; trees follow the boxes
-static scree_status transform(scree_world* world, Step* step)
+static scree_status transform(scree_world* world, const Step* step)
 {
 	Pipeline* pipeline = &world->pipeline;
 	RunList* list = &pipeline->list;
@@ -91,22 +90,22 @@ static scree_status transform(scree_world* world, Step* step)
 		TreeState* state = &pipeline->trees[t];
 		if (!tree_wants_order(state))
 			continue;
-		tree_refit(list, step, t);
+		tree_refit(list, &state->tree, t);
 		add(list, STAGE_tree_code, 0, state->tree.leaves, NO_COUNT, t);
 		add_sort(list, state->tree.leaves, NO_COUNT, 32, 64);
 		add(list, STAGE_tree_order, 0, state->tree.leaves, NO_COUNT, t);
 		status = list_run(world, step, list);
+		if (!status)
+			status = tree_ordered(world, t);
 		if (status)
 			return status;
-		tree_ordered(world, t);
-		step->tree[t] = state->tree;
 		state->touched = true;
 	}
 	for (int t = 0; t < 2; ++t)
 	{
 		// what is static stays where it is, unless the user moved it
 		if (t == 0 || pipeline->trees[t].touched)
-			tree_refit(list, step, t);
+			tree_refit(list, &pipeline->trees[t].tree, t);
 		pipeline->trees[t].touched = false;
 	}
 	return SCREE_OK;
@@ -126,7 +125,10 @@ static void broad_phase(RunList* list, const Step* step)
 	add_single(list, STAGE_contact_end);
 }
 
-static void narrow_phase(RunList* list, const Step* step) { add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(live), 0); }
+static void narrow_phase(RunList* list, const Step* step)
+{
+	add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(live), 0);
+}
 
 // coloring rounds from one to the other, then the layout of the constraints if none is left
 static void color(RunList* list, const Step* step, int from, int to)
@@ -237,7 +239,8 @@ static scree_status solve(scree_world* world, const Step* step, int substeps)
 	Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
 	RunList* list = &pipeline->list;
-	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1], overflow = c->color_count[COLORS];
+	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1],
+	    overflow = c->color_count[COLORS];
 
 	// the overflow set is sorted in the pool of keys and has pools of its own
 	int entries = 2 * overflow, body_bits = 1;
@@ -308,27 +311,25 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	// a turn of more than half a circle a step, or an eighth a substep, could not be told from the other way round
 	float turn = 0.785398163f * (float)substeps;
 	Step step = {
-		.dt = dt,
-		.h = h,
-		.inv_h = rate,
-		.gravity_x = def->gravity.x,
-		.gravity_y = def->gravity.y,
-		.max_speed = def->max_speed,
-		.max_spin = (turn < 3.14159265f ? turn : 3.14159265f) / dt,
-		.push_speed = def->contact_push_speed,
-		.restitution_threshold = def->restitution_threshold,
-		.soft = softness(hertz, def->contact_damping_ratio, h),
-		.stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
-		.extras = world->pipeline.extras,
-		.collidables = world->collidables.used,
-		.pair_capacity = b->capacity[KEY],
-		.contact_capacity = b->capacity[CONTACT],
-		.key_bits = 1,
+	    .dt = dt,
+	    .h = h,
+	    .inv_h = rate,
+	    .gravity_x = def->gravity.x,
+	    .gravity_y = def->gravity.y,
+	    .max_speed = def->max_speed,
+	    .max_spin = (turn < 3.14159265f ? turn : 3.14159265f) / dt,
+	    .push_speed = def->contact_push_speed,
+	    .restitution_threshold = def->restitution_threshold,
+	    .soft = softness(hertz, def->contact_damping_ratio, h),
+	    .stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
+	    .extras = world->pipeline.extras,
+	    .collidables = world->collidables.used,
+	    .pair_capacity = b->capacity[KEY],
+	    .contact_capacity = b->capacity[CONTACT],
+	    .key_bits = 1,
 	};
 	while (step.key_bits < 31 && 1 << step.key_bits < world->collidables.used)
 		++step.key_bits;
-	for (int t = 0; t < 2; ++t)
-		step.tree[t] = world->pipeline.trees[t].tree;
 	return step;
 }
 
@@ -367,9 +368,9 @@ scree_status pipeline_hash(scree_world* world, uint64_t* hash)
 	Backend* b = world->backend;
 	Step step = {0};
 	Run runs[3] = {
-		{.stage = STAGE_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = world->bodies.used},
-		{.stage = STAGE_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = world->collidables.used},
-		{.stage = STAGE_hash_contacts, .end = HASH_SUMS, .count = NO_COUNT, .argument = 0},
+	    {.stage = STAGE_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = world->bodies.used},
+	    {.stage = STAGE_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = world->collidables.used},
+	    {.stage = STAGE_hash_contacts, .end = HASH_SUMS, .count = NO_COUNT, .argument = 0},
 	};
 	uint64_t sums[HASH_SUMS];
 	scree_status status = b->f->run(b, &step, runs, 3);
@@ -440,6 +441,8 @@ scree_status pipeline_open(scree_world* world)
 	scree_status status = pipeline_reserve(world, ONE, 1);
 	if (!status)
 		status = pipeline_reserve(world, HASH, HASH_SUMS);
+	if (!status)
+		status = pipeline_reserve(world, TREE, 2);
 	if (!status)
 		status = pipeline_reserve(world, ATTRIBUTE, 16);
 	if (!status)

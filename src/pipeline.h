@@ -6,7 +6,7 @@
 
 typedef struct // host side of one tree of the broad phase; src/tree.c
 {
-	Tree tree;
+	Tree tree, sent; // as it is, and as the device has it
 	int* added; // collidables to append to the leaves in the next step
 	int added_count, added_capacity;
 	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order

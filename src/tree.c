@@ -17,10 +17,12 @@ int tree_nodes(int leaves)
 	return nodes;
 }
 
-// where the tree lies in the pools, and its levels
-static void tree_layout(scree_world* world, int t)
+// where the tree lies in the pools, and its levels; the device is told what changed
+static scree_status tree_layout(scree_world* world, int t)
 {
-	Tree* tree = &world->pipeline.trees[t].tree;
+	Backend* b = world->backend;
+	TreeState* state = &world->pipeline.trees[t];
+	Tree* tree = &state->tree;
 	int capacity = world->backend->capacity[COLLIDABLE];
 	tree->leaf_begin = t * capacity;
 	int begin = t * tree_nodes(capacity), count = tree->leaves;
@@ -33,6 +35,10 @@ static void tree_layout(scree_world* world, int t)
 		begin += padded(count);
 		count = (count + ARITY - 1) / ARITY;
 	}
+	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
+		return SCREE_OK;
+	state->sent = *tree;
+	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
 scree_status tree_insert(scree_world* world, int t, int collidable)
@@ -54,7 +60,8 @@ scree_status tree_insert(scree_world* world, int t, int collidable)
 	if (state->added_count == state->added_capacity)
 	{
 		int capacity = 2 * state->added_capacity + 64;
-		int* added = scree_reallocate(state->added, sizeof(int) * (size_t)state->added_capacity, sizeof(int) * (size_t)capacity);
+		int* added =
+		    scree_reallocate(state->added, sizeof(int) * (size_t)state->added_capacity, sizeof(int) * (size_t)capacity);
 		if (!added)
 			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d new leaves", capacity);
 		state->added = added;
@@ -88,14 +95,19 @@ scree_status tree_flush(scree_world* world)
 			state->added_count = 0;
 			state->touched = true;
 		}
-		tree_layout(world, t);
+		scree_status status = tree_layout(world, t);
+		if (status)
+			return status;
 	}
 	return SCREE_OK;
 }
 
 // Sorting costs as much as looking up about every box once; a tree whose every box has changed its place twice still
 // finds pairs, only more slowly.
-bool tree_wants_order(const TreeState* state) { return state->tree.leaves > ARITY && state->unsorted > 2 * (int64_t)state->tree.leaves / 3; }
+bool tree_wants_order(const TreeState* state)
+{
+	return state->tree.leaves > ARITY && state->unsorted > 2 * (int64_t)state->tree.leaves / 3;
+}
 
 // does collidable k belong to tree t?
 static bool tree_owns(const scree_world* world, int t, int k)
@@ -107,13 +119,13 @@ static bool tree_owns(const scree_world* world, int t, int k)
 	return fixed == (t == 1);
 }
 
-void tree_ordered(scree_world* world, int t)
+scree_status tree_ordered(scree_world* world, int t)
 {
 	Pipeline* pipeline = &world->pipeline;
 	TreeState* state = &pipeline->trees[t];
 	state->unsorted = 0;
 	if (!state->shrunk)
-		return;
+		return SCREE_OK;
 	int leaves = 0;
 	for (int k = 0; k < pipeline->member_capacity; ++k)
 		if (pipeline->member[k] & 1 << t)
@@ -121,11 +133,11 @@ void tree_ordered(scree_world* world, int t)
 			if (tree_owns(world, t, k))
 				++leaves;
 			else
-				pipeline->member[k] &= (uint8_t)~(1 << t);
+				pipeline->member[k] &= (uint8_t) ~(1 << t);
 		}
 	state->tree.leaves = leaves;
 	state->shrunk = false;
-	tree_layout(world, t);
+	return tree_layout(world, t);
 }
 
 scree_status tree_save(scree_world* world, int** leaves)
@@ -159,7 +171,8 @@ scree_status tree_restore(scree_world* world, int* leaves)
 			status = b->f->write(b, POOL_leaf, t * b->capacity[COLLIDABLE], state->tree.leaves, from);
 		from += state->tree.leaves;
 		state->touched = true;
-		tree_layout(world, t);
+		if (!status)
+			status = tree_layout(world, t);
 	}
 	return status;
 }

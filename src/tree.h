@@ -14,7 +14,7 @@ scree_status tree_flush(scree_world* world);
 bool tree_wants_order(const TreeState* state);
 
 // after the leaves were sorted: dead ones, which are last, are dropped
-void tree_ordered(scree_world* world, int t);
+scree_status tree_ordered(scree_world* world, int t);
 
 // The leaves lie elsewhere when the pools grow: read before, written after. leaves is scree_allocate'd by tree_save.
 scree_status tree_save(scree_world* world, int** leaves);

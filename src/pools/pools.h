@@ -138,7 +138,6 @@ typedef struct // constants of one step, by value to every stage
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int key_bits;         // bits of a collidable's index in a pair's key
-	Tree tree[2];
 } Step;
 
 // Counts that live on the device. Everything is an int so that Run.count can name one by its position.

@@ -28,18 +28,18 @@ INLINE void broad_phase_leaf(const Pools* p, int i, int j)
 // siblings on the current path are still to be visited.
 INLINE void broad_phase_tree(const Pools* p, int i, int t)
 {
-	const Tree tree = p->step.tree[t];
-	if (tree.leaves == 0)
+	const GLOBAL Tree* tree = p->tree + t;
+	if (tree->leaves == 0)
 		return;
 	Float4 box = p->box[i];
-	int level = tree.top, first = 0;
-	Word64 masks = tree_hits(p, tree.begin[level], box) << (8 * level);
+	int level = tree->top, first = 0;
+	Word64 masks = tree_hits(p, tree->begin[level], box) << (8 * level);
 	for (;;)
 	{
 		Word64 siblings = masks >> (8 * level) & (Word64)255;
 		if (siblings == 0)
 		{
-			if (level == tree.top)
+			if (level == tree->top)
 				return;
 			++level;
 			first = first / ARITY & ~(ARITY - 1);
@@ -49,12 +49,12 @@ INLINE void broad_phase_tree(const Pools* p, int i, int t)
 		int child = first + 63 - leading_zeros(lowest);
 		masks ^= lowest << (8 * level);
 		if (level == 0)
-			broad_phase_leaf(p, i, p->leaf[tree.leaf_begin + child]);
+			broad_phase_leaf(p, i, p->leaf[tree->leaf_begin + child]);
 		else
 		{
 			--level;
 			first = ARITY * child;
-			masks |= tree_hits(p, tree.begin[level] + first, box) << (8 * level);
+			masks |= tree_hits(p, tree->begin[level] + first, box) << (8 * level);
 		}
 	}
 }

@@ -16,33 +16,33 @@
 
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
-// argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
+// argument is the tree-> A leaf whose collidable is dead, or went to the other tree, is an empty box.
 STAGE(tree_leaf)
 {
-	const Tree tree = p->step.tree[p->argument];
+	const GLOBAL Tree* tree = p->tree + p->argument;
 	Float4 box = box_empty();
-	if (i < tree.leaves)
+	if (i < tree->leaves)
 	{
-		int k = p->leaf[tree.leaf_begin + i], kind = p->collidable_kind[k];
+		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
 		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
 			box = p->box[k];
 	}
-	p->node_box[tree.begin[0] + i] = box;
+	p->node_box[tree->begin[0] + i] = box;
 }
 
 // argument is the tree and, times two, the level
 STAGE(tree_node)
 {
-	const Tree tree = p->step.tree[p->argument & 1];
+	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
 	int level = p->argument >> 1;
 	Float4 box = box_empty();
-	if (i < tree.count[level])
+	if (i < tree->count[level])
 	{
-		const GLOBAL Float4* child = p->node_box + tree.begin[level - 1] + ARITY * i;
+		const GLOBAL Float4* child = p->node_box + tree->begin[level - 1] + ARITY * i;
 		for (int k = 0; k < ARITY; ++k)
 			box = box_union(box, child[k]);
 	}
-	p->node_box[tree.begin[level] + i] = box;
+	p->node_box[tree->begin[level] + i] = box;
 }
 
 // Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
@@ -69,16 +69,16 @@ INLINE Word hilbert_distance(Word x, Word y)
 	return distance;
 }
 
-// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
+// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree-> Dead ones go
 // last, where the host drops them.
 STAGE(tree_code)
 {
-	const Tree tree = p->step.tree[p->argument];
+	const GLOBAL Tree* tree = p->tree + p->argument;
 	Float4 bounds = box_empty();
-	for (int k = 0; k < tree.count[tree.top]; ++k)
-		bounds = box_union(bounds, p->node_box[tree.begin[tree.top] + k]);
+	for (int k = 0; k < tree->count[tree->top]; ++k)
+		bounds = box_union(bounds, p->node_box[tree->begin[tree->top] + k]);
 	Word code = 0xffffffffu;
-	Float4 box = p->node_box[tree.begin[0] + i];
+	Float4 box = p->node_box[tree->begin[0] + i];
 	if (!box_is_empty(box))
 	{
 		float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
@@ -89,10 +89,10 @@ STAGE(tree_code)
 		code = hilbert_distance(x < 65535.0f ? (Word)x : 65535u, y < 65535.0f ? (Word)y : 65535u);
 		code = code < 0xfffffffeu ? code : 0xfffffffeu;
 	}
-	p->key[i] = (Word64)code << 32 | (Word64)p->leaf[tree.leaf_begin + i];
+	p->key[i] = (Word64)code << 32 | (Word64)p->leaf[tree->leaf_begin + i];
 }
 
-STAGE(tree_order) { p->leaf[p->step.tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu); }
+STAGE(tree_order) { p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu); }
 
 // bit k is set when the box overlaps child k of the eight from first on
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box)
