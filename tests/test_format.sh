@@ -15,4 +15,7 @@ if ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
 	echo "skipped: not a git checkout, so there is no list of files"
 	exit 77
 fi
-git ls-files -z --cached --others --exclude-standard '*.c' '*.h' | xargs -0 "$format" --dry-run -Werror
+says=$(git ls-files -z --cached --others --exclude-standard '*.c' '*.h' | xargs -0 "$format" --dry-run 2>&1) ||
+	{ echo "$says"; exit 1; }
+bad=$(sed -n 's/^\([^:]*\):[0-9]*:[0-9]*: warning: code should be clang-formatted.*/\1/p' <<<"$says" | sort | uniq -c)
+[ -z "$bad" ] || { printf 'places to format (make format does it):\n%s\n' "$bad"; exit 1; }
