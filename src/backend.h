@@ -70,7 +70,7 @@ extern const Box stage_boxes[STAGE_COUNT];
 
 // Run.count of a member of Counters
 #define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
-#define NO_COUNT (-1)
+#define NO_COUNT      (-1)
 
 typedef struct
 {

@@ -7,7 +7,7 @@
 typedef struct // host side of one tree of the broad phase; src/tree.c
 {
 	Tree tree, sent; // as it is, and as the device has it
-	int* added; // collidables to append to the leaves in the next step
+	int* added;      // collidables to append to the leaves in the next step
 	int added_count, added_capacity;
 	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
 	bool touched;     // some box of this tree changed by the user's doing
@@ -27,11 +27,11 @@ typedef struct
 	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
 	int member_capacity;
 	RunList list;
-	bool extras;     // some attribute has restitution, rolling resistance or tangent speed
-	int rounds;      // coloring rounds that the last step needed
+	bool extras; // some attribute has restitution, rolling resistance or tangent speed
+	int rounds;  // coloring rounds that the last step needed
 	int64_t steps;
-	int grown;           // times that a pool grew
-	double milliseconds; // of the last step, by the wall clock
+	int grown;               // times that a pool grew
+	double milliseconds;     // of the last step, by the wall clock
 	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
 } Pipeline;
 

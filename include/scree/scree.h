@@ -85,7 +85,7 @@ typedef struct scree_hooks
 {
 	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
 	void (*release)(void* memory, void* context);
-	void (*log)(scree_log_level level, const char* sentence, void* context);    // default: warnings to stderr
+	void (*log)(scree_log_level level, const char* sentence, void* context); // default: warnings to stderr
 	void (*assert_failed)(const char* expression, const char* file, int line, void* context); // default: print, abort
 	void* context;
 } scree_hooks;
@@ -141,12 +141,12 @@ SCREE_API float scree_rot_angle(scree_rot rotation);
 
 typedef struct scree_device
 {
-	char name[128];     // what scree_world_def.device takes: "cpu", "opencl:NVIDIA H200"
-	char driver[128];   // platform and driver version; for the CPU its widest lanes
-	bool equal_bits;    // whether the promise of equal bits holds on it
-	char reason[192];   // if not, why and what to do; otherwise empty
-	int units;          // threads or compute units
-	uint64_t memory;    // bytes
+	char name[128];   // what scree_world_def.device takes: "cpu", "opencl:NVIDIA H200"
+	char driver[128]; // platform and driver version; for the CPU its widest lanes
+	bool equal_bits;  // whether the promise of equal bits holds on it
+	char reason[192]; // if not, why and what to do; otherwise empty
+	int units;        // threads or compute units
+	uint64_t memory;  // bytes
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null when capacity
@@ -164,20 +164,20 @@ typedef struct scree_world scree_world;
 
 typedef struct scree_world_def
 {
-	scree_vec gravity;              // m/s^2, default (0, -10)
-	const char* device;             // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
-	int threads;                    // CPU worker threads, 0 (default) for one a core, at most 64
-	int lanes;                      // CPU SIMD lanes: 0 (default) for the widest this processor has, or 1, 4, 8, 16
-	bool allow_unequal_bits;        // run on a device that cannot keep the promise of equal bits; default false
-	bool timings;                   // measure milliseconds a stage (scree_get_timings); costs a little on a GPU; default false
-	float contact_hertz;            // stiffness of contacts, 1/s, default 48; capped to a fifth of the substep rate
-	float contact_damping_ratio;    // default 15
-	float contact_push_speed;       // fastest speed at which overlap is pushed out, m/s, default 3
-	float restitution_threshold;    // slower impacts do not bounce, m/s, default 1
-	float max_speed;                // m/s, default 400
-	int body_capacity;              // room to begin with; everything grows. 0 (default) for a small world
-	int contact_capacity;           // the same for contacts
-	int cookie;                     // set by scree_default_world_def
+	scree_vec gravity;       // m/s^2, default (0, -10)
+	const char* device;      // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
+	int threads;             // CPU worker threads, 0 (default) for one a core, at most 64
+	int lanes;               // CPU SIMD lanes: 0 (default) for the widest this processor has, or 1, 4, 8, 16
+	bool allow_unequal_bits; // run on a device that cannot keep the promise of equal bits; default false
+	bool timings;            // measure milliseconds a stage (scree_get_timings); costs a little on a GPU; default false
+	float contact_hertz;     // stiffness of contacts, 1/s, default 48; capped to a fifth of the substep rate
+	float contact_damping_ratio; // default 15
+	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
+	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
+	float max_speed;             // m/s, default 400
+	int body_capacity;           // room to begin with; everything grows. 0 (default) for a small world
+	int contact_capacity;        // the same for contacts
+	int cookie;                  // set by scree_default_world_def
 } scree_world_def;
 
 SCREE_API scree_world_def scree_default_world_def(void);
@@ -302,10 +302,12 @@ SCREE_API scree_attribute_def scree_default_attribute_def(void);
 
 // Makes an attribute, or returns the one that exists with equal values. Attributes live as long as their world and
 // never change.
-SCREE_API scree_status scree_create_attribute(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute);
+SCREE_API scree_status scree_create_attribute(scree_world* world, const scree_attribute_def* def,
+                                              scree_attribute* attribute);
 
 // The values that an attribute was made of.
-SCREE_API scree_status scree_get_attribute(const scree_world* world, scree_attribute attribute, scree_attribute_def* def);
+SCREE_API scree_status scree_get_attribute(const scree_world* world, scree_attribute attribute,
+                                           scree_attribute_def* def);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Bodies
@@ -359,7 +361,8 @@ SCREE_API scree_filter scree_default_filter(void);
 
 // Creates count bodies from count definitions. All or none: on failure no body is created. bodies (may be null) gets
 // the handles.
-SCREE_API scree_status scree_create_bodies(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies);
+SCREE_API scree_status scree_create_bodies(scree_world* world, const scree_body_def* defs, int count,
+                                           scree_body* bodies);
 SCREE_API scree_status scree_create_body(scree_world* world, const scree_body_def* def, scree_body* body);
 
 // Destroys bodies and their collidables. Contacts end without a further word. All or none.
@@ -372,23 +375,34 @@ SCREE_API bool scree_body_is_valid(const scree_world* world, scree_body body);
 SCREE_API scree_status scree_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count);
 
 // Batches. Each takes count handles and count values; all or none. A body named twice gets both, in order.
-SCREE_API scree_status scree_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count);        // N at the center of mass, for the next step
-SCREE_API scree_status scree_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count);          // N m, for the next step
-SCREE_API scree_status scree_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses, int count);    // N s at the center of mass, at once
-SCREE_API scree_status scree_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses, int count); // N m s, at once
-SCREE_API scree_status scree_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces, const scree_vec* points, int count);     // at world points, m
-SCREE_API scree_status scree_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses, const scree_vec* points, int count);
-SCREE_API scree_status scree_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities, int count);
-SCREE_API scree_status scree_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count); // teleport; velocities stay
-SCREE_API scree_status scree_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count);       // of the bodies' origins
-SCREE_API scree_status scree_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities, int count);
+SCREE_API scree_status scree_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces,
+                                          int count); // N at the center of mass, for the next step
+SCREE_API scree_status scree_apply_torques(scree_world* world, const scree_body* bodies, const float* torques,
+                                           int count); // N m, for the next step
+SCREE_API scree_status scree_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                            int count); // N s at the center of mass, at once
+SCREE_API scree_status scree_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
+                                                    int count); // N m s, at once
+SCREE_API scree_status scree_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
+                                             const scree_vec* points, int count); // at world points, m
+SCREE_API scree_status scree_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                               const scree_vec* points, int count);
+SCREE_API scree_status scree_set_velocities(scree_world* world, const scree_body* bodies,
+                                            const scree_velocity* velocities, int count);
+SCREE_API scree_status scree_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
+                                       int count); // teleport; velocities stay
+SCREE_API scree_status scree_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
+                                       int count); // of the bodies' origins
+SCREE_API scree_status scree_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
+                                            int count);
 
 // The same for one body.
 SCREE_API scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force);
 SCREE_API scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point);
 SCREE_API scree_status scree_body_apply_torque(scree_world* world, scree_body body, float torque);
 SCREE_API scree_status scree_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse);
-SCREE_API scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse, scree_vec point);
+SCREE_API scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse,
+                                                   scree_vec point);
 SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse);
 SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
@@ -396,7 +410,8 @@ SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, 
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
 
 // Settings of one body; ranges as in scree_body_def. Setters reach the device with the next batch.
-SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type); // its contacts start anew
+SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body,
+                                           scree_body_type type); // its contacts start anew
 SCREE_API scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type);
 SCREE_API scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular);
 SCREE_API scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular);
@@ -431,8 +446,8 @@ typedef struct scree_collidable
 typedef struct scree_collidable_def
 {
 	scree_attribute attribute;
-	scree_body body;     // null for a collidable without a body: it detects overlaps and nothing answers to it
-	scree_pose pose;     // in the body's frame; in the world when there is no body
+	scree_body body; // null for a collidable without a body: it detects overlaps and nothing answers to it
+	scree_pose pose; // in the body's frame; in the world when there is no body
 	scree_filter filter;
 	uint64_t user;
 	int cookie;
@@ -440,26 +455,35 @@ typedef struct scree_collidable_def
 
 SCREE_API scree_collidable_def scree_default_collidable_def(void);
 
-SCREE_API scree_status scree_create_collidables(scree_world* world, const scree_collidable_def* defs, int count, scree_collidable* collidables);
-SCREE_API scree_status scree_create_collidable(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable);
+SCREE_API scree_status scree_create_collidables(scree_world* world, const scree_collidable_def* defs, int count,
+                                                scree_collidable* collidables);
+SCREE_API scree_status scree_create_collidable(scree_world* world, const scree_collidable_def* def,
+                                               scree_collidable* collidable);
 SCREE_API scree_status scree_destroy_collidables(scree_world* world, const scree_collidable* collidables, int count);
 SCREE_API scree_status scree_destroy_collidable(scree_world* world, scree_collidable collidable);
 SCREE_API bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable);
 
 // Writes up to capacity handles of a body's collidables, in the order that they were added, and how many there are. A
 // null body lists the collidables without a body, by rising index.
-SCREE_API scree_status scree_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables, int capacity, int* count);
+SCREE_API scree_status scree_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
+                                             int capacity, int* count);
 
-SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body);
-SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable, scree_attribute* attribute);
-SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose);
-SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter);
-SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter); // its contacts start anew
+SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable,
+                                                 scree_body* body);
+SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
+                                                      scree_attribute* attribute);
+SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable,
+                                                       scree_pose* pose);
+SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable,
+                                                   scree_filter* filter);
+SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable,
+                                                   scree_filter filter); // its contacts start anew
 SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user);
 SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
 
 // Teleports collidables that have no body; the others belong to their bodies and are refused.
-SCREE_API scree_status scree_set_collidable_poses(scree_world* world, const scree_collidable* collidables, const scree_pose* poses, int count);
+SCREE_API scree_status scree_set_collidable_poses(scree_world* world, const scree_collidable* collidables,
+                                                  const scree_pose* poses, int count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Contacts and overlaps

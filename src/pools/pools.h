@@ -9,7 +9,7 @@
 
 // Colors 0 to COLORS - 1 hold constraints of which no two share a body that can move; color COLORS is the overflow set.
 // One bit of BodyState's mask a color: more would need a wider mask.
-#define COLORS 63
+#define COLORS     63
 #define COLOR_NONE (-1)
 #define COLOR_MASK 0x7fffffffffffffffUL // a body with all colors taken
 
@@ -17,33 +17,33 @@
 #define MAX_ROUNDS 64
 
 // arity of the trees: the boxes of 8 children are 128 bytes, a cache line of a GPU
-#define ARITY 8
+#define ARITY      8
 #define MAX_LEVELS 8 // 8 bits each in the 64-bit stack of the traversal: 8^8 = 16.7 million leaves
 
-#define HASH_SUMS 1024
+#define HASH_SUMS      1024
 #define OVERFLOW_CHUNK 64
 
 // contacts begin at this separation, so that they are in place before bodies meet: four times the slop
-#define LINEAR_SLOP 0.005f
+#define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f
 
 // an empty box overlaps nothing
-#define EMPTY_LOW 1.0e30f
+#define EMPTY_LOW  1.0e30f
 #define EMPTY_HIGH (-1.0e30f)
 
 // separation of a point that is not there: so far apart that no impulse ever arises
 #define NO_POINT 1.0e6f
 
 // kinds of collidables
-#define KIND_DEAD 0
-#define KIND_STATIC 1
+#define KIND_DEAD      0
+#define KIND_STATIC    1
 #define KIND_KINEMATIC 2
-#define KIND_DYNAMIC 3
-#define KIND_FREE 4 // without a body
+#define KIND_DYNAMIC   3
+#define KIND_FREE      4 // without a body
 
 // contact_flags
-#define CONTACT_COUNT 3u     // mask of the number of points
-#define CONTACT_FRESH 4u     // created in this step
+#define CONTACT_COUNT    3u  // mask of the number of points
+#define CONTACT_FRESH    4u  // created in this step
 #define CONTACT_DETECTED 8u  // nothing answers to it: one side has no body
 #define CONTACT_TOUCHING 16u // has points
 
@@ -82,10 +82,10 @@ typedef struct // 32 bytes: one sector, gathered at random by the solver
 
 typedef struct // 32 bytes
 {
-	float fx, fy, torque; // N, N m; finalize clears them
-	float gravity_scale;  // 0 for static and kinematic bodies
+	float fx, fy, torque;                  // N, N m; finalize clears them
+	float gravity_scale;                   // 0 for static and kinematic bodies
 	float linear_damping, angular_damping; // 1/s
-	float free_x, free_y; // 1, or 0 where a motion lock holds
+	float free_x, free_y;                  // 1, or 0 where a motion lock holds
 } Motion;
 
 typedef struct // 32 bytes: a change that the user made between steps
@@ -97,28 +97,28 @@ typedef struct // 32 bytes: a change that the user made between steps
 } Command;
 
 // Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
-#define COMMAND_FORCE 0           // x, y: N
-#define COMMAND_FORCE_AT 1        // force x, y, world point x, y
-#define COMMAND_TORQUE 2          // x: N m
-#define COMMAND_IMPULSE 3         // x, y: N s
-#define COMMAND_IMPULSE_AT 4      // impulse x, y, world point x, y
-#define COMMAND_ANGULAR_IMPULSE 5 // x: N m s
-#define COMMAND_VELOCITY 6        // linear x, y, angular
-#define COMMAND_POSE 7            // of the body's origin: x, y, cos, sin
-#define COMMAND_MASS 8            // inverse mass, inverse inertia, local center x, y: the origin stays where it is
-#define COMMAND_MOTION 9          // gravity scale, linear damping, angular damping; whole[0]: locks
-#define COMMAND_BODY 10           // a row anew, inert and without mass: pose of the origin x, y, cos, sin
-#define COMMAND_PLACE 11          // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE 12     // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
-#define COMMAND_FILTER 13         // the bits of category and mask; whole: group, kind
+#define COMMAND_FORCE           0  // x, y: N
+#define COMMAND_FORCE_AT        1  // force x, y, world point x, y
+#define COMMAND_TORQUE          2  // x: N m
+#define COMMAND_IMPULSE         3  // x, y: N s
+#define COMMAND_IMPULSE_AT      4  // impulse x, y, world point x, y
+#define COMMAND_ANGULAR_IMPULSE 5  // x: N m s
+#define COMMAND_VELOCITY        6  // linear x, y, angular
+#define COMMAND_POSE            7  // of the body's origin: x, y, cos, sin
+#define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
+#define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
+#define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
+#define COMMAND_PLACE           11 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE      12 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_FILTER          13 // the bits of category and mask; whole: group, kind
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
-	int leaf_begin;             // first item in the leaf pool
-	int leaves;                 // leaves in use
-	int top;                    // highest level, the first with at most ARITY nodes; level 0 are the leaves
-	int begin[MAX_LEVELS];      // first item of each level in the pool node_box
-	int count[MAX_LEVELS];      // nodes of each level; the pool is padded with empty boxes to a multiple of ARITY
+	int leaf_begin;        // first item in the leaf pool
+	int leaves;            // leaves in use
+	int top;               // highest level, the first with at most ARITY nodes; level 0 are the leaves
+	int begin[MAX_LEVELS]; // first item of each level in the pool node_box
+	int count[MAX_LEVELS]; // nodes of each level; the pool is padded with empty boxes to a multiple of ARITY
 } Tree;
 
 typedef struct // how stiff a contact is: Erin Catto, Soft Constraints, GDC 2011
@@ -137,38 +137,38 @@ typedef struct // constants of one step, by value to every stage
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
-	int key_bits;         // bits of a collidable's index in a pair's key
+	int key_bits; // bits of a collidable's index in a pair's key
 } Step;
 
 // Counts that live on the device. Everything is an int so that Run.count can name one by its position.
 typedef struct
 {
 	// kept from step to step
-	int contacts;                 // slots of the contact pool in use, free ones below it included
-	int alive;                    // contacts alive, the ones released in the last step included
-	int touching;                 // contacts with a color, or in the overflow set
-	int color_begin[COLORS + 2];  // first constraint of each color; color COLORS is the overflow set
-	int color_count[COLORS + 1];  // constraints of each color, padding not counted
+	int contacts;                // slots of the contact pool in use, free ones below it included
+	int alive;                   // contacts alive, the ones released in the last step included
+	int touching;                // contacts with a color, or in the overflow set
+	int color_begin[COLORS + 2]; // first constraint of each color; color COLORS is the overflow set
+	int color_count[COLORS + 1]; // constraints of each color, padding not counted
 	// of this step
-	int moved;                    // collidables whose enlarged box changed
-	int pairs;                    // new pairs found, also those for which there was no room
-	int sort_pairs;               // the same, or 0 when there was no room
-	int search;                   // contact slots to search for free ones, and one more; 0 when no pair is new
-	int dead;                     // free slots found
-	int created;                  // new contacts
-	int needed;                   // contact slots that the step needs
-	int stalled;                  // a buffer was too small: nothing after it was done; the host grows it and runs again
-	int live;                     // contact slots that narrow phase goes over
-	int released;                 // contacts whose boxes parted
-	int began, ended;             // contacts that began and ceased to touch
+	int moved;        // collidables whose enlarged box changed
+	int pairs;        // new pairs found, also those for which there was no room
+	int sort_pairs;   // the same, or 0 when there was no room
+	int search;       // contact slots to search for free ones, and one more; 0 when no pair is new
+	int dead;         // free slots found
+	int created;      // new contacts
+	int needed;       // contact slots that the step needs
+	int stalled;      // a buffer was too small: nothing after it was done; the host grows it and runs again
+	int live;         // contact slots that narrow phase goes over
+	int released;     // contacts whose boxes parted
+	int began, ended; // contacts that began and ceased to touch
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
-	int arrange;                  // contact slots to sort by color: 0 when none began or ended
-	int color_first[COLORS + 2];  // first and behind the last of each color among the sorted keys
+	int arrange;                   // contact slots to sort by color: 0 when none began or ended
+	int color_first[COLORS + 2];   // first and behind the last of each color among the sorted keys
 	int color_last[COLORS + 2];
-	int penetration;              // bits of the deepest overlap, m
-	int nonfinite;                // bodies frozen because their state was not finite
-	int first_nonfinite;          // lowest index of these
-	int fault;                    // set by a device that failed in the middle of a run; its backend reads it with the rest
+	int penetration;     // bits of the deepest overlap, m
+	int nonfinite;       // bodies frozen because their state was not finite
+	int first_nonfinite; // lowest index of these
+	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;
 
 typedef struct // one entry of the list that a backend works through, in order

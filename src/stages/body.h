@@ -9,7 +9,7 @@ typedef struct
 {
 	Vec v;
 	Real w, inv_mass;
-	Vec d;         // moved since the step began
+	Vec d; // moved since the step began
 	Real da, inv_inertia;
 	Real sine, versine; // of da: sine, and cosine less one
 } Body;

@@ -67,9 +67,11 @@ STAGE(contact_create)
 
 	// friction as the geometric mean, so that ice stays slippery on anything; the livelier restitution; a lever of
 	// rolling resistance as long as the larger radius; belts that run against each other add up
-	float lever = surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
-	p->contact_surface[slot] = make_float4(square_root(sa->friction * sb->friction),
-		surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
+	float lever =
+	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	p->contact_surface[slot] =
+	    make_float4(square_root(sa->friction * sb->friction), surface_larger(sa->restitution, sb->restitution), lever,
+	                sa->tangent_speed + sb->tangent_speed);
 }
 
 STAGE(contact_end)

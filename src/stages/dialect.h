@@ -21,32 +21,34 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 #undef LANES
-#define LANES 1
+#define LANES  1
 #define GLOBAL __global
 typedef uint Word;
 typedef ulong Word64;
 typedef float2 Float2;
 typedef float4 Float4;
 typedef int2 Int2;
-#define make_float2(a, b) ((Float2)((a), (b)))
+#define make_float2(a, b)       ((Float2)((a), (b)))
 #define make_float4(a, b, c, d) ((Float4)((a), (b), (c), (d)))
-#define make_int2(a, b) ((Int2)((a), (b)))
-#define float_bits(x) as_int(x)
-#define float_word(x) as_uint(x)
-#define bits_float(x) as_float(x)
-#define leading_zeros(x) ((int)clz(x))
-#define square_root(x) sqrt(x)
+#define make_int2(a, b)         ((Int2)((a), (b)))
+#define float_bits(x)           as_int(x)
+#define float_word(x)           as_uint(x)
+#define bits_float(x)           as_float(x)
+#define leading_zeros(x)        ((int)clz(x))
+#define square_root(x)          sqrt(x)
 
 // integer atomics: they count and build sets; whatever they collect is sorted before anything reads it in order
-#define atomic_add_int(place, x) atomic_add(place, x)
-#define atomic_max_int(place, x) atomic_max(place, x)
-#define atomic_min_int(place, x) atomic_min(place, x)
+#define atomic_add_int(place, x)  atomic_add(place, x)
+#define atomic_max_int(place, x)  atomic_max(place, x)
+#define atomic_min_int(place, x)  atomic_min(place, x)
 #define atomic_max_word(place, x) atomic_max(place, x)
-#define atomic_and_word64(place, x) ((void)atomic_and((volatile __global uint*)(place), (uint)(x)), (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
+#define atomic_and_word64(place, x)                                 \
+	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
+	 (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
 // reads past first-level caches, which other compute units do not keep up to date
-#define read_shared(place) (*(volatile __global int*)(place))
-#define read_shared_word(place) (*(volatile __global uint*)(place))
-#define read_shared_word64(place) (*(volatile __global ulong*)(place))
+#define read_shared(place)            (*(volatile __global int*)(place))
+#define read_shared_word(place)       (*(volatile __global uint*)(place))
+#define read_shared_word64(place)     (*(volatile __global ulong*)(place))
 #define write_shared_word64(place, x) (*(volatile __global ulong*)(place) = (x))
 
 #else
@@ -56,17 +58,44 @@ typedef int2 Int2;
 #define GLOBAL
 typedef uint32_t Word;
 typedef uint64_t Word64;
-typedef struct { _Alignas(8) float x; float y; } Float2;
-typedef struct { _Alignas(16) float x; float y, z, w; } Float4;
-typedef struct { _Alignas(8) int x; int y; } Int2;
-#define make_float2(a, b) ((Float2){(a), (b)})
+typedef struct
+{
+	_Alignas(8) float x;
+	float y;
+} Float2;
+typedef struct
+{
+	_Alignas(16) float x;
+	float y, z, w;
+} Float4;
+typedef struct
+{
+	_Alignas(8) int x;
+	int y;
+} Int2;
+#define make_float2(a, b)       ((Float2){(a), (b)})
 #define make_float4(a, b, c, d) ((Float4){(a), (b), (c), (d)})
-#define make_int2(a, b) ((Int2){(a), (b)})
-INLINE int float_bits(float x) { int i; memcpy(&i, &x, 4); return i; }
-INLINE Word float_word(float x) { Word i; memcpy(&i, &x, 4); return i; }
-INLINE float bits_float(int i) { float x; memcpy(&x, &i, 4); return x; }
+#define make_int2(a, b)         ((Int2){(a), (b)})
+INLINE int float_bits(float x)
+{
+	int i;
+	memcpy(&i, &x, 4);
+	return i;
+}
+INLINE Word float_word(float x)
+{
+	Word i;
+	memcpy(&i, &x, 4);
+	return i;
+}
+INLINE float bits_float(int i)
+{
+	float x;
+	memcpy(&x, &i, 4);
+	return x;
+}
 INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
-#define square_root(x) __builtin_sqrtf(x)
+#define square_root(x)          __builtin_sqrtf(x)
 
 INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }
 INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(place, x, __ATOMIC_RELAXED); }
@@ -77,17 +106,23 @@ INLINE void write_shared_word64(Word64* place, Word64 x) { __atomic_store_n(plac
 INLINE void atomic_max_int(int* place, int x)
 {
 	int old = read_shared(place);
-	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	{
+	}
 }
 INLINE void atomic_min_int(int* place, int x)
 {
 	int old = read_shared(place);
-	while (old > x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+	while (old > x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	{
+	}
 }
 INLINE void atomic_max_word(Word* place, Word x)
 {
 	Word old = read_shared_word(place);
-	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	{
+	}
 }
 #ifndef LANES
 #define LANES 1
@@ -98,8 +133,8 @@ INLINE void atomic_max_word(Word* place, Word x)
 #if LANES == 1
 typedef float Real;
 typedef int Int;
-#define splat(x) (x)
-#define load(array, i) ((array)[i])
+#define splat(x)           (x)
+#define load(array, i)     ((array)[i])
 #define load_int(array, i) ((array)[i])
 #define store(array, i, x) ((array)[i] = (x))
 // b where c is set, else a
@@ -113,8 +148,14 @@ INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
 INLINE void gather_rows8(__global float* base, int index, float out[8])
 {
 	float4 low = ((ROW)base)[2 * index], high = ((ROW)base)[2 * index + 1];
-	out[0] = low.x; out[1] = low.y; out[2] = low.z; out[3] = low.w;
-	out[4] = high.x; out[5] = high.y; out[6] = high.z; out[7] = high.w;
+	out[0] = low.x;
+	out[1] = low.y;
+	out[2] = low.z;
+	out[3] = low.w;
+	out[4] = high.x;
+	out[5] = high.y;
+	out[6] = high.z;
+	out[7] = high.w;
 }
 INLINE void store_rows8(__global float* base, int first, const float in[8])
 {
@@ -124,7 +165,10 @@ INLINE void store_rows8(__global float* base, int first, const float in[8])
 INLINE void load_rows4(__global float* base, int first, float out[4])
 {
 	float4 row = ((ROW)base)[first];
-	out[0] = row.x; out[1] = row.y; out[2] = row.z; out[3] = row.w;
+	out[0] = row.x;
+	out[1] = row.y;
+	out[2] = row.z;
+	out[3] = row.w;
 }
 INLINE void store_rows4(__global float* base, int first, const float in[4])
 {
@@ -150,8 +194,8 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 #else
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
-#define splat(x) ((Real){0} + (x))
-#define load(array, i) (*(const Real*)((array) + (i)))
+#define splat(x)           ((Real){0} + (x))
+#define load(array, i)     (*(const Real*)((array) + (i)))
 #define load_int(array, i) (*(const Int*)((array) + (i)))
 #define store(array, i, x) (*(Real*)((array) + (i)) = (x))
 // b where c is set, else a
@@ -172,27 +216,27 @@ INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
 // STAGE(name) { ... } says what happens to item i of the pools p; WIDE_STAGE(name) to items i to i + LANES - 1.
 #ifdef __OPENCL_C_VERSION__
 // parentheses around a kernel's name, because a macro (store) may have the same
-#define STAGE(name)                                                       \
-	INLINE void name##_item(const Pools* p, int i);                       \
-	__kernel void (name)(POOL_ARGUMENTS Step step, Run run)               \
-	{                                                                     \
-		Pools pools = {POOL_NAMES step, run.argument};                    \
+#define STAGE(name)                                                                                   \
+	INLINE void name##_item(const Pools* p, int i);                                                   \
+	__kernel void(name)(POOL_ARGUMENTS Step step, Run run)                                            \
+	{                                                                                                 \
+		Pools pools = {POOL_NAMES step, run.argument};                                                \
 		int end = run.count < 0 ? run.end : min(run.end, ((__global int*)pools.counters)[run.count]); \
-		for (int i = run.begin + (int)get_global_id(0); i < end; i += (int)get_global_size(0)) \
-			name##_item(&pools, i);                                       \
-	}                                                                     \
+		for (int i = run.begin + (int)get_global_id(0); i < end; i += (int)get_global_size(0))        \
+			name##_item(&pools, i);                                                                   \
+	}                                                                                                 \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_STAGE(name) STAGE(name)
 #else
 #define STAGE_JOIN_(name, lanes) name##_lanes##lanes
-#define STAGE_JOIN(name, lanes) STAGE_JOIN_(name, lanes)
-#define STAGE(name)                                                       \
-	INLINE void name##_item(const Pools* p, int i);                       \
+#define STAGE_JOIN(name, lanes)  STAGE_JOIN_(name, lanes)
+#define STAGE(name)                                                         \
+	INLINE void name##_item(const Pools* p, int i);                         \
 	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end) \
-	{                                                                     \
-		for (int i = begin; i < end; i += LANES)                          \
-			name##_item(p, i);                                            \
-	}                                                                     \
+	{                                                                       \
+		for (int i = begin; i < end; i += LANES)                            \
+			name##_item(p, i);                                              \
+	}                                                                       \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_STAGE(name) STAGE(name)
 #endif

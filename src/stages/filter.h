@@ -12,6 +12,9 @@ INLINE int filter_accepts(Filter a, Filter b)
 }
 
 // something must be able to answer, or have been made for detection
-INLINE int kinds_meet(int a, int b) { return a == KIND_DYNAMIC || b == KIND_DYNAMIC || a == KIND_FREE || b == KIND_FREE; }
+INLINE int kinds_meet(int a, int b)
+{
+	return a == KIND_DYNAMIC || b == KIND_DYNAMIC || a == KIND_FREE || b == KIND_FREE;
+}
 
 #endif

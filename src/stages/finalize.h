@@ -32,8 +32,8 @@ STAGE(finalize)
 
 	// the largest float is 3.4e38; a hundred million metres is as good as lost, and keeps every later product finite
 	float far = 1.0e8f;
-	if (!(finalize_bounded(x, far) && finalize_bounded(y, far) && finalize_bounded(da, 4.0f) && finalize_bounded(vx, far) &&
-			finalize_bounded(vy, far) && finalize_bounded(w, far)))
+	if (!(finalize_bounded(x, far) && finalize_bounded(y, far) && finalize_bounded(da, 4.0f) &&
+	      finalize_bounded(vx, far) && finalize_bounded(vy, far) && finalize_bounded(w, far)))
 	{
 		atomic_add_int(&p->counters->nonfinite, 1);
 		atomic_min_int(&p->counters->first_nonfinite, i);

@@ -17,7 +17,10 @@ INLINE Word64 hash_mix(Word64 h)
 
 INLINE Word64 hash_word(Word64 h, Word x) { return hash_mix(h + (Word64)0x9e3779b97f4a7c15UL + (Word64)x); }
 INLINE Word64 hash_float(Word64 h, float x) { return hash_word(h, float_word(x)); }
-INLINE Word64 hash_float4(Word64 h, Float4 v) { return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w); }
+INLINE Word64 hash_float4(Word64 h, Float4 v)
+{
+	return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w);
+}
 INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
 
 // Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies begins the sums, the others add to them.
@@ -29,9 +32,13 @@ STAGE(hash_bodies)
 		BodyState body = p->body[k];
 		Motion motion = p->motion[k];
 		Word64 h = hash_float4(hash_begin(1, k), p->pose[k]);
-		h = hash_float(hash_float(hash_float(hash_float(hash_float(h, body.vx), body.vy), body.w), body.inv_mass), body.inv_inertia);
-		h = hash_float(hash_float(hash_float(hash_float(h, motion.fx), motion.fy), motion.torque), motion.gravity_scale);
-		h = hash_float(hash_float(hash_float(hash_float(h, motion.linear_damping), motion.angular_damping), motion.free_x), motion.free_y);
+		h = hash_float(hash_float(hash_float(hash_float(hash_float(h, body.vx), body.vy), body.w), body.inv_mass),
+		               body.inv_inertia);
+		h = hash_float(hash_float(hash_float(hash_float(h, motion.fx), motion.fy), motion.torque),
+		               motion.gravity_scale);
+		h = hash_float(
+		    hash_float(hash_float(hash_float(h, motion.linear_damping), motion.angular_damping), motion.free_x),
+		    motion.free_y);
 		sum += hash_float(hash_float(h, p->local_center[k].x), p->local_center[k].y);
 	}
 	p->hash[i] = sum;
@@ -46,7 +53,8 @@ STAGE(hash_collidables)
 		if (kind == KIND_DEAD)
 			continue;
 		Filter filter = p->filter[k];
-		Word64 h = hash_word(hash_word(hash_word(hash_begin(2, k), (Word)kind), (Word)p->collidable_body[k]), (Word)p->collidable_attribute[k]);
+		Word64 h = hash_word(hash_word(hash_word(hash_begin(2, k), (Word)kind), (Word)p->collidable_body[k]),
+		                     (Word)p->collidable_attribute[k]);
 		h = hash_float4(hash_float4(h, p->collidable_pose[k]), p->box[k]);
 		h = hash_word(hash_word(h, (Word)filter.category), (Word)(filter.category >> 32));
 		h = hash_word(hash_word(h, (Word)filter.mask), (Word)(filter.mask >> 32));

@@ -34,7 +34,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 }
 
 // which of the old points is new point k: by feature, then the nearest within MATCH_DISTANCE; taken ones are out
-INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point, int taken)
+INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
+                              int taken)
 {
 	for (int k = 0; k < old_count; ++k)
 		if (old_feature[k] == feature && !(taken & 1 << k))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // program.h -- all stages, in order; read by lanes1.c and by the OpenCL program.
+// clang-format off
 #include "stages/dialect.h"
 #include "pools/pools.h"
 #include "stages/vec.h"

@@ -17,8 +17,8 @@ typedef struct // the part of a constraint that all passes share
 {
 	Int ia, ib;
 	Body a, b;
-	Vec n, t;           // normal from a to b; tangent
-	Vec ra[2], rb[2];   // anchors from the centers of mass
+	Vec n, t;         // normal from a to b; tangent
+	Vec ra[2], rb[2]; // anchors from the centers of mass
 } Pair;
 
 INLINE Pair pair_load(const Pools* p, int i)
@@ -65,10 +65,13 @@ INLINE Real pair_normal(Pair* c, int k, Real separation, Real old, const Step* s
 	{
 		// contacts with what cannot move are stiffer, so that nothing sinks into the ground
 		Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
-		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate), splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
+		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate),
+		                   splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
 		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
-		mass_scale = choose(choose(splat(step->soft.mass_scale), splat(step->stiff.mass_scale), fixed), mass_scale, apart);
-		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed), impulse_scale, apart);
+		mass_scale =
+		    choose(choose(splat(step->soft.mass_scale), splat(step->stiff.mass_scale), fixed), mass_scale, apart);
+		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed),
+		                       impulse_scale, apart);
 	}
 
 	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
@@ -157,17 +160,21 @@ INLINE void bounce_pass(const Pools* p, int i, Pair* c)
 {
 	Real e = load(p->restitution, i);
 	float threshold = p->step.restitution_threshold;
-	store(p->normal_impulse1, i, pair_bounce(c, 0, e, load(p->approach1, i), load(p->peak_impulse1, i), load(p->normal_impulse1, i), threshold));
-	store(p->normal_impulse2, i, pair_bounce(c, 1, e, load(p->approach2, i), load(p->peak_impulse2, i), load(p->normal_impulse2, i), threshold));
+	store(
+	    p->normal_impulse1, i,
+	    pair_bounce(c, 0, e, load(p->approach1, i), load(p->peak_impulse1, i), load(p->normal_impulse1, i), threshold));
+	store(
+	    p->normal_impulse2, i,
+	    pair_bounce(c, 1, e, load(p->approach2, i), load(p->peak_impulse2, i), load(p->normal_impulse2, i), threshold));
 }
 
 // a pass over the constraints of one color
-#define PASS(name)                   \
-	WIDE_STAGE(name)                 \
-	{                                \
-		Pair c = pair_load(p, i);    \
-		name##_pass(p, i, &c);       \
-		pair_store(p, c);            \
+#define PASS(name)                \
+	WIDE_STAGE(name)              \
+	{                             \
+		Pair c = pair_load(p, i); \
+		name##_pass(p, i, &c);    \
+		pair_store(p, c);         \
 	}
 PASS(warm_start)
 PASS(bias)

@@ -116,8 +116,9 @@ STAGE(store)
 	int slot = p->constraint_contact[i];
 	if (slot < 0)
 		return;
-	p->contact_impulse[slot] = make_float4(store_bounded(p->normal_impulse1[i]), store_bounded(p->normal_impulse2[i]),
-		store_bounded(p->tangent_impulse1[i]), store_bounded(p->tangent_impulse2[i]));
+	p->contact_impulse[slot] =
+	    make_float4(store_bounded(p->normal_impulse1[i]), store_bounded(p->normal_impulse2[i]),
+	                store_bounded(p->tangent_impulse1[i]), store_bounded(p->tangent_impulse2[i]));
 	if (p->step.extras)
 		p->contact_rolling_impulse[slot] = store_bounded(p->rolling_impulse[i]);
 }

@@ -4,9 +4,18 @@
 #define VEC_H
 #include "stages/dialect.h"
 
-typedef struct { Real x, y; } Vec;
+typedef struct
+{
+	Real x, y;
+} Vec;
 
-INLINE Vec vec(Real x, Real y) { Vec v; v.x = x; v.y = y; return v; }
+INLINE Vec vec(Real x, Real y)
+{
+	Vec v;
+	v.x = x;
+	v.y = y;
+	return v;
+}
 INLINE Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y); }
 INLINE Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y); }
 INLINE Vec vec_scale(Real s, Vec a) { return vec(s * a.x, s * a.y); }
