@@ -8,10 +8,9 @@ typedef struct // the pools of contacts, and where their collidables were
 	Word* flags;
 	Int2* pair;
 	Int2* feature;
-	Float4* normal;
-	Float4* on_a;
-	Float4* on_b;
-	Float4* impulse;
+	Found* found;
+	int* constraint;
+	float* impulse[4]; // of the constraints: normal 1, 2, tangent 1, 2
 	Placed* placed;
 } ContactRows;
 
@@ -29,10 +28,10 @@ static void release(ContactRows* rows)
 	scree_release(rows->flags);
 	scree_release(rows->pair);
 	scree_release(rows->feature);
-	scree_release(rows->normal);
-	scree_release(rows->on_a);
-	scree_release(rows->on_b);
-	scree_release(rows->impulse);
+	scree_release(rows->found);
+	scree_release(rows->constraint);
+	for (int k = 0; k < 4; ++k)
+		scree_release(rows->impulse[k]);
 	scree_release(rows->placed);
 }
 
@@ -54,22 +53,25 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 {
 	Int2 pair = rows->pair[k];
 	Placed a = rows->placed[pair.x], b = rows->placed[pair.y];
-	ContactPoints at = contact_points(a, b, rows->normal[k], rows->on_a[k], rows->on_b[k]);
-	Float4 impulse = rows->impulse[k];
+	ContactPoints at = contact_points(a, b, rows->found[k]);
+	int c = rows->constraint[k];
+	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+	for (int j = 0; j < 4 && c >= 0; ++j)
+		impulse[j] = rows->impulse[j][c];
 	scree_contact contact = {.a = collidable_handle(world, pair.x),
 	                         .b = collidable_handle(world, pair.y),
 	                         .normal = {at.normal.x, at.normal.y},
 	                         .count = (int)(rows->flags[k] & CONTACT_COUNT)};
 	contact.points[0] = (scree_contact_point){{a.x + at.point[0].x, a.y + at.point[0].y},
 	                                          at.separation[0],
-	                                          impulse.x,
-	                                          impulse.z,
+	                                          impulse[0],
+	                                          impulse[2],
 	                                          (uint32_t)rows->feature[k].x};
 	if (contact.count == 2)
 		contact.points[1] = (scree_contact_point){{a.x + at.point[1].x, a.y + at.point[1].y},
 		                                          at.separation[1],
-		                                          impulse.y,
-		                                          impulse.w,
+		                                          impulse[1],
+		                                          impulse[3],
 		                                          (uint32_t)rows->feature[k].y};
 	return contact;
 }
@@ -85,10 +87,13 @@ static scree_status list(scree_world* world, const char* function, Word detected
 	if (total > 0 && capacity > 0)
 	{
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
-		TRY(read_pool(world, function, POOL_contact_normal, slots, (void**)&rows->normal));
-		TRY(read_pool(world, function, POOL_contact_on_a, slots, (void**)&rows->on_a));
-		TRY(read_pool(world, function, POOL_contact_on_b, slots, (void**)&rows->on_b));
-		TRY(read_pool(world, function, POOL_contact_impulse, slots, (void**)&rows->impulse));
+		TRY(read_pool(world, function, POOL_contact_found, slots, (void**)&rows->found));
+		TRY(read_pool(world, function, POOL_contact_constraint, slots, (void**)&rows->constraint));
+		static const PoolId impulses[4] = {POOL_normal_impulse1, POOL_normal_impulse2, POOL_tangent_impulse1,
+		                                   POOL_tangent_impulse2};
+		int constraints = world->pipeline.counters.color_begin[COLORS + 1];
+		for (int k = 0; k < 4 && constraints > 0; ++k)
+			TRY(read_pool(world, function, impulses[k], constraints, (void**)&rows->impulse[k]));
 		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{

@@ -65,13 +65,15 @@ static scree_status list_run(scree_world* world, const Step* step, RunList* list
 // the stages, in order
 // ---------------------------------------------------------------------------------------------------------------
 
-static void tree_refit(RunList* list, const Tree* tree, int t)
+// looks up the boxes of a tree again: always, or only when some box moved
+static void tree_refit(RunList* list, const Tree* tree, int t, bool always)
 {
 	if (tree->leaves == 0)
 		return;
-	add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, NO_COUNT, t);
+	int count = always ? NO_COUNT : COUNT(refit);
+	add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, count, t);
 	for (int level = 1; level <= tree->top; ++level)
-		add(list, STAGE_tree_node, 0, (tree->count[level] + ARITY - 1) / ARITY * ARITY, NO_COUNT, t | level << 1);
+		add(list, STAGE_tree_node, 0, (tree->count[level] + ARITY - 1) / ARITY * ARITY, count, t | level << 1);
 }
 
 // user's changes are in; world boxes follow the bodies; trees follow the boxes
@@ -90,7 +92,7 @@ static scree_status transform(scree_world* world, const Step* step)
 		TreeState* state = &pipeline->trees[t];
 		if (!tree_wants_order(state))
 			continue;
-		tree_refit(list, &state->tree, t);
+		tree_refit(list, &state->tree, t, true);
 		add(list, STAGE_tree_code, 0, state->tree.leaves, NO_COUNT, t);
 		add_sort(list, state->tree.leaves, NO_COUNT, 32, 64);
 		add(list, STAGE_tree_order, 0, state->tree.leaves, NO_COUNT, t);
@@ -101,13 +103,12 @@ static scree_status transform(scree_world* world, const Step* step)
 			return status;
 		state->touched = true;
 	}
-	for (int t = 0; t < 2; ++t)
-	{
-		// what is static stays where it is, unless the user moved it
-		if (t == 0 || pipeline->trees[t].touched)
-			tree_refit(list, &pipeline->trees[t].tree, t);
-		pipeline->trees[t].touched = false;
-	}
+	// what is static stays where it is, unless the user moved it
+	add_single(list, STAGE_tree_begin);
+	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched);
+	if (pipeline->trees[1].touched)
+		tree_refit(list, &pipeline->trees[1].tree, 1, true);
+	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
 	return SCREE_OK;
 }
 
@@ -255,6 +256,8 @@ static scree_status solve(scree_world* world, const Step* step, int substeps)
 		++body_bits;
 
 	add(list, STAGE_solve_begin, 0, bodies, NO_COUNT, 0);
+	if (c->nonfinite > 0)
+		add(list, STAGE_cleanse, 0, constraints, NO_COUNT, 0);
 	add(list, STAGE_prepare, 0, constraints, NO_COUNT, 0);
 	if (overflow > 0)
 	{
@@ -280,7 +283,6 @@ static scree_status solve(scree_world* world, const Step* step, int substeps)
 static scree_status finalize(scree_world* world, const Step* step)
 {
 	RunList* list = &world->pipeline.list;
-	add(list, STAGE_store, 0, world->pipeline.counters.color_begin[COLORS + 1], NO_COUNT, 0);
 	add(list, STAGE_finalize, 0, world->bodies.used, NO_COUNT, 0);
 	return list_run(world, step, list);
 }

@@ -65,6 +65,15 @@ typedef struct // 24 bytes
 	int group, unused;
 } Filter;
 
+typedef struct // 64 bytes: the points of a contact as they were found
+{
+	Float4
+	    normal; // x, y from a to b in the frame of a, separations of the points (m), NO_POINT for one that is not there
+	Float4 on_a;     // points 1 and 2 in the frame of a, m
+	Float4 on_b;     // the same places in the frame of b, m
+	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin
+} Found;
+
 typedef struct // 32 bytes: one sector
 {
 	float x, y, c, s;         // world pose
@@ -151,6 +160,7 @@ typedef struct
 	int color_count[COLORS + 1]; // constraints of each color, padding not counted
 	// of this step
 	int moved;        // collidables whose enlarged box changed
+	int refit;        // tree nodes to look up again: all when some box changed, else 0
 	int pairs;        // new pairs found, also those for which there was no room
 	int sort_pairs;   // the same, or 0 when there was no room
 	int search;       // contact slots to search for free ones, and one more; 0 when no pair is new

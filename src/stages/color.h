@@ -122,10 +122,16 @@ STAGE(color_arrange)
 	(void)i;
 }
 
+// The color of each slot, to be sorted by. Impulses live with the constraints; they come along by way of the slots.
 STAGE(color_key)
 {
-	int color = p->contact_color[i];
+	int color = p->contact_color[i], c = p->contact_constraint[i];
 	p->key[i] = (Word64)(color == COLOR_NONE ? COLORS + 1 : color) << 32 | (Word64)i;
+	if (c < 0)
+		return;
+	p->contact_impulse[i] =
+	    make_float4(p->normal_impulse1[c], p->normal_impulse2[c], p->tangent_impulse1[c], p->tangent_impulse2[c]);
+	p->contact_rolling_impulse[i] = p->rolling_impulse[c];
 }
 
 // where a color begins and ends among the sorted keys
@@ -157,6 +163,25 @@ STAGE(color_range)
 	(void)i;
 }
 
+// an inert constraint between the ground and itself
+INLINE void color_pad(const Pools* p, int place)
+{
+	p->constraint_contact[place] = -1;
+	p->constraint_a[place] = 0;
+	p->constraint_b[place] = 0;
+	p->restitution[place] = 0.0f;
+	p->rolling[place] = 0.0f;
+	p->tangent_speed[place] = 0.0f;
+	p->separation1[place] = NO_POINT;
+	p->separation2[place] = NO_POINT;
+	p->normal_impulse1[place] = 0.0f;
+	p->normal_impulse2[place] = 0.0f;
+	p->tangent_impulse1[place] = 0.0f;
+	p->tangent_impulse2[place] = 0.0f;
+	p->rolling_impulse[place] = 0.0f;
+}
+
+// what does not change while the layout stands
 STAGE(color_place)
 {
 	int color = (int)(p->key[i] >> 32), slot = (int)(p->key[i] & (Word64)0xffffffffu);
@@ -164,11 +189,25 @@ STAGE(color_place)
 		return;
 	const GLOBAL Counters* c = p->counters;
 	int place = c->color_begin[color] + (i - c->color_first[color]);
-	p->constraint_contact[place] = slot;
+	Int2 bodies = p->contact_bodies[slot];
+	Float4 surface = p->contact_surface[slot], impulse = p->contact_impulse[slot];
 	p->contact_constraint[slot] = place;
+	p->constraint_contact[place] = slot;
+	p->constraint_pair[place] = p->pair[slot];
+	p->constraint_a[place] = bodies.x;
+	p->constraint_b[place] = bodies.y;
+	p->friction[place] = surface.x;
+	p->restitution[place] = surface.y;
+	p->rolling[place] = surface.z;
+	p->tangent_speed[place] = surface.w;
+	p->normal_impulse1[place] = impulse.x;
+	p->normal_impulse2[place] = impulse.y;
+	p->tangent_impulse1[place] = impulse.z;
+	p->tangent_impulse2[place] = impulse.w;
+	p->rolling_impulse[place] = p->contact_rolling_impulse[slot];
 	if (i + 1 == c->color_last[color])
 		for (int k = place + 1; k < c->color_begin[color + 1]; ++k)
-			p->constraint_contact[k] = -1;
+			color_pad(p, k);
 }
 
 #endif

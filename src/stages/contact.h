@@ -57,10 +57,6 @@ STAGE(contact_create)
 	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0 ? CONTACT_DETECTED : 0u);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
-	p->contact_relative[slot] = make_float4(0.0f, 0.0f, 1.0f, 0.0f);
-	p->contact_normal[slot] = make_float4(0.0f, 0.0f, NO_POINT, NO_POINT);
-	p->contact_on_a[slot] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	p->contact_on_b[slot] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->contact_impulse[slot] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->contact_rolling_impulse[slot] = 0.0f;
 	p->contact_constraint[slot] = -1;

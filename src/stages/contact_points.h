@@ -14,8 +14,9 @@ typedef struct // world axes
 
 // The two places of a point were one when it was found. How far they have parted along the normal since is added to the
 // separation: exact while nothing turns, and to the second order of a small turn.
-INLINE ContactPoints contact_points(Placed a, Placed b, Float4 normal, Float4 on_a, Float4 on_b)
+INLINE ContactPoints contact_points(Placed a, Placed b, Found found)
 {
+	Float4 normal = found.normal, on_a = found.on_a, on_b = found.on_b;
 	Vec turn_a = vec(a.c, a.s), turn_b = vec(b.c, b.s), from_a = vec(b.x - a.x, b.y - a.y);
 	ContactPoints points;
 	points.normal = vec_turn(turn_a, vec(normal.x, normal.y));

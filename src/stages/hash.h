@@ -74,10 +74,18 @@ STAGE(hash_contacts)
 		Word64 h = hash_word(hash_word(hash_begin(3, k), (Word)pair.x), (Word)pair.y);
 		h = hash_word(hash_word(h, p->contact_flags[k]), (Word)p->contact_color[k]);
 		h = hash_word(hash_word(h, (Word)feature.x), (Word)feature.y);
-		h = hash_float4(hash_float4(h, p->contact_relative[k]), p->contact_normal[k]);
-		h = hash_float4(hash_float4(h, p->contact_on_a[k]), p->contact_on_b[k]);
-		h = hash_float4(hash_float4(h, p->contact_impulse[k]), p->contact_surface[k]);
-		sum += hash_float(h, p->contact_rolling_impulse[k]);
+		Found found = p->contact_found[k];
+		h = hash_float4(hash_float4(h, found.normal), found.on_a);
+		h = hash_float4(hash_float4(h, found.on_b), found.relative);
+		h = hash_float4(h, p->contact_surface[k]);
+		int c = p->contact_constraint[k];
+		if (c >= 0)
+		{
+			h = hash_float(hash_float(h, p->normal_impulse1[c]), p->normal_impulse2[c]);
+			h = hash_float(hash_float(h, p->tangent_impulse1[c]), p->tangent_impulse2[c]);
+			h = hash_float(h, p->rolling_impulse[c]);
+		}
+		sum += h;
 	}
 	p->hash[i] += sum;
 }

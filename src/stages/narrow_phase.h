@@ -30,6 +30,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 	}
 	p->contact_color[i] = COLOR_NONE;
 	p->contact_constraint[i] = -1;
+	p->contact_impulse[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	p->contact_rolling_impulse[i] = 0.0f;
 	atomic_add_int(&p->counters->ended, 1);
 }
 
@@ -90,16 +92,24 @@ STAGE(narrow_phase)
 	Vec position = vec_turn_back(turn, vec(b.x - a.x, b.y - a.y));
 	Vec rotation = vec_turn_back(turn, vec(b.c, b.s));
 	const GLOBAL Attribute* shape = p->attribute + b.attribute;
-	Float4 was = p->contact_relative[i];
+	Float4 was = p->contact_found[i].relative;
 	if (!(flags & CONTACT_FRESH) && narrow_phase_stayed(was, position, rotation, shape->reach))
 		return;
 	Manifold m = collide(p->attribute + a.attribute, shape, position, rotation);
 
-	int old_count = (int)(flags & CONTACT_COUNT);
+	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_constraint[i];
 	Int2 features = p->contact_feature[i];
-	Float4 old_on_a = p->contact_on_a[i], impulses = p->contact_impulse[i];
+	Float4 on_a = p->contact_found[i].on_a;
 	int old_feature[2] = {features.x, features.y};
-	Vec old_point[2] = {vec(old_on_a.x, old_on_a.y), vec(old_on_a.z, old_on_a.w)};
+	Vec old_point[2] = {vec(on_a.x, on_a.y), vec(on_a.z, on_a.w)};
+	float normal[2] = {0.0f, 0.0f}, tangent[2] = {0.0f, 0.0f};
+	if (constraint >= 0)
+	{
+		normal[0] = p->normal_impulse1[constraint];
+		normal[1] = p->normal_impulse2[constraint];
+		tangent[0] = p->tangent_impulse1[constraint];
+		tangent[1] = p->tangent_impulse2[constraint];
+	}
 
 	Vec on_b[2];
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
@@ -114,24 +124,29 @@ STAGE(narrow_phase)
 		if (old >= 0)
 		{
 			taken |= 1 << old;
-			along[k] = old == 0 ? impulses.x : impulses.y;
-			across[k] = old == 0 ? impulses.z : impulses.w;
+			along[k] = normal[old];
+			across[k] = tangent[old];
 		}
 	}
 
 	Word touching = m.count > 0 ? CONTACT_TOUCHING : 0u;
 	p->contact_flags[i] = (flags & CONTACT_DETECTED) | touching | (Word)m.count;
 	p->contact_feature[i] = make_int2(feature[0], feature[1]);
-	p->contact_relative[i] = make_float4(position.x, position.y, rotation.x, rotation.y);
-	p->contact_normal[i] = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
-	p->contact_on_a[i] = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
-	p->contact_on_b[i] = make_float4(on_b[0].x, on_b[0].y, on_b[1].x, on_b[1].y);
-	p->contact_impulse[i] = make_float4(along[0], along[1], across[0], across[1]);
-	if (!touching)
+	Found found;
+	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
+	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
+	found.on_b = make_float4(on_b[0].x, on_b[0].y, on_b[1].x, on_b[1].y);
+	found.relative = make_float4(position.x, position.y, rotation.x, rotation.y);
+	p->contact_found[i] = found;
+	if (constraint >= 0)
 	{
-		p->contact_rolling_impulse[i] = 0.0f;
-		contact_uncolor(p, i);
+		p->normal_impulse1[constraint] = along[0];
+		p->normal_impulse2[constraint] = along[1];
+		p->tangent_impulse1[constraint] = across[0];
+		p->tangent_impulse2[constraint] = across[1];
 	}
+	if (!touching)
+		contact_uncolor(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
 		p->began[atomic_add_int(&p->counters->began, 1)] = i;
 }

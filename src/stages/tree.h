@@ -16,7 +16,14 @@
 
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
-// argument is the tree-> A leaf whose collidable is dead, or went to the other tree, is an empty box.
+// when nothing moved, the nodes are what they were
+STAGE(tree_begin)
+{
+	p->counters->refit = p->counters->moved > 0 ? 0x7fffffff : 0;
+	(void)i;
+}
+
+// argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
 STAGE(tree_leaf)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -69,7 +76,7 @@ INLINE Word hilbert_distance(Word x, Word y)
 	return distance;
 }
 
-// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree-> Dead ones go
+// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
 // last, where the host drops them.
 STAGE(tree_code)
 {
