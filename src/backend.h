@@ -14,6 +14,7 @@ typedef enum // what a pool has an item for
 	BODY,
 	CONTACT,
 	CONSTRAINT,
+	BLOCK, // of MAX_LANES constraints
 	SHARE, // of a body, in the overflow set
 	TREE,
 	LEAF,

@@ -10,7 +10,7 @@ typedef struct // the pools of contacts, and where their collidables were
 	Int2* feature;
 	Found* found;
 	int* constraint;
-	float* impulse[4]; // of the constraints: normal 1, 2, tangent 1, 2
+	Constraints* blocks;
 	Placed* placed;
 } ContactRows;
 
@@ -30,8 +30,7 @@ static void release(ContactRows* rows)
 	scree_release(rows->feature);
 	scree_release(rows->found);
 	scree_release(rows->constraint);
-	for (int k = 0; k < 4; ++k)
-		scree_release(rows->impulse[k]);
+	scree_release(rows->blocks);
 	scree_release(rows->placed);
 }
 
@@ -56,8 +55,14 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 	ContactPoints at = contact_points(a, b, rows->found[k]);
 	int c = rows->constraint[k];
 	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-	for (int j = 0; j < 4 && c >= 0; ++j)
-		impulse[j] = rows->impulse[j][c];
+	if (c >= 0)
+	{
+		const Constraints* block = rows->blocks + c / MAX_LANES;
+		impulse[0] = block->normal_impulse1[c % MAX_LANES];
+		impulse[1] = block->normal_impulse2[c % MAX_LANES];
+		impulse[2] = block->tangent_impulse1[c % MAX_LANES];
+		impulse[3] = block->tangent_impulse2[c % MAX_LANES];
+	}
 	scree_contact contact = {.a = collidable_handle(world, pair.x),
 	                         .b = collidable_handle(world, pair.y),
 	                         .normal = {at.normal.x, at.normal.y},
@@ -89,11 +94,9 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
 		TRY(read_pool(world, function, POOL_contact_found, slots, (void**)&rows->found));
 		TRY(read_pool(world, function, POOL_contact_constraint, slots, (void**)&rows->constraint));
-		static const PoolId impulses[4] = {POOL_normal_impulse1, POOL_normal_impulse2, POOL_tangent_impulse1,
-		                                   POOL_tangent_impulse2};
-		int constraints = world->pipeline.counters.color_begin[COLORS + 1];
-		for (int k = 0; k < 4 && constraints > 0; ++k)
-			TRY(read_pool(world, function, impulses[k], constraints, (void**)&rows->impulse[k]));
+		int blocks = world->pipeline.counters.color_begin[COLORS + 1] / MAX_LANES;
+		if (blocks > 0)
+			TRY(read_pool(world, function, POOL_constraints, blocks, (void**)&rows->blocks));
 		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{

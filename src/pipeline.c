@@ -417,6 +417,8 @@ scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
 		// every color may need padding
 		status = resize(world, CONSTRAINT, wanted + (COLORS + 1) * MAX_LANES);
 		if (!status)
+			status = resize(world, BLOCK, wanted / MAX_LANES + COLORS + 1);
+		if (!status)
 			status = resize(world, KEY, wanted);
 	}
 	if (per == COLLIDABLE)

@@ -81,6 +81,34 @@ typedef struct // 32 bytes: one sector
 	int attribute, body;
 } Placed;
 
+// A block of MAX_LANES constraints, one row a component: a wide pass reads rows of one contiguous block, and a GPU finds
+// all components of a constraint from one address. With an array a component there were seventeen addresses to hold.
+typedef struct
+{
+	int body_a[MAX_LANES], body_b[MAX_LANES];
+	float normal_x[MAX_LANES], normal_y[MAX_LANES]; // from a to b
+	float offset_x[MAX_LANES],
+	    offset_y[MAX_LANES]; // m: center of a minus center of b: an anchor on b is that on a plus this
+	float anchor1_x[MAX_LANES], anchor1_y[MAX_LANES]; // m: point 1 from the center of a
+	float anchor2_x[MAX_LANES], anchor2_y[MAX_LANES];
+	float separation1[MAX_LANES], separation2[MAX_LANES]; // m, at the start of the step; NO_POINT when there is none
+	float normal_impulse1[MAX_LANES], normal_impulse2[MAX_LANES];   // N s; kept from step to step
+	float tangent_impulse1[MAX_LANES], tangent_impulse2[MAX_LANES]; // N s; kept from step to step
+	float friction[MAX_LANES];
+} Constraints;
+
+typedef struct
+{
+	float restitution[MAX_LANES], rolling[MAX_LANES], tangent_speed[MAX_LANES]; // 1, m, m/s
+	float rolling_impulse[MAX_LANES];                                           // N m s; kept from step to step
+	float approach1[MAX_LANES], approach2[MAX_LANES];         // m/s: normal velocity of a point before the step
+	float peak_impulse1[MAX_LANES], peak_impulse2[MAX_LANES]; // N s: largest normal impulse of any substep
+} Extras;
+
+// a component of constraint i of the pools p
+#define constraint_at(p, component, i) ((p)->constraints[(i) / MAX_LANES].component[(i) % MAX_LANES])
+#define extra_at(p, component, i)      ((p)->extras[(i) / MAX_LANES].component[(i) % MAX_LANES])
+
 typedef struct // 32 bytes: one sector, gathered at random by the solver
 {
 	float vx, vy, w;   // m/s, rad/s

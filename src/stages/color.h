@@ -129,9 +129,9 @@ STAGE(color_key)
 	p->key[i] = (Word64)(color == COLOR_NONE ? COLORS + 1 : color) << 32 | (Word64)i;
 	if (c < 0)
 		return;
-	p->contact_impulse[i] =
-	    make_float4(p->normal_impulse1[c], p->normal_impulse2[c], p->tangent_impulse1[c], p->tangent_impulse2[c]);
-	p->contact_rolling_impulse[i] = p->rolling_impulse[c];
+	p->contact_impulse[i] = make_float4(constraint_at(p, normal_impulse1, c), constraint_at(p, normal_impulse2, c),
+	                                    constraint_at(p, tangent_impulse1, c), constraint_at(p, tangent_impulse2, c));
+	p->contact_rolling_impulse[i] = extra_at(p, rolling_impulse, c);
 }
 
 // where a color begins and ends among the sorted keys
@@ -167,18 +167,18 @@ STAGE(color_range)
 INLINE void color_pad(const Pools* p, int place)
 {
 	p->constraint_contact[place] = -1;
-	p->constraint_a[place] = 0;
-	p->constraint_b[place] = 0;
-	p->restitution[place] = 0.0f;
-	p->rolling[place] = 0.0f;
-	p->tangent_speed[place] = 0.0f;
-	p->separation1[place] = NO_POINT;
-	p->separation2[place] = NO_POINT;
-	p->normal_impulse1[place] = 0.0f;
-	p->normal_impulse2[place] = 0.0f;
-	p->tangent_impulse1[place] = 0.0f;
-	p->tangent_impulse2[place] = 0.0f;
-	p->rolling_impulse[place] = 0.0f;
+	constraint_at(p, body_a, place) = 0;
+	constraint_at(p, body_b, place) = 0;
+	extra_at(p, restitution, place) = 0.0f;
+	extra_at(p, rolling, place) = 0.0f;
+	extra_at(p, tangent_speed, place) = 0.0f;
+	constraint_at(p, separation1, place) = NO_POINT;
+	constraint_at(p, separation2, place) = NO_POINT;
+	constraint_at(p, normal_impulse1, place) = 0.0f;
+	constraint_at(p, normal_impulse2, place) = 0.0f;
+	constraint_at(p, tangent_impulse1, place) = 0.0f;
+	constraint_at(p, tangent_impulse2, place) = 0.0f;
+	extra_at(p, rolling_impulse, place) = 0.0f;
 }
 
 // what does not change while the layout stands
@@ -194,17 +194,17 @@ STAGE(color_place)
 	p->contact_constraint[slot] = place;
 	p->constraint_contact[place] = slot;
 	p->constraint_pair[place] = p->pair[slot];
-	p->constraint_a[place] = bodies.x;
-	p->constraint_b[place] = bodies.y;
-	p->friction[place] = surface.x;
-	p->restitution[place] = surface.y;
-	p->rolling[place] = surface.z;
-	p->tangent_speed[place] = surface.w;
-	p->normal_impulse1[place] = impulse.x;
-	p->normal_impulse2[place] = impulse.y;
-	p->tangent_impulse1[place] = impulse.z;
-	p->tangent_impulse2[place] = impulse.w;
-	p->rolling_impulse[place] = p->contact_rolling_impulse[slot];
+	constraint_at(p, body_a, place) = bodies.x;
+	constraint_at(p, body_b, place) = bodies.y;
+	constraint_at(p, friction, place) = surface.x;
+	extra_at(p, restitution, place) = surface.y;
+	extra_at(p, rolling, place) = surface.z;
+	extra_at(p, tangent_speed, place) = surface.w;
+	constraint_at(p, normal_impulse1, place) = impulse.x;
+	constraint_at(p, normal_impulse2, place) = impulse.y;
+	constraint_at(p, tangent_impulse1, place) = impulse.z;
+	constraint_at(p, tangent_impulse2, place) = impulse.w;
+	extra_at(p, rolling_impulse, place) = p->contact_rolling_impulse[slot];
 	if (i + 1 == c->color_last[color])
 		for (int k = place + 1; k < c->color_begin[color + 1]; ++k)
 			color_pad(p, k);

@@ -81,9 +81,9 @@ STAGE(hash_contacts)
 		int c = p->contact_constraint[k];
 		if (c >= 0)
 		{
-			h = hash_float(hash_float(h, p->normal_impulse1[c]), p->normal_impulse2[c]);
-			h = hash_float(hash_float(h, p->tangent_impulse1[c]), p->tangent_impulse2[c]);
-			h = hash_float(h, p->rolling_impulse[c]);
+			h = hash_float(hash_float(h, constraint_at(p, normal_impulse1, c)), constraint_at(p, normal_impulse2, c));
+			h = hash_float(hash_float(h, constraint_at(p, tangent_impulse1, c)), constraint_at(p, tangent_impulse2, c));
+			h = hash_float(h, extra_at(p, rolling_impulse, c));
 		}
 		sum += h;
 	}

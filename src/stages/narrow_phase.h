@@ -105,10 +105,10 @@ STAGE(narrow_phase)
 	float normal[2] = {0.0f, 0.0f}, tangent[2] = {0.0f, 0.0f};
 	if (constraint >= 0)
 	{
-		normal[0] = p->normal_impulse1[constraint];
-		normal[1] = p->normal_impulse2[constraint];
-		tangent[0] = p->tangent_impulse1[constraint];
-		tangent[1] = p->tangent_impulse2[constraint];
+		normal[0] = constraint_at(p, normal_impulse1, constraint);
+		normal[1] = constraint_at(p, normal_impulse2, constraint);
+		tangent[0] = constraint_at(p, tangent_impulse1, constraint);
+		tangent[1] = constraint_at(p, tangent_impulse2, constraint);
 	}
 
 	Vec on_b[2];
@@ -140,10 +140,10 @@ STAGE(narrow_phase)
 	p->contact_found[i] = found;
 	if (constraint >= 0)
 	{
-		p->normal_impulse1[constraint] = along[0];
-		p->normal_impulse2[constraint] = along[1];
-		p->tangent_impulse1[constraint] = across[0];
-		p->tangent_impulse2[constraint] = across[1];
+		constraint_at(p, normal_impulse1, constraint) = along[0];
+		constraint_at(p, normal_impulse2, constraint) = along[1];
+		constraint_at(p, tangent_impulse1, constraint) = across[0];
+		constraint_at(p, tangent_impulse2, constraint) = across[1];
 	}
 	if (!touching)
 		contact_uncolor(p, i);

@@ -8,7 +8,7 @@
 STAGE(overflow_key)
 {
 	int c = p->counters->color_begin[COLORS] + i / 2;
-	int body = i & 1 ? p->constraint_b[c] : p->constraint_a[c];
+	int body = i & 1 ? constraint_at(p, body_b, c) : constraint_at(p, body_a, c);
 	Word64 name = p->body[body].inv_mass > 0.0f ? (Word64)body : (Word64)0xffffffffu;
 	p->key[i] = name << 32 | (Word64)i;
 }
@@ -89,7 +89,7 @@ STAGE(overflow_apply)
 	}
 	float shares = (float)(run.y - run.x);
 	int entry = p->overflow_entry[i], c = p->counters->color_begin[COLORS] + entry / 2;
-	int index = entry & 1 ? p->constraint_b[c] : p->constraint_a[c];
+	int index = entry & 1 ? constraint_at(p, body_b, c) : constraint_at(p, body_a, c);
 	Body b = body_gather(p, index);
 	b.v = vec_add(b.v, vec(sum[0] / shares, sum[1] / shares));
 	b.w = b.w + sum[2] / shares;

@@ -24,15 +24,15 @@ typedef struct // the part of a constraint that all passes share
 INLINE Pair pair_load(const Pools* p, int i)
 {
 	Pair c;
-	c.ia = load_int(p->constraint_a, i);
-	c.ib = load_int(p->constraint_b, i);
+	c.ia = load_int(&constraint_at(p, body_a, i), 0);
+	c.ib = load_int(&constraint_at(p, body_b, i), 0);
 	c.a = body_gather(p, c.ia);
 	c.b = body_gather(p, c.ib);
-	c.n = vec(load(p->normal_x, i), load(p->normal_y, i));
+	c.n = vec(load(&constraint_at(p, normal_x, i), 0), load(&constraint_at(p, normal_y, i), 0));
 	c.t = vec(c.n.y, -c.n.x);
-	Vec offset = vec(load(p->offset_x, i), load(p->offset_y, i));
-	c.ra[0] = vec(load(p->anchor1_x, i), load(p->anchor1_y, i));
-	c.ra[1] = vec(load(p->anchor2_x, i), load(p->anchor2_y, i));
+	Vec offset = vec(load(&constraint_at(p, offset_x, i), 0), load(&constraint_at(p, offset_y, i), 0));
+	c.ra[0] = vec(load(&constraint_at(p, anchor1_x, i), 0), load(&constraint_at(p, anchor1_y, i), 0));
+	c.ra[1] = vec(load(&constraint_at(p, anchor2_x, i), 0), load(&constraint_at(p, anchor2_y, i), 0));
 	c.rb[0] = vec_add(c.ra[0], offset);
 	c.rb[1] = vec_add(c.ra[1], offset);
 	return c;
@@ -93,53 +93,63 @@ INLINE Real pair_tangent(Pair* c, int k, Real speed, Real limit, Real old)
 
 INLINE void bias_pass(const Pools* p, int i, Pair* c)
 {
-	store(p->normal_impulse1, i, pair_normal(c, 0, load(p->separation1, i), load(p->normal_impulse1, i), &p->step, 1));
-	store(p->normal_impulse2, i, pair_normal(c, 1, load(p->separation2, i), load(p->normal_impulse2, i), &p->step, 1));
+	store(&constraint_at(p, normal_impulse1, i), 0,
+	      pair_normal(c, 0, load(&constraint_at(p, separation1, i), 0), load(&constraint_at(p, normal_impulse1, i), 0),
+	                  &p->step, 1));
+	store(&constraint_at(p, normal_impulse2, i), 0,
+	      pair_normal(c, 1, load(&constraint_at(p, separation2, i), 0), load(&constraint_at(p, normal_impulse2, i), 0),
+	                  &p->step, 1));
 }
 
 INLINE void relax_pass(const Pools* p, int i, Pair* c)
 {
-	Real normal1 = load(p->normal_impulse1, i), normal2 = load(p->normal_impulse2, i);
+	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
 	Real speed = splat(0.0f);
 	if (p->step.extras)
 	{
 		// rolling resistance: a torque against the relative spin, limited by the load times a lever
 		Real inertia = c->a.inv_inertia + c->b.inv_inertia;
 		Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-		Real limit = load(p->rolling, i) * (normal1 + normal2), old = load(p->rolling_impulse, i);
+		Real limit = load(&extra_at(p, rolling, i), 0) * (normal1 + normal2),
+		     old = load(&extra_at(p, rolling_impulse, i), 0);
 		Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
 		c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
 		c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
-		store(p->rolling_impulse, i, impulse);
-		speed = load(p->tangent_speed, i);
+		store(&extra_at(p, rolling_impulse, i), 0, impulse);
+		speed = load(&extra_at(p, tangent_speed, i), 0);
 	}
 
 	// friction first: keeping bodies apart matters more, so it has the last word
-	Real friction = load(p->friction, i);
-	store(p->tangent_impulse1, i, pair_tangent(c, 0, speed, friction * normal1, load(p->tangent_impulse1, i)));
-	store(p->tangent_impulse2, i, pair_tangent(c, 1, speed, friction * normal2, load(p->tangent_impulse2, i)));
+	Real friction = load(&constraint_at(p, friction, i), 0);
+	store(&constraint_at(p, tangent_impulse1, i), 0,
+	      pair_tangent(c, 0, speed, friction * normal1, load(&constraint_at(p, tangent_impulse1, i), 0)));
+	store(&constraint_at(p, tangent_impulse2, i), 0,
+	      pair_tangent(c, 1, speed, friction * normal2, load(&constraint_at(p, tangent_impulse2, i), 0)));
 
-	normal1 = pair_normal(c, 0, load(p->separation1, i), normal1, &p->step, 0);
-	normal2 = pair_normal(c, 1, load(p->separation2, i), normal2, &p->step, 0);
-	store(p->normal_impulse1, i, normal1);
-	store(p->normal_impulse2, i, normal2);
+	normal1 = pair_normal(c, 0, load(&constraint_at(p, separation1, i), 0), normal1, &p->step, 0);
+	normal2 = pair_normal(c, 1, load(&constraint_at(p, separation2, i), 0), normal2, &p->step, 0);
+	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
+	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 	if (p->step.extras)
 	{
-		store(p->peak_impulse1, i, maximum(load(p->peak_impulse1, i), normal1));
-		store(p->peak_impulse2, i, maximum(load(p->peak_impulse2, i), normal2));
+		store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), normal1));
+		store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), normal2));
 	}
 }
 
 // all impulses of the last step at once
 INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
 {
-	Vec j1 = vec_add(vec_scale(load(p->normal_impulse1, i), c->n), vec_scale(load(p->tangent_impulse1, i), c->t));
-	Vec j2 = vec_add(vec_scale(load(p->normal_impulse2, i), c->n), vec_scale(load(p->tangent_impulse2, i), c->t));
+	Vec j1 = vec_add(vec_scale(load(&constraint_at(p, normal_impulse1, i), 0), c->n),
+	                 vec_scale(load(&constraint_at(p, tangent_impulse1, i), 0), c->t));
+	Vec j2 = vec_add(vec_scale(load(&constraint_at(p, normal_impulse2, i), 0), c->n),
+	                 vec_scale(load(&constraint_at(p, tangent_impulse2, i), 0), c->t));
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], j1);
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], j2);
 	if (p->step.extras)
 	{
-		Real rolling = load(p->rolling_impulse, i);
+		Real rolling = load(&extra_at(p, rolling_impulse, i), 0);
 		c->a.w = c->a.w - c->a.inv_inertia * rolling;
 		c->b.w = c->b.w + c->b.inv_inertia * rolling;
 	}
@@ -158,14 +168,14 @@ INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real pe
 
 INLINE void bounce_pass(const Pools* p, int i, Pair* c)
 {
-	Real e = load(p->restitution, i);
+	Real e = load(&extra_at(p, restitution, i), 0);
 	float threshold = p->step.restitution_threshold;
-	store(
-	    p->normal_impulse1, i,
-	    pair_bounce(c, 0, e, load(p->approach1, i), load(p->peak_impulse1, i), load(p->normal_impulse1, i), threshold));
-	store(
-	    p->normal_impulse2, i,
-	    pair_bounce(c, 1, e, load(p->approach2, i), load(p->peak_impulse2, i), load(p->normal_impulse2, i), threshold));
+	store(&constraint_at(p, normal_impulse1, i), 0,
+	      pair_bounce(c, 0, e, load(&extra_at(p, approach1, i), 0), load(&extra_at(p, peak_impulse1, i), 0),
+	                  load(&constraint_at(p, normal_impulse1, i), 0), threshold));
+	store(&constraint_at(p, normal_impulse2, i), 0,
+	      pair_bounce(c, 1, e, load(&extra_at(p, approach2, i), 0), load(&extra_at(p, peak_impulse2, i), 0),
+	                  load(&constraint_at(p, normal_impulse2, i), 0), threshold));
 }
 
 // a pass over the constraints of one color

@@ -51,24 +51,24 @@ STAGE(prepare)
 	Vec ra1 = vec_sub(points.point[0], center_a), ra2 = vec_sub(points.point[1], center_a);
 	prepare_depth(p, points.separation[0]);
 	prepare_depth(p, points.separation[1]);
-	p->normal_x[i] = points.normal.x;
-	p->normal_y[i] = points.normal.y;
-	p->offset_x[i] = offset.x;
-	p->offset_y[i] = offset.y;
-	p->anchor1_x[i] = ra1.x;
-	p->anchor1_y[i] = ra1.y;
-	p->anchor2_x[i] = ra2.x;
-	p->anchor2_y[i] = ra2.y;
-	p->separation1[i] = points.separation[0];
-	p->separation2[i] = points.separation[1];
+	constraint_at(p, normal_x, i) = points.normal.x;
+	constraint_at(p, normal_y, i) = points.normal.y;
+	constraint_at(p, offset_x, i) = offset.x;
+	constraint_at(p, offset_y, i) = offset.y;
+	constraint_at(p, anchor1_x, i) = ra1.x;
+	constraint_at(p, anchor1_y, i) = ra1.y;
+	constraint_at(p, anchor2_x, i) = ra2.x;
+	constraint_at(p, anchor2_y, i) = ra2.y;
+	constraint_at(p, separation1, i) = points.separation[0];
+	constraint_at(p, separation2, i) = points.separation[1];
 	if (!p->step.extras)
 		return;
 
-	Body body_a = body_gather(p, p->constraint_a[i]), body_b = body_gather(p, p->constraint_b[i]);
-	p->approach1[i] = prepare_approach(body_a, ra1, body_b, vec_add(ra1, offset), points.normal);
-	p->approach2[i] = prepare_approach(body_a, ra2, body_b, vec_add(ra2, offset), points.normal);
-	p->peak_impulse1[i] = 0.0f;
-	p->peak_impulse2[i] = 0.0f;
+	Body body_a = body_gather(p, constraint_at(p, body_a, i)), body_b = body_gather(p, constraint_at(p, body_b, i));
+	extra_at(p, approach1, i) = prepare_approach(body_a, ra1, body_b, vec_add(ra1, offset), points.normal);
+	extra_at(p, approach2, i) = prepare_approach(body_a, ra2, body_b, vec_add(ra2, offset), points.normal);
+	extra_at(p, peak_impulse1, i) = 0.0f;
+	extra_at(p, peak_impulse2, i) = 0.0f;
 }
 
 // an impulse fit to start the step with
@@ -77,11 +77,11 @@ INLINE float cleanse_bounded(float x) { return x >= -1.0e30f && x <= 1.0e30f ? x
 // of a body that went out of bounds in the last step nothing must remain in its neighbors' constraints
 STAGE(cleanse)
 {
-	p->normal_impulse1[i] = cleanse_bounded(p->normal_impulse1[i]);
-	p->normal_impulse2[i] = cleanse_bounded(p->normal_impulse2[i]);
-	p->tangent_impulse1[i] = cleanse_bounded(p->tangent_impulse1[i]);
-	p->tangent_impulse2[i] = cleanse_bounded(p->tangent_impulse2[i]);
-	p->rolling_impulse[i] = cleanse_bounded(p->rolling_impulse[i]);
+	constraint_at(p, normal_impulse1, i) = cleanse_bounded(constraint_at(p, normal_impulse1, i));
+	constraint_at(p, normal_impulse2, i) = cleanse_bounded(constraint_at(p, normal_impulse2, i));
+	constraint_at(p, tangent_impulse1, i) = cleanse_bounded(constraint_at(p, tangent_impulse1, i));
+	constraint_at(p, tangent_impulse2, i) = cleanse_bounded(constraint_at(p, tangent_impulse2, i));
+	extra_at(p, rolling_impulse, i) = cleanse_bounded(extra_at(p, rolling_impulse, i));
 }
 
 #endif
