@@ -48,9 +48,11 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 		if (status == SCREE_OK)
 			continue;
 
-		// a leaf of a slot that is free again is an empty box
 		for (; k >= 0; --k)
+		{
+			tree_withdraw(world, slots[k]);
 			slots_put_back(&world->collidables, slots[k], used);
+		}
 		return status;
 	}
 	return SCREE_OK;

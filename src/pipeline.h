@@ -27,6 +27,7 @@ typedef struct
 	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
 	int member_capacity;
 	RunList list;
+	bool begun;  // the step at work has changed something on the device
 	bool extras; // some attribute has restitution, rolling resistance or tangent speed
 	int rounds;  // coloring rounds that the last step needed
 	int64_t steps;
@@ -55,6 +56,8 @@ scree_status pipeline_reserve(scree_world* world, Per per, int capacity);
 // Makes sure that tree t (0: moving, 1: static) has a leaf for a collidable. Its row is written by the time of the next
 // step.
 scree_status tree_insert(scree_world* world, int t, int collidable);
+// Takes back the leaf that was inserted last: its slot is free again, and the pools may have no room for it.
+void tree_withdraw(scree_world* world, int collidable);
 // The box of some collidable of tree t changed by the user's doing: it was destroyed, moved or went to the other tree.
 void tree_touch(scree_world* world, int t);
 

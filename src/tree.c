@@ -72,6 +72,19 @@ scree_status tree_insert(scree_world* world, int t, int collidable)
 	return SCREE_OK;
 }
 
+void tree_withdraw(scree_world* world, int collidable)
+{
+	Pipeline* pipeline = &world->pipeline;
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		if (state->added_count == 0 || state->added[state->added_count - 1] != collidable)
+			continue;
+		--state->added_count;
+		pipeline->member[collidable] &= (uint8_t) ~(1 << t);
+	}
+}
+
 void tree_touch(scree_world* world, int t)
 {
 	world->pipeline.trees[t].touched = true;

@@ -12,7 +12,7 @@ scree_world_def scree_default_world_def(void)
 {
 	return (scree_world_def){.gravity = {0.0f, -10.0f},
 	                         .device = "auto",
-	                         .contact_hertz = 48.0f,
+	                         .contact_hertz = 52.0f,
 	                         .contact_damping_ratio = 15.0f,
 	                         .contact_push_speed = 3.0f,
 	                         .restitution_threshold = 1.0f,
@@ -27,15 +27,17 @@ scree_world_def scree_default_world_def(void)
 scree_status world_check(const scree_world* world, const char* function)
 {
 	TRY(check_pointer(function, "world", world));
-	if (world->failed)
-		return fail(SCREE_DEVICE_FAILED, "%s: the device of this world has failed; the world can only be destroyed",
-		            function);
+	if (world->broken)
+		return fail(world->broken, "%s: %s; the world can only be destroyed", function,
+		            world->broken == SCREE_DEVICE_FAILED ? "the device of this world has failed"
+		                                                 : "a step of this world broke off for want of memory");
 	return SCREE_OK;
 }
 
 scree_status world_note(scree_world* world, scree_status status)
 {
-	world->failed |= status == SCREE_DEVICE_FAILED;
+	if (status == SCREE_DEVICE_FAILED)
+		world->broken = status;
 	return status;
 }
 

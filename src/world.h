@@ -39,7 +39,7 @@ struct scree_world
 {
 	scree_world_def def;
 	Backend* backend;
-	bool failed;               // the device has; nothing is asked of it any more
+	scree_status broken;       // what befell it, after which it can only be destroyed; SCREE_OK as long as all is well
 	Slots bodies, collidables; // body slot 0 is the ground: motionless, never given out
 	HostBody* host_bodies;     // of each slot
 	HostCollidable* host_collidables;
@@ -59,10 +59,10 @@ struct scree_world
 // anything is read back.
 scree_status world_flush(scree_world* world);
 
-// Refuses a world that is null or whose device has failed.
+// Refuses a world that is null or broken.
 scree_status world_check(const scree_world* world, const char* function);
 
-// Passes a status on, noting when it says that the device has failed.
+// Passes a status on; a device that has failed leaves a broken world.
 scree_status world_note(scree_world* world, scree_status status);
 
 // At least bytes to work in, until the next call; null when there is no memory.

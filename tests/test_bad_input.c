@@ -546,14 +546,17 @@ static void memory_runs_out(void** state)
 			++refused;
 		}
 
-		// the next call has memory again, and all goes on
+		// the next call has memory again, and all goes on, unless a step had begun (test_faults.c)
 		fewer_allocations = -1;
 		if (made)
 		{
 			int count;
 			assert_ok(scree_get_bodies(made, NULL, 0, &count));
 			assert_int_equal(count, bodies);
-			assert_ok(scree_step(made, 0.01f, 2));
+			if (scree_wait(made) == SCREE_OK)
+				assert_ok(scree_step(made, 0.01f, 2));
+			else
+				assert_int_equal(bodies, 800);
 		}
 		scree_destroy_world(made);
 		assert_int_equal(scree_memory(), 0);

@@ -59,7 +59,7 @@ typedef enum scree_status
 	SCREE_OK = 0,
 	SCREE_INVALID = 1,       // an argument is out of its range; nothing changed
 	SCREE_STALE = 2,         // a handle is null or names something that was destroyed; nothing changed
-	SCREE_OUT_OF_MEMORY = 3, // host or device memory; nothing changed
+	SCREE_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, unless in the middle of a step (scree_step)
 	SCREE_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
 	SCREE_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
 } scree_status;
@@ -170,7 +170,7 @@ typedef struct scree_world_def
 	int lanes;               // CPU SIMD lanes: 0 (default) for the widest this processor has, or 1, 4, 8, 16
 	bool allow_unequal_bits; // run on a device that cannot keep the promise of equal bits; default false
 	bool timings;            // measure milliseconds a stage (scree_get_timings); costs a little on a GPU; default false
-	float contact_hertz;     // stiffness of contacts, 1/s, default 48; capped to a fifth of the substep rate
+	float contact_hertz;     // stiffness of contacts, 1/s, default 52; capped to 0.22 of the substep rate
 	float contact_damping_ratio; // default 15
 	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
@@ -191,6 +191,10 @@ SCREE_API void scree_destroy_world(scree_world* world);
 
 // Advances a world by dt seconds (0 < dt <= 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
+//
+// A step that breaks off in the middle, because the device failed or had no memory left for the contacts it found,
+// cannot be undone: from then on the world refuses every call that works on it with the same status, and can only be
+// destroyed.
 SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
 
 // Gravity, m/s^2, each component finite.

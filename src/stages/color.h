@@ -69,9 +69,9 @@ STAGE(color_take)
 	{
 		// what was claimed two rounds ago would outbid the round after this
 		if (moves_a)
-			next_claim[bodies.x] = 0;
+			write_shared_word(&next_claim[bodies.x], 0);
 		if (moves_b)
-			next_claim[bodies.y] = 0;
+			write_shared_word(&next_claim[bodies.y], 0);
 		int place = atomic_add_int(&p->counters->uncolored[round % MAX_ROUNDS + 1], 1);
 		if (round & 1)
 			p->uncolored1[place] = slot;
@@ -101,10 +101,10 @@ STAGE(color_wrap)
 STAGE(color_reset)
 {
 	Int2 bodies = p->contact_bodies[p->began[i]];
-	p->claim0[bodies.x] = 0;
-	p->claim0[bodies.y] = 0;
-	p->claim1[bodies.x] = 0;
-	p->claim1[bodies.y] = 0;
+	write_shared_word(&p->claim0[bodies.x], 0);
+	write_shared_word(&p->claim0[bodies.y], 0);
+	write_shared_word(&p->claim1[bodies.x], 0);
+	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
 // Lay the constraints out anew? Only when some contact began or ended, and all have their color: argument is the place

@@ -49,6 +49,7 @@ typedef int2 Int2;
 #define read_shared(place)            (*(volatile __global int*)(place))
 #define read_shared_word(place)       (*(volatile __global uint*)(place))
 #define read_shared_word64(place)     (*(volatile __global ulong*)(place))
+#define write_shared_word(place, x)   (*(volatile __global uint*)(place) = (x))
 #define write_shared_word64(place, x) (*(volatile __global ulong*)(place) = (x))
 
 #else
@@ -102,6 +103,7 @@ INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(plac
 INLINE int read_shared(int* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
 INLINE Word read_shared_word(Word* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
 INLINE Word64 read_shared_word64(Word64* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
+INLINE void write_shared_word(Word* place, Word x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
 INLINE void write_shared_word64(Word64* place, Word64 x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
 INLINE void atomic_max_int(int* place, int x)
 {

@@ -4,7 +4,8 @@
 #define FINALIZE_H
 #include "stages/body.h"
 
-// Cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. Off by under 2e-7.
+// Cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. Off by under 2e-7
+// up to 1 radian, which is 60 rad/s at 60 steps a second, and by 2.3e-5 at pi.
 INLINE Vec finalize_rotation(float angle)
 {
 	float a = 0.25f * angle, q = a * a;

@@ -107,18 +107,7 @@ INLINE void relax_pass(const Pools* p, int i, Pair* c)
 	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
 	Real speed = splat(0.0f);
 	if (p->step.extras)
-	{
-		// rolling resistance: a torque against the relative spin, limited by the load times a lever
-		Real inertia = c->a.inv_inertia + c->b.inv_inertia;
-		Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-		Real limit = load(&extra_at(p, rolling, i), 0) * (normal1 + normal2),
-		     old = load(&extra_at(p, rolling_impulse, i), 0);
-		Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
-		c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
-		c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
-		store(&extra_at(p, rolling_impulse, i), 0, impulse);
 		speed = load(&extra_at(p, tangent_speed, i), 0);
-	}
 
 	// friction first: keeping bodies apart matters more, so it has the last word
 	Real friction = load(&constraint_at(p, friction, i), 0);
@@ -133,6 +122,16 @@ INLINE void relax_pass(const Pools* p, int i, Pair* c)
 	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 	if (p->step.extras)
 	{
+		// rolling resistance: a torque against the relative spin, limited by the load times a lever; by the load without
+		// its bias, or a fast roller, whose load is uneven within a step, would stop too early
+		Real inertia = c->a.inv_inertia + c->b.inv_inertia;
+		Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
+		Real limit = load(&extra_at(p, rolling, i), 0) * (normal1 + normal2),
+		     old = load(&extra_at(p, rolling_impulse, i), 0);
+		Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
+		c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
+		c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
+		store(&extra_at(p, rolling_impulse, i), 0, impulse);
 		store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), normal1));
 		store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), normal2));
 	}
@@ -220,10 +219,16 @@ WIDE_STAGE(integrate_velocity)
 	v.y = v.y + m[7] * contacts.y;
 	w = w + contacts_w;
 
+	// what exceeds the limits is taken from the base as well, or the next substep would take it for the contacts' doing
 	Real square = vec_dot(v, v);
 	float limit = p->step.max_speed, spin = p->step.max_spin;
-	v = vec_scale(choose(splat(1.0f), limit / root(square), square > splat(limit * limit)), v);
-	w = minimum(maximum(w, splat(-spin)), splat(spin));
+	Real scale = choose(splat(1.0f), limit / root(square), square > splat(limit * limit));
+	v = vec_scale(scale, v);
+	base[0] = scale * base[0];
+	base[1] = scale * base[1];
+	Real limited = minimum(maximum(w, splat(-spin)), splat(spin));
+	base[2] = base[2] + (limited - w);
+	w = limited;
 
 	b[0] = v.x;
 	b[1] = v.y;

@@ -78,9 +78,8 @@ STAGE(transform)
 	int moved = p->moved[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
-		// its contacts see an empty box once, and end
-		moved = !box_is_empty(box);
-		p->moved[i] = moved;
+		// its contacts see an empty box, and end; the box may be empty already, of a row made anew before it died
+		p->moved[i] = 1;
 		p->box[i] = box_empty();
 		return;
 	}

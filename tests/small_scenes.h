@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// small_scenes.h -- every scene at a size that a test can run on many devices. The golden hashes belong to these sizes.
+#ifndef SMALL_SCENES_H
+#define SMALL_SCENES_H
+#include "scene/scene.h"
+#include "support.h"
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct
+{
+	const char* name;
+	int steps;
+	SceneSetting settings[5]; // up to the first without a name
+} SmallScene;
+
+static const SmallScene small_scenes[] = {
+    {"billiards", 300, {{"rack", "10"}}},
+    {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
+    {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
+    {"pile", 200, {{"count", "300"}}},
+    {"pyramid", 120, {{"rows", "24"}}},
+    {"pyramids", 120, {{"columns", "4"}, {"rows", "3"}, {"base", "7"}}},
+    {"shapes", 240, {{NULL, NULL}}},
+    {"slope", 240, {{NULL, NULL}}},
+    {"smash", 200, {{"columns", "30"}, {"rows", "20"}, {"speed", "60"}}},
+    {"tumbler", 240, {{"side", "18"}, {"degrees", "90"}}},
+    {"washer", 160, {{"radius", "13"}, {"plates", "48"}, {"spin", "0.6"}}},
+};
+
+static inline void build_scene(scree_world* world, const void* context) { OK(scene_build(context, world)); }
+
+// The story of a scene, which ends with scene_free of its context. A scene that has no size here fails the test.
+static inline Story small_scene(const char* name)
+{
+	const SmallScene* small = NULL;
+	for (size_t k = 0; k < sizeof small_scenes / sizeof *small_scenes; ++k)
+		if (strcmp(small_scenes[k].name, name) == 0)
+			small = small_scenes + k;
+	if (!small)
+		fail_msg("scene %s has no line in small_scenes.h", name);
+	int settings = 0;
+	while (settings < 5 && small->settings[settings].name)
+		++settings;
+	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
+	if (!scene_find(name, NULL, path, sentence))
+		fail_msg("%s", sentence);
+	Scene* scene = scene_load(path, small->settings, settings, sentence);
+	if (!scene)
+		fail_msg("%s", sentence);
+	return (Story){.name = small->name,
+	               .def = scene->world,
+	               .dt = scene->dt,
+	               .substeps = scene->substeps,
+	               .steps = quick() ? small->steps / 4 : small->steps,
+	               .build = build_scene,
+	               .context = scene};
+}
+
+// Calls check for the story of every scene that we ship.
+static inline void for_every_scene(void (*check)(const Story* story))
+{
+	char** names;
+	int count = scene_list(NULL, &names);
+	assert_true(count > 0);
+	for (int k = 0; k < count; ++k)
+	{
+		Story story = small_scene(names[k]);
+		check(&story);
+		scene_free((Scene*)story.context);
+		free(names[k]);
+	}
+	free(names);
+}
+
+#endif

@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: MIT
+// test_faults.c -- numbers that are not finite, memory that runs out and devices that fail, at every point in turn.
+//
+// Each scenario is a list of acts. It is told once without a fault, with the hash after every act; then again and again
+// with a fault one call later each time. A fault must come out as a status with a sentence. After it the world is what
+// it was before the act, so that the act can be tried again and the end is the same; or it is broken, and refuses
+// everything but destruction.
+#include "world.h" // before cmocka, which makes a macro of fail
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---------------------------------------------------------------------------------------------------------------
+// the scenario
+// ---------------------------------------------------------------------------------------------------------------
+
+#define BODIES 300 // more than a small world has room for
+#define FREE   20
+
+typedef struct
+{
+	scree_world* world;
+	scree_attribute box, circle, slab;
+	scree_body bodies[BODIES];
+	scree_body slab_body;
+	scree_collidable free[FREE];
+	bool timings;
+} Scenario;
+
+static scree_status act_create_world(Scenario* s)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = "cpu";
+	def.threads = 2;
+	def.contact_capacity = 8;
+	def.timings = s->timings;
+	return scree_create_world(&def, &s->world);
+}
+
+static scree_status act_attributes(Scenario* s)
+{
+	scree_attribute_def box = surface_of(box_shape(0.5f, 0.5f)), circle = surface_of(circle_shape(0.25f));
+	scree_attribute_def slab = surface_of(box_shape(30.0f, 0.5f));
+	scree_status status = scree_create_attribute(s->world, &box, &s->box);
+	if (status == SCREE_OK)
+		status = scree_create_attribute(s->world, &circle, &s->circle);
+	return status ? status : scree_create_attribute(s->world, &slab, &s->slab);
+}
+
+// more attributes than the first table has room for; made before, they are found
+static scree_status act_more_attributes(Scenario* s)
+{
+	for (int k = 0; k < 80; ++k)
+	{
+		scree_attribute_def def = surface_of(box_shape(0.5f, 0.5f));
+		scree_attribute made;
+		def.friction = 0.01f * (float)k;
+		scree_status status = scree_create_attribute(s->world, &def, &made);
+		if (status)
+			return status;
+	}
+	return SCREE_OK;
+}
+
+// a slab that can move, with a hundred circles on it: more contacts than there are colors
+static scree_status act_slab(Scenario* s)
+{
+	scree_body_def defs[101];
+	for (int k = 0; k <= 100; ++k)
+	{
+		defs[k] = scree_default_body_def();
+		defs[k].attribute = k == 100 ? s->slab : s->circle;
+		defs[k].pose.position = k == 100 ? (scree_vec){0.0f, -50.0f} : (scree_vec){-25.0f + 0.5f * (float)k, -49.25f};
+	}
+	scree_body made[101];
+	scree_status status = scree_create_bodies(s->world, defs, 101, made);
+	if (status == SCREE_OK)
+		s->slab_body = made[100];
+	return status;
+}
+
+// boxes on top of each other, deep enough that each touches several
+static scree_status act_bodies(Scenario* s)
+{
+	static scree_body_def defs[BODIES];
+	for (int k = 0; k < BODIES; ++k)
+	{
+		defs[k] = scree_default_body_def();
+		defs[k].attribute = s->box;
+		defs[k].pose.position = (scree_vec){0.8f * (float)(k % 20), 0.9f * (float)(k / 20)};
+	}
+	return scree_create_bodies(s->world, defs, BODIES, s->bodies);
+}
+
+static scree_status act_free(Scenario* s)
+{
+	scree_collidable_def defs[FREE];
+	for (int k = 0; k < FREE; ++k)
+	{
+		defs[k] = scree_default_collidable_def();
+		defs[k].attribute = s->circle;
+		defs[k].pose.position = (scree_vec){0.7f * (float)k, 3.0f};
+	}
+	return scree_create_collidables(s->world, defs, FREE, s->free);
+}
+
+static scree_status act_forces(Scenario* s)
+{
+	static scree_vec forces[BODIES];
+	for (int k = 0; k < BODIES; ++k)
+		forces[k] = (scree_vec){(float)(k % 7), 1.0f};
+	return scree_apply_forces(s->world, s->bodies, forces, BODIES);
+}
+
+static scree_status act_step(Scenario* s) { return scree_step(s->world, STEP, SUBSTEPS); }
+
+static scree_status act_contacts(Scenario* s)
+{
+	static scree_contact contacts[4000];
+	int count;
+	return scree_get_contacts(s->world, contacts, 4000, &count);
+}
+
+static scree_status act_overlaps(Scenario* s)
+{
+	static scree_contact contacts[100];
+	int count;
+	return scree_get_overlaps(s->world, contacts, 100, &count);
+}
+
+static scree_status act_poses(Scenario* s)
+{
+	static scree_pose poses[BODIES];
+	return scree_get_poses(s->world, s->bodies, poses, 100);
+}
+
+static scree_status act_counters(Scenario* s)
+{
+	scree_counters counters;
+	return scree_get_counters(s->world, &counters);
+}
+
+static scree_status act_timings(Scenario* s)
+{
+	scree_timings timings;
+	return scree_get_timings(s->world, &timings);
+}
+
+static scree_status act_destroy(Scenario* s) { return scree_destroy_bodies(s->world, s->bodies + 200, 90); }
+static scree_status act_destroy_free(Scenario* s) { return scree_destroy_collidables(s->world, s->free, 5); }
+
+static scree_status act_again(Scenario* s)
+{
+	scree_body_def defs[120];
+	for (int k = 0; k < 120; ++k)
+	{
+		defs[k] = scree_default_body_def();
+		defs[k].attribute = k % 3 ? s->circle : s->box;
+		defs[k].pose.position = (scree_vec){0.3f * (float)k, 20.0f};
+	}
+	return scree_create_bodies(s->world, defs, 120, NULL);
+}
+
+static scree_status act_type(Scenario* s) { return scree_body_set_type(s->world, s->slab_body, SCREE_STATIC); }
+
+static scree_status act_filter(Scenario* s)
+{
+	scree_filter filter = scree_default_filter();
+	filter.group = 3;
+	return scree_collidable_set_filter(s->world, s->free[10], filter);
+}
+
+static scree_status act_place(Scenario* s)
+{
+	scree_pose pose = {{4.0f, 4.0f}, {1.0f, 0.0f}};
+	return scree_set_collidable_poses(s->world, s->free + 7, &pose, 1);
+}
+
+static scree_status act_mass(Scenario* s)
+{
+	return scree_body_set_mass(s->world, s->bodies[0], (scree_mass){3.0f, 1.0f, {0.0f, 0.0f}});
+}
+
+typedef scree_status (*Act)(Scenario* s);
+static const Act acts[] = {
+    act_create_world, act_attributes, act_slab,     act_step,         act_step,     act_bodies,          act_free,
+    act_forces,       act_step,       act_counters, act_poses,        act_contacts, act_more_attributes, act_destroy,
+    act_type,         act_step,       act_again,    act_destroy_free, act_filter,   act_place,           act_mass,
+    act_step,         act_overlaps,   act_timings,  act_step,
+};
+#define ACTS ((int)(sizeof acts / sizeof *acts))
+
+static uint64_t expected[ACTS]; // hash after each act
+
+static void expect(bool timings)
+{
+	Scenario s = {.timings = timings};
+	for (int k = 0; k < ACTS; ++k)
+	{
+		OK(acts[k](&s));
+		expected[k] = hash_of(s.world);
+	}
+	scree_counters counters = counters_of(s.world);
+	assert_true(counters.grown > 3 && counters.contacts > 512);
+	scree_destroy_world(s.world);
+	assert_int_equal(scree_memory(), 0);
+}
+
+// Every call that works on a broken world says the same.
+static void check_broken(Scenario* s, scree_status status)
+{
+	static const Act refused[] = {act_more_attributes, act_slab, act_forces,  act_step,    act_contacts, act_overlaps,
+	                              act_counters,        act_free, act_timings, act_destroy, act_filter,   act_mass};
+	for (size_t k = 0; k < sizeof refused / sizeof *refused; ++k)
+	{
+		assert_int_equal(refused[k](s), status);
+		assert_non_null(strstr(scree_error(), "the world can only be destroyed"));
+	}
+	uint64_t hash;
+	assert_int_equal(scree_world_hash(s->world, &hash), status);
+	assert_int_equal(scree_wait(s->world), status);
+	assert_int_equal(scree_set_gravity(s->world, (scree_vec){0.0f, 0.0f}), status);
+
+	// what only the host knows can still be read
+	assert_true(scree_body_is_valid(s->world, s->slab_body) || s->slab_body.index == 0);
+	assert_true(scree_world_device(s->world)[0] != 0);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// memory runs out
+// ---------------------------------------------------------------------------------------------------------------
+
+static int allocations_left; // negative: as many as you like
+
+static void* counting_allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	if (allocations_left == 0)
+		return NULL;
+	allocations_left -= allocations_left > 0;
+	return aligned_alloc(alignment, bytes);
+}
+
+static void plain_release(void* memory, void* context)
+{
+	(void)context;
+	free(memory);
+}
+
+// Tells the scenario with one fault. again: the failed act is tried once more; else the world just goes on. Returns
+// whether there was a fault; broken counts worlds that broke.
+static bool tell_with_little_memory(int allocations, bool again, int* broken)
+{
+	Scenario s = {0};
+	bool failed = false;
+	allocations_left = allocations;
+	for (int k = 0; k < ACTS; ++k)
+	{
+		scree_status status = acts[k](&s);
+		if (status == SCREE_OK)
+			continue;
+		assert_false(failed);
+		assert_int_equal(status, SCREE_OUT_OF_MEMORY);
+		assert_non_null(strstr(scree_error(), "memory"));
+		failed = true;
+		allocations_left = -1;
+		if (!s.world)
+		{
+			--k;
+			continue;
+		}
+		if (scree_wait(s.world) != SCREE_OK)
+		{
+			check_broken(&s, SCREE_OUT_OF_MEMORY);
+			++*broken;
+			break;
+		}
+		if (!again)
+		{
+			run_steps(s.world, 3);
+			break;
+		}
+
+		// creating several attributes is several calls
+		if (acts[k] != act_attributes && acts[k] != act_more_attributes)
+			assert_true(hash_of(s.world) == expected[k - 1]);
+		--k;
+	}
+	allocations_left = -1;
+	if (again && s.world && scree_wait(s.world) == SCREE_OK)
+		assert_true(hash_of(s.world) == expected[ACTS - 1]);
+	scree_destroy_world(s.world);
+	assert_int_equal(scree_memory(), 0);
+	return failed;
+}
+
+static void memory_runs_out(void** state)
+{
+	(void)state;
+	scree_hooks hooks = {.allocate = counting_allocate, .release = plain_release};
+	allocations_left = -1;
+	OK(scree_set_hooks(&hooks));
+	expect(false);
+	int faults = 0, broken = 0;
+	while (tell_with_little_memory(faults, true, &broken))
+		++faults;
+	for (int k = 0; k < faults; ++k)
+		assert_true(tell_with_little_memory(k, false, &broken));
+	print_message("memory ran out in %d places; %d worlds broke\n", faults, broken / 2);
+	assert_true(faults > 100 && broken > 0 && broken < faults);
+	OK(scree_set_hooks(NULL));
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the device fails
+// ---------------------------------------------------------------------------------------------------------------
+
+static const BackendFunctions* real; // of the CPU
+static int device_calls_left;
+static scree_status device_status; // what the call that fails says
+static bool only_resize;           // which calls may fail
+
+static scree_status device_fails(bool resize)
+{
+	if (only_resize != resize || device_calls_left < 0 || device_calls_left-- > 0)
+		return SCREE_OK;
+	return (fail)(device_status, "the device %s", device_status == SCREE_DEVICE_FAILED ? "fell" : "has no memory left");
+}
+
+static void faulty_close(Backend* b) { real->close(b); }
+
+static scree_status faulty_resize(Backend* b, Per per, int capacity)
+{
+	scree_status status = device_fails(true);
+	return status ? status : real->resize(b, per, capacity);
+}
+
+static scree_status faulty_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->run(b, step, runs, count);
+}
+
+static scree_status faulty_write(Backend* b, PoolId pool, int first, int count, const void* items)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->write(b, pool, first, count, items);
+}
+
+static scree_status faulty_read(Backend* b, PoolId pool, int first, int count, void* items)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->read(b, pool, first, count, items);
+}
+
+static scree_status faulty_wait(Backend* b)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->wait(b);
+}
+
+static scree_status faulty_timings(Backend* b, double milliseconds[BOX_COUNT])
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->timings(b, milliseconds);
+}
+
+static const BackendFunctions faulty = {faulty_close, faulty_resize, faulty_run,    faulty_write,
+                                        faulty_read,  faulty_wait,   faulty_timings};
+
+// Tells the scenario with the given call failing. Returns whether it was reached; broken counts worlds that broke.
+static bool tell_with_faulty_device(int calls, int* broken)
+{
+	Scenario s = {.timings = !only_resize};
+	device_calls_left = -1;
+	bool failed = false;
+	for (int k = 0; k < ACTS; ++k)
+	{
+		scree_status status = acts[k](&s);
+		if (k == 0)
+		{
+			OK(status);
+			real = s.world->backend->f;
+			s.world->backend->f = &faulty;
+			device_calls_left = calls;
+		}
+		if (status == SCREE_OK)
+			continue;
+		assert_false(failed);
+		assert_int_equal(status, device_status);
+		assert_non_null(strstr(scree_error(), "the device"));
+		failed = true;
+		if (status == SCREE_DEVICE_FAILED || scree_wait(s.world) != SCREE_OK)
+		{
+			check_broken(&s, status);
+			++*broken;
+			break;
+		}
+		assert_true(hash_of(s.world) == expected[k - 1]);
+		--k;
+	}
+	device_calls_left = -1;
+	if (!failed || scree_wait(s.world) == SCREE_OK)
+		assert_true(hash_of(s.world) == expected[ACTS - 1]);
+	scree_destroy_world(s.world);
+	assert_int_equal(scree_memory(), 0);
+	return failed;
+}
+
+static void device_falls(void** state)
+{
+	(void)state;
+	expect(true);
+	only_resize = false;
+	device_status = SCREE_DEVICE_FAILED;
+	int faults = 0, broken = 0;
+	while (tell_with_faulty_device(faults, &broken))
+		++faults;
+	print_message("the device fell in %d places\n", faults);
+	assert_true(faults > 50);
+	assert_int_equal(broken, faults);
+}
+
+static void device_memory_runs_out(void** state)
+{
+	(void)state;
+	expect(false);
+	only_resize = true;
+	device_status = SCREE_OUT_OF_MEMORY;
+	int faults = 0, broken = 0;
+	while (tell_with_faulty_device(faults, &broken))
+		++faults;
+	print_message("the device's memory ran out in %d places; %d worlds broke\n", faults, broken);
+	assert_true(faults > 5 && broken > 0 && broken < faults);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// numbers that are not finite
+// ---------------------------------------------------------------------------------------------------------------
+
+static int warnings;
+static char warning[256];
+
+static void note_warning(scree_log_level level, const char* sentence, void* context)
+{
+	(void)context;
+	warnings += level == SCREE_LOG_WARNING;
+	snprintf(warning, sizeof warning, "%s", sentence);
+}
+
+static int set_log(void** state)
+{
+	(void)state;
+	scree_hooks hooks = {.log = note_warning};
+	warnings = 0;
+	return scree_set_hooks(&hooks);
+}
+
+static int reset_log(void** state)
+{
+	(void)state;
+	return scree_set_hooks(NULL);
+}
+
+// The rows of a body, changed behind the library's back.
+static void poke_velocity(scree_world* world, scree_body body, float vx, float w)
+{
+	Backend* b = world->backend;
+	BodyState row;
+	OK(world_flush(world));
+	OK(b->f->read(b, POOL_body, (int)body.index, 1, &row));
+	row.vx = vx;
+	row.w = w;
+	OK(b->f->write(b, POOL_body, (int)body.index, 1, &row));
+}
+
+// One body goes out of bounds, far from the others and amid them: what it touches may freeze with it, for one step; a
+// body beyond those must not notice, and the step after that all go on.
+static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body body))
+{
+	scree_world* world = open_world(-10.0f);
+	add_floor(world);
+	scree_body row[8];
+	for (int k = 0; k < 8; ++k)
+		row[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.5f);
+	scree_body above = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 9.0f, 1.5f);
+	scree_body falling = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, -20.0f, 1000.0f);
+	run_steps(world, 20);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+
+	scree_body victim = amid ? row[3] : falling;
+	scree_vec before = position_of(world, victim);
+	warnings = 0;
+	hurt(world, victim);
+	run_steps(world, 1);
+	scree_counters counters = counters_of(world);
+	assert_in_range(counters.nonfinite, 1, amid ? 2 : 1);
+	check_finite(world);
+	scree_vec after = position_of(world, victim);
+	assert_true(before.x == after.x && before.y == after.y);
+	scree_velocity velocity = velocity_of(world, victim);
+	assert_true(velocity.linear.x == 0.0f && velocity.linear.y == 0.0f && velocity.angular == 0.0f);
+
+	// the host hears of it with the next step's counters
+	run_steps(world, 1);
+	assert_int_equal(warnings, 1);
+	char name[32];
+	snprintf(name, sizeof name, "body %u", victim.index);
+	assert_non_null(strstr(warning, name));
+
+	// and the world goes on
+	run_steps(world, 119);
+	assert_int_equal(warnings, 1);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+	check_finite(world);
+	for (int k = 0; k < 8; ++k)
+	{
+		NEAR(position_of(world, row[k]).x, 3.0 * k, 0.01);
+		NEAR(position_of(world, row[k]).y, 0.5, 0.01);
+	}
+	NEAR(position_of(world, above).y, 1.5, 0.01);
+	double seconds = (amid ? 141.0 : 120.0) / 60.0;
+	NEAR(velocity_of(world, falling).linear.y, -10.0 * seconds, 0.02);
+	scree_destroy_world(world);
+}
+
+// two forces that the interface takes, whose sum is beyond a float
+static void hurt_by_force(scree_world* world, scree_body body)
+{
+	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
+	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
+}
+
+static void hurt_by_torque(scree_world* world, scree_body body)
+{
+	OK(scree_body_apply_torque(world, body, FLT_MAX));
+	OK(scree_body_apply_torque(world, body, FLT_MAX));
+	OK(scree_body_apply_torque(world, body, -FLT_MAX));
+	OK(scree_body_apply_force_at(world, body, (scree_vec){-FLT_MAX, FLT_MAX}, (scree_vec){1e4f, 1e4f}));
+	OK(scree_body_apply_force_at(world, body, (scree_vec){FLT_MAX, -FLT_MAX}, (scree_vec){1e4f, -1e4f}));
+}
+
+static void hurt_by_impulse(scree_world* world, scree_body body)
+{
+	OK(scree_body_apply_impulse_at(world, body, (scree_vec){FLT_MAX, 0.0f}, (scree_vec){0.0f, SCREE_HUGE}));
+	OK(scree_body_apply_impulse_at(world, body, (scree_vec){FLT_MAX, 0.0f}, (scree_vec){0.0f, -SCREE_HUGE}));
+}
+
+static void hurt_by_nan(scree_world* world, scree_body body) { poke_velocity(world, body, NAN, 0.0f); }
+static void hurt_by_spin(scree_world* world, scree_body body) { poke_velocity(world, body, 0.0f, NAN); }
+
+static void bodies_freeze(void** state)
+{
+	(void)state;
+	for (int amid = 0; amid <= 1; ++amid)
+	{
+		check_frozen(amid, hurt_by_force);
+		check_frozen(amid, hurt_by_torque);
+		check_frozen(amid, hurt_by_impulse);
+		check_frozen(amid, hurt_by_nan);
+		check_frozen(amid, hurt_by_spin);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(memory_runs_out),
+	    cmocka_unit_test(device_falls),
+	    cmocka_unit_test(device_memory_runs_out),
+	    cmocka_unit_test_setup_teardown(bodies_freeze, set_log, reset_log),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// test_formulas.c -- stages whose items stand alone, called as functions, against formulas in double precision.
+#include "error.h" // before cmocka, which makes a macro of fail
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <math.h>
+
+// each stage as a function of one item: name_item(p, i)
+#include "stages/dialect.h"
+#undef STAGE
+#define STAGE(name) INLINE void name##_item(const Pools* p, int i)
+#include "stages/finalize.h"
+#include "stages/solve.h"
+#include "stages/transform.h"
+
+#define ITEMS 64 // of every pool
+
+static void open_pools(Pools* p)
+{
+#define X(type, name, per) p->name = scree_allocate(ITEMS * sizeof(type));
+#include "pools/pools.def"
+#undef X
+}
+
+static void close_pools(Pools* p)
+{
+#define X(type, name, per) scree_release(p->name);
+#include "pools/pools.def"
+#undef X
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// boxes and rotations
+// ---------------------------------------------------------------------------------------------------------------
+
+// A box of 2 by 1 m at (3, 0) of a body turned by t about its center of mass at (1, 0), which is at (10, 20): vertex v is
+// at (10, 20) + R(t) ((3, 0) - (1, 0) + v). The tight box has half of the speculative distance around, the other the
+// margin more; it stays until the tight one leaves it.
+static void boxes_follow_bodies(void** state)
+{
+	(void)state;
+	Attribute attribute = {
+	    .vertices = {{-1.0f, -0.5f}, {1.0f, -0.5f}, {1.0f, 0.5f}, {-1.0f, 0.5f}}, .count = 4, .margin = 0.125f};
+	const double turns[] = {0.0, 0.001, 0.05, 0.7, 2.5, -1.3};
+	const bool leaves[] = {true, false, true, true, true, true};
+	Pools p = {0};
+	open_pools(&p);
+	const int item = 2, body = 3;
+	p.attribute[1] = attribute;
+	p.collidable_pose[item] = make_float4(3.0f, 0.0f, 1.0f, 0.0f);
+	p.collidable_attribute[item] = 1;
+	p.collidable_body[item] = body;
+	p.collidable_kind[item] = KIND_DYNAMIC;
+	p.box[item] = p.old_box[item] = box_empty();
+	p.local_center[body] = make_float2(1.0f, 0.0f);
+	int moves = 0;
+	for (int turn = 0; turn < 6; ++turn)
+	{
+		double c = cos(turns[turn]), s = sin(turns[turn]), low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+		Float4 old = p.box[item];
+		p.pose[body] = make_float4(10.0f, 20.0f, (float)c, (float)s);
+		transform_item(&p, item);
+		Placed placed = p.placed[item];
+		NEAR(placed.x, 10.0 + 2.0 * c, 1e-5);
+		NEAR(placed.y, 20.0 + 2.0 * s, 1e-5);
+		NEAR(placed.x + placed.center_x, 10.0, 1e-5);
+		NEAR(placed.y + placed.center_y, 20.0, 1e-5);
+		assert_int_equal(p.moved[item], leaves[turn]);
+		moves += leaves[turn];
+		assert_int_equal(p.counters->moved, moves);
+		assert_int_equal(p.moved_list[moves - 1], item);
+		assert_memory_equal(p.old_box + item, &old, sizeof old);
+		if (!leaves[turn])
+		{
+			assert_memory_equal(p.box + item, &old, sizeof old);
+			continue;
+		}
+		for (int v = 0; v < 4; ++v)
+		{
+			double x = 2.0 + attribute.vertices[v].x, y = attribute.vertices[v].y;
+			double at[2] = {10.0 + c * x - s * y, 20.0 + s * x + c * y};
+			for (int axis = 0; axis < 2; ++axis)
+			{
+				low[axis] = at[axis] < low[axis] ? at[axis] : low[axis];
+				high[axis] = at[axis] > high[axis] ? at[axis] : high[axis];
+			}
+		}
+		double around = 0.5 * SPECULATIVE_DISTANCE + attribute.margin;
+		NEAR(p.box[item].x, low[0] - around, 1e-5);
+		NEAR(p.box[item].y, low[1] - around, 1e-5);
+		NEAR(p.box[item].z, high[0] + around, 1e-5);
+		NEAR(p.box[item].w, high[1] + around, 1e-5);
+	}
+
+	// what was destroyed has an empty box, and has moved: its contacts end
+	p.collidable_kind[item] = KIND_DEAD;
+	transform_item(&p, item);
+	assert_true(p.moved[item] && box_is_empty(p.box[item]));
+	close_pools(&p);
+}
+
+// |finalize_rotation(a) - (cos a, sin a)|: under 2e-7 up to 1 radian, 2.3e-5 up to pi; no worse than a rounding or two
+// for the turns of ordinary steps, up to a tenth.
+static void rotations_are_exact_enough(void** state)
+{
+	(void)state;
+	double worst = 0.0, worst_common = 0.0, worst_small = 0.0;
+	for (int k = -200000; k <= 200000; ++k)
+	{
+		float angle = (float)(PI * k / 200000.0);
+		Vec q = finalize_rotation(angle);
+		double error = hypot(q.x - cos(angle), q.y - sin(angle));
+		worst = error > worst ? error : worst;
+		if (fabsf(angle) <= 1.0f && error > worst_common)
+			worst_common = error;
+		if (fabsf(angle) < 0.1f && error > worst_small)
+			worst_small = error;
+	}
+	assert_true(worst < 2.3e-5 && worst_common < 2e-7 && worst_small < 6e-8);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// warm starting
+// ---------------------------------------------------------------------------------------------------------------
+
+#define CHAIN 48 // bodies, each tied to the next; even ties are one color, odd ones another
+
+static void make_chain(Pools* p)
+{
+	uint64_t seed = 99;
+	const float h = 1.0f / 240.0f;
+	p->step = (Step){.dt = 4.0f * h,
+	                 .h = h,
+	                 .inv_h = 1.0f / h,
+	                 .gravity_y = -10.0f,
+	                 .max_speed = 400.0f,
+	                 .max_spin = 100.0f,
+	                 .push_speed = 3.0f,
+	                 .soft = {8.0f, 0.9f, 0.1f},
+	                 .stiff = {16.0f, 0.95f, 0.05f}};
+	for (int k = 0; k < CHAIN; ++k)
+	{
+		bool moves = k % 7 != 3;
+		p->body[k] = (BodyState){.vx = random_between(&seed, -1.0f, 1.0f),
+		                         .vy = random_between(&seed, -1.0f, 1.0f),
+		                         .w = random_between(&seed, -1.0f, 1.0f),
+		                         .inv_mass = moves ? random_between(&seed, 0.5f, 2.0f) : 0.0f,
+		                         .inv_inertia = moves ? random_between(&seed, 2.0f, 9.0f) : 0.0f};
+		p->motion[k] = (Motion){.gravity_scale = moves ? 1.0f : 0.0f, .free_x = 1.0f, .free_y = 1.0f};
+		p->base[k] = make_float4(p->body[k].vx, p->body[k].vy, p->body[k].w, 0.0f);
+		constraint_at(p, body_a, k) = k;
+		constraint_at(p, body_b, k) = (k + 1) % CHAIN;
+		float turn = random_between(&seed, -3.0f, 3.0f);
+		constraint_at(p, normal_x, k) = cosf(turn);
+		constraint_at(p, normal_y, k) = sinf(turn);
+		constraint_at(p, friction, k) = 0.6f;
+		constraint_at(p, offset_x, k) = random_between(&seed, -1.0f, 1.0f);
+		constraint_at(p, offset_y, k) = random_between(&seed, -1.0f, 1.0f);
+		constraint_at(p, anchor1_x, k) = random_between(&seed, -0.5f, 0.5f);
+		constraint_at(p, anchor1_y, k) = random_between(&seed, -0.5f, 0.5f);
+		constraint_at(p, anchor2_x, k) = random_between(&seed, -0.5f, 0.5f);
+		constraint_at(p, anchor2_y, k) = random_between(&seed, -0.5f, 0.5f);
+		constraint_at(p, separation1, k) = random_between(&seed, -0.01f, 0.005f);
+		constraint_at(p, separation2, k) = k % 3 ? random_between(&seed, -0.01f, 0.005f) : NO_POINT;
+		constraint_at(p, normal_impulse1, k) = random_between(&seed, 0.0f, 0.1f);
+		constraint_at(p, normal_impulse2, k) = k % 3 ? random_between(&seed, 0.0f, 0.1f) : 0.0f;
+		constraint_at(p, tangent_impulse1, k) = random_between(&seed, -0.05f, 0.05f);
+	}
+}
+
+// both colors of the chain
+static void pass(const Pools* p, void (*stage)(const Pools* p, int i))
+{
+	for (int color = 0; color < 2; ++color)
+		for (int k = color; k < CHAIN; k += 2)
+			stage(p, k);
+}
+
+// Per substep the plain form is: v += h g, then v += sum of all impulses so far (a pass over the contacts), bias, move,
+// relax. The pool base saves that pass; velocities and impulses are the same but for rounding.
+static void warm_start_equals_plain(void** state)
+{
+	(void)state;
+	Pools kept = {0}, plain = {0};
+	open_pools(&kept);
+	open_pools(&plain);
+	make_chain(&kept);
+	make_chain(&plain);
+	pass(&kept, warm_start_item);
+	for (int substep = 0; substep < 8; ++substep)
+	{
+		kept.argument = substep == 0;
+		for (int k = 0; k < CHAIN; ++k)
+		{
+			BodyState* body = plain.body + k;
+			plain.base[k] = make_float4(body->vx, body->vy, body->w, 0.0f);
+			integrate_velocity_item(&kept, k);
+			integrate_velocity_item(&plain, k);
+		}
+		pass(&plain, warm_start_item);
+		for (int side = 0; side < 2; ++side)
+		{
+			Pools* p = side ? &plain : &kept;
+			pass(p, bias_item);
+			for (int k = 0; k < CHAIN; ++k)
+				integrate_position_item(p, k);
+			pass(p, relax_item);
+		}
+		for (int k = 0; k < CHAIN; ++k)
+		{
+			NEAR(kept.body[k].vx, plain.body[k].vx, 2e-5);
+			NEAR(kept.body[k].vy, plain.body[k].vy, 2e-5);
+			NEAR(kept.body[k].w, plain.body[k].w, 1e-4);
+			NEAR(constraint_at(&kept, normal_impulse1, k), constraint_at(&plain, normal_impulse1, k), 2e-5);
+			NEAR(constraint_at(&kept, tangent_impulse1, k), constraint_at(&plain, tangent_impulse1, k), 2e-5);
+		}
+	}
+	close_pools(&kept);
+	close_pools(&plain);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(boxes_follow_bodies),
+	    cmocka_unit_test(rotations_are_exact_enough),
+	    cmocka_unit_test(warm_start_equals_plain),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

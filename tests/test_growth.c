@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// test_growth.c -- pools that begin with room for one item: the same run as with room for all, and nothing is lost.
+//
+// The formula: hash(capacity 1, step) = hash(ample capacity, step), for each step; growth shows in Counters.grown alone.
+#include "support.h"
+#include "world.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define AMPLE_BODIES   20000
+#define AMPLE_CONTACTS 200000
+
+typedef struct
+{
+	const char* name;
+	int columns, rows; // of bodies
+	int steps, burst;  // burst: the step before which the bodies come
+	bool plate;        // onto a body that then has more contacts than there are colors
+} Case;
+
+// ---------------------------------------------------------------------------------------------------------------
+// stories
+// ---------------------------------------------------------------------------------------------------------------
+
+// A grid of bodies, each of an attribute of its own, so close that each begins with several contacts.
+static void add_grid(scree_world* world, const Case* c)
+{
+	for (int k = 0; k < c->columns * c->rows; ++k)
+	{
+		float size = 0.3f + 0.0005f * (float)(k % 200);
+		scree_attribute_def def = surface_of(k % 2 ? box_shape(size, 0.35f) : circle_shape(size));
+		float x = 0.7f * ((float)(k % c->columns) - 0.5f * (float)c->columns),
+		      y = 1.2f + 0.7f * (float)(k / c->columns);
+		add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
+	}
+}
+
+static void build_floor(scree_world* world, const void* context)
+{
+	const Case* c = context;
+	add_floor(world);
+	if (c->plate)
+		add_box(world, SCREE_DYNAMIC, 0.4f * (float)c->columns, 0.4f, 0.0f, 0.4f);
+}
+
+static void come(scree_world* world, int step, const void* context)
+{
+	const Case* c = context;
+	if (step == c->burst)
+		add_grid(world, c);
+
+	// one command each, and more than the pool of commands begins with
+	scree_body bodies[4096];
+	int count;
+	OK(scree_get_bodies(world, bodies, 4096, &count));
+	for (int k = 0; step == c->burst + 2 && k < count; ++k)
+		OK(scree_body_apply_impulse(world, bodies[k], (scree_vec){0.01f * (float)(k % 7), 0.0f}));
+}
+
+static Story story_of(const Case* c, int bodies, int contacts)
+{
+	Story story = {.name = c->name,
+	               .def = scree_default_world_def(),
+	               .dt = STEP,
+	               .substeps = SUBSTEPS,
+	               .steps = c->steps,
+	               .build = build_floor,
+	               .act = come,
+	               .context = c};
+	story.def.body_capacity = bodies;
+	story.def.contact_capacity = contacts;
+	return story;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// tests
+// ---------------------------------------------------------------------------------------------------------------
+
+static void check_case(const Case* c, const Way* way)
+{
+	Story small = story_of(c, 1, 1), ample = story_of(c, AMPLE_BODIES, AMPLE_CONTACTS);
+	uint64_t* hashes[2] = {calloc((size_t)c->steps, sizeof(uint64_t)), calloc((size_t)c->steps, sizeof(uint64_t))};
+	scree_counters grown, whole;
+	tell(&small, way, hashes[0], &grown);
+	tell(&ample, way, hashes[1], &whole);
+	if (memcmp(hashes[0], hashes[1], (size_t)c->steps * sizeof(uint64_t)) != 0)
+		check_same(&small, &ample, way);
+	print_message("%s on %s: %d bodies, %d contacts, %d overflow, grown %d times and %d\n", c->name, way->name,
+	              whole.bodies, whole.contacts, whole.overflow, grown.grown, whole.grown);
+	assert_true(grown.grown > whole.grown);
+	assert_int_equal(grown.contacts, whole.contacts);
+	assert_int_equal(grown.touching, whole.touching);
+	assert_int_equal(grown.colors, whole.colors);
+	assert_int_equal(grown.overflow, whole.overflow);
+	assert_true(!c->plate || grown.overflow > 64);
+	assert_int_equal(grown.bodies, 1 + c->plate + c->columns * c->rows);
+	free(hashes[0]);
+	free(hashes[1]);
+}
+
+static const Case at_once = {"at once", 24, 24, 40, 0, false}, midway = {"midway", 24, 24, 60, 20, false},
+                  plate = {"plate", 150, 4, 50, 10, true};
+
+static void growth_changes_nothing(void** state)
+{
+	const Way alone = {.name = "one thread", .device = "cpu", .threads = 1},
+	          both = {.name = "two threads", .device = "cpu", .threads = 2};
+	check_case(*state, &alone);
+	check_case(*state, &both);
+}
+
+static void growth_changes_nothing_on_opencl(void** state)
+{
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways), found = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		if (ways[k].threads > 0)
+			continue;
+		++found;
+		check_case(*state, ways + k);
+	}
+	if (found == 0)
+		skip();
+}
+
+// What a contact of the pool says stays the same while the pool grows under it.
+static void impulses_survive(void** state)
+{
+	(void)state;
+	const Case some = {"some", 30, 30, 0, 0, false};
+	Story story = story_of(&some, 1, 1);
+	story.def.device = "cpu";
+	scree_world* world;
+	OK(scree_create_world(&story.def, &world));
+	add_floor(world);
+	for (int k = 0; k < 10; ++k)
+		add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 50.0f, 0.5f + (float)k);
+	run_steps(world, 120);
+	scree_contact *before, *after;
+	int count = read_contacts(world, &before), grown = counters_of(world).grown;
+	assert_int_equal(count, 10);
+
+	// far from the stack
+	add_grid(world, &some);
+	run_steps(world, 1);
+	int more = read_contacts(world, &after);
+	assert_true(counters_of(world).grown > grown && more > count);
+	for (int k = 0; k < count; ++k)
+	{
+		assert_int_equal(after[k].a.index, before[k].a.index);
+		assert_int_equal(after[k].b.index, before[k].b.index);
+		for (int i = 0; i < 2; ++i)
+			NEAR(after[k].points[i].normal_impulse, before[k].points[i].normal_impulse, 1e-3);
+	}
+	free(before);
+	free(after);
+	scree_destroy_world(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test_prestate(growth_changes_nothing, (void*)&at_once),
+	    cmocka_unit_test_prestate(growth_changes_nothing, (void*)&midway),
+	    cmocka_unit_test_prestate(growth_changes_nothing, (void*)&plate),
+	    cmocka_unit_test_prestate(growth_changes_nothing_on_opencl, (void*)&midway),
+	    cmocka_unit_test_prestate(growth_changes_nothing_on_opencl, (void*)&plate),
+	    cmocka_unit_test(impulses_survive),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// test_parity.c -- every scene, and a run full of changes, on every device, number of lanes and of threads: equal bits.
+//
+// The formula: hash(device, lanes, threads, step) = hash(cpu, 1, 1, step), for each step.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/scene.h"
+#include "small_scenes.h"
+#include "support.h"
+#include <time.h>
+
+static Way ways[MAX_WAYS];
+static int way_count;
+
+static int find_ways(void** state)
+{
+	(void)state;
+	way_count = list_ways(ways);
+	print_ways(ways, way_count);
+	return 0;
+}
+
+static scree_counters check(const Story* story)
+{
+	time_t begin = time(NULL);
+	scree_counters last;
+	uint64_t hash = check_parity(story, ways, way_count, &last);
+	print_message("%-10s %3d steps, %4d bodies, %5d contacts, %2d colors, %3d overflow: %016llx, %d s\n", story->name,
+	              story->steps, last.bodies, last.contacts, last.colors, last.overflow, (unsigned long long)hash,
+	              (int)(time(NULL) - begin));
+	return last;
+}
+
+static void check_scene(const Story* story)
+{
+	scree_counters last = check(story);
+	assert_int_equal(last.nonfinite, 0);
+
+	// the one scene that is there for the overflow set, which fills late
+	if (strcmp(story->name, "washer") == 0 && !quick())
+		assert_true(last.overflow > 0);
+}
+
+static void scenes_are_equal(void** state)
+{
+	(void)state;
+	for_every_scene(check_scene);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// a run in which the user does everything that the interface allows
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_attribute any_attribute(scree_world* world, uint64_t* seed)
+{
+	scree_shape shapes[5] = {box_shape(0.5f, 0.4f), circle_shape(0.45f)};
+	scree_vec corners[3] = {{-0.5f, -0.4f}, {0.6f, -0.3f}, {0.0f, 0.6f}};
+	OK(scree_make_capsule((scree_vec){-0.3f, 0.0f}, (scree_vec){0.3f, 0.1f}, 0.25f, &shapes[2]));
+	OK(scree_make_polygon(corners, 3, 0.0f, &shapes[3]));
+	OK(scree_make_polygon(corners, 3, 0.1f, &shapes[4]));
+	int k = random_below(seed, 5);
+	scree_attribute_def def = surface_of(shapes[k]);
+	def.density = k == 0 ? 2.0f : 1.0f;
+	def.friction = k == 2 ? 0.1f : 0.7f;
+	def.restitution = k == 1 ? 0.5f : 0.0f;
+	def.rolling_resistance = k == 1 ? 0.1f : 0.0f;
+	return add_attribute(world, &def);
+}
+
+static scree_body_def any_body(scree_world* world, uint64_t* seed)
+{
+	scree_body_def def = scree_default_body_def();
+	def.attribute = any_attribute(world, seed);
+	def.pose.position = (scree_vec){random_between(seed, -8.0f, 8.0f), random_between(seed, 1.0f, 14.0f)};
+	def.pose.rotation = scree_make_rot(random_between(seed, -3.0f, 3.0f));
+	def.velocity.linear = (scree_vec){random_between(seed, -3.0f, 3.0f), random_between(seed, -3.0f, 3.0f)};
+	def.velocity.angular = random_between(seed, -5.0f, 5.0f);
+	return def;
+}
+
+static void build_changes(scree_world* world, const void* context)
+{
+	(void)context;
+	uint64_t seed = 1;
+	add_floor(world);
+	add_box(world, SCREE_STATIC, 0.5f, 10.0f, -10.0f, 9.0f);
+	add_box(world, SCREE_STATIC, 0.5f, 10.0f, 10.0f, 9.0f);
+	scree_body belt = add_box(world, SCREE_KINEMATIC, 2.0f, 0.2f, 0.0f, 2.0f);
+	OK(scree_body_set_velocity(world, belt, (scree_velocity){{0.5f, 0.0f}, 0.7f}));
+	for (int k = 0; k < 120; ++k)
+	{
+		scree_body_def def = any_body(world, &seed);
+		OK(scree_create_body(world, &def, NULL));
+	}
+
+	// detection alone
+	scree_collidable_def zone = scree_default_collidable_def();
+	zone.attribute = any_attribute(world, &seed);
+	zone.pose.position.y = 1.0f;
+	OK(scree_create_collidable(world, &zone, NULL));
+}
+
+static void change_settings(scree_world* world, scree_body body, uint64_t* seed)
+{
+	switch (random_below(seed, 6))
+	{
+	case 0:
+		OK(scree_body_set_damping(world, body, random_between(seed, 0.0f, 2.0f), random_between(seed, 0.0f, 2.0f)));
+		break;
+	case 1:
+		OK(scree_body_set_gravity_scale(world, body, random_between(seed, -0.5f, 1.5f)));
+		break;
+	case 2:
+		OK(scree_body_set_locks(world, body, (uint32_t)random_below(seed, 8)));
+		break;
+	case 3:
+		OK(scree_body_set_type(world, body, (scree_body_type)random_below(seed, 3)));
+		break;
+	case 4:
+	{
+		scree_body_type type;
+		OK(scree_body_get_type(world, body, &type));
+		scree_mass mass = {random_between(seed, 0.5f, 5.0f), random_between(seed, 0.1f, 1.0f), {0.1f, -0.05f}};
+		if (type == SCREE_DYNAMIC)
+			OK(scree_body_set_mass(world, body, mass));
+		break;
+	}
+	default:
+		OK(scree_set_gravity(world, (scree_vec){random_between(seed, -3.0f, 3.0f), -10.0f}));
+	}
+}
+
+static void change_collidables(scree_world* world, scree_body body, uint64_t* seed)
+{
+	scree_collidable list[8];
+	int count;
+	OK(scree_get_collidables(world, body, list, 8, &count));
+	if (count == 0 || (count < 4 && random_below(seed, 3) == 0))
+	{
+		scree_collidable_def def = scree_default_collidable_def();
+		def.attribute = any_attribute(world, seed);
+		def.body = body;
+		def.pose.position.x = random_between(seed, -1.0f, 1.0f);
+		OK(scree_create_collidable(world, &def, NULL));
+	}
+	else if (count > 1)
+		OK(scree_destroy_collidable(world, list[random_below(seed, count)]));
+	else
+	{
+		scree_filter filter = scree_default_filter();
+		filter.category = 1u + (uint64_t)random_below(seed, 3);
+		filter.mask = random_below(seed, 3) ? ~0ull : 2u;
+		filter.group = random_below(seed, 5) - 2;
+		OK(scree_collidable_set_filter(world, list[0], filter));
+	}
+}
+
+static void change_motion(scree_world* world, scree_body body, uint64_t* seed)
+{
+	scree_vec v = {random_between(seed, -20.0f, 20.0f), random_between(seed, -20.0f, 20.0f)};
+	scree_vec at = position_of(world, body);
+	at.x += 0.3f;
+	switch (random_below(seed, 8))
+	{
+	case 0:
+		OK(scree_body_apply_force(world, body, v));
+		break;
+	case 1:
+		OK(scree_body_apply_force_at(world, body, v, at));
+		break;
+	case 2:
+		OK(scree_body_apply_torque(world, body, v.x));
+		break;
+	case 3:
+		OK(scree_body_apply_impulse(world, body, (scree_vec){0.1f * v.x, 0.1f * v.y}));
+		break;
+	case 4:
+		OK(scree_body_apply_impulse_at(world, body, (scree_vec){0.1f * v.x, 0.1f * v.y}, at));
+		break;
+	case 5:
+		OK(scree_body_apply_angular_impulse(world, body, 0.1f * v.x));
+		break;
+	case 6:
+		OK(scree_body_set_velocity(world, body, (scree_velocity){{0.2f * v.x, 0.2f * v.y}, 0.1f * v.x}));
+		break;
+	default:
+	{
+		scree_pose pose = {{0.4f * v.x, 8.0f + 0.2f * v.y}, scree_make_rot(v.x)};
+		OK(scree_body_set_pose(world, body, pose));
+	}
+	}
+}
+
+static void make_changes(scree_world* world, int step, const void* context)
+{
+	(void)context;
+	uint64_t seed = (uint64_t)step + 1000u;
+	scree_body bodies[512];
+	int count;
+	OK(scree_get_bodies(world, bodies, 512, &count));
+
+	// the first four are floor, walls and belt
+	for (int k = 0; k < 6; ++k)
+		change_motion(world, bodies[4 + random_below(&seed, count - 4)], &seed);
+	if (step % 3 == 0)
+		change_settings(world, bodies[4 + random_below(&seed, count - 4)], &seed);
+	if (step % 4 == 1)
+		change_collidables(world, bodies[4 + random_below(&seed, count - 4)], &seed);
+	if (step % 5 == 2)
+	{
+		int first = 4 + random_below(&seed, count - 10);
+		OK(scree_destroy_bodies(world, bodies + first, 3));
+	}
+	if (step % 5 == 4)
+	{
+		scree_body_def defs[20];
+		int more = step % 2 ? 3 : 20; // so many that rows travel as rows, and as commands
+		for (int k = 0; k < more; ++k)
+			defs[k] = any_body(world, &seed);
+		if (count + more < 300)
+			OK(scree_create_bodies(world, defs, more, NULL));
+	}
+
+	// made and destroyed between two steps
+	scree_body_def def = any_body(world, &seed);
+	scree_body brief;
+	OK(scree_create_body(world, &def, &brief));
+	OK(scree_body_apply_impulse(world, brief, (scree_vec){1.0f, 2.0f}));
+	OK(scree_destroy_body(world, brief));
+
+	scree_collidable zone;
+	int zones;
+	OK(scree_get_collidables(world, (scree_body){0, 0}, &zone, 1, &zones));
+	scree_pose pose = {{random_between(&seed, -5.0f, 5.0f), 1.0f}, scree_make_rot(0.1f * (float)step)};
+	OK(scree_set_collidable_poses(world, &zone, &pose, 1));
+}
+
+static void changes_are_equal(void** state)
+{
+	(void)state;
+	Story story = {.name = "changes",
+	               .def = scree_default_world_def(),
+	               .dt = STEP,
+	               .substeps = SUBSTEPS,
+	               .steps = quick() ? 60 : 200,
+	               .build = build_changes,
+	               .act = make_changes};
+	story.def.body_capacity = 64;
+	story.def.contact_capacity = 64;
+	check(&story);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(scenes_are_equal),
+	    cmocka_unit_test(changes_are_equal),
+	};
+	return cmocka_run_group_tests(tests, find_ways, NULL);
+}

@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: MIT
+// test_stages.c -- single stages on items made by hand, against answers worked out by the plainest way.
+//
+// These are the stages whose items must agree with each other, on every backend; test_formulas.c has the ones whose
+// items stand alone.
+#include "backend.h" // before cmocka, which makes a macro of fail
+#include "error.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <stdlib.h>
+#include <string.h>
+
+// for the priorities of contacts; what it says of stages is of no use here
+#include "stages/dialect.h"
+#undef STAGE
+#define STAGE(name) INLINE void name##_item(const Pools* p, int i)
+#include "stages/color.h"
+
+#define MAX_BACKENDS 8
+#define MOST_BODIES  4096
+#define MOST_ITEMS   70000 // of every other kind
+
+static Backend* backends[MAX_BACKENDS];
+static int backend_count;
+
+static int open_backends(void** state)
+{
+	(void)state;
+	const int threads[] = {1, 3};
+	for (int k = 0; k < 2; ++k)
+	{
+		BackendOptions options = {.threads = threads[k]};
+		OK(cpu_open(&options, &backends[backend_count++]));
+	}
+	scree_device devices[MAX_BACKENDS];
+	int found = opencl_devices(devices, MAX_BACKENDS - 2);
+	for (int k = 0; k < found && k < MAX_BACKENDS - 2; ++k)
+	{
+		BackendOptions options = {.device = devices[k].name + strlen("opencl:")};
+		if (opencl_open(&options, &backends[backend_count]) == SCREE_OK)
+			print_message("with %s\n", backends[backend_count++]->name);
+	}
+	for (int k = 0; k < backend_count; ++k)
+		for (int per = 0; per < PER_COUNT; ++per)
+			OK(backends[k]->f->resize(backends[k], (Per)per, per == ONE ? 1 : per == BODY ? MOST_BODIES : MOST_ITEMS));
+	return 0;
+}
+
+static int close_backends(void** state)
+{
+	(void)state;
+	for (int k = 0; k < backend_count; ++k)
+		backends[k]->f->close(backends[k]);
+	assert_int_equal(scree_memory(), 0);
+	return 0;
+}
+
+static void put(Backend* b, PoolId pool, int count, const void* items) { OK(b->f->write(b, pool, 0, count, items)); }
+static void get(Backend* b, PoolId pool, int count, void* items) { OK(b->f->read(b, pool, 0, count, items)); }
+
+static void run_one(Backend* b, const Step* step, int stage, int end, int count, int argument)
+{
+	Run run = {.stage = stage, .end = end, .count = count, .argument = argument};
+	OK(b->f->run(b, step, &run, 1));
+}
+
+static void run_sort(Backend* b, int end, int low_bit, int high_bit)
+{
+	run_one(b, &(Step){0}, PRIMITIVE_SORT, end, NO_COUNT, low_bit | high_bit << 8);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// trees
+// ---------------------------------------------------------------------------------------------------------------
+
+// Codes of a square of 256 by 256 cells, spacing cells apart from corner on; the tree spans all 65,536 by 65,536. Sorted
+// by code, each cell comes once and beside the one before it.
+static void check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
+{
+	const int side = 256, count = side * side;
+	Tree tree = {.leaves = count, .top = 1, .begin = {0, count}, .count = {count, 1}};
+	Float4* boxes = calloc((size_t)count + ARITY, sizeof *boxes);
+	int* leaves = calloc((size_t)count, sizeof *leaves);
+	Word64* keys = calloc((size_t)count, sizeof *keys);
+	char* seen = calloc((size_t)count, 1);
+	for (int k = 0; k < count; ++k)
+	{
+		float x = corner_x + spacing * (float)(k % side), y = corner_y + spacing * (float)(k / side);
+		boxes[k] = make_float4(x, y, x, y);
+		leaves[k] = k;
+	}
+	boxes[count] = make_float4(0.0f, 0.0f, 65535.0f, 65535.0f);
+	put(b, POOL_tree, 1, &tree);
+	put(b, POOL_node_box, count + 1, boxes);
+	put(b, POOL_leaf, count, leaves);
+	run_one(b, &(Step){0}, STAGE_tree_code, count, NO_COUNT, 0);
+	run_sort(b, count, 32, 64);
+	run_one(b, &(Step){0}, STAGE_tree_order, count, NO_COUNT, 0);
+	get(b, POOL_key, count, keys);
+	get(b, POOL_leaf, count, leaves);
+	for (int k = 0; k < count; ++k)
+	{
+		int leaf = leaves[k];
+		assert_int_equal(leaf, keys[k] & 0xffffffffu);
+		assert_false(seen[leaf]++);
+		if (k == 0)
+			continue;
+		int x = abs(leaf % side - leaves[k - 1] % side), y = abs(leaf / side - leaves[k - 1] / side);
+		assert_int_equal(x + y, 1);
+		Word64 between = (keys[k] >> 32) - (keys[k - 1] >> 32);
+		assert_true(dense ? between == 1 : between > 1);
+	}
+	free(boxes);
+	free(leaves);
+	free(keys);
+	free(seen);
+}
+
+static void curve_visits_neighbors(void** state)
+{
+	(void)state;
+	for (int k = 0; k < backend_count; ++k)
+	{
+		check_curve(backends[k], 0.0f, 0.0f, 257.0f, false); // the whole square, one cell of each 256 by 256
+		check_curve(backends[k], 0.0f, 0.0f, 1.0f, true);
+		check_curve(backends[k], 512.0f, 33536.0f, 1.0f, true);
+		check_curve(backends[k], 65024.0f, 65024.0f, 1.0f, true);
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// colors
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	int bodies, contacts;
+	bool moves[MOST_BODIES];
+	Word64 mask[MOST_BODIES];
+	Int2 ends[MOST_ITEMS];
+	int color[MOST_ITEMS]; // COLOR_NONE before its turn
+	int began[MOST_ITEMS];
+	int began_count;
+} Graph;
+
+static int by_falling_priority(const void* a, const void* b)
+{
+	Word x = color_priority(*(const int*)a), y = color_priority(*(const int*)b);
+	return (x < y) - (x > y);
+}
+
+// Sequential greedy: each contact in the order of falling priority takes the lowest color free on both bodies; the
+// highest when one of them cannot move; the overflow set when none is free.
+static void color_greedily(Graph* g)
+{
+	int* order = calloc((size_t)g->began_count, sizeof *order);
+	memcpy(order, g->began, (size_t)g->began_count * sizeof *order);
+	qsort(order, (size_t)g->began_count, sizeof *order, by_falling_priority);
+	for (int k = 0; k < g->began_count; ++k)
+	{
+		Int2 ends = g->ends[order[k]];
+		bool both = g->moves[ends.x] && g->moves[ends.y];
+		int color = both ? 0 : COLORS - 1, last = both ? COLORS : -1, next = both ? 1 : -1;
+		for (; color != last; color += next)
+			if (!((g->moves[ends.x] && g->mask[ends.x] >> color & 1) ||
+			      (g->moves[ends.y] && g->mask[ends.y] >> color & 1)))
+				break;
+		color = color == last ? COLORS : color;
+		g->color[order[k]] = color;
+		if (color < COLORS && g->moves[ends.x])
+			g->mask[ends.x] |= (Word64)1 << color;
+		if (color < COLORS && g->moves[ends.y])
+			g->mask[ends.y] |= (Word64)1 << color;
+	}
+	free(order);
+}
+
+// The same by the stages, and the layout of the constraints.
+static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask)
+{
+	Counters* counters = calloc(1, sizeof *counters);
+	BodyState* bodies = calloc((size_t)g->bodies, sizeof *bodies);
+	for (int k = 0; k < g->bodies; ++k)
+		bodies[k].inv_mass = g->moves[k] ? 1.0f : 0.0f;
+	counters->contacts = g->contacts;
+	counters->began = g->began_count;
+	put(b, POOL_counters, 1, counters);
+	put(b, POOL_body, g->bodies, bodies);
+	put(b, POOL_color_mask, g->bodies, g->mask);
+	put(b, POOL_contact_bodies, g->contacts, g->ends);
+	put(b, POOL_contact_color, g->contacts, g->color);
+	put(b, POOL_began, g->began_count, g->began);
+	int done = 0;
+	do
+	{
+		for (int end = done + MAX_ROUNDS / 2; done < end; ++done)
+		{
+			if (done > 0 && done % MAX_ROUNDS == 0)
+				run_one(b, &(Step){0}, STAGE_color_wrap, 1, NO_COUNT, 0);
+			int count = done == 0 ? COUNT(began) : COUNT(uncolored) + done % MAX_ROUNDS;
+			run_one(b, &(Step){0}, STAGE_color_claim, g->contacts, count, done);
+			run_one(b, &(Step){0}, STAGE_color_take, g->contacts, count, done);
+		}
+		get(b, POOL_counters, 1, counters);
+	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
+	run_one(b, &(Step){0}, STAGE_color_reset, g->contacts, COUNT(began), 0);
+	run_one(b, &(Step){0}, STAGE_color_arrange, 1, NO_COUNT, (done - 1) % MAX_ROUNDS + 1);
+	run_one(b, &(Step){0}, STAGE_color_key, g->contacts, COUNT(arrange), 0);
+	run_sort(b, g->contacts, 32, 39);
+	run_one(b, &(Step){0}, STAGE_color_edge, g->contacts, COUNT(arrange), 0);
+	run_one(b, &(Step){0}, STAGE_color_range, 1, NO_COUNT, 0);
+	run_one(b, &(Step){0}, STAGE_color_place, g->contacts, COUNT(arrange), 0);
+	get(b, POOL_contact_color, g->contacts, color);
+	get(b, POOL_color_mask, g->bodies, mask);
+
+	// claims are zero between steps
+	Word* claims = calloc((size_t)g->bodies, sizeof *claims);
+	for (int odd = 0; odd < 2; ++odd)
+	{
+		get(b, odd ? POOL_claim1 : POOL_claim0, g->bodies, claims);
+		for (int k = 0; k < g->bodies; ++k)
+			assert_int_equal(claims[k], 0);
+	}
+	free(claims);
+	free(bodies);
+	free(counters);
+}
+
+// By color, within a color by rising slot, each color padded with -1 to whole blocks of MAX_LANES.
+static void check_layout(Backend* b, const Graph* g)
+{
+	Counters* counters = calloc(1, sizeof *counters);
+	int* constraints = calloc(MOST_ITEMS, sizeof *constraints);
+	int* places = calloc((size_t)g->contacts, sizeof *places);
+	get(b, POOL_counters, 1, counters);
+	get(b, POOL_constraint_contact, MOST_ITEMS, constraints);
+	get(b, POOL_contact_constraint, g->contacts, places);
+	int place = 0, touching = 0;
+	for (int color = 0; color <= COLORS; ++color)
+	{
+		assert_int_equal(counters->color_begin[color], place);
+		for (int slot = 0; slot < g->contacts; ++slot)
+		{
+			if (g->color[slot] != color)
+				continue;
+			assert_int_equal(constraints[place], slot);
+			assert_int_equal(places[slot], place);
+			++place;
+			++touching;
+		}
+		assert_int_equal(counters->color_count[color], place - counters->color_begin[color]);
+		for (; place % MAX_LANES; ++place)
+			assert_int_equal(constraints[place], -1);
+	}
+	assert_int_equal(counters->color_begin[COLORS + 1], place);
+	assert_int_equal(counters->touching, touching);
+	free(counters);
+	free(constraints);
+	free(places);
+}
+
+// Colors the contacts that begin, here and on every backend; the graph is then as the host left it.
+static void check_colors(Graph* g)
+{
+	int* color = calloc((size_t)g->contacts, sizeof *color);
+	Word64* mask = calloc((size_t)g->bodies, sizeof *mask);
+	Graph* before = malloc(sizeof *before);
+	*before = *g;
+	color_greedily(g);
+	for (int k = 0; k < backend_count; ++k)
+	{
+		color_by_stages(backends[k], before, color, mask);
+		assert_memory_equal(color, g->color, (size_t)g->contacts * sizeof *color);
+		assert_memory_equal(mask, g->mask, (size_t)g->bodies * sizeof *mask);
+		check_layout(backends[k], g);
+	}
+	free(before);
+	free(color);
+	free(mask);
+}
+
+// Half of the contacts begin first, then the other half; one body in fixed_one_in cannot move.
+static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fixed_one_in)
+{
+	Graph* g = calloc(1, sizeof *g);
+	g->bodies = bodies;
+	g->contacts = contacts;
+	for (int k = 0; k < bodies; ++k)
+		g->moves[k] = k > 0 && k % fixed_one_in != 0;
+	for (int k = 0; k < contacts; ++k)
+	{
+		Int2* ends = g->ends + k;
+		do
+			*ends = make_int2(random_below(seed, bodies), random_below(seed, bodies));
+		while (ends->x == ends->y || !(g->moves[ends->x] || g->moves[ends->y]));
+		g->color[k] = COLOR_NONE;
+	}
+	for (int half = 0; half < 2; ++half)
+	{
+		g->began_count = 0;
+		for (int k = contacts - 1; k >= 0; --k)
+			if (k % 2 == half)
+				g->began[g->began_count++] = k;
+		check_colors(g);
+	}
+	free(g);
+}
+
+static void colors_are_those_of_greedy(void** state)
+{
+	(void)state;
+	uint64_t seed = 1;
+	check_random_graph(&seed, 3000, 6000, 10);
+	check_random_graph(&seed, 500, 8000, 4);   // 32 a body
+	check_random_graph(&seed, 60, 6000, 1000); // far more than there are colors
+	check_random_graph(&seed, 2, 40, 2);       // one body that moves, on one that does not
+}
+
+// A hub with a thousand spokes: 63 of them get a color, by priority, and the others none.
+static void star_overflows(void** state)
+{
+	(void)state;
+	for (int fixed = 0; fixed < 2; ++fixed)
+	{
+		Graph* g = calloc(1, sizeof *g);
+		g->bodies = 1002;
+		g->contacts = g->began_count = 1000;
+		for (int k = 1; k < g->bodies; ++k)
+			g->moves[k] = k == 1 || !fixed;
+		for (int k = 0; k < 1000; ++k)
+		{
+			g->ends[k] = make_int2(1, k + 2);
+			g->color[k] = COLOR_NONE;
+			g->began[k] = k;
+		}
+		check_colors(g);
+		assert_true(g->mask[1] == COLOR_MASK);
+		int count = 0;
+		for (int k = 0; k < 1000; ++k)
+			count += g->color[k] == COLORS;
+		assert_int_equal(count, 1000 - COLORS);
+		free(g);
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the overflow set
+// ---------------------------------------------------------------------------------------------------------------
+
+// v += (sum of shares) / shares, the sum in chunks of OVERFLOW_CHUNK entries by rising entry, then over the chunks.
+static void overflow_sums_in_order(void** state)
+{
+	(void)state;
+	const int bodies = 40, contacts = 1500, first = 32;
+	uint64_t seed = 7;
+	Counters* counters = calloc(1, sizeof *counters);
+	BodyState before[40] = {0}, expected[40], after[40];
+	int* a = calloc(MOST_ITEMS, sizeof *a);
+	int* b = calloc(MOST_ITEMS, sizeof *b);
+	Float4* delta = calloc(2 * (size_t)contacts, sizeof *delta);
+	float* splits = calloc(2 * (size_t)contacts, sizeof *splits);
+	counters->color_begin[COLORS] = first;
+	for (int k = 0; k < bodies; ++k)
+		before[k] = (BodyState){.vx = random_between(&seed, -9.0f, 9.0f),
+		                        .vy = random_between(&seed, -9.0f, 9.0f),
+		                        .w = random_between(&seed, -9.0f, 9.0f),
+		                        .inv_mass = k % 5 == 0 ? 0.0f : 1.0f};
+	for (int k = 0; k < contacts; ++k)
+	{
+		// body 1 in most, 2 in exactly one chunk, 3 in one more than a chunk, 4 in one
+		a[first + k] = k < 1000 ? 1 : random_below(&seed, 34) + 5;
+		b[first + k] = k < 64 ? 2 : k < 129 ? 3 : k == 129 ? 4 : random_below(&seed, 35) + 5;
+	}
+	for (int k = 0; k < 2 * contacts; ++k)
+		delta[k] = make_float4(random_between(&seed, -1.0f, 1.0f), random_between(&seed, -1.0f, 1.0f),
+		                       random_between(&seed, -1.0f, 1.0f), 0.0f);
+
+	memcpy(expected, before, sizeof expected);
+	int shares[40] = {0};
+	for (int body = 0; body < bodies; ++body)
+	{
+		float sum[3] = {0}, chunk[3] = {0};
+		for (int k = 0; k < 2 * contacts; ++k)
+		{
+			if ((k & 1 ? b : a)[first + k / 2] != body)
+				continue;
+			if (shares[body] > 0 && shares[body] % OVERFLOW_CHUNK == 0)
+				for (int m = 0; m < 3; ++m)
+				{
+					sum[m] += chunk[m];
+					chunk[m] = 0.0f;
+				}
+			++shares[body];
+			chunk[0] += delta[k].x;
+			chunk[1] += delta[k].y;
+			chunk[2] += delta[k].z;
+		}
+		if (shares[body] == 0 || before[body].inv_mass == 0.0f)
+			continue;
+		expected[body].vx += (sum[0] + chunk[0]) / (float)shares[body];
+		expected[body].vy += (sum[1] + chunk[1]) / (float)shares[body];
+		expected[body].w += (sum[2] + chunk[2]) / (float)shares[body];
+	}
+	assert_true(shares[1] == 1000 && shares[2] == 64 && shares[3] == 65 && shares[4] == 1);
+
+	const int blocks_used = (first + contacts + MAX_LANES - 1) / MAX_LANES;
+	Constraints* blocks = calloc((size_t)blocks_used, sizeof *blocks);
+	assert_non_null(blocks);
+	for (int i = 0; i < first + contacts; ++i)
+	{
+		blocks[i / MAX_LANES].body_a[i % MAX_LANES] = a[i];
+		blocks[i / MAX_LANES].body_b[i % MAX_LANES] = b[i];
+	}
+	for (int k = 0; k < backend_count; ++k)
+	{
+		Backend* d = backends[k];
+		const int entries = 2 * contacts;
+		put(d, POOL_counters, 1, counters);
+		put(d, POOL_body, bodies, before);
+		put(d, POOL_constraints, blocks_used, blocks);
+		put(d, POOL_overflow_delta, entries, delta);
+		run_one(d, &(Step){0}, STAGE_overflow_key, entries, NO_COUNT, 0);
+		run_sort(d, entries, 32, 32 + 6 + 1);
+		run_one(d, &(Step){0}, STAGE_overflow_order, entries, NO_COUNT, entries);
+		run_one(d, &(Step){0}, STAGE_overflow_split, entries, NO_COUNT, 0);
+		run_one(d, &(Step){0}, STAGE_overflow_chunk, entries, NO_COUNT, 0);
+		run_one(d, &(Step){0}, STAGE_overflow_apply, entries, NO_COUNT, 0);
+		get(d, POOL_body, bodies, after);
+		assert_memory_equal(after, expected, sizeof expected);
+		get(d, POOL_overflow_split_a, contacts, splits);
+		get(d, POOL_overflow_split_b, contacts, splits + contacts);
+		for (int c = 0; c < 2 * contacts; ++c)
+		{
+			int body = c < contacts ? a[first + c] : b[first + c - contacts];
+			if (before[body].inv_mass > 0.0f)
+				assert_true(splits[c] == (float)shares[body]);
+		}
+	}
+	free(counters);
+	free(a);
+	free(b);
+	free(delta);
+	free(splits);
+	free(blocks);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// slots of new contacts
+// ---------------------------------------------------------------------------------------------------------------
+
+// Pairs in the order of their keys take the lowest free slots, then new ones behind the last.
+static void slots_are_lowest_first(void** state)
+{
+	(void)state;
+	const Int2 alive = {90, 91}, free_slot = {-1, -1};
+	const Int2 before[7] = {alive, free_slot, alive, free_slot, free_slot, alive, alive};
+	const Int2 fresh[5] = {{7, 9}, {0, 3}, {2, 8}, {0, 2}, {7, 8}}; // as they were found
+	const Int2 after[9] = {alive, {0, 2}, alive, {0, 3}, {2, 8}, alive, alive, {7, 8}, {7, 9}};
+	Attribute attribute = {.friction = 0.25f};
+	int zeros[100] = {0}, bodies[100];
+	Word64 keys[5];
+	for (int k = 0; k < 100; ++k)
+		bodies[k] = k;
+	for (int k = 0; k < 5; ++k)
+		keys[k] = (Word64)fresh[k].x << 7 | (Word64)fresh[k].y;
+	for (int k = 0; k < backend_count; ++k)
+	{
+		Backend* b = backends[k];
+		for (int room = 8; room <= 10; ++room)
+		{
+			Counters counters = {.contacts = 7, .alive = 4, .pairs = 5};
+			Step step = {.pair_capacity = 5, .contact_capacity = room, .key_bits = 7};
+			Int2 pairs[9];
+			put(b, POOL_counters, 1, &counters);
+			put(b, POOL_attribute, 1, &attribute);
+			put(b, POOL_collidable_attribute, 100, zeros);
+			put(b, POOL_collidable_body, 100, bodies);
+			put(b, POOL_pair, 7, before);
+			put(b, POOL_key, 5, keys);
+			run_one(b, &step, STAGE_contact_admit, 1, NO_COUNT, 0);
+			run_one(b, &step, PRIMITIVE_SORT, 5, COUNT(sort_pairs), 14 << 8);
+			run_one(b, &step, STAGE_contact_dead, room, COUNT(search), 0);
+			run_one(b, &step, PRIMITIVE_SCAN, room, COUNT(search), 0);
+			run_one(b, &step, STAGE_contact_free, room, COUNT(search), 0);
+			run_one(b, &step, STAGE_contact_begin, 1, NO_COUNT, 0);
+			run_one(b, &step, STAGE_contact_create, room, COUNT(created), 0);
+			run_one(b, &step, STAGE_contact_end, 1, NO_COUNT, 0);
+			get(b, POOL_counters, 1, &counters);
+			get(b, POOL_pair, 9, pairs);
+
+			// nine slots, and one that stays free: with less room nothing changes, and the host is told what is needed
+			bool enough = room == 10;
+			assert_int_equal(counters.stalled, !enough);
+			assert_int_equal(counters.needed, 9);
+			assert_int_equal(counters.created, enough ? 5 : 0);
+			assert_int_equal(counters.contacts, enough ? 9 : 7);
+			assert_int_equal(counters.alive, enough ? 9 : 4);
+			assert_int_equal(counters.live, enough ? 9 : 0);
+			assert_memory_equal(pairs, enough ? after : before, enough ? sizeof after : sizeof before);
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(curve_visits_neighbors), cmocka_unit_test(colors_are_those_of_greedy),
+	    cmocka_unit_test(star_overflows),         cmocka_unit_test(overflow_sums_in_order),
+	    cmocka_unit_test(slots_are_lowest_first),
+	};
+	return cmocka_run_group_tests(tests, open_backends, close_backends);
+}
