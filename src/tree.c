@@ -119,7 +119,7 @@ scree_status tree_flush(scree_world* world)
 // finds pairs, only more slowly.
 bool tree_wants_order(const TreeState* state)
 {
-	return state->tree.leaves > ARITY && state->unsorted > 2 * (int64_t)state->tree.leaves / 3;
+	return state->tree.leaves > ARITY && state->unsorted > 4 * (int64_t)state->tree.leaves;
 }
 
 // does collidable k belong to tree t?
