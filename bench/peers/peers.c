@@ -15,6 +15,7 @@
 #define MAX_SETTINGS 16
 #define MAX_THREADS  16 // entries of --threads
 #define MAX_REPEATS  101
+#define MAX_SCENES   100
 #define MAX_WORDS    64
 
 typedef struct
@@ -237,19 +238,14 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	return true;
 }
 
-static bool compare_all(const Options* options, const char* name)
+static bool compare_all(const Options* options, const char* name, int steps)
 {
-	Scene* scene = load(options, name);
-	if (!scene)
-		return false;
-	int steps = options->steps > 0 ? options->steps : scene->steps;
-	scene_free(scene);
 	// both engines promise a final state that threads do not change, so one ruled trial each serves all
 	Result ruled[ENGINES];
 	bool good = true;
+	int threads = options->threads[options->thread_count - 1];
 	for (int side = SCREE; side < ENGINES && good; ++side)
-		good =
-		    start_trial(options, name, engines[side], options->threads[options->thread_count - 1], true, &ruled[side]);
+		good = start_trial(options, name, engines[side], threads, true, &ruled[side]);
 	for (int k = 0; k < options->thread_count && good; ++k)
 		good = compare(options, name, steps, options->threads[k], ruled);
 	return good;
@@ -272,12 +268,22 @@ int main(int count, char** arguments)
 		options.options.threads = options.threads[0];
 		return try_engine(&options, names[0]);
 	}
+	// a bad name among them is found before the first is measured
+	int steps[MAX_SCENES];
+	for (int k = 0; k < name_count; ++k)
+	{
+		Scene* scene = k < MAX_SCENES ? load(&options, names[k]) : NULL;
+		if (!scene)
+			return EXIT_BAD;
+		steps[k] = options.steps > 0 ? options.steps : scene->steps;
+		scene_free(scene);
+	}
 	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,median_scree,median_box2d,"
 	       "penetration_scree,penetration_box2d,contacts_scree,contacts_box2d,sink_scree,sink_box2d,hash_scree,"
 	       "hash_box2d,same\n");
 	for (int k = 0; k < name_count; ++k)
 	{
-		if (!compare_all(&options, names[k]))
+		if (!compare_all(&options, names[k], steps[k]))
 			return EXIT_FAILED;
 	}
 	return EXIT_GOOD;
