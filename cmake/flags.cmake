@@ -32,9 +32,10 @@ function(scree_flags target)
 	endif()
 endfunction()
 
-# One file a width, each for the instructions that its width needs; chosen at run time by what the processor has.
+# One file a width, each for the instructions that its width needs; chosen at run time by what the processor has. What is
+# not wide goes with eight lanes or more from one8.c.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-	set_source_files_properties(src/cpu/lanes8.c PROPERTIES COMPILE_OPTIONS "-mavx2")
+	set_source_files_properties(src/cpu/lanes8.c src/cpu/one8.c PROPERTIES COMPILE_OPTIONS "-mavx2")
 	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
 endif()

@@ -269,9 +269,10 @@ static void choose_stages(Cpu* cpu, int lanes)
 	                            : lanes == 8 ? stages_lanes8
 	                            : lanes == 4 ? stages_lanes4
 	                                         : stages_lanes1;
+	const StageFunction* one = lanes >= 8 ? stages_one8 : stages_lanes1;
 	for (int stage = 0; stage < STAGE_COUNT; ++stage)
 	{
-		cpu->functions[stage] = wide[stage] ? wide[stage] : stages_lanes1[stage];
+		cpu->functions[stage] = wide[stage] ? wide[stage] : one[stage];
 		cpu->lanes[stage] = wide[stage] ? lanes : 1;
 	}
 }

@@ -5,7 +5,8 @@
 // hand; all meet again when the function has returned.
 //
 // Whoever waits spins first, since a step has hundreds of barriers of about a microsecond. The spin is short and then
-// the core is given away: on a machine with other work to do, the worker waited for may need this very core.
+// the core is given away: on a machine with other work to do, the worker waited for may need this very core. Where that
+// turns out to be so time after time, the spin is cut to almost nothing, until workers have cores of their own again.
 #include "cpu/threads.h"
 #include "cpu/processor.h"
 #include "error.h"
@@ -56,7 +57,8 @@ typedef pthread_t Thread;
 
 // Tries of a wait, each one pause instruction (20 to 50 ns): longer than a barrier between workers that all run, shorter
 // than the time slice that a spinning worker could steal from one that has work.
-#define SPINS 1000
+#define SPINS        1000
+#define FEWEST_SPINS 16
 // After these, tries that give the core away; then the worker sleeps, and is woken in some 50 us.
 #define YIELDS 20
 
@@ -69,7 +71,7 @@ typedef struct
 
 struct Threads
 {
-	int workers, spins;
+	int workers, most_spins;
 	WorkerFunction* function; // null: go home
 	void* context;
 	Seat seats[MAX_WORKERS]; // 0 is the caller's
@@ -78,6 +80,7 @@ struct Threads
 	_Alignas(CACHE_LINE) atomic_int arrived;     // at the barrier now
 	_Alignas(CACHE_LINE) atomic_uint generation; // barriers passed
 	_Alignas(CACHE_LINE) atomic_int sleepers;    // on the condition, or about to be
+	_Alignas(CACHE_LINE) atomic_int spins;       // tries of the next wait; seldom written
 };
 
 static void pause_core(void)
@@ -89,18 +92,36 @@ static void pause_core(void)
 #endif
 }
 
+// Workers that run at once are worth a longer spin, workers that take turns on one core a shorter one.
+static void adapt_spins(Threads* t, int spins, bool at_once)
+{
+	int next = at_once ? spins + spins / 4 + 1 : spins - spins / 4;
+	next = next < FEWEST_SPINS ? FEWEST_SPINS : next;
+	next = next < t->most_spins ? next : t->most_spins;
+	if (next != spins)
+		atomic_store_explicit(&t->spins, next, memory_order_relaxed);
+}
+
 static void wait_past(Threads* t, unsigned generation)
 {
-	for (int i = 0; i < t->spins; ++i)
+	int spins = atomic_load_explicit(&t->spins, memory_order_relaxed);
+	for (int i = 0; i < spins; ++i)
 	{
 		if (atomic_load_explicit(&t->generation, memory_order_acquire) != generation)
+		{
+			adapt_spins(t, spins, true);
 			return;
+		}
 		pause_core();
 	}
 	for (int i = 0; i < YIELDS; ++i)
 	{
 		if (atomic_load_explicit(&t->generation, memory_order_acquire) != generation)
+		{
+			// the first gift was all that it took: it went to the worker waited for
+			adapt_spins(t, spins, i != 1);
 			return;
+		}
 		give_core_away();
 	}
 
@@ -172,7 +193,8 @@ Threads* threads_open(int workers)
 	}
 	mutex_open(&t->mutex);
 	condition_open(&t->released);
-	t->spins = workers > processor_cores() ? 0 : SPINS;
+	t->most_spins = workers > processor_cores() ? 0 : SPINS;
+	atomic_init(&t->spins, t->most_spins);
 
 	mutex_lock(&t->mutex);
 	int started = 1;

@@ -11,12 +11,13 @@
 
 INLINE void broad_phase_leaf(const Pools* p, int i, int j)
 {
-	if (i == j || (p->moved[j] && j < i) || !kinds_meet(p->collidable_kind[i], p->collidable_kind[j]))
+	// most neighbors are known ones
+	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || (p->moved[j] && j < i))
 		return;
 	int body = p->collidable_body[i];
 	if (body >= 0 && body == p->collidable_body[j])
 		return;
-	if (box_overlap(p->old_box[i], p->old_box[j]) || !filter_accepts(p->filter[i], p->filter[j]))
+	if (!kinds_meet(p->collidable_kind[i], p->collidable_kind[j]) || !filter_accepts(p->filter[i], p->filter[j]))
 		return;
 	int place = atomic_add_int(&p->counters->pairs, 1);
 	int a = i < j ? i : j, b = i < j ? j : i;

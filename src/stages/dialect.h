@@ -129,7 +129,25 @@ INLINE void atomic_max_word(Word* place, Word x)
 #ifndef LANES
 #define LANES 1
 #endif
+#if defined(__AVX2__) && LANES == 1
+#include "cpu/overlaps.h"
+#endif
 
+#endif
+
+// Which of eight boxes (lower x, y, upper x, y) overlap another one: bit k for box k.
+#ifndef OVERLAPS8
+INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
+{
+	Word hits = 0;
+	for (int k = 0; k < 8; ++k)
+	{
+		Float4 other = boxes[k];
+		int hit = other.x <= box.z && box.x <= other.z && other.y <= box.w && box.y <= other.w;
+		hits |= hit ? 1u << k : 0u;
+	}
+	return hits;
+}
 #endif
 
 #if LANES == 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// program.h -- all stages, in order; read by lanes1.c and by the OpenCL program.
+// program.h -- all stages, in order; read by lanes1.c, one8.c and the OpenCL program.
 // clang-format off
 #include "stages/dialect.h"
 #include "pools/pools.h"

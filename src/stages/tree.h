@@ -102,13 +102,6 @@ STAGE(tree_code)
 STAGE(tree_order) { p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu); }
 
 // bit k is set when the box overlaps child k of the eight from first on
-INLINE Word64 tree_hits(const Pools* p, int first, Float4 box)
-{
-	const GLOBAL Float4* child = p->node_box + first;
-	Word hits = 0;
-	for (int k = 0; k < ARITY; ++k)
-		hits |= box_overlap(child[k], box) ? 1u << k : 0u;
-	return (Word64)hits;
-}
+INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
 #endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// engine_box2d.c -- Box2D v3 as an engine to be measured, through its public interface.
+//
+// The scene is built into a Scree world first and read back from there, body by body, so that both engines get the same
+// numbers. Contact stiffness and the like stay at each engine's defaults; sleep is off, because Scree has none.
+#include "engine.h"
+#include <box2d/box2d.h>
+#include <stdlib.h>
+
+typedef struct
+{
+	b2WorldId world;
+	b2BodyId* bodies; // in the order of scree_get_bodies
+	int count;
+} State;
+
+static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
+
+static bool add_shape(b2BodyId body, const b2ShapeDef* def, const scree_shape* shape)
+{
+	b2Polygon polygon = {.centroid = vec(shape->centroid), .radius = shape->radius, .count = shape->count};
+	switch (shape->kind)
+	{
+	case SCREE_CIRCLE:
+		b2CreateCircleShape(body, def, &(b2Circle){vec(shape->vertices[0]), shape->radius});
+		return true;
+	case SCREE_CAPSULE:
+		b2CreateCapsuleShape(body, def, &(b2Capsule){vec(shape->vertices[0]), vec(shape->vertices[1]), shape->radius});
+		return true;
+	case SCREE_SEGMENT:
+		b2CreateSegmentShape(body, def, &(b2Segment){vec(shape->vertices[0]), vec(shape->vertices[1])});
+		return true;
+	case SCREE_POLYGON:
+		for (int k = 0; k < shape->count; ++k)
+		{
+			polygon.vertices[k] = vec(shape->vertices[k]);
+			polygon.normals[k] = vec(shape->normals[k]);
+		}
+		b2CreatePolygonShape(body, def, &polygon);
+		return true;
+	}
+	fprintf(stderr, "scree_peers: a shape of kind %d has no counterpart in Box2D\n", (int)shape->kind);
+	return false;
+}
+
+static bool add_collidable(const scree_world* model, scree_collidable collidable, b2BodyId body)
+{
+	scree_attribute attribute;
+	scree_attribute_def surface;
+	scree_pose pose;
+	scree_filter filter;
+	scree_shape shape;
+	if (!report(scree_collidable_get_attribute(model, collidable, &attribute)) ||
+	    !report(scree_get_attribute(model, attribute, &surface)) ||
+	    !report(scree_collidable_get_local_pose(model, collidable, &pose)) ||
+	    !report(scree_collidable_get_filter(model, collidable, &filter)) ||
+	    !report(scree_transform_shape(&surface.shape, pose, &shape)))
+		return false;
+
+	b2ShapeDef def = b2DefaultShapeDef();
+	def.density = surface.density;
+	def.material.friction = surface.friction;
+	def.material.restitution = surface.restitution;
+	def.material.rollingResistance = surface.rolling_resistance;
+	def.material.tangentSpeed = surface.tangent_speed;
+	def.filter = (b2Filter){filter.category, filter.mask, filter.group};
+	def.updateBodyMass = false; // once a body, below
+	return add_shape(body, &def, &shape);
+}
+
+static bool add_collidables(const scree_world* model, scree_body body, b2BodyId to)
+{
+	int count = 0;
+	if (!report(scree_get_collidables(model, body, NULL, 0, &count)))
+		return false;
+	scree_collidable* collidables = malloc(((size_t)count + 1) * sizeof(scree_collidable));
+	bool good = collidables && report(scree_get_collidables(model, body, collidables, count, &count));
+	for (int k = 0; good && k < count; ++k)
+		good = add_collidable(model, collidables[k], to);
+	free(collidables);
+	if (good)
+		b2Body_ApplyMassFromShapes(to);
+	return good;
+}
+
+static bool add_body(scree_world* model, scree_body body, b2WorldId world, b2BodyId* added)
+{
+	static const b2BodyType types[] = {
+	    [SCREE_STATIC] = b2_staticBody, [SCREE_KINEMATIC] = b2_kinematicBody, [SCREE_DYNAMIC] = b2_dynamicBody};
+	scree_body_type type;
+	scree_pose pose;
+	scree_velocity velocity;
+	uint32_t locks;
+	b2BodyDef def = b2DefaultBodyDef();
+	if (!report(scree_body_get_type(model, body, &type)) || !report(scree_body_get_pose(model, body, &pose)) ||
+	    !report(scree_body_get_velocity(model, body, &velocity)) ||
+	    !report(scree_body_get_damping(model, body, &def.linearDamping, &def.angularDamping)) ||
+	    !report(scree_body_get_gravity_scale(model, body, &def.gravityScale)) ||
+	    !report(scree_body_get_locks(model, body, &locks)))
+		return false;
+
+	def.type = types[type];
+	def.position = (b2Pos){pose.position.x, pose.position.y};
+	def.rotation = (b2Rot){pose.rotation.c, pose.rotation.s};
+	def.linearVelocity = vec(velocity.linear);
+	def.angularVelocity = velocity.angular;
+	def.motionLocks = (b2MotionLocks){locks & SCREE_LOCK_X, locks & SCREE_LOCK_Y, locks & SCREE_LOCK_ROTATION};
+	*added = b2CreateBody(world, &def);
+	if (!add_collidables(model, body, *added))
+		return false;
+	// Box2D, too, means the velocity of the center of mass, but only once it knows where that is
+	b2Body_SetLinearVelocity(*added, def.linearVelocity);
+	return true;
+}
+
+static bool build(scree_world* model, State* state)
+{
+	int detectors = 0;
+	if (!report(scree_get_collidables(model, (scree_body){0}, NULL, 0, &detectors)))
+		return false;
+	if (detectors > 0)
+	{
+		fprintf(stderr, "scree_peers: %d collidables have no body: Box2D knows no such thing\n", detectors);
+		return false;
+	}
+	scree_body* bodies = list_bodies(model, &state->count);
+	state->bodies = calloc((size_t)state->count + 1, sizeof(b2BodyId));
+	bool good = bodies && state->bodies;
+	for (int k = 0; good && k < state->count; ++k)
+		good = add_body(model, bodies[k], state->world, &state->bodies[k]);
+	free(bodies);
+	return good;
+}
+
+static void close(void* context)
+{
+	State* state = context;
+	if (b2World_IsValid(state->world))
+		b2DestroyWorld(state->world);
+	free(state->bodies);
+	free(state);
+}
+
+static void* open(const Scene* scene, const EngineOptions* options)
+{
+	State* state = calloc(1, sizeof(State));
+	scree_world* model = state ? open_world(scene, "cpu", 1) : NULL;
+	if (!model)
+	{
+		free(state);
+		return NULL;
+	}
+	b2WorldDef def = b2DefaultWorldDef();
+	def.gravity = vec(scree_get_gravity(model));
+	def.enableSleep = false;
+	def.enableContinuous = options->continuous;
+	def.workerCount = options->threads;
+	state->world = b2CreateWorld(&def);
+	bool good = build(model, state);
+	scree_destroy_world(model);
+	if (good)
+		return state;
+	close(state);
+	return NULL;
+}
+
+static bool step(void* context, float dt, int substeps)
+{
+	const State* state = context;
+	b2World_Step(state->world, dt, substeps);
+	return true;
+}
+
+static bool wait(void* context)
+{
+	(void)context; // a step returns when all is done
+	return true;
+}
+
+static bool poses(void* context, scree_pose* poses, int count)
+{
+	const State* state = context;
+	for (int k = 0; k < count; ++k)
+	{
+		b2Pos position = b2Body_GetPosition(state->bodies[k]);
+		b2Rot rotation = b2Body_GetRotation(state->bodies[k]);
+		poses[k] = (scree_pose){{(float)position.x, (float)position.y}, {rotation.c, rotation.s}};
+	}
+	return true;
+}
+
+static bool hash(void* context, uint64_t* hash)
+{
+	const State* state = context;
+	*hash = b2World_GetStateHash(state->world);
+	return true;
+}
+
+const Engine box2d_engine = {"box2d", open, step, wait, poses, hash, close};

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// engine_scree.c -- Scree as an engine to be measured.
+#include "engine.h"
+#include <stdlib.h>
+
+bool report(scree_status status)
+{
+	if (status != SCREE_OK)
+		fprintf(stderr, "scree_peers: %s\n", scree_error());
+	return status == SCREE_OK;
+}
+
+scree_world* open_world(const Scene* scene, const char* device, int threads)
+{
+	scree_world_def def = scene->world;
+	def.device = device;
+	def.threads = threads;
+	scree_world* world = NULL;
+	if (report(scree_create_world(&def, &world)) && report(scene_build(scene, world)))
+		return world;
+	scree_destroy_world(world);
+	return NULL;
+}
+
+scree_body* list_bodies(const scree_world* world, int* count)
+{
+	*count = 0;
+	scree_get_bodies(world, NULL, 0, count);
+	scree_body* bodies = malloc(((size_t)*count + 1) * sizeof(scree_body));
+	if (bodies)
+		scree_get_bodies(world, bodies, *count, count);
+	else
+		fprintf(stderr, "scree_peers: no memory for %d bodies\n", *count);
+	return bodies;
+}
+
+typedef struct
+{
+	scree_world* world;
+	scree_body* bodies;
+	int count;
+} State;
+
+static void close(void* context)
+{
+	State* state = context;
+	scree_destroy_world(state->world);
+	free(state->bodies);
+	free(state);
+}
+
+static void* open(const Scene* scene, const EngineOptions* options)
+{
+	State* state = calloc(1, sizeof(State));
+	if (!state)
+		return NULL;
+	state->world = open_world(scene, options->device, options->threads);
+	state->bodies = state->world ? list_bodies(state->world, &state->count) : NULL;
+	if (state->bodies)
+		return state;
+	close(state);
+	return NULL;
+}
+
+static bool step(void* context, float dt, int substeps)
+{
+	State* state = context;
+	return report(scree_step(state->world, dt, substeps));
+}
+
+static bool wait(void* context)
+{
+	State* state = context;
+	return report(scree_wait(state->world));
+}
+
+static bool poses(void* context, scree_pose* poses, int count)
+{
+	State* state = context;
+	return report(scree_get_poses(state->world, state->bodies, poses, count));
+}
+
+static bool hash(void* context, uint64_t* hash)
+{
+	State* state = context;
+	return report(scree_world_hash(state->world, hash));
+}
+
+const Engine scree_engine = {"scree", open, step, wait, poses, hash, close};

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// peers.c -- Scree and Box2D v3 side by side: the same scenes, steps, substeps and threads, sleep off.
+//
+// Each trial is a process of its own, so that neither engine meets the other's memory, threads or clock speed. They take
+// turns, A B A B, because a machine is not equally fast all the time: a ratio is that of two trials in a row, and the
+// median of these is printed. Overlaps, contacts and final states come from trials that are not timed; a timed one must
+// end in the same state.
+#include "process.h"
+#include "trial.h"
+#include <getopt.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MAX_SETTINGS 16
+#define MAX_THREADS  16 // entries of --threads
+#define MAX_REPEATS  101
+#define MAX_SCENES   100
+#define MAX_WORDS    64
+
+typedef struct
+{
+	const char* executable;
+	const Engine* engine; // of a trial; null in the process that starts the trials
+	bool ruled;
+	EngineOptions options;
+	int threads[MAX_THREADS], thread_count;
+	int steps, repeats; // steps 0: as many as the scene says
+	const char* settings[MAX_SETTINGS];
+	int setting_count;
+} Options;
+
+static const struct option words[] = {
+    {"threads", required_argument, NULL, 't'}, {"steps", required_argument, NULL, 'n'},
+    {"repeats", required_argument, NULL, 'r'}, {"device", required_argument, NULL, 'd'},
+    {"set", required_argument, NULL, 's'},     {"continuous", no_argument, NULL, 'c'},
+    {"help", no_argument, NULL, 'h'},          {"engine", required_argument, NULL, 'e'},
+    {"ruled", no_argument, NULL, 'R'},         {0},
+};
+
+static const char* const help =
+    "usage: scree_peers [OPTION]... [SCENE|FILE]...\n"
+    "\n"
+    "Times scenes with Scree and with Box2D in turns; CSV on standard output. Without a name: pyramid, pyramids, "
+    "pile,\n"
+    "tumbler, smash, washer. A ratio above 1 means that Scree is the faster one.\n"
+    "\n"
+    "  -t, --threads N[,N]...   threads of both, 1,2 without it\n"
+    "  -n, --steps N            steps to take; without it as many as the scene says\n"
+    "  -r, --repeats N          pairs of timed trials, 5 without it\n"
+    "  -d, --device NAME        where Scree runs, cpu without it\n"
+    "  -c, --continuous         Box2D with continuous collision, which Scree does not have yet\n"
+    "  -s, --set NAME=VALUE     give a parameter of the scenes another value; may be repeated\n"
+    "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, deepest overlap, sink,\n"
+    "                           contacts, final state\n"
+    "  -R, --ruled              that trial is not timed but measured with the ruler\n"
+    "  -h, --help               this text\n";
+
+static bool read_int(const char* name, const char* text, int high, int* number)
+{
+	char* end;
+	long value = strtol(text, &end, 10);
+	if (end != text && *end == 0 && value >= 1 && value <= high)
+	{
+		*number = (int)value;
+		return true;
+	}
+	fprintf(stderr, "scree_peers: --%s %s: must be a whole number from 1 to %d\n", name, text, high);
+	return false;
+}
+
+static bool read_threads(Options* options, char* list)
+{
+	options->thread_count = 0;
+	for (char* word = strtok(list, ","); word; word = strtok(NULL, ","))
+	{
+		if (options->thread_count == MAX_THREADS ||
+		    !read_int("threads", word, 64, &options->threads[options->thread_count]))
+			return false;
+		++options->thread_count;
+	}
+	return options->thread_count > 0;
+}
+
+static bool read_engine(Options* options, const char* name)
+{
+	options->engine = strcmp(name, "scree") == 0 ? &scree_engine : strcmp(name, "box2d") == 0 ? &box2d_engine : NULL;
+	if (!options->engine)
+		fprintf(stderr, "scree_peers: --engine %s: must be scree or box2d\n", name);
+	return options->engine;
+}
+
+static bool read_option(Options* options, int letter)
+{
+	switch (letter)
+	{
+	case 't':
+		return read_threads(options, optarg);
+	case 'n':
+		return read_int("steps", optarg, 1000000, &options->steps);
+	case 'r':
+		return read_int("repeats", optarg, MAX_REPEATS, &options->repeats);
+	case 'd':
+		options->options.device = optarg;
+		return true;
+	case 's':
+		if (options->setting_count == MAX_SETTINGS || !strchr(optarg, '='))
+			return fprintf(stderr, "scree_peers: --set %s: must be NAME=VALUE, at most %d times\n", optarg,
+			               MAX_SETTINGS) < 0;
+		options->settings[options->setting_count++] = optarg;
+		return true;
+	case 'c':
+		options->options.continuous = true;
+		return true;
+	case 'e':
+		return read_engine(options, optarg);
+	case 'R':
+		options->ruled = true;
+		return true;
+	case 'h':
+		printf("%s", help);
+		exit(EXIT_GOOD);
+	default:
+		return false;
+	}
+}
+
+static Scene* load(const Options* options, const char* name)
+{
+	char path[SCENE_PATH], sentence[SCENE_SENTENCE], names[MAX_SETTINGS][64];
+	SceneSetting settings[MAX_SETTINGS];
+	for (int k = 0; k < options->setting_count; ++k)
+	{
+		const char* value = strchr(options->settings[k], '=');
+		snprintf(names[k], sizeof names[k], "%.*s", (int)(value - options->settings[k]), options->settings[k]);
+		settings[k] = (SceneSetting){names[k], value + 1};
+	}
+	Scene* scene = NULL;
+	if (scene_find(name, options->executable, path, sentence))
+		scene = scene_load(path, settings, options->setting_count, sentence);
+	if (!scene)
+		fprintf(stderr, "scree_peers: %s\n", sentence);
+	return scene;
+}
+
+// the process of one trial
+static int try_engine(const Options* options, const char* name)
+{
+	Scene* scene = load(options, name);
+	if (!scene)
+		return EXIT_BAD;
+	Trial trial = {scene, options->steps > 0 ? options->steps : scene->steps, options->ruled, options->options};
+	Result result;
+	bool good = trial_run(options->engine, &trial, &result);
+	if (good)
+		result_print(&result);
+	scene_free(scene);
+	return good ? EXIT_GOOD : EXIT_FAILED;
+}
+
+// starts the process of one trial
+static bool start_trial(const Options* options, const char* name, const Engine* engine, int threads, bool ruled,
+                        Result* result)
+{
+	char count[16], steps[16], line[256];
+	snprintf(count, sizeof count, "%d", threads);
+	snprintf(steps, sizeof steps, "%d", options->steps);
+	const char* list[MAX_WORDS] = {options->executable,    "--engine", engine->name, "--threads", count, "--device",
+	                               options->options.device};
+	int n = 7;
+	if (options->steps > 0)
+	{
+		list[n++] = "--steps";
+		list[n++] = steps;
+	}
+	if (ruled)
+		list[n++] = "--ruled";
+	if (options->options.continuous)
+		list[n++] = "--continuous";
+	for (int k = 0; k < options->setting_count; ++k)
+	{
+		list[n++] = "--set";
+		list[n++] = options->settings[k];
+	}
+	list[n++] = "--";
+	list[n++] = name;
+	list[n] = NULL;
+	return process_run((char* const*)list, line, sizeof line) == EXIT_GOOD && result_scan(line, result);
+}
+
+static int rising(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+static double middle(double* values, int count)
+{
+	qsort(values, (size_t)count, sizeof(double), rising);
+	return values[count / 2];
+}
+
+typedef enum
+{
+	SCREE,
+	BOX2D,
+	ENGINES
+} Side;
+
+static const Engine* const engines[ENGINES] = {&scree_engine, &box2d_engine};
+
+static bool compare(const Options* options, const char* name, int steps, int threads, const Result ruled[ENGINES])
+{
+	double mean[ENGINES][MAX_REPEATS], median[ENGINES][MAX_REPEATS], ratio[MAX_REPEATS];
+	bool same = true;
+	for (int k = 0; k < options->repeats; ++k)
+	{
+		for (int side = SCREE; side < ENGINES; ++side)
+		{
+			Result result;
+			if (!start_trial(options, name, engines[side], threads, false, &result))
+				return false;
+			mean[side][k] = result.mean;
+			median[side][k] = result.median;
+			same = same && result.hash == ruled[side].hash;
+		}
+		ratio[k] = mean[BOX2D][k] / mean[SCREE][k];
+	}
+	printf("%s,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous,
+	       middle(mean[SCREE], options->repeats), middle(mean[BOX2D], options->repeats),
+	       middle(ratio, options->repeats));
+	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted by now: the least and the most
+	printf(",%.4f,%.4f", middle(median[SCREE], options->repeats), middle(median[BOX2D], options->repeats));
+	printf(",%.5f,%.5f,%d,%d,%.5f,%.5f", (double)ruled[SCREE].penetration, (double)ruled[BOX2D].penetration,
+	       ruled[SCREE].touching, ruled[BOX2D].touching, (double)ruled[SCREE].sunk, (double)ruled[BOX2D].sunk);
+	printf(",%016" PRIx64 ",%016" PRIx64 ",%d\n", ruled[SCREE].hash, ruled[BOX2D].hash, same);
+	fflush(stdout);
+	return true;
+}
+
+static bool compare_all(const Options* options, const char* name, int steps)
+{
+	// both engines promise a final state that threads do not change, so one ruled trial each serves all
+	Result ruled[ENGINES];
+	bool good = true;
+	int threads = options->threads[options->thread_count - 1];
+	for (int side = SCREE; side < ENGINES && good; ++side)
+		good = start_trial(options, name, engines[side], threads, true, &ruled[side]);
+	for (int k = 0; k < options->thread_count && good; ++k)
+		good = compare(options, name, steps, options->threads[k], ruled);
+	return good;
+}
+
+int main(int count, char** arguments)
+{
+	static const char* const usual[] = {"pyramid", "pyramids", "pile", "tumbler", "smash", "washer"};
+	Options options = {.executable = arguments[0], .threads = {1, 2}, .thread_count = 2, .repeats = 5};
+	options.options.device = "cpu";
+	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:ce:Rh", words, NULL)) != -1;)
+	{
+		if (!read_option(&options, letter))
+			return EXIT_BAD;
+	}
+	const char* const* names = optind < count ? (const char* const*)arguments + optind : usual;
+	int name_count = optind < count ? count - optind : (int)(sizeof usual / sizeof usual[0]);
+	if (options.engine)
+	{
+		options.options.threads = options.threads[0];
+		return try_engine(&options, names[0]);
+	}
+	// a bad name among them is found before the first is measured
+	int steps[MAX_SCENES];
+	for (int k = 0; k < name_count; ++k)
+	{
+		Scene* scene = k < MAX_SCENES ? load(&options, names[k]) : NULL;
+		if (!scene)
+			return EXIT_BAD;
+		steps[k] = options.steps > 0 ? options.steps : scene->steps;
+		scene_free(scene);
+	}
+	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,median_scree,median_box2d,"
+	       "penetration_scree,penetration_box2d,contacts_scree,contacts_box2d,sink_scree,sink_box2d,hash_scree,"
+	       "hash_box2d,same\n");
+	for (int k = 0; k < name_count; ++k)
+	{
+		if (!compare_all(&options, names[k], steps[k]))
+			return EXIT_FAILED;
+	}
+	return EXIT_GOOD;
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// trial.c -- one engine, one scene, one process: timed, or measured with the ruler.
+#include "trial.h"
+#include "ruler.h"
+#include <inttypes.h>
+#include <stdlib.h>
+#include <time.h>
+
+// Steps at the start whose time does not count: buffers grow, contacts are found for the first time, threads wake up.
+#define WARM_UP 2
+
+static double milliseconds(void)
+{
+	struct timespec now;
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
+static int rising(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+static bool run_timed(const Engine* engine, void* state, const Trial* trial, Result* result)
+{
+	double* times = malloc((size_t)trial->steps * sizeof(double));
+	if (!times)
+	{
+		fprintf(stderr, "scree_peers: no memory for %d steps\n", trial->steps);
+		return false;
+	}
+	int warm = trial->steps > WARM_UP ? WARM_UP : 0, counted = trial->steps - warm;
+	double begin = milliseconds(), mark = begin;
+	bool good = true;
+	for (int k = 0; k < trial->steps && good; ++k)
+	{
+		good = engine->step(state, trial->scene->dt, trial->scene->substeps);
+		if (k == warm - 1)
+			good = good && engine->wait(state);
+		double now = milliseconds();
+		times[k] = now - mark;
+		mark = now;
+		if (k == warm - 1)
+			begin = now;
+	}
+	good = good && engine->wait(state);
+	result->mean = (milliseconds() - begin) / counted;
+	qsort(times + warm, (size_t)counted, sizeof(double), rising);
+	result->median = times[warm + counted / 2];
+	free(times);
+	return good;
+}
+
+static bool run_ruled(const Engine* engine, void* state, const Trial* trial, Result* result)
+{
+	Ruler ruler;
+	bool good =
+	    ruler_open(&ruler, trial->scene) && engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
+	for (int k = 0; k < trial->steps && good; ++k)
+		good = engine->step(state, trial->scene->dt, trial->scene->substeps) &&
+		       engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
+	result->penetration = ruler.penetration;
+	result->sunk = ruler.sunk;
+	result->touching = ruler.touching;
+	ruler_close(&ruler);
+	return good;
+}
+
+bool trial_run(const Engine* engine, const Trial* trial, Result* result)
+{
+	*result = (Result){0};
+	void* state = engine->open(trial->scene, &trial->options);
+	if (!state)
+		return false;
+	bool good = (trial->ruled ? run_ruled : run_timed)(engine, state, trial, result);
+	good = good && engine->hash(state, &result->hash);
+	engine->close(state);
+	return good;
+}
+
+void result_print(const Result* r)
+{
+	printf("%.6f %.6f %.6f %.6f %d %016" PRIx64 "\n", r->mean, r->median, (double)r->penetration, (double)r->sunk,
+	       r->touching, r->hash);
+}
+
+bool result_scan(const char* line, Result* r)
+{
+	return sscanf(line, "%lf %lf %f %f %d %" SCNx64, &r->mean, &r->median, &r->penetration, &r->sunk, &r->touching,
+	              &r->hash) == 6;
+}

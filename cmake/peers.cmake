@@ -1,0 +1,13 @@
+# peers.cmake -- scree_peers, the benchmark against Box2D v3, where a CMake package of it is installed.
+find_package(box2d CONFIG QUIET)
+if(NOT TARGET box2d::box2d)
+	message(STATUS "Peers: left out, because Box2D v3 was not found; CMAKE_PREFIX_PATH may say where it is installed")
+elseif(NOT TARGET scree_scene)
+	message(STATUS "Peers: left out, because scenes need Jansson")
+else()
+	file(GLOB peers_sources CONFIGURE_DEPENDS bench/peers/*.c)
+	add_executable(scree_peers ${peers_sources})
+	scree_flags(scree_peers)
+	set_target_properties(scree_peers PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+	target_link_libraries(scree_peers PRIVATE scree_scene scree_static box2d::box2d Threads::Threads)
+endif()
