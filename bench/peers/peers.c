@@ -51,8 +51,8 @@ static const char* const help =
     "  -d, --device NAME        where Scree runs, cpu without it\n"
     "  -c, --continuous         Box2D with continuous collision, which Scree does not have yet\n"
     "  -s, --set NAME=VALUE     give a parameter of the scenes another value; may be repeated\n"
-    "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, deepest overlap, sink,\n"
-    "                           contacts, final state\n"
+    "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, deepest overlap of all\n"
+    "                           steps, mean of the deepest of each, mean contacts, sink, final state\n"
     "  -R, --ruled              that trial is not timed but measured with the ruler\n"
     "  -h, --help               this text\n";
 
@@ -231,9 +231,10 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	       middle(ratio, options->repeats));
 	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted by now: the least and the most
 	printf(",%.4f,%.4f", middle(median[SCREE], options->repeats), middle(median[BOX2D], options->repeats));
-	printf(",%.5f,%.5f,%d,%d,%.5f,%.5f", (double)ruled[SCREE].penetration, (double)ruled[BOX2D].penetration,
-	       ruled[SCREE].touching, ruled[BOX2D].touching, (double)ruled[SCREE].sunk, (double)ruled[BOX2D].sunk);
-	printf(",%016" PRIx64 ",%016" PRIx64 ",%d\n", ruled[SCREE].hash, ruled[BOX2D].hash, same);
+	const Result *a = &ruled[SCREE], *b = &ruled[BOX2D];
+	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
+	printf(",%.0f,%.0f,%.5f,%.5f", (double)a->contacts, (double)b->contacts, (double)a->sunk, (double)b->sunk);
+	printf(",%016" PRIx64 ",%016" PRIx64 ",%d\n", a->hash, b->hash, same);
 	fflush(stdout);
 	return true;
 }
@@ -279,8 +280,8 @@ int main(int count, char** arguments)
 		scene_free(scene);
 	}
 	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,median_scree,median_box2d,"
-	       "penetration_scree,penetration_box2d,contacts_scree,contacts_box2d,sink_scree,sink_box2d,hash_scree,"
-	       "hash_box2d,same\n");
+	       "penetration_scree,penetration_box2d,depth_scree,depth_box2d,contacts_scree,contacts_box2d,sink_scree,"
+	       "sink_box2d,hash_scree,hash_box2d,same\n");
 	for (int k = 0; k < name_count; ++k)
 	{
 		if (!compare_all(&options, names[k], steps[k]))

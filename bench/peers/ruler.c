@@ -50,7 +50,9 @@ bool ruler_measure(Ruler* ruler)
 		return false;
 	if (counters.penetration > ruler->penetration)
 		ruler->penetration = counters.penetration;
-	ruler->touching = counters.touching;
+	ruler->depths += (double)counters.penetration;
+	ruler->contacts += counters.touching;
+	++ruler->measured;
 	return true;
 }
 

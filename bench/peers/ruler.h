@@ -12,8 +12,10 @@ typedef struct
 	int count;
 	scree_pose* poses; // what the engine says, to be filled in before measuring
 
+	int measured;
 	float penetration; // deepest so far, m
-	int touching;      // contacts at the last measurement
+	double depths;     // sum of the deepest of each measurement, m
+	double contacts;   // sum of the touching contacts of each
 	float* height;     // of each body at the first measurement, m
 	float sunk;        // at the last measurement: how far the body that sank most is below its first height, m
 } Ruler;

@@ -62,7 +62,11 @@ static bool run_ruled(const Engine* engine, void* state, const Trial* trial, Res
 		       engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
 	result->penetration = ruler.penetration;
 	result->sunk = ruler.sunk;
-	result->touching = ruler.touching;
+	if (ruler.measured > 0)
+	{
+		result->depth = (float)(ruler.depths / ruler.measured);
+		result->contacts = (float)(ruler.contacts / ruler.measured);
+	}
 	ruler_close(&ruler);
 	return good;
 }
@@ -81,12 +85,12 @@ bool trial_run(const Engine* engine, const Trial* trial, Result* result)
 
 void result_print(const Result* r)
 {
-	printf("%.6f %.6f %.6f %.6f %d %016" PRIx64 "\n", r->mean, r->median, (double)r->penetration, (double)r->sunk,
-	       r->touching, r->hash);
+	printf("%.6f %.6f %.6f %.6f %.1f %.6f %016" PRIx64 "\n", r->mean, r->median, (double)r->penetration,
+	       (double)r->depth, (double)r->contacts, (double)r->sunk, r->hash);
 }
 
 bool result_scan(const char* line, Result* r)
 {
-	return sscanf(line, "%lf %lf %f %f %d %" SCNx64, &r->mean, &r->median, &r->penetration, &r->sunk, &r->touching,
-	              &r->hash) == 6;
+	return sscanf(line, "%lf %lf %f %f %f %f %" SCNx64, &r->mean, &r->median, &r->penetration, &r->depth, &r->contacts,
+	              &r->sunk, &r->hash) == 7;
 }

@@ -15,9 +15,10 @@ typedef struct
 typedef struct
 {
 	double mean, median; // ms a step, the first steps left out; zeros when ruled
-	float penetration;   // deepest of all steps, m; this and what follows are zero unless ruled
+	float penetration;   // deepest of all steps, m; this and what follows but the hash are zero unless ruled
+	float depth;         // mean of the deepest of each step, m
+	float contacts;      // that touch, mean of all steps
 	float sunk;          // how far the body that sank most did, m
-	int touching;        // contacts at the end
 	uint64_t hash;       // the engine's own, at the end
 } Result;
 
