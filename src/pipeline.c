@@ -416,9 +416,9 @@ scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
 	if (per == CONTACT)
 	{
 		// every color may need padding
-		status = resize(world, CONSTRAINT, wanted + (COLORS + 1) * MAX_LANES);
+		status = resize(world, CONSTRAINT, wanted + (COLORS + 1) * COLOR_PADDING);
 		if (!status)
-			status = resize(world, BLOCK, wanted / MAX_LANES + COLORS + 1);
+			status = resize(world, BLOCK, wanted / MAX_LANES + (COLORS + 1) * COLOR_PADDING / MAX_LANES);
 		if (!status)
 			status = resize(world, KEY, wanted);
 	}

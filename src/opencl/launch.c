@@ -116,7 +116,12 @@ scree_status kernels_bind(OpenCl* d, Per per)
 {
 	for (int k = 0; k < STAGE_COUNT; ++k)
 		TRY(kernel_bind(d, per, &d->stages[k]));
-	TRY(kernel_bind(d, per, &d->persistent));
+	if (d->together)
+	{
+		TRY(kernel_bind(d, per, &d->persistent));
+		TRY(kernel_bind(d, per, &d->relay));
+		TRY(kernel_bind(d, per, &d->relay_end));
+	}
 	return primitives_bind(d);
 }
 
@@ -151,15 +156,11 @@ static scree_status stage_run(OpenCl* d, const Run* run)
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
 }
 
-// How many runs from the first on are stages of the solver, and how many items the largest has.
-static int solver_runs(const Run* runs, int count, int* largest)
+static scree_status one_run(OpenCl* d, const Run* run)
 {
-	int k = 0;
-	*largest = 0;
-	for (; k < count && runs[k].stage < STAGE_COUNT && stage_boxes[runs[k].stage] == BOX_solve; ++k)
-		if (runs[k].end - runs[k].begin > *largest)
-			*largest = runs[k].end - runs[k].begin;
-	return k;
+	if (run->begin >= run->end)
+		return SCREE_OK;
+	return run->stage < STAGE_COUNT ? stage_run(d, run) : primitive_run(d, run);
 }
 
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
@@ -172,19 +173,15 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 	}
 	for (int i = 0; i < count;)
 	{
-		int largest, together = solver_runs(runs + i, count - i, &largest);
-		if (persistent_suits(d, together, largest))
-		{
+		int relayed = relay_length(d, runs + i, count - i);
+		int together = relayed ? 0 : persistent_length(d, runs + i, count - i);
+		if (relayed)
+			TRY(relay_run(d, runs + i, relayed));
+		else if (together)
 			TRY(persistent_run(d, runs + i, together));
-			i += together;
-			continue;
-		}
-		for (int end = i + (together ? together : 1); i < end; ++i)
-		{
-			if (runs[i].begin >= runs[i].end)
-				continue;
-			TRY(runs[i].stage < STAGE_COUNT ? stage_run(d, &runs[i]) : primitive_run(d, &runs[i]));
-		}
+		else
+			TRY(one_run(d, runs + i));
+		i += relayed ? relayed : together ? together : 1;
 	}
 	return CALL(Flush, d->queue);
 }

@@ -23,12 +23,20 @@
 #define SCAN_ITEMS 4
 #define SCAN_GRAIN (PRIMITIVE_GROUP * SCAN_ITEMS)
 
-// work-items of a group of the persistent kernel: 256 was slower by a seventh at 10,000 bodies, 64 at 100,000
-#define PERSISTENT_GROUP 128
+// work-items of a group of the persistent kernel, which sorts, and the most runs of its list
+#define PERSISTENT_GROUP PRIMITIVE_GROUP
 // ints before the runs in the list of the persistent kernel; the first counts arrivals at the meeting point
 #define PERSISTENT_HEADER 32
 // stage number of a run that tries whether groups meet and see each other's writes
 #define PERSISTENT_PROBE (-1)
+
+// work-items of a group of the relay, which go in step: COLOR_PADDING, so that no two of them share a body
+#define RELAY_GROUP 32
+// 64-bit words of a body in the relay, and turns of a pass: one a color, and one more
+#define RELAY_WORDS 4
+#define RELAY_TURNS 64
+// float4s of a constraint that does not stay in registers
+#define RELAY_NOTES 7
 
 // Counters.fault
 #define FAULT_BLOWN 1 // groups did not meet within the bound

@@ -20,6 +20,7 @@ static void opencl_close(Backend* b)
 	{
 		if (d->queue)
 			finish(d); // a failure changes nothing now
+		relay_close(d);
 		persistent_close(d);
 		primitives_close(d);
 		for (int i = 0; i < STAGE_COUNT; ++i)
@@ -160,11 +161,18 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(program_build(d->context, &d->device, opencl_program, opencl_program_length, &d->program));
+	d->together = persistent_wanted(d);
+	TRY(program_build(d->context, &d->device, d->together ? " -DTOGETHER" : "", opencl_program, opencl_program_length,
+	                  &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], STAGE_GROUP, &d->stages[i]));
-	TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
+	if (d->together)
+	{
+		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
+		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
+		TRY(kernel_create(d, "relay_end", STAGE_GROUP, &d->relay_end));
+	}
 	TRY(primitives_open(d));
 
 	// pools without items have room all the same: kernels need something to point at
@@ -173,7 +181,11 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(make_room(b, (Per)i, 1));
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(kernels_bind(d, (Per)i));
-	TRY(persistent_open(d));
+	if (d->together)
+	{
+		TRY(persistent_open(d));
+		TRY(relay_open(d));
+	}
 	return finish(d);
 }
 

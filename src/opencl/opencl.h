@@ -21,6 +21,7 @@ enum
 	// of the persistent kernel
 	ARGUMENT_LIST = ARGUMENT_RUN,
 	ARGUMENT_COUNT,
+	ARGUMENT_TABLE,
 	ARGUMENT_PROBES,
 	ARGUMENT_SPINS
 };
@@ -55,12 +56,23 @@ typedef struct
 	cl_kernel sort_count, sort_place, sort_return, scan_sum, scan_place;
 	cl_mem table;
 
+	bool together; // groups may run together: the program has what needs it
+
 	// persistent.c
 	Kernel persistent;
 	cl_mem list, probes;
-	struct PersistentList* gathered; // the list on its way to the device
-	int most_groups;                 // that meet; 0 when this device takes launches only
-	bool any_size;                   // SCREE_PERSISTENT=1: also where launches are faster
+	Run* listed; // the runs that are on the device, and how many
+	int listed_count;
+	int most_groups; // that meet; 0 when this device takes launches only
+	bool any_size;   // SCREE_PERSISTENT=1: also where launches are faster
+
+	// relay.c
+	Kernel relay, relay_end;
+	cl_mem rows; // of words, RELAY_WORDS a body
+	int row_count;
+	cl_mem notes; // RELAY_NOTES float4s a constraint
+	int note_count;
+	int relay_groups; // that run together; 0 when this device takes other forms only
 
 	// data on its way to the device: the driver may still read it until the queue has been waited for
 	unsigned char* staging;
@@ -105,12 +117,21 @@ void primitives_close(OpenCl* d);
 scree_status primitives_bind(OpenCl* d); // as kernels_bind
 scree_status primitive_run(OpenCl* d, const Run* run);
 
+// Whether to try the kernels whose groups run together.
+bool persistent_wanted(OpenCl* d);
 // Decides whether the device can run the persistent kernel.
 scree_status persistent_open(OpenCl* d);
 void persistent_close(OpenCl* d);
-// whether consecutive runs of the solver, the largest of so many items, are better one launch than many
-bool persistent_suits(const OpenCl* d, int count, int largest);
+// How many runs from the first on are better one launch than many; 0 for none.
+int persistent_length(const OpenCl* d, const Run* runs, int count);
 scree_status persistent_run(OpenCl* d, const Run* runs, int count);
+
+// Decides whether the device can run the relay kernel.
+scree_status relay_open(OpenCl* d);
+void relay_close(OpenCl* d);
+// How many runs from the first on are a whole solve that one relay is better for; 0 for none.
+int relay_length(const OpenCl* d, const Run* runs, int count);
+scree_status relay_run(OpenCl* d, const Run* runs, int count);
 
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count);
 scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// persistent.c -- launches many runs of the solver at once (persistent.cl), where the device can.
+// persistent.c -- launches many runs at once (persistent.cl), where the device can.
 #include "error.h"
 #include "opencl/opencl.h"
 #include <stdlib.h>
@@ -8,9 +8,7 @@
 // Beyond this many items in a run, launches are faster: the time is memory's then, and a launch fills the device better
 // than the few groups that can meet. Measured on an H200, a step of 88 runs, persistent and launched: 10k bodies 0.29
 // and 0.51 ms, 100k 0.40 and 0.49, 300k 1.10 and 0.86, 1M 3.1 and 2.3.
-#define PERSISTENT_ITEMS 150000
-
-#define PERSISTENT_RUNS 1024 // most runs of one launch
+#define PERSISTENT_ITEMS 1000000
 
 // Bounds of the wait at a meeting, in looks at the counter of half a microsecond or so: 2 s, and 30 ms for the probe. A
 // launch of the solver must never reach the bound, the probe may: then launches are used.
@@ -18,31 +16,30 @@
 #define PROBE_SPINS (1 << 16)
 #define PROBE_RUNS  64
 
-typedef struct PersistentList
-{
-	cl_int header[PERSISTENT_HEADER]; // zero
-	Run runs[PERSISTENT_RUNS];
-} PersistentList;
-
-// Launches the runs that are gathered.
-static scree_status launch_list(OpenCl* d, cl_int count, int groups, cl_int spins)
+// Launches runs. A settled world's are the same in every step, and are sent once.
+static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
 	cl_kernel kernel = d->persistent.kernel;
-	size_t bytes = sizeof d->gathered->header + (size_t)count * sizeof(Run);
-	TRY(upload(d, d->list, 0, d->gathered, bytes));
+	size_t bytes = (size_t)count * sizeof(Run);
+	if (count != d->listed_count || memcmp(d->listed, runs, bytes) != 0)
+	{
+		TRY(upload(d, d->list, PERSISTENT_HEADER * sizeof(cl_int), runs, bytes));
+		memcpy(d->listed, runs, bytes);
+		d->listed_count = count;
+	}
 	TRY(kernel_step(d, &d->persistent));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_COUNT, sizeof count, &count));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_SPINS, sizeof spins, &spins));
-	d->box = BOX_solve;
 	return launch(d, kernel, (size_t)groups * d->persistent.group, d->persistent.group);
 }
 
 // Whether the groups really meet, and see what the others wrote before.
 static scree_status probe(OpenCl* d, bool* meets)
 {
+	Run runs[PROBE_RUNS];
 	for (int k = 0; k < PROBE_RUNS; ++k)
-		d->gathered->runs[k] = (Run){PERSISTENT_PROBE, 0, d->most_groups * (int)d->persistent.group, NO_COUNT, k};
-	TRY(launch_list(d, PROBE_RUNS, d->most_groups, PROBE_SPINS));
+		runs[k] = (Run){PERSISTENT_PROBE, 0, d->most_groups * (int)d->persistent.group, NO_COUNT, k};
+	TRY(launch_list(d, runs, PROBE_RUNS, d->most_groups, PROBE_SPINS));
 	TRY(finish(d));
 
 	cl_int fault;
@@ -52,32 +49,37 @@ static scree_status probe(OpenCl* d, bool* meets)
 	*meets = fault == 0;
 	if (*meets)
 		return SCREE_OK;
-	log_sentence(SCREE_LOG_INFO, "%s: %s; the solver takes one launch a color.", d->device.about.name,
+	log_sentence(SCREE_LOG_INFO, "%s: %s; each run is a launch.", d->device.about.name,
 	             fault == FAULT_BLOWN ? "work-groups do not run together" : "work-groups see stale memory");
 	fault = 0;
 	return upload(d, counters, at, &fault, sizeof fault);
 }
 
-scree_status persistent_open(OpenCl* d)
+bool persistent_wanted(OpenCl* d)
 {
 	const char* forced = getenv("SCREE_PERSISTENT");
-	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	if (forced && *forced ? strcmp(forced, "0") == 0 : cpu)
-		return SCREE_OK;
-	d->any_size = forced && *forced;
+	d->any_size = forced && *forced && strcmp(forced, "0") != 0;
+	return forced && *forced ? d->any_size : !(d->device.type & CL_DEVICE_TYPE_CPU);
+}
 
+scree_status persistent_open(OpenCl* d)
+{
+	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	// groups that are on the device together for certain: those that could be one group, on each compute unit. A CPU
 	// runs groups to their end one after the other: only one meets, which serves tests.
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, d->persistent.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
+	if (d->persistent.group != PERSISTENT_GROUP)
+		return SCREE_OK;
 	d->most_groups = cpu ? 1 : d->device.about.units * (int)(most / d->persistent.group);
-	d->gathered = scree_allocate(sizeof *d->gathered);
-	if (!d->gathered)
+	d->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
+	if (!d->listed)
 		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
-	TRY(buffer_create(d, sizeof *d->gathered, &d->list));
+	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &d->list));
 	TRY(buffer_create(d, 2 * (size_t)d->most_groups * d->persistent.group * sizeof(cl_int), &d->probes));
 	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_LIST, sizeof d->list, &d->list));
+	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_TABLE, sizeof d->table, &d->table));
 	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_PROBES, sizeof d->probes, &d->probes));
 
 	d->step_version = 1; // the probe needs a step, whatever it holds
@@ -96,32 +98,32 @@ void persistent_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->list);
 	if (d->probes)
 		opencl.ReleaseMemObject(d->probes);
-	scree_release(d->gathered);
+	scree_release(d->listed);
 }
 
-bool persistent_suits(const OpenCl* d, int count, int largest)
+static int items(const Run* run) { return run->end - run->begin; }
+
+// a primitive counts to the box of the run before it
+static Box box_of(const Run* run, Box before) { return run->stage < STAGE_COUNT ? stage_boxes[run->stage] : before; }
+
+int persistent_length(const OpenCl* d, const Run* runs, int count)
 {
-	return d->most_groups > 0 && count > 1 && (d->any_size || largest <= PERSISTENT_ITEMS);
+	if (d->most_groups == 0)
+		return 0;
+	Box box = box_of(runs, d->box);
+	int k = 0;
+	for (; k < count && k < PERSISTENT_GROUP; ++k)
+		if ((items(&runs[k]) > PERSISTENT_ITEMS && !d->any_size) || (d->laps && box_of(&runs[k], box) != box))
+			break;
+	return k > 1 ? k : 0;
 }
 
 scree_status persistent_run(OpenCl* d, const Run* runs, int count)
 {
-	int i = 0;
-	while (i < count)
-	{
-		int gathered = 0, largest = 0;
-		for (; i < count && gathered < PERSISTENT_RUNS; ++i)
-		{
-			int items = runs[i].end - runs[i].begin;
-			if (items <= 0)
-				continue;
-			d->gathered->runs[gathered++] = runs[i];
-			if (items > largest)
-				largest = items;
-		}
-		int group = (int)d->persistent.group, groups = (largest - 1) / group + 1;
-		if (gathered)
-			TRY(launch_list(d, gathered, groups < d->most_groups ? groups : d->most_groups, SPINS));
-	}
-	return SCREE_OK;
+	int largest = 1, group = (int)d->persistent.group;
+	for (int k = 0; k < count; ++k)
+		largest = items(&runs[k]) > largest ? items(&runs[k]) : largest;
+	int groups = (largest - 1) / group + 1;
+	d->box = box_of(runs, d->box);
+	return launch_list(d, runs, count, groups < d->most_groups ? groups : d->most_groups, SPINS);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// persistent.cl -- one launch that works through many runs of the solver: all groups meet between two runs.
+// persistent.cl -- one launch that works through a whole list of runs: all groups meet after each that has items.
+//
+// A run may change the counter that bounds a later one of the list: bounds are read after each meeting.
 //
 // A meeting costs a quarter of a launch. It needs all groups on the device at once, which OpenCL does not promise: the
 // host tries it once when it opens a device (PERSISTENT_PROBE), and no wait here is without a bound.
@@ -11,7 +13,9 @@ enum
 #define X(name, width, box) STAGE_##name,
 #include "stages/stages.def"
 #undef X
-	STAGE_COUNT
+	STAGE_COUNT,
+	PRIMITIVE_SORT = STAGE_COUNT,
+	PRIMITIVE_SCAN
 };
 
 // Orders this work-item's memory accesses for the whole device, not its group alone, and drops what its first-level
@@ -22,24 +26,34 @@ enum
 #define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
 #endif
 
-// Waits until so many arrivals of groups are counted. False when that took more than so many spins, here or elsewhere.
-INLINE bool meet(volatile __global int* arrived, volatile __global int* fault, __local int* healthy, int arrivals,
-                 int spins)
+typedef struct // of all groups
 {
+	volatile __global int* arrived; // goes on from launch to launch
+	volatile __global int* fault;
+	volatile __local int* healthy;
+	int arrivals; // when the last meeting was over
+	int spins;
+} Meeting;
+
+// Waits until all groups have arrived. False when that took more than so many spins, here or elsewhere.
+INLINE bool meet(Meeting* m)
+{
+	m->arrivals = (int)((uint)m->arrivals + (uint)get_num_groups(0));
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	if (get_local_id(0) == 0)
 	{
 		DEVICE_FENCE();
-		atomic_inc(arrived);
-		while (*arrived < arrivals && spins > 0)
+		atomic_inc(m->arrived);
+		int spins = m->spins;
+		while ((int)((uint)*m->arrived - (uint)m->arrivals) < 0 && spins > 0)
 			--spins;
-		if (*arrived < arrivals)
-			*fault = FAULT_BLOWN;
+		if (spins <= 0)
+			*m->fault = FAULT_BLOWN;
 		DEVICE_FENCE();
-		*healthy = *fault == 0;
+		*m->healthy = *m->fault == 0;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-	return *healthy;
+	return *m->healthy;
 }
 
 // Meeting number k of the probe: writes k for a work-item of another group, and looks for the k - 1 that a third wrote.
@@ -54,55 +68,111 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
+// As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
+INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m)
+{
+	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
+	int from = run.argument & 255, end = run.argument >> 8;
+	__global Word64 *key = p->key, *other = p->key_other;
+	for (int shift = from; shift < end; shift += SORT_DIGIT_BITS)
+	{
+		uint mask = (1u << min(SORT_DIGIT_BITS, end - shift)) - 1;
+		for (uint block = first; block < SORT_BLOCKS; block += groups)
+			sort_count_part(key, n, table, block, shift, mask, bench->sum);
+		if (!meet(m))
+			return false;
+		for (uint block = first; block < SORT_BLOCKS; block += groups)
+			sort_place_part(key, other, n, table, block, shift, mask, bench);
+		if (!meet(m))
+			return false;
+		__global Word64* swapped = key;
+		key = other;
+		other = swapped;
+	}
+	if (key != p->key)
+		for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
+			p->key[i] = key[i];
+	return true;
+}
+
+INLINE bool scan_together(const Pools* p, Run run, __global uint* table, __local uint* sum, Meeting* m)
+{
+	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
+	for (uint block = first; block < SCAN_BLOCKS; block += groups)
+		scan_sum_part(p->scan, n, table, block, sum);
+	if (!meet(m))
+		return false;
+	for (uint block = first; block < SCAN_BLOCKS; block += groups)
+		scan_place_part(p->scan, n, table, block, sum);
+	return true;
+}
+
 INLINE int run_end(Run run, const Pools* p)
 {
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
 }
 
-// list holds PERSISTENT_HEADER ints, of which the first is zero, then count runs. A run without items is passed over
-// without meeting, and the next is fetched early, so no run may change the counter that bounds a later one of the list.
-__kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global int* probes, int spins)
+// list holds PERSISTENT_HEADER ints, the first two for meetings, then count runs: one a work-item of a group at most. Each
+// work-item keeps a run and reads its bound after every meeting, so that all bounds together cost one look at memory,
+// and runs without items cost nothing.
+__kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
+                         __global int* probes, int spins)
 {
-	__local int healthy;
+	volatile __local int healthy, found;
+	__local Run chosen;
+	__local Bench bench;
 	Pools pools = {POOL_NAMES step, 0};
-	volatile __global int* fault = &pools.counters->fault;
-	__global const Run* runs = (__global const Run*)(list + PERSISTENT_HEADER);
-	int begin = (int)get_global_id(0), stride = (int)get_global_size(0), arrivals = 0;
-	Run next = runs[0];
-	int next_end = run_end(next, &pools);
-	for (int k = 0; k < count; ++k)
+	int lane = (int)get_local_id(0), begin = (int)get_global_id(0), stride = (int)get_global_size(0);
+	Run mine = {0, 0, 0, -1, 0};
+	if (lane < count)
+		mine = ((__global const Run*)(list + PERSISTENT_HEADER))[lane];
+	volatile __global int* met = list;
+	Meeting m = {met, &pools.counters->fault, &healthy, met[1], spins};
+	for (int next = 0;;)
 	{
-		// the next run is fetched while this one is worked on
-		Run run = next;
-		int end = next_end;
-		next = runs[min(k + 1, count - 1)];
-		next_end = run_end(next, &pools);
-		if (run.begin >= end)
-			continue;
+		if (lane == 0)
+			found = count;
+		barrier(CLK_LOCAL_MEM_FENCE);
+		if (lane >= next && mine.begin < run_end(mine, &pools))
+			atomic_min(&found, lane);
+		barrier(CLK_LOCAL_MEM_FENCE);
+		if (found == lane)
+			chosen = mine;
+		barrier(CLK_LOCAL_MEM_FENCE);
+		if (found == count)
+			break;
+		next = found + 1;
+		Run run = chosen;
+		int end = run_end(run, &pools);
 		pools.argument = run.argument;
-		for (int i = run.begin + begin; i < end; i += stride)
+		bool well = true;
+		switch (run.stage)
 		{
-			switch (run.stage)
-			{
-#define SOLVER_transform(name)
-#define SOLVER_broad_phase(name)
-#define SOLVER_narrow_phase(name)
-#define SOLVER_color(name)
-#define SOLVER_finalize(name)
-#define SOLVER_solve(name)                                                                                             \
-	case STAGE_##name:                                                                                                 \
-		name##_item(&pools, i);                                                                                        \
+#define X(name, width, box)                                   \
+	case STAGE_##name:                                        \
+		for (int i = run.begin + begin; i < end; i += stride) \
+			name##_item(&pools, i);                           \
 		break;
-#define X(name, width, box) SOLVER_##box(name)
 #include "stages/stages.def"
 #undef X
-			case PERSISTENT_PROBE:
-				probe(probes, fault, run.argument);
-				break;
-			}
+		case PRIMITIVE_SORT:
+			well = sort_together(&pools, run, table, &bench, &m);
+			break;
+		case PRIMITIVE_SCAN:
+			well = scan_together(&pools, run, table, bench.sum, &m);
+			break;
+		case PERSISTENT_PROBE:
+			probe(probes, m.fault, run.argument);
+			break;
 		}
-		arrivals += (int)get_num_groups(0);
-		if (!meet((volatile __global int*)list, fault, &healthy, arrivals, spins))
+		if (!well)
+			return;
+		if (next == count)
+			break;
+		if (!meet(&m))
 			return;
 	}
+	// after a meeting all have read where it began
+	if (begin == 0)
+		met[1] = m.arrivals;
 }

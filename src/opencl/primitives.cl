@@ -3,12 +3,15 @@
 //
 // In the first launch each group counts (or sums) its own part of the items into a row of a table. In the second each
 // group adds up what lies before it in the table, and puts its items where they go. A launch to scan the table between
-// the two would cost more than reading it many times, for it is small and cached.
+// the two would cost more than reading it many times, for it is small and cached. The persistent kernel takes the same
+// parts, with a meeting where a launch would end.
 //
 // The number of items is read on the device: groups past it leave at once. Pools come as the buffer of their kind and
 // the place in it, in bytes; the counters are alone in theirs.
 #include "opencl/limits.h"
 #include "pools/pools.h"
+
+#define SORT_WORDS (PRIMITIVE_GROUP / 32)
 
 INLINE uint item_count(Run run, __global const int* counters)
 {
@@ -40,15 +43,18 @@ INLINE uint group_scan(__local uint* sum, uint x)
 	return all - x;
 }
 
-// How many keys of this group's part have each digit.
-__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-sort_count(__global uchar* keys, __global const int* counters, __global uint* table, Run run, ulong from, int shift,
-           uint mask)
+typedef struct // local memory of a group
 {
-	__global const Word64* key = (__global const Word64*)(keys + from);
-	__local uint count[SORT_DIGITS];
-	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
-	uint n = item_count(run, counters);
+	uint sum[PRIMITIVE_GROUP];
+	uint member[2][SORT_WORDS][SORT_DIGITS];
+	uint place[SORT_WORDS][SORT_DIGITS];
+} Bench;
+
+// How many keys of a part have each digit.
+INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
+                            __local uint* count)
+{
+	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint begin = min(n, block * part), end = min(n, begin + part);
 	if (begin >= end)
@@ -62,22 +68,14 @@ sort_count(__global uchar* keys, __global const int* counters, __global uint* ta
 	table[block * SORT_DIGITS + t] = count[t];
 }
 
-// Puts the keys of this group's part where they belong by one digit, those of equal digits in the order they had.
+// Puts the keys of a part where they belong by one digit, those of equal digits in the order they had.
 //
 // Within 256 neighbours, the rank of a key among its equals is found with a bit mask a digit: each work-item sets its
 // bit, whatever the order, and counts the bits below. Work-item t is the keeper of digit t.
-#define SORT_WORDS (PRIMITIVE_GROUP / 32)
-__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-sort_place(__global uchar* keys, __global const int* counters, __global const uint* table, Run run, ulong from,
-           ulong to, int shift, uint mask)
+INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
+                            uint block, int shift, uint mask, __local Bench* bench)
 {
-	__global const Word64* key = (__global const Word64*)(keys + from);
-	__global Word64* key_other = (__global Word64*)(keys + to);
-	__local uint sum[PRIMITIVE_GROUP];
-	__local uint member[2][SORT_WORDS][SORT_DIGITS];
-	__local uint place[SORT_WORDS][SORT_DIGITS];
-	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
-	uint n = item_count(run, counters);
+	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint begin = min(n, block * part), end = min(n, begin + part);
 	if (begin >= end)
@@ -91,10 +89,10 @@ sort_place(__global uchar* keys, __global const int* counters, __global const ui
 		before += k < block ? count : 0;
 		total += count;
 	}
-	uint next_place = before + group_scan(sum, total);
+	uint next_place = before + group_scan(bench->sum, total);
 
 	for (uint w = 0; w < SORT_WORDS; ++w)
-		member[0][w][t] = 0;
+		bench->member[0][w][t] = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
 	uint word = t / 32, bit = 1u << (t % 32), side = 0;
 	Word64 next = begin + t < end ? key[begin + t] : 0;
@@ -104,41 +102,28 @@ sort_place(__global uchar* keys, __global const int* counters, __global const ui
 		bool live = first + t < end;
 		uint digit = (uint)(mine >> shift) & mask;
 		if (live)
-			atomic_or(&member[side][word][digit], bit);
+			atomic_or(&bench->member[side][word][digit], bit);
 		if (first + PRIMITIVE_GROUP + t < end)
 			next = key[first + PRIMITIVE_GROUP + t];
 		barrier(CLK_LOCAL_MEM_FENCE);
 		for (uint w = 0; w < SORT_WORDS; ++w)
 		{
-			place[w][t] = next_place;
-			next_place += popcount(member[side][w][t]);
-			member[side ^ 1][w][t] = 0;
+			bench->place[w][t] = next_place;
+			next_place += popcount(bench->member[side][w][t]);
+			bench->member[side ^ 1][w][t] = 0;
 		}
 		barrier(CLK_LOCAL_MEM_FENCE);
 		if (live)
-			key_other[place[word][digit] + popcount(member[side][word][digit] & (bit - 1))] = mine;
+			key_other[bench->place[word][digit] + popcount(bench->member[side][word][digit] & (bit - 1))] = mine;
 		side ^= 1;
 	}
+	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Brings the keys home after an odd number of passes.
-__kernel void sort_return(__global uchar* keys, __global const int* counters, Run run, ulong from, ulong to)
+// The sum of a part.
+INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, __local uint* sum)
 {
-	__global const Word64* key_other = (__global const Word64*)(keys + from);
-	__global Word64* key = (__global Word64*)(keys + to);
-	uint n = item_count(run, counters);
-	for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
-		key[i] = key_other[i];
-}
-
-// The sum of this group's part.
-__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-scan_sum(__global uchar* contacts, __global const int* counters, __global uint* table, Run run, ulong at)
-{
-	__global const int* scan = (__global const int*)(contacts + at);
-	__local uint sum[PRIMITIVE_GROUP];
-	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
-	uint n = item_count(run, counters);
+	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
 	uint begin = min(n, block * part), end = min(n, begin + part);
 	if (begin >= end)
@@ -150,16 +135,13 @@ scan_sum(__global uchar* contacts, __global const int* counters, __global uint* 
 	group_scan(sum, mine);
 	if (t == 0)
 		table[block] = sum[PRIMITIVE_GROUP - 1];
+	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Replaces each item of this group's part by the sum of all items before it.
-__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
-scan_place(__global uchar* contacts, __global const int* counters, __global const uint* table, Run run, ulong at)
+// Replaces each item of a part by the sum of all items before it.
+INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, __local uint* sum)
 {
-	__global int* scan = (__global int*)(contacts + at);
-	__local uint sum[PRIMITIVE_GROUP];
-	uint t = (uint)get_local_id(0), block = (uint)get_group_id(0);
-	uint n = item_count(run, counters);
+	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
 	uint begin = min(n, block * part), end = min(n, begin + part);
 	if (begin >= end)
@@ -191,4 +173,45 @@ scan_place(__global uchar* contacts, __global const int* counters, __global cons
 		base += sum[PRIMITIVE_GROUP - 1];
 		barrier(CLK_LOCAL_MEM_FENCE);
 	}
+}
+
+#define PRIMITIVE __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void
+
+PRIMITIVE sort_count(__global uchar* keys, __global const int* counters, __global uint* table, Run run, ulong from,
+                     int shift, uint mask)
+{
+	__local uint count[SORT_DIGITS];
+	sort_count_part((__global const Word64*)(keys + from), item_count(run, counters), table, (uint)get_group_id(0), shift,
+	                mask, count);
+}
+
+PRIMITIVE sort_place(__global uchar* keys, __global const int* counters, __global const uint* table, Run run, ulong from,
+                     ulong to, int shift, uint mask)
+{
+	__local Bench bench;
+	sort_place_part((__global const Word64*)(keys + from), (__global Word64*)(keys + to), item_count(run, counters),
+	                table, (uint)get_group_id(0), shift, mask, &bench);
+}
+
+// Brings the keys home after an odd number of passes.
+__kernel void sort_return(__global uchar* keys, __global const int* counters, Run run, ulong from, ulong to)
+{
+	__global const Word64* key_other = (__global const Word64*)(keys + from);
+	__global Word64* key = (__global Word64*)(keys + to);
+	uint n = item_count(run, counters);
+	for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
+		key[i] = key_other[i];
+}
+
+PRIMITIVE scan_sum(__global uchar* contacts, __global const int* counters, __global uint* table, Run run, ulong at)
+{
+	__local uint sum[PRIMITIVE_GROUP];
+	scan_sum_part((__global const int*)(contacts + at), item_count(run, counters), table, (uint)get_group_id(0), sum);
+}
+
+PRIMITIVE scan_place(__global uchar* contacts, __global const int* counters, __global const uint* table, Run run,
+                     ulong at)
+{
+	__local uint sum[PRIMITIVE_GROUP];
+	scan_place_part((__global int*)(contacts + at), item_count(run, counters), table, (uint)get_group_id(0), sum);
 }

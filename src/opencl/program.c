@@ -3,27 +3,31 @@
 #include "opencl/program.h"
 #include "error.h"
 #include "opencl/cache.h"
+#include <stdio.h>
 #include <string.h>
 
 // most lines of a compiler's messages that go to the log
 #define LOG_LINES 40
 
-static const char* build_options(const Device* device)
+#define OPTION_BYTES 128
+
+static void all_options(const Device* device, const char* more, char text[OPTION_BYTES])
 {
-	return device->correct_division ? "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt" : "-cl-std=CL1.2";
+	const char* division = device->correct_division ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
+	snprintf(text, OPTION_BYTES, "-cl-std=CL1.2%s%s", division, more);
 }
 
 // All that can change the binary.
-static Digest program_key(const Device* device, const char* text, size_t length)
+static Digest program_key(const Device* device, const char* options, const char* text, size_t length)
 {
 	Digest key = digest_begin();
 	digest_add(&key, text, length);
-	digest_add(&key, build_options(device), strlen(build_options(device)) + 1);
+	digest_add(&key, options, strlen(options) + 1);
 	digest_add(&key, device->identity, strlen(device->identity) + 1);
 	return key;
 }
 
-static cl_program from_cache(cl_context context, const Device* device, Digest key)
+static cl_program from_cache(cl_context context, const Device* device, const char* options, Digest key)
 {
 	size_t count;
 	unsigned char* bytes = cache_read(key, &count);
@@ -33,7 +37,7 @@ static cl_program from_cache(cl_context context, const Device* device, Digest ke
 	cl_program program = opencl.CreateProgramWithBinary(context, 1, &device->id, &count, (const unsigned char**)&bytes,
 	                                                    &binary_error, &error);
 	if (!error && !binary_error)
-		error = opencl.BuildProgram(program, 1, &device->id, build_options(device), NULL, NULL);
+		error = opencl.BuildProgram(program, 1, &device->id, options, NULL, NULL);
 	scree_release(bytes);
 	if (!error && !binary_error)
 		return program;
@@ -73,18 +77,20 @@ static void log_messages(cl_program program, cl_device_id device)
 	scree_release(text);
 }
 
-scree_status program_build(cl_context context, const Device* device, const char* text, size_t length,
+scree_status program_build(cl_context context, const Device* device, const char* more, const char* text, size_t length,
                            cl_program* program)
 {
-	Digest key = program_key(device, text, length);
-	*program = from_cache(context, device, key);
+	char options[OPTION_BYTES];
+	all_options(device, more, options);
+	Digest key = program_key(device, options, text, length);
+	*program = from_cache(context, device, options, key);
 	if (*program)
 		return SCREE_OK;
 
 	cl_int error;
 	*program = opencl.CreateProgramWithSource(context, 1, &text, &length, &error);
 	TRY(opencl_check("clCreateProgramWithSource", error));
-	error = opencl.BuildProgram(*program, 1, &device->id, build_options(device), NULL, NULL);
+	error = opencl.BuildProgram(*program, 1, &device->id, options, NULL, NULL);
 	if (error)
 	{
 		log_messages(*program, device->id);

@@ -6,6 +6,8 @@
 
 // ranges of constraints and bodies are padded to this many items, so that every lane count divides them
 #define MAX_LANES 16
+// each color of the constraints is padded to a multiple of this many: what a GPU takes in step never spans two colors
+#define COLOR_PADDING 32
 
 // Colors 0 to COLORS - 1 hold constraints of which no two share a body that can move; color COLORS is the overflow set.
 // One bit of BodyState's mask a color: more would need a wider mask.

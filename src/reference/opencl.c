@@ -202,7 +202,7 @@ scree_status paper_opencl_open(Paper* paper, const char* part, bool allow_unequa
 	TRY(opencl_check("clCreateContext", error));
 	d->queue = opencl.CreateCommandQueue(d->context, d->device.id, CL_QUEUE_PROFILING_ENABLE, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(program_build(d->context, &d->device, paper_program, paper_program_length, &d->program));
+	TRY(program_build(d->context, &d->device, "", paper_program, paper_program_length, &d->program));
 	for (int i = 0; i < PAPER_STAGE_COUNT; ++i)
 		TRY(create_kernel(d, (PaperStageId)i));
 	for (int i = 0; i < PAPER_POOL_COUNT; ++i)

@@ -155,7 +155,7 @@ STAGE(color_range)
 		int count = c->color_last[k] - c->color_first[k];
 		c->color_begin[k] = begin;
 		c->color_count[k] = count;
-		begin += (count + MAX_LANES - 1) & ~(MAX_LANES - 1);
+		begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
 		touching += count;
 	}
 	c->color_begin[COLORS + 1] = begin;

@@ -21,6 +21,18 @@ typedef struct // the part of a constraint that all passes share
 	Vec ra[2], rb[2]; // anchors from the centers of mass
 } Pair;
 
+// all but the bodies
+INLINE void pair_arms(const Pools* p, int i, Pair* c)
+{
+	c->n = vec(load(&constraint_at(p, normal_x, i), 0), load(&constraint_at(p, normal_y, i), 0));
+	c->t = vec(c->n.y, -c->n.x);
+	Vec offset = vec(load(&constraint_at(p, offset_x, i), 0), load(&constraint_at(p, offset_y, i), 0));
+	c->ra[0] = vec(load(&constraint_at(p, anchor1_x, i), 0), load(&constraint_at(p, anchor1_y, i), 0));
+	c->ra[1] = vec(load(&constraint_at(p, anchor2_x, i), 0), load(&constraint_at(p, anchor2_y, i), 0));
+	c->rb[0] = vec_add(c->ra[0], offset);
+	c->rb[1] = vec_add(c->ra[1], offset);
+}
+
 INLINE Pair pair_load(const Pools* p, int i)
 {
 	Pair c;
@@ -28,14 +40,41 @@ INLINE Pair pair_load(const Pools* p, int i)
 	c.ib = load_int(&constraint_at(p, body_b, i), 0);
 	c.a = body_gather(p, c.ia);
 	c.b = body_gather(p, c.ib);
-	c.n = vec(load(&constraint_at(p, normal_x, i), 0), load(&constraint_at(p, normal_y, i), 0));
-	c.t = vec(c.n.y, -c.n.x);
-	Vec offset = vec(load(&constraint_at(p, offset_x, i), 0), load(&constraint_at(p, offset_y, i), 0));
-	c.ra[0] = vec(load(&constraint_at(p, anchor1_x, i), 0), load(&constraint_at(p, anchor1_y, i), 0));
-	c.ra[1] = vec(load(&constraint_at(p, anchor2_x, i), 0), load(&constraint_at(p, anchor2_y, i), 0));
-	c.rb[0] = vec_add(c.ra[0], offset);
-	c.rb[1] = vec_add(c.ra[1], offset);
+	pair_arms(p, i, &c);
 	return c;
+}
+
+typedef struct // what a constraint keeps from pass to pass, and reads
+{
+	Real friction;
+	Real separation[2];         // of the points at the start of the step
+	Real normal[2], tangent[2]; // impulses
+} Load;
+
+INLINE Load load_of(const Pools* p, int i)
+{
+	Load l;
+	l.friction = load(&constraint_at(p, friction, i), 0);
+	l.separation[0] = load(&constraint_at(p, separation1, i), 0);
+	l.separation[1] = load(&constraint_at(p, separation2, i), 0);
+	l.normal[0] = load(&constraint_at(p, normal_impulse1, i), 0);
+	l.normal[1] = load(&constraint_at(p, normal_impulse2, i), 0);
+	l.tangent[0] = load(&constraint_at(p, tangent_impulse1, i), 0);
+	l.tangent[1] = load(&constraint_at(p, tangent_impulse2, i), 0);
+	return l;
+}
+
+INLINE void load_keep_normal(const Pools* p, int i, const Load* l)
+{
+	store(&constraint_at(p, normal_impulse1, i), 0, l->normal[0]);
+	store(&constraint_at(p, normal_impulse2, i), 0, l->normal[1]);
+}
+
+INLINE void load_keep(const Pools* p, int i, const Load* l)
+{
+	load_keep_normal(p, i, l);
+	store(&constraint_at(p, tangent_impulse1, i), 0, l->tangent[0]);
+	store(&constraint_at(p, tangent_impulse2, i), 0, l->tangent[1]);
 }
 
 INLINE void pair_store(const Pools* p, Pair c)
@@ -50,12 +89,45 @@ INLINE Real pair_approach(Pair c, int k, Vec n)
 	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
 }
 
-// One point's push along the normal. Returns the new accumulated impulse, which never pulls. With soft null the
-// overlap is left alone: what bodies gained by being pushed out is taken from them again.
-INLINE Real pair_normal(Pair* c, int k, Real separation, Real old, const Step* step, int soft)
+typedef struct // what a pass needs of the points that does not change with the velocities
+{
+	Real gap[2]; // now
+	Real normal_mass[2], tangent_mass[2];
+} Points;
+
+INLINE Real pair_gap(const Pair* c, int k, Real separation)
 {
 	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
-	Real s = separation + vec_dot(moved, c->n);
+	return separation + vec_dot(moved, c->n);
+}
+
+INLINE void pair_gaps(const Pair* c, const Load* l, Points* points)
+{
+	points->gap[0] = pair_gap(c, 0, l->separation[0]);
+	points->gap[1] = pair_gap(c, 1, l->separation[1]);
+}
+
+INLINE void pair_masses(const Pair* c, Points* points)
+{
+	for (int k = 0; k < 2; ++k)
+	{
+		points->normal_mass[k] = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
+		points->tangent_mass[k] = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->t);
+	}
+}
+
+INLINE Points pair_points(const Pair* c, const Load* l)
+{
+	Points points;
+	pair_gaps(c, l, &points);
+	pair_masses(c, &points);
+	return points;
+}
+
+// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. With soft null the
+// overlap is left alone: what bodies gained by being pushed out is taken from them again.
+INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft)
+{
 	Int apart = s > splat(0.0f);
 
 	// speculative: no push before the gap closes within the substep
@@ -74,7 +146,6 @@ INLINE Real pair_normal(Pair* c, int k, Real separation, Real old, const Step* s
 		                       impulse_scale, apart);
 	}
 
-	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
 	Real change = -mass * (mass_scale * pair_approach(*c, k, c->n) + bias) - impulse_scale * old;
 	Real impulse = maximum(old + change, splat(0.0f));
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
@@ -82,68 +153,53 @@ INLINE Real pair_normal(Pair* c, int k, Real separation, Real old, const Step* s
 }
 
 // One point's friction: Coulomb's cone with the normal impulse of the pass before.
-INLINE Real pair_tangent(Pair* c, int k, Real speed, Real limit, Real old)
+INLINE Real pair_tangent(Pair* c, int k, Real mass, Real speed, Real limit, Real old)
 {
-	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->t);
 	Real impulse = old - mass * (pair_approach(*c, k, c->t) + speed);
 	impulse = minimum(maximum(impulse, -limit), limit);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
 	return impulse;
 }
 
-INLINE void bias_pass(const Pools* p, int i, Pair* c)
+INLINE void pair_bias(const Step* step, const Points* points, Load* l, Pair* c)
 {
-	store(&constraint_at(p, normal_impulse1, i), 0,
-	      pair_normal(c, 0, load(&constraint_at(p, separation1, i), 0), load(&constraint_at(p, normal_impulse1, i), 0),
-	                  &p->step, 1));
-	store(&constraint_at(p, normal_impulse2, i), 0,
-	      pair_normal(c, 1, load(&constraint_at(p, separation2, i), 0), load(&constraint_at(p, normal_impulse2, i), 0),
-	                  &p->step, 1));
+	for (int k = 0; k < 2; ++k)
+		l->normal[k] = pair_normal(c, k, points->gap[k], points->normal_mass[k], l->normal[k], step, 1);
 }
 
-INLINE void relax_pass(const Pools* p, int i, Pair* c)
+INLINE void pair_relax(const Pools* p, int i, const Points* points, Load* l, Pair* c)
 {
-	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
-	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
 	Real speed = splat(0.0f);
 	if (p->step.extras)
 		speed = load(&extra_at(p, tangent_speed, i), 0);
 
 	// friction first: keeping bodies apart matters more, so it has the last word
-	Real friction = load(&constraint_at(p, friction, i), 0);
-	store(&constraint_at(p, tangent_impulse1, i), 0,
-	      pair_tangent(c, 0, speed, friction * normal1, load(&constraint_at(p, tangent_impulse1, i), 0)));
-	store(&constraint_at(p, tangent_impulse2, i), 0,
-	      pair_tangent(c, 1, speed, friction * normal2, load(&constraint_at(p, tangent_impulse2, i), 0)));
-
-	normal1 = pair_normal(c, 0, load(&constraint_at(p, separation1, i), 0), normal1, &p->step, 0);
-	normal2 = pair_normal(c, 1, load(&constraint_at(p, separation2, i), 0), normal2, &p->step, 0);
-	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
-	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
+	for (int k = 0; k < 2; ++k)
+		l->tangent[k] = pair_tangent(c, k, points->tangent_mass[k], speed, l->friction * l->normal[k], l->tangent[k]);
+	for (int k = 0; k < 2; ++k)
+		l->normal[k] = pair_normal(c, k, points->gap[k], points->normal_mass[k], l->normal[k], &p->step, 0);
 	if (p->step.extras)
 	{
 		// rolling resistance: a torque against the relative spin, limited by the load times a lever; by the load without
 		// its bias, or a fast roller, whose load is uneven within a step, would stop too early
 		Real inertia = c->a.inv_inertia + c->b.inv_inertia;
 		Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-		Real limit = load(&extra_at(p, rolling, i), 0) * (normal1 + normal2),
+		Real limit = load(&extra_at(p, rolling, i), 0) * (l->normal[0] + l->normal[1]),
 		     old = load(&extra_at(p, rolling_impulse, i), 0);
 		Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
 		c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
 		c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
 		store(&extra_at(p, rolling_impulse, i), 0, impulse);
-		store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), normal1));
-		store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), normal2));
+		store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), l->normal[0]));
+		store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), l->normal[1]));
 	}
 }
 
 // all impulses of the last step at once
-INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
+INLINE void pair_warm_start(const Pools* p, int i, const Load* l, Pair* c)
 {
-	Vec j1 = vec_add(vec_scale(load(&constraint_at(p, normal_impulse1, i), 0), c->n),
-	                 vec_scale(load(&constraint_at(p, tangent_impulse1, i), 0), c->t));
-	Vec j2 = vec_add(vec_scale(load(&constraint_at(p, normal_impulse2, i), 0), c->n),
-	                 vec_scale(load(&constraint_at(p, tangent_impulse2, i), 0), c->t));
+	Vec j1 = vec_add(vec_scale(l->normal[0], c->n), vec_scale(l->tangent[0], c->t));
+	Vec j2 = vec_add(vec_scale(l->normal[1], c->n), vec_scale(l->tangent[1], c->t));
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], j1);
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], j2);
 	if (p->step.extras)
@@ -165,16 +221,43 @@ INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real pe
 	return impulse;
 }
 
-INLINE void bounce_pass(const Pools* p, int i, Pair* c)
+INLINE void pair_rebound(const Pools* p, int i, Load* l, Pair* c)
 {
 	Real e = load(&extra_at(p, restitution, i), 0);
 	float threshold = p->step.restitution_threshold;
-	store(&constraint_at(p, normal_impulse1, i), 0,
-	      pair_bounce(c, 0, e, load(&extra_at(p, approach1, i), 0), load(&extra_at(p, peak_impulse1, i), 0),
-	                  load(&constraint_at(p, normal_impulse1, i), 0), threshold));
-	store(&constraint_at(p, normal_impulse2, i), 0,
-	      pair_bounce(c, 1, e, load(&extra_at(p, approach2, i), 0), load(&extra_at(p, peak_impulse2, i), 0),
-	                  load(&constraint_at(p, normal_impulse2, i), 0), threshold));
+	l->normal[0] = pair_bounce(c, 0, e, load(&extra_at(p, approach1, i), 0), load(&extra_at(p, peak_impulse1, i), 0),
+	                           l->normal[0], threshold);
+	l->normal[1] = pair_bounce(c, 1, e, load(&extra_at(p, approach2, i), 0), load(&extra_at(p, peak_impulse2, i), 0),
+	                           l->normal[1], threshold);
+}
+
+INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
+{
+	Load l = load_of(p, i);
+	pair_warm_start(p, i, &l, c);
+}
+
+INLINE void bias_pass(const Pools* p, int i, Pair* c)
+{
+	Load l = load_of(p, i);
+	Points points = pair_points(c, &l);
+	pair_bias(&p->step, &points, &l, c);
+	load_keep_normal(p, i, &l);
+}
+
+INLINE void relax_pass(const Pools* p, int i, Pair* c)
+{
+	Load l = load_of(p, i);
+	Points points = pair_points(c, &l);
+	pair_relax(p, i, &points, &l, c);
+	load_keep(p, i, &l);
+}
+
+INLINE void bounce_pass(const Pools* p, int i, Pair* c)
+{
+	Load l = load_of(p, i);
+	pair_rebound(p, i, &l, c);
+	load_keep_normal(p, i, &l);
 }
 
 // a pass over the constraints of one color
@@ -190,27 +273,24 @@ PASS(bias)
 PASS(relax)
 PASS(bounce)
 
-// Forces into velocity, and the contacts' share of the substep before as warm start. argument is 1 in the first
-// substep, where base still holds the velocity of the body alone and the warm start has been added to it.
-WIDE_STAGE(integrate_velocity)
+// Forces into velocity, and the contacts' share of the substep before as warm start. b is a row of the pool body, m of
+// motion, base of base. In the first substep base still holds the velocity of the body alone, and the warm start has
+// been added to it.
+INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
-	Real b[8], m[8], base[4];
-	load_rows8((GLOBAL float*)p->body, i, b);
-	load_rows8((GLOBAL float*)p->motion, i, m);
-	load_rows4((GLOBAL float*)p->base, i, base);
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
 	Real w = b[2], contacts_w = w - base[2];
-	if (p->argument)
+	if (first)
 	{
 		v = vec(base[0], base[1]);
 		w = base[2];
 	}
 
 	// implicit damping, semi-implicit Euler; a lock holds by taking the velocity away
-	float h = p->step.h;
+	float h = step->h;
 	Real linear = 1.0f / (1.0f + h * m[4]), angular = 1.0f / (1.0f + h * m[5]);
-	v.x = m[6] * (linear * v.x + h * (p->step.gravity_x * m[3] + b[3] * m[0]));
-	v.y = m[7] * (linear * v.y + h * (p->step.gravity_y * m[3] + b[3] * m[1]));
+	v.x = m[6] * (linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
+	v.y = m[7] * (linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = angular * w + h * (b[7] * m[2]);
 	base[0] = v.x;
 	base[1] = v.y;
@@ -221,7 +301,7 @@ WIDE_STAGE(integrate_velocity)
 
 	// what exceeds the limits is taken from the base as well, or the next substep would take it for the contacts' doing
 	Real square = vec_dot(v, v);
-	float limit = p->step.max_speed, spin = p->step.max_spin;
+	float limit = step->max_speed, spin = step->max_spin;
 	Real scale = choose(splat(1.0f), limit / root(square), square > splat(limit * limit));
 	v = vec_scale(scale, v);
 	base[0] = scale * base[0];
@@ -233,6 +313,24 @@ WIDE_STAGE(integrate_velocity)
 	b[0] = v.x;
 	b[1] = v.y;
 	b[2] = w;
+}
+
+INLINE void body_move(const Step* step, Real* b, const Real* m)
+{
+	float h = step->h;
+	b[4] = b[4] + h * (m[6] * b[0]);
+	b[5] = b[5] + h * (m[7] * b[1]);
+	b[6] = b[6] + h * b[2];
+}
+
+// argument is 1 in the first substep
+WIDE_STAGE(integrate_velocity)
+{
+	Real b[8], m[8], base[4];
+	load_rows8((GLOBAL float*)p->body, i, b);
+	load_rows8((GLOBAL float*)p->motion, i, m);
+	load_rows4((GLOBAL float*)p->base, i, base);
+	body_accelerate(&p->step, b, m, base, p->argument);
 	store_rows8((GLOBAL float*)p->body, i, b);
 	store_rows4((GLOBAL float*)p->base, i, base);
 }
@@ -242,10 +340,7 @@ WIDE_STAGE(integrate_position)
 	Real b[8], m[8];
 	load_rows8((GLOBAL float*)p->body, i, b);
 	load_rows8((GLOBAL float*)p->motion, i, m);
-	float h = p->step.h;
-	b[4] = b[4] + h * (m[6] * b[0]);
-	b[5] = b[5] + h * (m[7] * b[1]);
-	b[6] = b[6] + h * b[2];
+	body_move(&p->step, b, m);
 	store_rows8((GLOBAL float*)p->body, i, b);
 }
 
