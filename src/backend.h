@@ -81,6 +81,9 @@ typedef struct
 	bool gpu; // OpenCL: only a GPU will do, else SCREE_NO_DEVICE
 } BackendOptions;
 
+#define HELD_BYTES ((size_t)4096)
+_Static_assert(sizeof(Counters) <= HELD_BYTES, "the counters are read in halves");
+
 typedef struct Backend Backend;
 typedef struct // every function that returns a status has set the error's sentence (fail, src/error.h)
 {
@@ -93,6 +96,10 @@ typedef struct // every function that returns a status has set the error's sente
 	// copies items first to first + count - 1 to and from the device, in order with the runs; read waits
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
+	// read in two halves: what is copied is what the runs before read_begin left, and read_end waits for the copy alone,
+	// not for the runs after it. One copy at a time, of HELD_BYTES at most.
+	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
+	scree_status (*read_end)(Backend* b, void* items);
 	scree_status (*wait)(Backend* b);
 	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
@@ -103,6 +110,7 @@ struct Backend
 	const BackendFunctions* f;
 	char name[160];          // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;      // 0 on OpenCL
+	bool distant;            // waiting for a read costs as much as many runs
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
 	void* state;             // the backend's own

@@ -103,7 +103,6 @@ static scree_status transform(scree_world* world, const Step* step)
 		state->touched = true;
 	}
 	// what is static stays where it is, unless the user moved it
-	add_single(list, STAGE_tree_begin);
 	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched);
 	if (pipeline->trees[1].touched)
 		tree_refit(list, &pipeline->trees[1].tree, 1, true);
@@ -115,14 +114,14 @@ static void broad_phase(RunList* list, const Step* step)
 {
 	int contacts = step->contact_capacity;
 	add(list, STAGE_broad_phase, 0, step->collidables, COUNT(moved), 0);
-	add_single(list, STAGE_contact_admit);
+	add(list, STAGE_contact_admit, 0, 1, COUNT(pairs), 0);
 	add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
 	add(list, STAGE_contact_dead, 0, contacts, COUNT(search), 0);
 	add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
 	add(list, STAGE_contact_free, 0, contacts, COUNT(search), 0);
-	add_single(list, STAGE_contact_begin);
+	add(list, STAGE_contact_begin, 0, 1, COUNT(pairs), 0);
 	add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
-	add_single(list, STAGE_contact_end);
+	add(list, STAGE_contact_end, 0, 1, COUNT(pairs), 0);
 }
 
 static void narrow_phase(RunList* list, const Step* step)
@@ -143,12 +142,72 @@ static void color(RunList* list, const Step* step, int from, int to)
 		add(list, STAGE_color_take, 0, contacts, count, round);
 	}
 	add(list, STAGE_color_reset, 0, contacts, COUNT(began), 0);
-	add(list, STAGE_color_arrange, 0, 1, NO_COUNT, (to - 1) % MAX_ROUNDS + 1);
+	add(list, STAGE_color_arrange, 0, 1, COUNT(changed), (to - 1) % MAX_ROUNDS + 1);
 	add(list, STAGE_color_key, 0, contacts, COUNT(arrange), 0);
 	add_sort(list, contacts, COUNT(arrange), 32, 39);
 	add(list, STAGE_color_edge, 0, contacts, COUNT(arrange), 0);
-	add_single(list, STAGE_color_range);
+	add(list, STAGE_color_range, 0, 1, COUNT(arrange), 0);
 	add(list, STAGE_color_place, 0, contacts, COUNT(arrange), 0);
+}
+
+// a pass over the overflow set and the colors
+static void add_pass(RunList* list, const Counters* c, int bound, int stage, int overflow_stage)
+{
+	int overflow = c->color_count[COLORS], begin = c->color_begin[COLORS];
+	if (overflow > 0)
+	{
+		add(list, overflow_stage, begin, begin + padded(overflow), bound, 0);
+		add(list, STAGE_overflow_chunk, 0, 2 * overflow, bound, 0);
+		add(list, STAGE_overflow_apply, 0, 2 * overflow, bound, 0);
+	}
+	for (int color = 0; color < COLORS; ++color)
+		if (c->color_count[color] > 0)
+			add(list, stage, c->color_begin[color], c->color_begin[color] + padded(c->color_count[color]), bound, 0);
+}
+
+// Solve and finalize, by the layout of the constraints that the host knows; bound is a counter, or NO_COUNT.
+static scree_status solve(scree_world* world, const Step* step, int substeps, int bound)
+{
+	Pipeline* pipeline = &world->pipeline;
+	const Counters* c = &pipeline->counters;
+	RunList* list = &pipeline->list;
+	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1],
+	    overflow = c->color_count[COLORS];
+
+	// the overflow set is sorted in the pool of keys and has pools of its own
+	int entries = 2 * overflow, body_bits = 1;
+	scree_status status = overflow > 0 ? pipeline_reserve(world, KEY, entries) : SCREE_OK;
+	if (!status && overflow > 0)
+		status = pipeline_reserve(world, SHARE, 2 * padded(overflow));
+	if (status)
+		return status;
+	while (body_bits < 31 && 1u << body_bits <= (uint32_t)world->bodies.used)
+		++body_bits;
+
+	add(list, STAGE_solve_begin, 0, bodies, bound, 0);
+	if (c->nonfinite > 0)
+		add(list, STAGE_cleanse, 0, constraints, bound, 0);
+	add(list, STAGE_prepare, 0, constraints, bound, 0);
+	if (overflow > 0)
+	{
+		// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
+		add(list, STAGE_overflow_key, 0, entries, bound, 0);
+		add_sort(list, entries, bound, 32, 32 + body_bits);
+		add(list, STAGE_overflow_order, 0, entries, bound, entries);
+		add(list, STAGE_overflow_split, 0, entries, bound, 0);
+	}
+	add_pass(list, c, bound, STAGE_warm_start, STAGE_overflow_warm_start);
+	for (int substep = 0; substep < substeps; ++substep)
+	{
+		add(list, STAGE_integrate_velocity, 0, bodies, bound, substep == 0);
+		add_pass(list, c, bound, STAGE_bias, STAGE_overflow_bias);
+		add(list, STAGE_integrate_position, 0, bodies, bound, 0);
+		add_pass(list, c, bound, STAGE_relax, STAGE_overflow_relax);
+	}
+	if (step->extras)
+		add_pass(list, c, bound, STAGE_bounce, STAGE_overflow_bounce);
+	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
+	return list_run(world, step, list);
 }
 
 // Runs what has been listed and reads the counters: the one time in a step that the host waits for the device.
@@ -158,8 +217,23 @@ static scree_status read_back(scree_world* world, const Step* step)
 	return status ? status : pipeline_counters(world);
 }
 
-// Boxes to colored contacts. Where a pool was too small it grows, and the search for pairs runs again.
-static scree_status detect(scree_world* world, Step* step)
+// The same where the layout of the constraints will probably stay: the solve is listed before the host knows, bounded by
+// the counter that the device clears if it does not stay, and the counters come while it runs.
+static scree_status solve_ahead(scree_world* world, const Step* step, int substeps)
+{
+	Pipeline* pipeline = &world->pipeline;
+	Backend* b = world->backend;
+	scree_status status = list_run(world, step, &pipeline->list);
+	if (!status)
+		status = b->f->read_begin(b, POOL_counters, 0, 1);
+	if (!status)
+		status = solve(world, step, substeps, COUNT(kept));
+	return status ? status : b->f->read_end(b, &pipeline->counters);
+}
+
+// Boxes to colored contacts. Where a pool was too small it grows, and the search for pairs runs again. Sets *solved when
+// the rest of the step has been run as well.
+static scree_status detect(scree_world* world, Step* step, int substeps, bool* solved)
 {
 	Pipeline* pipeline = &world->pipeline;
 	Backend* b = world->backend;
@@ -170,16 +244,19 @@ static scree_status detect(scree_world* world, Step* step)
 		return status;
 
 	int rounds = pipeline->rounds + SPARE_ROUNDS;
+	bool ahead = b->distant && !c->changed && c->color_count[COLORS] == 0;
 	for (;;)
 	{
 		broad_phase(list, step);
 		narrow_phase(list, step);
 		color(list, step, 0, rounds);
-		status = read_back(world, step);
+		status = ahead ? solve_ahead(world, step, substeps) : read_back(world, step);
 		if (status)
 			return status;
+		*solved = ahead && c->kept;
 		if (!c->stalled)
 			break;
+		ahead = false;
 		if (c->pairs > step->pair_capacity)
 			status = pipeline_reserve(world, KEY, c->pairs);
 		else
@@ -211,71 +288,6 @@ static scree_status detect(scree_world* world, Step* step)
 			if (c->uncolored[round + 1] > 0)
 				pipeline->rounds = round + 1;
 	return SCREE_OK;
-}
-
-// a pass over the overflow set and the colors
-static void add_pass(RunList* list, const Counters* c, int stage, int overflow_stage)
-{
-	int overflow = c->color_count[COLORS], begin = c->color_begin[COLORS];
-	if (overflow > 0)
-	{
-		add(list, overflow_stage, begin, begin + padded(overflow), NO_COUNT, 0);
-		add(list, STAGE_overflow_chunk, 0, 2 * overflow, NO_COUNT, 0);
-		add(list, STAGE_overflow_apply, 0, 2 * overflow, NO_COUNT, 0);
-	}
-	for (int color = 0; color < COLORS; ++color)
-		if (c->color_count[color] > 0)
-			add(list, stage, c->color_begin[color], c->color_begin[color] + padded(c->color_count[color]), NO_COUNT, 0);
-}
-
-static scree_status solve(scree_world* world, const Step* step, int substeps)
-{
-	Pipeline* pipeline = &world->pipeline;
-	const Counters* c = &pipeline->counters;
-	RunList* list = &pipeline->list;
-	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1],
-	    overflow = c->color_count[COLORS];
-
-	// the overflow set is sorted in the pool of keys and has pools of its own
-	int entries = 2 * overflow, body_bits = 1;
-	scree_status status = overflow > 0 ? pipeline_reserve(world, KEY, entries) : SCREE_OK;
-	if (!status && overflow > 0)
-		status = pipeline_reserve(world, SHARE, 2 * padded(overflow));
-	if (status)
-		return status;
-	while (body_bits < 31 && 1u << body_bits <= (uint32_t)world->bodies.used)
-		++body_bits;
-
-	add(list, STAGE_solve_begin, 0, bodies, NO_COUNT, 0);
-	if (c->nonfinite > 0)
-		add(list, STAGE_cleanse, 0, constraints, NO_COUNT, 0);
-	add(list, STAGE_prepare, 0, constraints, NO_COUNT, 0);
-	if (overflow > 0)
-	{
-		// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
-		add(list, STAGE_overflow_key, 0, entries, NO_COUNT, 0);
-		add_sort(list, entries, NO_COUNT, 32, 32 + body_bits);
-		add(list, STAGE_overflow_order, 0, entries, NO_COUNT, entries);
-		add(list, STAGE_overflow_split, 0, entries, NO_COUNT, 0);
-	}
-	add_pass(list, c, STAGE_warm_start, STAGE_overflow_warm_start);
-	for (int substep = 0; substep < substeps; ++substep)
-	{
-		add(list, STAGE_integrate_velocity, 0, bodies, NO_COUNT, substep == 0);
-		add_pass(list, c, STAGE_bias, STAGE_overflow_bias);
-		add(list, STAGE_integrate_position, 0, bodies, NO_COUNT, 0);
-		add_pass(list, c, STAGE_relax, STAGE_overflow_relax);
-	}
-	if (step->extras)
-		add_pass(list, c, STAGE_bounce, STAGE_overflow_bounce);
-	return SCREE_OK;
-}
-
-static scree_status finalize(scree_world* world, const Step* step)
-{
-	RunList* list = &world->pipeline.list;
-	add(list, STAGE_finalize, 0, world->bodies.used, NO_COUNT, 0);
-	return list_run(world, step, list);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -340,11 +352,10 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	if (status)
 		return status;
 	Step step = step_constants(world, dt, substeps);
-	status = detect(world, &step);
-	if (!status)
-		status = solve(world, &step, substeps);
-	if (!status)
-		status = finalize(world, &step);
+	bool solved = false;
+	status = detect(world, &step, substeps, &solved);
+	if (!status && !solved)
+		status = solve(world, &step, substeps, NO_COUNT);
 	if (!status && world->def.timings)
 		status = b->f->timings(b, pipeline->boxes);
 	if (status)

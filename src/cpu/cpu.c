@@ -48,6 +48,10 @@ typedef struct
 	double mark; // ms, when the last run ended
 	double milliseconds[BOX_COUNT];
 
+	// between read_begin and read_end
+	size_t held_count;
+	unsigned char held[HELD_BYTES];
+
 	// the list at work, and the items of run number at; written by one worker while the others wait
 	const Run* runs;
 	int count, at, begin, end;
@@ -238,6 +242,21 @@ static scree_status cpu_read(Backend* b, PoolId pool, int first, int count, void
 	return SCREE_OK;
 }
 
+static scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count)
+{
+	Cpu* cpu = b->state;
+	cpu->held_count = (size_t)count * pool_info[pool].bytes;
+	ASSERT(cpu->held_count <= HELD_BYTES);
+	return cpu_read(b, pool, first, count, cpu->held);
+}
+
+static scree_status cpu_read_end(Backend* b, void* items)
+{
+	const Cpu* cpu = b->state;
+	memcpy(items, cpu->held, cpu->held_count);
+	return SCREE_OK;
+}
+
 static scree_status cpu_wait(Backend* b)
 {
 	(void)b; // run returns when all is done
@@ -261,7 +280,17 @@ static void cpu_close(Backend* b)
 	scree_release(cpu);
 }
 
-static const BackendFunctions functions = {cpu_close, cpu_resize, cpu_run, cpu_write, cpu_read, cpu_wait, cpu_timings};
+static const BackendFunctions functions = {
+    .close = cpu_close,
+    .resize = cpu_resize,
+    .run = cpu_run,
+    .write = cpu_write,
+    .read = cpu_read,
+    .read_begin = cpu_read_begin,
+    .read_end = cpu_read_end,
+    .wait = cpu_wait,
+    .timings = cpu_timings,
+};
 
 static void choose_stages(Cpu* cpu, int lanes)
 {

@@ -36,6 +36,9 @@
 	X(ReleaseMemObject)           \
 	X(EnqueueNDRangeKernel)       \
 	X(EnqueueReadBuffer)          \
+	X(EnqueueMapBuffer)           \
+	X(EnqueueUnmapMemObject)      \
+	X(WaitForEvents)              \
 	X(EnqueueWriteBuffer)         \
 	X(EnqueueCopyBuffer)          \
 	X(EnqueueFillBuffer)          \

@@ -26,6 +26,7 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < STAGE_COUNT; ++i)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
+		held_close(d);
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
 				opencl.ReleaseMemObject(d->buffers[i]);
@@ -127,6 +128,13 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	              bytes * (size_t)count);
 }
 
+scree_status opencl_faultless(const Backend* b, const Counters* counters)
+{
+	if (!counters->fault)
+		return SCREE_OK;
+	return fail(SCREE_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).", b->name);
+}
+
 static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
 {
 	OpenCl* d = b->state;
@@ -137,10 +145,7 @@ static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, v
 	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
 	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
 	d->staged = 0;
-	if (pool == POOL_counters && ((const Counters*)items)->fault)
-		return fail(SCREE_DEVICE_FAILED,
-		            "The work-groups of %s did not meet in the solver (SCREE_PERSISTENT=0 avoids it).", b->name);
-	return SCREE_OK;
+	return pool == POOL_counters ? opencl_faultless(b, items) : SCREE_OK;
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
@@ -161,6 +166,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
+	TRY(held_open(d));
 	d->together = persistent_wanted(d);
 	TRY(program_build(d->context, &d->device, d->together ? " -DTOGETHER" : "", opencl_program, opencl_program_length,
 	                  &d->program));
@@ -197,6 +203,8 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .run = opencl_run,
 	    .write = opencl_write,
 	    .read = opencl_read,
+	    .read_begin = opencl_read_begin,
+	    .read_end = opencl_read_end,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
 	};
@@ -205,6 +213,7 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	if (!b)
 		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	b->f = &functions;
+	b->distant = true;
 	scree_status status = open_device(b, options);
 	if (status != SCREE_OK)
 		opencl_close(b);

@@ -74,6 +74,12 @@ typedef struct
 	int note_count;
 	int relay_groups; // that run together; 0 when this device takes other forms only
 
+	// what read_begin copies, in memory that a device can write while the host works
+	cl_mem held_buffer;
+	void* held;
+	size_t held_bytes, held_staged;
+	cl_event held_event;
+
 	// data on its way to the device: the driver may still read it until the queue has been waited for
 	unsigned char* staging;
 	size_t staged;
@@ -132,6 +138,15 @@ void relay_close(OpenCl* d);
 // How many runs from the first on are a whole solve that one relay is better for; 0 for none.
 int relay_length(const OpenCl* d, const Run* runs, int count);
 scree_status relay_run(OpenCl* d, const Run* runs, int count);
+
+// SCREE_OK, or fails because a kernel gave up waiting.
+scree_status opencl_faultless(const Backend* b, const Counters* counters);
+
+// a transfer from the device in two halves; src/backend.h
+scree_status held_open(OpenCl* d);
+void held_close(OpenCl* d);
+scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count);
+scree_status opencl_read_end(Backend* b, void* items);
 
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count);
 scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT]);

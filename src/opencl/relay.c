@@ -22,11 +22,13 @@ enum
 	RELAY_SUBSTEPS,
 	RELAY_PASSES,
 	RELAY_CLEANSE,
+	RELAY_BOUND,
 	RELAY_SPINS,
 	END_ROWS = RELAY_ROWS,
 	END_BODIES,
 	END_SUBSTEPS,
-	END_PASSES
+	END_PASSES,
+	END_BOUND
 };
 
 // Room for the rows of so many bodies, zeroed.
@@ -147,7 +149,7 @@ int relay_length(const OpenCl* d, const Run* runs, int count)
 scree_status relay_run(OpenCl* d, const Run* runs, int count)
 {
 	cl_int constraints = 0, substeps = 0, passes = 1, bodies = runs[count - 1].end, spins = SPINS;
-	cl_int cleanse = 0;
+	cl_int cleanse = 0, bound = runs->count; // of all runs alike
 	bool bounce = false;
 	for (int k = 0; k < count; ++k)
 	{
@@ -166,6 +168,7 @@ scree_status relay_run(OpenCl* d, const Run* runs, int count)
 	TRY(CALL(SetKernelArg, kernel, RELAY_SUBSTEPS, sizeof substeps, &substeps));
 	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof passes, &passes));
 	TRY(CALL(SetKernelArg, kernel, RELAY_CLEANSE, sizeof cleanse, &cleanse));
+	TRY(CALL(SetKernelArg, kernel, RELAY_BOUND, sizeof bound, &bound));
 	TRY(CALL(SetKernelArg, kernel, RELAY_SPINS, sizeof spins, &spins));
 	size_t group = d->relay.group, groups = ((size_t)constraints + group - 1) / group;
 	groups = groups < (size_t)d->relay_groups ? groups : (size_t)d->relay_groups;
@@ -177,6 +180,7 @@ scree_status relay_run(OpenCl* d, const Run* runs, int count)
 	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof bodies, &bodies));
 	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof substeps, &substeps));
 	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof passes, &passes));
+	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof bound, &bound));
 	group = d->relay_end.group;
 	groups = ((size_t)bodies + group - 1) / group;
 	d->box = BOX_finalize;

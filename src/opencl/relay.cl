@@ -372,14 +372,16 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 }
 
 // All tasks of all constraints. Bodies that no constraint holds are relay_end's. notes has RELAY_NOTES rows a constraint
-// when there are more constraints than work-items.
+// when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
 __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints, int substeps,
-                    int passes, int cleanse, int spins)
+                    int passes, int cleanse, int bound, int spins)
 {
 	volatile __local int fault;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	Relay r = {rows, substeps, passes, spins};
+	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+		return;
 	int begin = (int)get_global_id(0), stride = (int)get_global_size(0);
 	if (begin == 0)
 	{
@@ -427,11 +429,14 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 }
 
 // What no constraint pushed moves alone, and all bodies are finalized.
-__kernel void relay_end(POOL_ARGUMENTS Step step, __global ulong* rows, int bodies, int substeps, int passes)
+__kernel void relay_end(POOL_ARGUMENTS Step step, __global ulong* rows, int bodies, int substeps,
+                        int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	Relay r = {rows, substeps, passes, 0};
+	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+		return;
 	for (int i = (int)get_global_id(0); i < bodies; i += (int)get_global_size(0))
 	{
 		if (p->color_mask[i] == 0 || !(p->body[i].inv_mass > 0.0f))

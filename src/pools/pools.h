@@ -190,6 +190,8 @@ typedef struct
 	int color_count[COLORS + 1]; // constraints of each color, padding not counted
 	// of this step
 	int moved;        // collidables whose enlarged box changed
+	int changed;      // 1 when a contact began or ended to touch, so that the constraints are laid out anew
+	int kept;         // INT_MAX where the layout is that of the last step; 0 when it changed or must not be used
 	int refit;        // tree nodes to look up again: all when some box changed, else 0
 	int pairs;        // new pairs found, also those for which there was no room
 	int sort_pairs;   // the same, or 0 when there was no room

@@ -107,13 +107,14 @@ STAGE(color_reset)
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// Lay the constraints out anew? Only when some contact began or ended, and all have their color: argument is the place
-// in uncolored of the last round's rest.
+// Some contact began or ended to touch: are the constraints laid out anew? Only when all have their color. argument is
+// the place in uncolored of the last round's rest.
 STAGE(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
 	int left = c->uncolored[p->argument];
-	c->arrange = left == 0 && (c->began + c->ended > 0) ? c->contacts : 0;
+	c->kept = 0;
+	c->arrange = left == 0 ? c->contacts : 0;
 	for (int k = 0; k < COLORS + 2 && c->arrange > 0; ++k)
 	{
 		c->color_first[k] = 0;
@@ -147,8 +148,6 @@ STAGE(color_edge)
 STAGE(color_range)
 {
 	GLOBAL Counters* c = p->counters;
-	if (c->arrange == 0)
-		return;
 	int begin = 0, touching = 0;
 	for (int k = 0; k <= COLORS; ++k)
 	{

@@ -12,6 +12,8 @@ STAGE(contact_admit)
 	GLOBAL Counters* c = p->counters;
 	c->stalled = c->pairs > p->step.pair_capacity;
 	c->sort_pairs = c->stalled ? 0 : c->pairs;
+	if (c->stalled)
+		c->kept = 0;
 	c->search = c->sort_pairs > 0 ? c->contacts + 1 : 0;
 	c->dead = 0;
 	(void)i;
@@ -35,7 +37,10 @@ STAGE(contact_begin)
 	c->needed = c->contacts + beyond;
 	// one slot stays free for the end of the scan
 	if (c->needed + 1 > p->step.contact_capacity)
+	{
 		c->stalled = 1;
+		c->kept = 0;
+	}
 	c->created = c->stalled ? 0 : c->sort_pairs;
 	(void)i;
 }

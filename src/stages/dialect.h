@@ -135,6 +135,13 @@ INLINE void atomic_max_word(Word* place, Word x)
 
 #endif
 
+// Raises a value that many may raise; most find it raised already.
+INLINE void raise_int(GLOBAL int* place, int x)
+{
+	if (read_shared(place) < x)
+		atomic_max_int(place, x);
+}
+
 // Which of eight boxes (lower x, y, upper x, y) overlap another one: bit k for box k.
 #ifndef OVERLAPS8
 INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)

@@ -33,6 +33,7 @@ INLINE void contact_uncolor(const Pools* p, int i)
 	p->contact_impulse[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->contact_rolling_impulse[i] = 0.0f;
 	atomic_add_int(&p->counters->ended, 1);
+	raise_int(&p->counters->changed, 1);
 }
 
 // which of the old points is new point k: by feature, then the nearest within MATCH_DISTANCE; taken ones are out
@@ -148,7 +149,10 @@ STAGE(narrow_phase)
 	if (!touching)
 		contact_uncolor(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
+	{
 		p->began[atomic_add_int(&p->counters->began, 1)] = i;
+		raise_int(&p->counters->changed, 1);
+	}
 }
 
 #endif

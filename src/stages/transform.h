@@ -11,6 +11,13 @@ STAGE(step_begin)
 	GLOBAL Counters* c = p->counters;
 	c->alive = c->alive - c->released;
 	c->moved = 0;
+	c->refit = 0;
+	c->changed = 0;
+	c->kept = c->nonfinite > 0 ? 0 : 0x7fffffff;
+	c->sort_pairs = 0;
+	c->search = 0;
+	c->live = c->contacts;
+	c->arrange = 0;
 	c->pairs = 0;
 	c->created = 0;
 	c->stalled = 0;
@@ -103,6 +110,7 @@ STAGE(transform)
 	p->old_box[i] = box;
 	p->box[i] = make_float4(tight.x - m, tight.y - m, tight.z + m, tight.w + m);
 	p->moved[i] = 1;
+	raise_int(&p->counters->refit, 0x7fffffff);
 	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
 }
 

@@ -16,13 +16,6 @@
 
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
-// when nothing moved, the nodes are what they were
-STAGE(tree_begin)
-{
-	p->counters->refit = p->counters->moved > 0 ? 0x7fffffff : 0;
-	(void)i;
-}
-
 // argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
 STAGE(tree_leaf)
 {
