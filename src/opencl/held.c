@@ -50,5 +50,5 @@ scree_status opencl_read_end(Backend* b, void* items)
 	if (d->staged == d->held_staged)
 		d->staged = 0;
 	memcpy(items, d->held, d->held_bytes);
-	return d->held_bytes == sizeof(Counters) ? opencl_faultless(b, items) : SCREE_OK;
+	return d->held_bytes == sizeof(Counters) ? opencl_note(b, items) : SCREE_OK;
 }

@@ -128,8 +128,10 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	              bytes * (size_t)count);
 }
 
-scree_status opencl_faultless(const Backend* b, const Counters* counters)
+scree_status opencl_note(Backend* b, const Counters* counters)
 {
+	OpenCl* d = b->state;
+	d->last = *counters;
 	if (!counters->fault)
 		return SCREE_OK;
 	return fail(SCREE_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).", b->name);
@@ -145,7 +147,7 @@ static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, v
 	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
 	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
 	d->staged = 0;
-	return pool == POOL_counters ? opencl_faultless(b, items) : SCREE_OK;
+	return pool == POOL_counters ? opencl_note(b, items) : SCREE_OK;
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }

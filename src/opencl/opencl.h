@@ -61,7 +61,8 @@ typedef struct
 	// persistent.c
 	Kernel persistent;
 	cl_mem list, probes;
-	Run* listed; // the runs that are on the device, and how many
+	Counters last; // that the host has read: how many items runs will have, about
+	Run* listed;   // the runs that are on the device, and how many
 	int listed_count;
 	int most_groups; // that meet; 0 when this device takes launches only
 	bool any_size;   // SCREE_PERSISTENT=1: also where launches are faster
@@ -139,8 +140,8 @@ void relay_close(OpenCl* d);
 int relay_length(const OpenCl* d, const Run* runs, int count);
 scree_status relay_run(OpenCl* d, const Run* runs, int count);
 
-// SCREE_OK, or fails because a kernel gave up waiting.
-scree_status opencl_faultless(const Backend* b, const Counters* counters);
+// Takes note of the counters that have been read. Fails when a kernel gave up waiting.
+scree_status opencl_note(Backend* b, const Counters* counters);
 
 // a transfer from the device in two halves; src/backend.h
 scree_status held_open(OpenCl* d);

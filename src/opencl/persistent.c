@@ -6,8 +6,10 @@
 #include <string.h>
 
 // Beyond this many items in a run, launches are faster: the time is memory's then, and a launch fills the device better
-// than the few groups that can meet. Measured on an H200, a step of 88 runs, persistent and launched: 10k bodies 0.29
-// and 0.51 ms, 100k 0.40 and 0.49, 300k 1.10 and 0.86, 1M 3.1 and 2.3.
+// than the few groups that can meet. Measured on an H200, pyramids, solve of 88 runs, persistent and launched: 10k bodies
+// 0.29 and 0.51 ms, 100k 0.40 and 0.49, 300k 1.10 and 0.86. What comes before the solve is short: 1M mixed bodies in
+// motion, 3M contacts: 1.37 and 1.14 ms.
+#define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
 // Bounds of the wait at a meeting, in looks at the counter of half a microsecond or so: 2 s, and 30 ms for the probe. A
@@ -103,6 +105,18 @@ void persistent_close(OpenCl* d)
 
 static int items(const Run* run) { return run->end - run->begin; }
 
+// how many items a run will have, if counters are what they were
+static int likely_items(const OpenCl* d, const Run* run)
+{
+	int end = run->end;
+	if (run->count >= 0)
+	{
+		int bound = ((const int*)&d->last)[run->count];
+		end = bound < end ? bound : end;
+	}
+	return end - run->begin;
+}
+
 // a primitive counts to the box of the run before it
 static Box box_of(const Run* run, Box before) { return run->stage < STAGE_COUNT ? stage_boxes[run->stage] : before; }
 
@@ -113,8 +127,12 @@ int persistent_length(const OpenCl* d, const Run* runs, int count)
 	Box box = box_of(runs, d->box);
 	int k = 0;
 	for (; k < count && k < PERSISTENT_GROUP; ++k)
-		if ((items(&runs[k]) > PERSISTENT_ITEMS && !d->any_size) || (d->laps && box_of(&runs[k], box) != box))
+	{
+		Box own = box_of(&runs[k], box);
+		bool long_one = likely_items(d, &runs[k]) > (own == BOX_solve ? PERSISTENT_SOLVE : PERSISTENT_ITEMS);
+		if ((long_one && !d->any_size) || (d->laps && own != box))
 			break;
+	}
 	return k > 1 ? k : 0;
 }
 
