@@ -363,6 +363,18 @@ static scree_status faulty_read(Backend* b, PoolId pool, int first, int count, v
 	return status ? status : real->read(b, pool, first, count, items);
 }
 
+static scree_status faulty_read_begin(Backend* b, PoolId pool, int first, int count)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->read_begin(b, pool, first, count);
+}
+
+static scree_status faulty_read_end(Backend* b, void* items)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->read_end(b, items);
+}
+
 static scree_status faulty_wait(Backend* b)
 {
 	scree_status status = device_fails(false);
@@ -375,8 +387,8 @@ static scree_status faulty_timings(Backend* b, double milliseconds[BOX_COUNT])
 	return status ? status : real->timings(b, milliseconds);
 }
 
-static const BackendFunctions faulty = {faulty_close, faulty_resize, faulty_run,    faulty_write,
-                                        faulty_read,  faulty_wait,   faulty_timings};
+static const BackendFunctions faulty = {faulty_close,      faulty_resize,   faulty_run,  faulty_write,  faulty_read,
+                                        faulty_read_begin, faulty_read_end, faulty_wait, faulty_timings};
 
 // Tells the scenario with the given call failing. Returns whether it was reached; broken counts worlds that broke.
 static bool tell_with_faulty_device(int calls, int* broken)
@@ -392,6 +404,7 @@ static bool tell_with_faulty_device(int calls, int* broken)
 			OK(status);
 			real = s.world->backend->f;
 			s.world->backend->f = &faulty;
+			s.world->backend->distant = true;
 			device_calls_left = calls;
 		}
 		if (status == SCREE_OK)

@@ -232,7 +232,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
-// By color, within a color by rising slot, each color padded with -1 to whole blocks of MAX_LANES.
+// By color, within a color by rising slot, each color padded with -1 to a multiple of COLOR_PADDING.
 static void check_layout(Backend* b, const Graph* g)
 {
 	Counters* counters = calloc(1, sizeof *counters);
@@ -255,7 +255,7 @@ static void check_layout(Backend* b, const Graph* g)
 			++touching;
 		}
 		assert_int_equal(counters->color_count[color], place - counters->color_begin[color]);
-		for (; place % MAX_LANES; ++place)
+		for (; place % COLOR_PADDING; ++place)
 			assert_int_equal(constraints[place], -1);
 	}
 	assert_int_equal(counters->color_begin[COLORS + 1], place);

@@ -217,9 +217,12 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 typedef struct // a constraint in registers
 {
 	Pair c;
-	Load l;
-	Points points;
 	Side side[2];
+	float friction;
+	float separation[2];         // of the points at the start of the step
+	float gap[2];                // now
+	float normal[2], tangent[2]; // impulses
+	float normal_mass[2], tangent_mass[2];
 	bool inert;
 } Runner;
 
@@ -245,9 +248,28 @@ INLINE Runner relay_runner(const Pools* p, int i)
 	u.c.b.d = u.c.a.d;
 	u.c.b.da = 0.0f;
 	pair_arms(p, i, &u.c);
-	u.l = load_of(p, i);
-	pair_masses(&u.c, &u.points);
+	u.friction = constraint_at(p, friction, i);
+	u.separation[0] = constraint_at(p, separation1, i);
+	u.separation[1] = constraint_at(p, separation2, i);
+	u.normal[0] = constraint_at(p, normal_impulse1, i);
+	u.normal[1] = constraint_at(p, normal_impulse2, i);
+	u.tangent[0] = constraint_at(p, tangent_impulse1, i);
+	u.tangent[1] = constraint_at(p, tangent_impulse2, i);
+	for (int k = 0; k < 2; ++k)
+	{
+		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
+		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
+	}
 	return u;
+}
+
+// Its impulses, for the next step.
+INLINE void relay_stow(const Pools* p, int i, const Runner* u)
+{
+	constraint_at(p, normal_impulse1, i) = u->normal[0];
+	constraint_at(p, normal_impulse2, i) = u->normal[1];
+	constraint_at(p, tangent_impulse1, i) = u->tangent[0];
+	constraint_at(p, tangent_impulse2, i) = u->tangent[1];
 }
 
 // A runner that does not stay in registers lies in RELAY_NOTES columns of n. The last are its impulses.
@@ -264,12 +286,12 @@ INLINE void relay_leave(const Runner* u, __global float4* notes, int n, int i)
 		note[n] = (float4)(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
 		note[2 * n] = (float4)(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
 		note[3 * n] = (float4)(c.rb[0].x, c.rb[0].y, c.rb[1].x, c.rb[1].y);
-		note[4 * n] = (float4)(u->l.separation[0], u->l.separation[1], c.a.inv_mass, c.a.inv_inertia);
-		note[5 * n] = (float4)(u->points.normal_mass[0], u->points.normal_mass[1], u->points.tangent_mass[0],
-		                       u->points.tangent_mass[1]);
-		note[6 * n] = (float4)(u->l.normal[0], u->l.normal[1], u->l.tangent[0], u->l.tangent[1]);
+		note[4 * n] = (float4)(u->separation[0], u->separation[1], c.a.inv_mass, c.a.inv_inertia);
+		note[5 * n] = (float4)(u->normal_mass[0], u->normal_mass[1], u->tangent_mass[0],
+		                       u->tangent_mass[1]);
+		note[6 * n] = (float4)(u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
 	}
-	note[0] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->l.friction);
+	note[0] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
 }
 
 INLINE Side relay_side_of(int body, int turns)
@@ -308,18 +330,47 @@ INLINE Runner relay_return(__global const float4* notes, int n, int i)
 	u.c.b.inv_inertia = normal.w;
 	u.c.b.d = u.c.a.d;
 	u.c.b.da = 0.0f;
-	u.l.friction = names.w;
-	u.l.separation[0] = gaps.x;
-	u.l.separation[1] = gaps.y;
-	u.l.normal[0] = impulses.x;
-	u.l.normal[1] = impulses.y;
-	u.l.tangent[0] = impulses.z;
-	u.l.tangent[1] = impulses.w;
-	u.points.normal_mass[0] = masses.x;
-	u.points.normal_mass[1] = masses.y;
-	u.points.tangent_mass[0] = masses.z;
-	u.points.tangent_mass[1] = masses.w;
+	u.friction = names.w;
+	u.separation[0] = gaps.x;
+	u.separation[1] = gaps.y;
+	u.normal[0] = impulses.x;
+	u.normal[1] = impulses.y;
+	u.tangent[0] = impulses.z;
+	u.tangent[1] = impulses.w;
+	u.normal_mass[0] = masses.x;
+	u.normal_mass[1] = masses.y;
+	u.tangent_mass[0] = masses.z;
+	u.tangent_mass[1] = masses.w;
 	return u;
+}
+
+// The passes of solve.h for what is in registers.
+INLINE void relay_bias(const Step* step, Runner* u)
+{
+	for (int k = 0; k < 2; ++k)
+		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1);
+}
+
+INLINE void relay_relax(const Pools* p, int i, Runner* u)
+{
+	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f;
+	for (int k = 0; k < 2; ++k)
+		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
+	for (int k = 0; k < 2; ++k)
+		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0);
+	if (p->step.extras)
+	{
+		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
+		pair_peak(p, i, u->normal[0], u->normal[1]);
+	}
+}
+
+INLINE void relay_bounce(const Pools* p, int i, Runner* u)
+{
+	relay_stow(p, i, u);
+	bounce_pass(p, i, &u->c);
+	u->normal[0] = constraint_at(p, normal_impulse1, i);
+	u->normal[1] = constraint_at(p, normal_impulse2, i);
 }
 
 // Pass q of a constraint, which the whole group takes in step, for no two of a group share a body. False when some never
@@ -341,7 +392,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 		                       move, &b->d, &b->da);
 		body_turn(a);
 		body_turn(b);
-		pair_gaps(&u->c, &u->l, &u->points);
+		u->gap[0] = pair_gap(&u->c, 0, u->separation[0]);
+		u->gap[1] = pair_gap(&u->c, 1, u->separation[1]);
 		well = well && relay_wait(p, r, sa.moves && (passed || sa.before > 0), row_a, relay_turn(q, sa.before), &a->v,
 		                          &a->w, sb.moves && (passed || sb.before > 0), row_b, relay_turn(q, sb.before), &b->v,
 		                          &b->w);
@@ -357,13 +409,13 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 	if (u->inert)
 		return true;
 	if (q == 0)
-		pair_warm_start(p, i, &u->l, &u->c);
+		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
 	else if (q > 2 * r->substeps)
-		pair_rebound(p, i, &u->l, &u->c);
+		relay_bounce(p, i, u);
 	else if (q & 1)
-		pair_bias(&p->step, &u->points, &u->l, &u->c);
+		relay_bias(&p->step, u);
 	else
-		pair_relax(p, i, &u->points, &u->l, &u->c);
+		relay_relax(p, i, u);
 	relay_pass_to(r, u->side[0], q, u->c.a);
 	relay_pass_to(r, u->side[1], q, u->c.b);
 	relay_pass_on(p, r, u->side[0], q, u->c.a, motion_a, base_a);
@@ -409,7 +461,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 			if (!relay_task(p, &r, begin, q, &u, &fault))
 				return;
 		if (!u.inert)
-			load_keep(p, begin, &u.l);
+			relay_stow(p, begin, &u);
 	}
 	else
 		for (int q = 0; q < passes; ++q)
@@ -421,10 +473,10 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 				if (u.inert)
 					continue;
 				if (q + 1 == passes)
-					load_keep(p, i, &u.l);
+					relay_stow(p, i, &u);
 				else
 					notes[i + (RELAY_NOTES - 1) * constraints] =
-					    (float4)(u.l.normal[0], u.l.normal[1], u.l.tangent[0], u.l.tangent[1]);
+					    (float4)(u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
 			}
 }
 

@@ -44,39 +44,6 @@ INLINE Pair pair_load(const Pools* p, int i)
 	return c;
 }
 
-typedef struct // what a constraint keeps from pass to pass, and reads
-{
-	Real friction;
-	Real separation[2];         // of the points at the start of the step
-	Real normal[2], tangent[2]; // impulses
-} Load;
-
-INLINE Load load_of(const Pools* p, int i)
-{
-	Load l;
-	l.friction = load(&constraint_at(p, friction, i), 0);
-	l.separation[0] = load(&constraint_at(p, separation1, i), 0);
-	l.separation[1] = load(&constraint_at(p, separation2, i), 0);
-	l.normal[0] = load(&constraint_at(p, normal_impulse1, i), 0);
-	l.normal[1] = load(&constraint_at(p, normal_impulse2, i), 0);
-	l.tangent[0] = load(&constraint_at(p, tangent_impulse1, i), 0);
-	l.tangent[1] = load(&constraint_at(p, tangent_impulse2, i), 0);
-	return l;
-}
-
-INLINE void load_keep_normal(const Pools* p, int i, const Load* l)
-{
-	store(&constraint_at(p, normal_impulse1, i), 0, l->normal[0]);
-	store(&constraint_at(p, normal_impulse2, i), 0, l->normal[1]);
-}
-
-INLINE void load_keep(const Pools* p, int i, const Load* l)
-{
-	load_keep_normal(p, i, l);
-	store(&constraint_at(p, tangent_impulse1, i), 0, l->tangent[0]);
-	store(&constraint_at(p, tangent_impulse2, i), 0, l->tangent[1]);
-}
-
 INLINE void pair_store(const Pools* p, Pair c)
 {
 	body_scatter(p, c.ia, c.a);
@@ -89,40 +56,14 @@ INLINE Real pair_approach(Pair c, int k, Vec n)
 	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
 }
 
-typedef struct // what a pass needs of the points that does not change with the velocities
-{
-	Real gap[2]; // now
-	Real normal_mass[2], tangent_mass[2];
-} Points;
-
+// how far the bodies are apart at point k, now
 INLINE Real pair_gap(const Pair* c, int k, Real separation)
 {
 	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
 	return separation + vec_dot(moved, c->n);
 }
 
-INLINE void pair_gaps(const Pair* c, const Load* l, Points* points)
-{
-	points->gap[0] = pair_gap(c, 0, l->separation[0]);
-	points->gap[1] = pair_gap(c, 1, l->separation[1]);
-}
-
-INLINE void pair_masses(const Pair* c, Points* points)
-{
-	for (int k = 0; k < 2; ++k)
-	{
-		points->normal_mass[k] = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
-		points->tangent_mass[k] = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->t);
-	}
-}
-
-INLINE Points pair_points(const Pair* c, const Load* l)
-{
-	Points points;
-	pair_gaps(c, l, &points);
-	pair_masses(c, &points);
-	return points;
-}
+INLINE Real pair_mass(const Pair* c, int k, Vec n) { return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n); }
 
 // One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. With soft null the
 // overlap is left alone: what bodies gained by being pushed out is taken from them again.
@@ -161,47 +102,31 @@ INLINE Real pair_tangent(Pair* c, int k, Real mass, Real speed, Real limit, Real
 	return impulse;
 }
 
-INLINE void pair_bias(const Step* step, const Points* points, Load* l, Pair* c)
+// Rolling resistance: a torque against the relative spin, limited by the load times a lever; by the load without its
+// bias, or a fast roller, whose load is uneven within a step, would stop too early.
+INLINE void pair_roll(const Pools* p, int i, Pair* c, Real weight)
 {
-	for (int k = 0; k < 2; ++k)
-		l->normal[k] = pair_normal(c, k, points->gap[k], points->normal_mass[k], l->normal[k], step, 1);
+	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
+	Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
+	Real limit = load(&extra_at(p, rolling, i), 0) * weight, old = load(&extra_at(p, rolling_impulse, i), 0);
+	Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
+	c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
+	c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
+	store(&extra_at(p, rolling_impulse, i), 0, impulse);
 }
 
-INLINE void pair_relax(const Pools* p, int i, const Points* points, Load* l, Pair* c)
+// the largest impulses of any substep
+INLINE void pair_peak(const Pools* p, int i, Real normal1, Real normal2)
 {
-	Real speed = splat(0.0f);
-	if (p->step.extras)
-		speed = load(&extra_at(p, tangent_speed, i), 0);
-
-	// friction first: keeping bodies apart matters more, so it has the last word
-	for (int k = 0; k < 2; ++k)
-		l->tangent[k] = pair_tangent(c, k, points->tangent_mass[k], speed, l->friction * l->normal[k], l->tangent[k]);
-	for (int k = 0; k < 2; ++k)
-		l->normal[k] = pair_normal(c, k, points->gap[k], points->normal_mass[k], l->normal[k], &p->step, 0);
-	if (p->step.extras)
-	{
-		// rolling resistance: a torque against the relative spin, limited by the load times a lever; by the load without
-		// its bias, or a fast roller, whose load is uneven within a step, would stop too early
-		Real inertia = c->a.inv_inertia + c->b.inv_inertia;
-		Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-		Real limit = load(&extra_at(p, rolling, i), 0) * (l->normal[0] + l->normal[1]),
-		     old = load(&extra_at(p, rolling_impulse, i), 0);
-		Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
-		c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
-		c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
-		store(&extra_at(p, rolling_impulse, i), 0, impulse);
-		store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), l->normal[0]));
-		store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), l->normal[1]));
-	}
+	store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), normal1));
+	store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), normal2));
 }
 
-// all impulses of the last step at once
-INLINE void pair_warm_start(const Pools* p, int i, const Load* l, Pair* c)
+// all impulses at once
+INLINE void pair_push(const Pools* p, int i, Pair* c, Real normal1, Real normal2, Real tangent1, Real tangent2)
 {
-	Vec j1 = vec_add(vec_scale(l->normal[0], c->n), vec_scale(l->tangent[0], c->t));
-	Vec j2 = vec_add(vec_scale(l->normal[1], c->n), vec_scale(l->tangent[1], c->t));
-	body_push(&c->a, c->ra[0], &c->b, c->rb[0], j1);
-	body_push(&c->a, c->ra[1], &c->b, c->rb[1], j2);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_add(vec_scale(normal1, c->n), vec_scale(tangent1, c->t)));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_add(vec_scale(normal2, c->n), vec_scale(tangent2, c->t)));
 	if (p->step.extras)
 	{
 		Real rolling = load(&extra_at(p, rolling_impulse, i), 0);
@@ -221,43 +146,63 @@ INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real pe
 	return impulse;
 }
 
-INLINE void pair_rebound(const Pools* p, int i, Load* l, Pair* c)
-{
-	Real e = load(&extra_at(p, restitution, i), 0);
-	float threshold = p->step.restitution_threshold;
-	l->normal[0] = pair_bounce(c, 0, e, load(&extra_at(p, approach1, i), 0), load(&extra_at(p, peak_impulse1, i), 0),
-	                           l->normal[0], threshold);
-	l->normal[1] = pair_bounce(c, 1, e, load(&extra_at(p, approach2, i), 0), load(&extra_at(p, peak_impulse2, i), 0),
-	                           l->normal[1], threshold);
-}
-
+// the impulses of the last step
 INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
 {
-	Load l = load_of(p, i);
-	pair_warm_start(p, i, &l, c);
+	pair_push(p, i, c, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0),
+	          load(&constraint_at(p, tangent_impulse1, i), 0), load(&constraint_at(p, tangent_impulse2, i), 0));
 }
 
 INLINE void bias_pass(const Pools* p, int i, Pair* c)
 {
-	Load l = load_of(p, i);
-	Points points = pair_points(c, &l);
-	pair_bias(&p->step, &points, &l, c);
-	load_keep_normal(p, i, &l);
+	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
+	store(&constraint_at(p, normal_impulse1, i), 0,
+	      pair_normal(c, 0, gap1, pair_mass(c, 0, c->n), load(&constraint_at(p, normal_impulse1, i), 0), &p->step, 1));
+	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
+	store(&constraint_at(p, normal_impulse2, i), 0,
+	      pair_normal(c, 1, gap2, pair_mass(c, 1, c->n), load(&constraint_at(p, normal_impulse2, i), 0), &p->step, 1));
 }
 
 INLINE void relax_pass(const Pools* p, int i, Pair* c)
 {
-	Load l = load_of(p, i);
-	Points points = pair_points(c, &l);
-	pair_relax(p, i, &points, &l, c);
-	load_keep(p, i, &l);
+	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
+	Real speed = splat(0.0f);
+	if (p->step.extras)
+		speed = load(&extra_at(p, tangent_speed, i), 0);
+
+	// friction first: keeping bodies apart matters more, so it has the last word
+	Real friction = load(&constraint_at(p, friction, i), 0);
+	store(&constraint_at(p, tangent_impulse1, i), 0,
+	      pair_tangent(c, 0, pair_mass(c, 0, c->t), speed, friction * normal1,
+	                   load(&constraint_at(p, tangent_impulse1, i), 0)));
+	store(&constraint_at(p, tangent_impulse2, i), 0,
+	      pair_tangent(c, 1, pair_mass(c, 1, c->t), speed, friction * normal2,
+	                   load(&constraint_at(p, tangent_impulse2, i), 0)));
+
+	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
+	normal1 = pair_normal(c, 0, gap1, pair_mass(c, 0, c->n), normal1, &p->step, 0);
+	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
+	normal2 = pair_normal(c, 1, gap2, pair_mass(c, 1, c->n), normal2, &p->step, 0);
+	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
+	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
+	if (p->step.extras)
+	{
+		pair_roll(p, i, c, normal1 + normal2);
+		pair_peak(p, i, normal1, normal2);
+	}
 }
 
 INLINE void bounce_pass(const Pools* p, int i, Pair* c)
 {
-	Load l = load_of(p, i);
-	pair_rebound(p, i, &l, c);
-	load_keep_normal(p, i, &l);
+	Real e = load(&extra_at(p, restitution, i), 0);
+	float threshold = p->step.restitution_threshold;
+	store(&constraint_at(p, normal_impulse1, i), 0,
+	      pair_bounce(c, 0, e, load(&extra_at(p, approach1, i), 0), load(&extra_at(p, peak_impulse1, i), 0),
+	                  load(&constraint_at(p, normal_impulse1, i), 0), threshold));
+	store(&constraint_at(p, normal_impulse2, i), 0,
+	      pair_bounce(c, 1, e, load(&extra_at(p, approach2, i), 0), load(&extra_at(p, peak_impulse2, i), 0),
+	                  load(&constraint_at(p, normal_impulse2, i), 0), threshold));
 }
 
 // a pass over the constraints of one color
