@@ -6,4 +6,5 @@
 #ifdef TOGETHER
 #include "opencl/persistent.cl"
 #include "opencl/relay.cl"
+#include "opencl/tiles.cl"
 #endif

@@ -103,7 +103,7 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 
 size_t pool_offset(const OpenCl* d, PoolId pool) { return d->before[pool] * (size_t)d->room[pool_info[pool].per]; }
 
-static scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
+scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
 	int rooms[PER_COUNT];
 	for (int i = 0; i < PER_COUNT; ++i)
@@ -121,6 +121,7 @@ scree_status kernels_bind(OpenCl* d, Per per)
 		TRY(kernel_bind(d, per, &d->persistent));
 		TRY(kernel_bind(d, per, &d->relay));
 		TRY(kernel_bind(d, per, &d->relay_end));
+		TRY(tiles_bind(d, per));
 	}
 	return primitives_bind(d);
 }
@@ -171,17 +172,20 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 		d->step = *step;
 		++d->step_version;
 	}
+	// the user's changes may give a body another mass, and leaves of a new order make better tiles
+	for (int i = 0; i < count; ++i)
+		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
 	for (int i = 0; i < count;)
 	{
-		int relayed = relay_length(d, runs + i, count - i);
-		int together = relayed ? 0 : persistent_length(d, runs + i, count - i);
-		if (relayed)
-			TRY(relay_run(d, runs + i, relayed));
+		int solved = solve_length(d, runs + i, count - i);
+		int together = solved ? 0 : persistent_length(d, runs + i, count - i);
+		if (solved)
+			TRY(solve_run(d, runs + i, solved));
 		else if (together)
 			TRY(persistent_run(d, runs + i, together));
 		else
 			TRY(one_run(d, runs + i));
-		i += relayed ? relayed : together ? together : 1;
+		i += solved ? solved : together ? together : 1;
 	}
 	return CALL(Flush, d->queue);
 }

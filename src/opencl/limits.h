@@ -35,8 +35,17 @@
 // 64-bit words of a body in the relay, and turns of a pass: one a color, and one more
 #define RELAY_WORDS 4
 #define RELAY_TURNS 64
+// bound of a wait, in looks at a word of half a microsecond or so: 2 s
+#define RELAY_SPINS_MOST (1 << 22)
 // float4s of a constraint that does not stay in registers
 #define RELAY_NOTES 7
+
+// Bodies of a tile, which lie in local memory during a pass: 36 bytes each. More leave fewer constraints on the borders,
+// fewer let more tiles be at work on a compute unit.
+#define TILE_BODIES 1024
+#define TILE_GROUP  256
+// a row of the table of tiles: where each color of a tile's constraints begins, the overflow set's being the row's end
+#define TILE_COLORS 64
 
 // Counters.fault
 #define FAULT_BLOWN 1 // groups did not meet within the bound

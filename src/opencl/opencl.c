@@ -20,6 +20,7 @@ static void opencl_close(Backend* b)
 	{
 		if (d->queue)
 			finish(d); // a failure changes nothing now
+		tiles_close(d);
 		relay_close(d);
 		persistent_close(d);
 		primitives_close(d);
@@ -132,6 +133,7 @@ scree_status opencl_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->last = *counters;
+	d->tiles.stale |= counters->arrange > 0;
 	if (!counters->fault)
 		return SCREE_OK;
 	return fail(SCREE_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).", b->name);
@@ -180,6 +182,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
 		TRY(kernel_create(d, "relay_end", STAGE_GROUP, &d->relay_end));
+		TRY(tiles_open(d));
 	}
 	TRY(primitives_open(d));
 

@@ -32,6 +32,50 @@ typedef struct // a launch whose time has not been read
 	Box box;
 } Lap;
 
+typedef struct // the runs of a whole solve, to be launched in another form than one by one
+{
+	cl_int constraints, bodies, substeps, passes;
+	cl_int cleanse, bound;
+	const Run* colors; // the first of a run a color
+	int color_count;
+	bool overflow;
+	int length; // runs
+} Solve;
+
+enum // kernels of tiles.cl that take all pools, in the order in which they are launched
+{
+	TILE_SETTLE,
+	TILE_LIST,
+	TILE_COUNT,
+	TILE_ORDER,
+	TILE_PREPARE,
+	TILE_PASS,
+	TILE_BORDER,
+	TILE_KERNELS
+};
+
+enum
+{
+	TILE_PLACE_BUFFER,    // an int a body
+	TILE_EDGE_BUFFER,     // the same
+	TILE_RESIDENT_BUFFER, // an int a place of a tile
+	TILE_TABLE_BUFFER,    // TILE_COLORS ints a tile, and two rows more
+	TILE_TOTAL_BUFFER,    // an int a row of the table
+	TILE_RANK_BUFFER,     // an int a constraint
+	TILE_ORDER_BUFFER,    // the same, and what pads the colors of the border
+	TILE_NOTES_BUFFER,    // RELAY_NOTES float4s for each of these
+	TILE_BUFFERS
+};
+
+typedef struct
+{
+	Kernel kernels[TILE_KERNELS];
+	cl_kernel total, begin, range;
+	cl_mem buffers[TILE_BUFFERS];
+	size_t bytes[TILE_BUFFERS];
+	bool stale; // the constraints, or what moves, may have changed since the tiles were laid out
+} Tiles;
+
 typedef struct
 {
 	Device device;
@@ -75,6 +119,9 @@ typedef struct
 	int note_count;
 	int relay_groups; // that run together; 0 when this device takes other forms only
 
+	// tiles.c
+	Tiles tiles;
+
 	// what read_begin copies, in memory that a device can write while the host works
 	cl_mem held_buffer;
 	void* held;
@@ -95,6 +142,9 @@ typedef struct
 // Makes room for uploads, and for laps when timings are asked for.
 scree_status staging_open(OpenCl* d, bool timings);
 
+// groups of so many work-items for so many items, at least one
+static inline size_t groups_of(int items, size_t group) { return items > 0 ? ((size_t)items + group - 1) / group : 1; }
+
 // Launches a kernel over so many work-items, a multiple of group.
 scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
 
@@ -113,7 +163,8 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 // where a pool begins in its buffer, in bytes
 size_t pool_offset(const OpenCl* d, PoolId pool);
 
-// Sets the buffer of a kind, which is new, in all kernels.
+// Sets the buffer of a kind, which is new, in a kernel that takes all pools, or in all of them.
+scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel);
 scree_status kernels_bind(OpenCl* d, Per per);
 
 // Sets the step of a kernel that takes all pools, when it is not the current one.
@@ -136,9 +187,20 @@ scree_status persistent_run(OpenCl* d, const Run* runs, int count);
 // Decides whether the device can run the relay kernel.
 scree_status relay_open(OpenCl* d);
 void relay_close(OpenCl* d);
-// How many runs from the first on are a whole solve that one relay is better for; 0 for none.
-int relay_length(const OpenCl* d, const Run* runs, int count);
-scree_status relay_run(OpenCl* d, const Run* runs, int count);
+// Makes room for the rows of so many bodies, zeroed.
+scree_status relay_reserve(OpenCl* d, int bodies);
+scree_status relay_run(OpenCl* d, const Solve* solve);
+// Moves what no constraint pushes, and finalizes all bodies.
+scree_status relay_end(OpenCl* d, const Solve* solve);
+
+scree_status tiles_open(OpenCl* d);
+void tiles_close(OpenCl* d);
+scree_status tiles_bind(OpenCl* d, Per per); // as kernels_bind
+scree_status tiles_run(OpenCl* d, const Solve* solve);
+
+// How many runs from the first on are a whole solve that is better launched in another form; 0 for none.
+int solve_length(OpenCl* d, const Run* runs, int count);
+scree_status solve_run(OpenCl* d, const Run* runs, int count);
 
 // Takes note of the counters that have been read. Fails when a kernel gave up waiting.
 scree_status opencl_note(Backend* b, const Counters* counters);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// relay.c -- launches a whole solve at once (relay.cl), where the device can.
+// relay.c -- launches the solve as one relay (relay.cl).
 #include "error.h"
 #include "opencl/opencl.h"
 #include <stdlib.h>
 #include <string.h>
 
-// Beyond this many constraints launches are faster.
-#define RELAY_CONSTRAINTS 1000000
-
-// Bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe.
-#define SPINS        (1 << 22)
+// bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe
+#define SPINS        RELAY_SPINS_MOST
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
@@ -31,8 +28,7 @@ enum
 	END_BOUND
 };
 
-// Room for the rows of so many bodies, zeroed.
-static scree_status rows_reserve(OpenCl* d, int count)
+scree_status relay_reserve(OpenCl* d, int count)
 {
 	if (count <= d->row_count)
 		return SCREE_OK;
@@ -127,62 +123,33 @@ void relay_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->notes);
 }
 
-int relay_length(const OpenCl* d, const Run* runs, int count)
+scree_status relay_run(OpenCl* d, const Solve* solve)
 {
-	if (d->relay_groups == 0 || runs[0].stage != STAGE_solve_begin)
-		return 0;
-	for (int k = 0; k < count; ++k)
-		switch (runs[k].stage)
-		{
-		case STAGE_overflow_key:
-			return 0; // sums over many constraints
-		case STAGE_prepare:
-			if (runs[k].end > RELAY_CONSTRAINTS && !d->any_size)
-				return 0;
-			break;
-		case STAGE_finalize:
-			return k + 1;
-		}
-	return 0;
-}
-
-scree_status relay_run(OpenCl* d, const Run* runs, int count)
-{
-	cl_int constraints = 0, substeps = 0, passes = 1, bodies = runs[count - 1].end, spins = SPINS;
-	cl_int cleanse = 0, bound = runs->count; // of all runs alike
-	bool bounce = false;
-	for (int k = 0; k < count; ++k)
-	{
-		constraints = runs[k].stage == STAGE_prepare ? runs[k].end : constraints;
-		substeps += runs[k].stage == STAGE_integrate_velocity;
-		cleanse |= runs[k].stage == STAGE_cleanse;
-		bounce = bounce || runs[k].stage == STAGE_bounce;
-	}
-	passes += 2 * substeps + bounce;
-	TRY(rows_reserve(d, bodies));
-	TRY(notes_reserve(d, constraints));
-
+	TRY(relay_reserve(d, solve->bodies));
+	TRY(notes_reserve(d, solve->constraints));
+	cl_int spins = SPINS;
 	cl_kernel kernel = d->relay.kernel;
 	TRY(kernel_step(d, &d->relay));
-	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof constraints, &constraints));
-	TRY(CALL(SetKernelArg, kernel, RELAY_SUBSTEPS, sizeof substeps, &substeps));
-	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof passes, &passes));
-	TRY(CALL(SetKernelArg, kernel, RELAY_CLEANSE, sizeof cleanse, &cleanse));
-	TRY(CALL(SetKernelArg, kernel, RELAY_BOUND, sizeof bound, &bound));
+	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
+	TRY(CALL(SetKernelArg, kernel, RELAY_SUBSTEPS, sizeof(cl_int), &solve->substeps));
+	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof(cl_int), &solve->passes));
+	TRY(CALL(SetKernelArg, kernel, RELAY_CLEANSE, sizeof(cl_int), &solve->cleanse));
+	TRY(CALL(SetKernelArg, kernel, RELAY_BOUND, sizeof(cl_int), &solve->bound));
 	TRY(CALL(SetKernelArg, kernel, RELAY_SPINS, sizeof spins, &spins));
-	size_t group = d->relay.group, groups = ((size_t)constraints + group - 1) / group;
+	size_t group = d->relay.group, groups = groups_of(solve->constraints, group);
 	groups = groups < (size_t)d->relay_groups ? groups : (size_t)d->relay_groups;
-	d->box = BOX_solve;
-	TRY(launch(d, kernel, (groups ? groups : 1) * group, group));
+	return launch(d, kernel, groups * group, group);
+}
 
-	kernel = d->relay_end.kernel;
+scree_status relay_end(OpenCl* d, const Solve* solve)
+{
+	cl_kernel kernel = d->relay_end.kernel;
 	TRY(kernel_step(d, &d->relay_end));
-	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof bodies, &bodies));
-	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof substeps, &substeps));
-	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof passes, &passes));
-	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof bound, &bound));
-	group = d->relay_end.group;
-	groups = ((size_t)bodies + group - 1) / group;
+	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
+	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
+	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &solve->passes));
+	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
+	size_t group = d->relay_end.group;
 	d->box = BOX_finalize;
-	return launch(d, kernel, (groups ? groups : 1) * group, group);
+	return launch(d, kernel, groups_of(solve->bodies, group) * group, group);
 }

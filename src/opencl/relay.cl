@@ -226,18 +226,13 @@ typedef struct // a constraint in registers
 	bool inert;
 } Runner;
 
-INLINE Runner relay_runner(const Pools* p, int i)
+// Of constraint i: what it is made of, but for its sides.
+INLINE Runner relay_make(const Pools* p, int i, const Prepared* made)
 {
 	Runner u;
-	int slot = p->constraint_contact[i];
-	u.inert = slot < 0;
-	if (u.inert)
-		return u;
-	int color = p->contact_color[slot];
+	u.inert = false;
 	u.c.ia = constraint_at(p, body_a, i);
 	u.c.ib = constraint_at(p, body_b, i);
-	u.side[0] = relay_side(p, u.c.ia, color);
-	u.side[1] = relay_side(p, u.c.ib, color);
 	BodyState a = p->body[u.c.ia], b = p->body[u.c.ib];
 	u.c.a.inv_mass = a.inv_mass;
 	u.c.a.inv_inertia = a.inv_inertia;
@@ -247,19 +242,41 @@ INLINE Runner relay_runner(const Pools* p, int i)
 	u.c.b.inv_inertia = b.inv_inertia;
 	u.c.b.d = u.c.a.d;
 	u.c.b.da = 0.0f;
-	pair_arms(p, i, &u.c);
+	u.c.n = made->normal;
+	u.c.t = vec(made->normal.y, -made->normal.x);
 	u.friction = constraint_at(p, friction, i);
-	u.separation[0] = constraint_at(p, separation1, i);
-	u.separation[1] = constraint_at(p, separation2, i);
 	u.normal[0] = constraint_at(p, normal_impulse1, i);
 	u.normal[1] = constraint_at(p, normal_impulse2, i);
 	u.tangent[0] = constraint_at(p, tangent_impulse1, i);
 	u.tangent[1] = constraint_at(p, tangent_impulse2, i);
 	for (int k = 0; k < 2; ++k)
 	{
+		u.separation[k] = made->separation[k];
+		u.c.ra[k] = made->anchor[k];
+		u.c.rb[k] = vec_add(made->anchor[k], made->offset);
 		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
 		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
 	}
+	return u;
+}
+
+// Constraint i, which may be none.
+INLINE Runner relay_prepare(const Pools* p, int i, int cleanse)
+{
+	Runner u;
+	int slot = p->constraint_contact[i];
+	u.inert = slot < 0;
+	if (u.inert)
+		return u;
+	if (cleanse)
+		cleanse_item(p, i);
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	if (p->step.extras)
+		prepare_extras(p, i, &made);
+	u = relay_make(p, i, &made);
+	int color = p->contact_color[slot];
+	u.side[0] = relay_side(p, u.c.ia, color);
+	u.side[1] = relay_side(p, u.c.ib, color);
 	return u;
 }
 
@@ -373,6 +390,18 @@ INLINE void relay_bounce(const Pools* p, int i, Runner* u)
 	u->normal[1] = constraint_at(p, normal_impulse2, i);
 }
 
+INLINE void relay_pass(const Pools* p, const Relay* r, int i, int q, Runner* u)
+{
+	if (q == 0)
+		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
+	else if (q > 2 * r->substeps)
+		relay_bounce(p, i, u);
+	else if (q & 1)
+		relay_bias(&p->step, u);
+	else
+		relay_relax(p, i, u);
+}
+
 // Pass q of a constraint, which the whole group takes in step, for no two of a group share a body. False when some never
 // came to its turn.
 INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, volatile __local int* fault)
@@ -408,14 +437,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 	}
 	if (u->inert)
 		return true;
-	if (q == 0)
-		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
-	else if (q > 2 * r->substeps)
-		relay_bounce(p, i, u);
-	else if (q & 1)
-		relay_bias(&p->step, u);
-	else
-		relay_relax(p, i, u);
+	relay_pass(p, r, i, q, u);
 	relay_pass_to(r, u->side[0], q, u->c.a);
 	relay_pass_to(r, u->side[1], q, u->c.b);
 	relay_pass_on(p, r, u->side[0], q, u->c.a, motion_a, base_a);
@@ -448,10 +470,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	Runner u;
 	for (int i = begin; i < constraints; i += stride)
 	{
-		if (cleanse)
-			cleanse_item(p, i);
-		prepare_item(p, i);
-		u = relay_runner(p, i);
+		u = relay_prepare(p, i, cleanse);
 		if (constraints > stride)
 			relay_leave(&u, notes, constraints, i);
 	}

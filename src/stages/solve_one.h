@@ -35,40 +35,63 @@ INLINE void prepare_depth(const Pools* p, float separation)
 		atomic_max_int(&p->counters->penetration, depth);
 }
 
+typedef struct
+{
+	Vec normal, offset;  // from a to b; m: center of a minus center of b
+	Vec anchor[2];       // m: of the points, from the center of a
+	float separation[2]; // m
+} Prepared;
+
+// what the passes need of the points of a contact
+INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
+{
+	Placed a = p->placed[pair.x], b = p->placed[pair.y];
+	ContactPoints points = contact_points(a, b, p->contact_found[slot]);
+
+	// anchors are from the centers of mass
+	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
+	Prepared made;
+	made.normal = points.normal;
+	made.offset = vec_sub(center_a, center_b);
+	for (int k = 0; k < 2; ++k)
+	{
+		made.anchor[k] = vec_sub(points.point[k], center_a);
+		made.separation[k] = points.separation[k];
+		prepare_depth(p, points.separation[k]);
+	}
+	return made;
+}
+
+// what bounces starts with the speed at which it came
+INLINE void prepare_extras(const Pools* p, int i, const Prepared* made)
+{
+	Body a = body_gather(p, constraint_at(p, body_a, i)), b = body_gather(p, constraint_at(p, body_b, i));
+	Vec ra1 = made->anchor[0], ra2 = made->anchor[1];
+	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made->offset), made->normal);
+	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made->offset), made->normal);
+	extra_at(p, peak_impulse1, i) = 0.0f;
+	extra_at(p, peak_impulse2, i) = 0.0f;
+}
+
 // the contact's points, where the passes stream them
 STAGE(prepare)
 {
 	int slot = p->constraint_contact[i];
 	if (slot < 0)
 		return;
-	Int2 pair = p->constraint_pair[i];
-	Placed a = p->placed[pair.x], b = p->placed[pair.y];
-	ContactPoints points = contact_points(a, b, p->contact_found[slot]);
-
-	// anchors are from the centers of mass
-	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
-	Vec offset = vec_sub(center_a, center_b);
-	Vec ra1 = vec_sub(points.point[0], center_a), ra2 = vec_sub(points.point[1], center_a);
-	prepare_depth(p, points.separation[0]);
-	prepare_depth(p, points.separation[1]);
-	constraint_at(p, normal_x, i) = points.normal.x;
-	constraint_at(p, normal_y, i) = points.normal.y;
-	constraint_at(p, offset_x, i) = offset.x;
-	constraint_at(p, offset_y, i) = offset.y;
-	constraint_at(p, anchor1_x, i) = ra1.x;
-	constraint_at(p, anchor1_y, i) = ra1.y;
-	constraint_at(p, anchor2_x, i) = ra2.x;
-	constraint_at(p, anchor2_y, i) = ra2.y;
-	constraint_at(p, separation1, i) = points.separation[0];
-	constraint_at(p, separation2, i) = points.separation[1];
-	if (!p->step.extras)
-		return;
-
-	Body body_a = body_gather(p, constraint_at(p, body_a, i)), body_b = body_gather(p, constraint_at(p, body_b, i));
-	extra_at(p, approach1, i) = prepare_approach(body_a, ra1, body_b, vec_add(ra1, offset), points.normal);
-	extra_at(p, approach2, i) = prepare_approach(body_a, ra2, body_b, vec_add(ra2, offset), points.normal);
-	extra_at(p, peak_impulse1, i) = 0.0f;
-	extra_at(p, peak_impulse2, i) = 0.0f;
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	constraint_at(p, normal_x, i) = made.normal.x;
+	constraint_at(p, normal_y, i) = made.normal.y;
+	constraint_at(p, offset_x, i) = made.offset.x;
+	constraint_at(p, offset_y, i) = made.offset.y;
+	constraint_at(p, anchor1_x, i) = made.anchor[0].x;
+	constraint_at(p, anchor1_y, i) = made.anchor[0].y;
+	constraint_at(p, anchor2_x, i) = made.anchor[1].x;
+	constraint_at(p, anchor2_y, i) = made.anchor[1].y;
+	constraint_at(p, separation1, i) = made.separation[0];
+	constraint_at(p, separation2, i) = made.separation[1];
+	if (p->step.extras)
+		prepare_extras(p, i, &made);
 }
 
 // an impulse fit to start the step with

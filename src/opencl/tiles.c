@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// tiles.c -- launches the solve of a large world as passes over tiles of bodies (tiles.cl).
+#include "error.h"
+#include "opencl/opencl.h"
+
+static const char* const names[TILE_KERNELS] = {
+    [TILE_SETTLE] = "tile_settle", [TILE_LIST] = "tile_list",       [TILE_COUNT] = "tile_count",
+    [TILE_ORDER] = "tile_order",   [TILE_PREPARE] = "tile_prepare", [TILE_PASS] = "tile_pass",
+    [TILE_BORDER] = "tile_border",
+};
+
+// work-items of a group of each, at most
+static const size_t groups[TILE_KERNELS] = {
+    [TILE_SETTLE] = STAGE_GROUP,  [TILE_LIST] = STAGE_GROUP, [TILE_COUNT] = STAGE_GROUP,  [TILE_ORDER] = STAGE_GROUP,
+    [TILE_PREPARE] = STAGE_GROUP, [TILE_PASS] = TILE_GROUP,  [TILE_BORDER] = RELAY_GROUP,
+};
+
+scree_status tiles_open(OpenCl* d)
+{
+	Tiles* t = &d->tiles;
+	for (int k = 0; k < TILE_KERNELS; ++k)
+		TRY(kernel_create(d, names[k], groups[k], &t->kernels[k]));
+	cl_int error;
+	t->total = opencl.CreateKernel(d->program, "tile_total", &error);
+	TRY(opencl_check("clCreateKernel", error));
+	t->begin = opencl.CreateKernel(d->program, "tile_begin", &error);
+	TRY(opencl_check("clCreateKernel", error));
+	t->range = opencl.CreateKernel(d->program, "tile_range", &error);
+	t->stale = true;
+	return opencl_check("clCreateKernel", error);
+}
+
+void tiles_close(OpenCl* d)
+{
+	Tiles* t = &d->tiles;
+	cl_kernel others[] = {t->total, t->begin, t->range};
+	for (int k = 0; k < TILE_KERNELS; ++k)
+		if (t->kernels[k].kernel)
+			opencl.ReleaseKernel(t->kernels[k].kernel);
+	for (int k = 0; k < 3; ++k)
+		if (others[k])
+			opencl.ReleaseKernel(others[k]);
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		if (t->buffers[k])
+			opencl.ReleaseMemObject(t->buffers[k]);
+}
+
+scree_status tiles_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < TILE_KERNELS; ++k)
+		TRY(kernel_bind(d, per, &d->tiles.kernels[k]));
+	return SCREE_OK;
+}
+
+static scree_status reserve(OpenCl* d, int buffer, size_t bytes)
+{
+	Tiles* t = &d->tiles;
+	if (bytes <= t->bytes[buffer])
+		return SCREE_OK;
+	TRY(finish(d));
+	if (t->buffers[buffer])
+		opencl.ReleaseMemObject(t->buffers[buffer]);
+	t->buffers[buffer] = NULL;
+	t->bytes[buffer] = 0;
+	t->stale = true;
+	bytes += bytes / 8;
+	TRY(buffer_create(d, bytes, &t->buffers[buffer]));
+	t->bytes[buffer] = bytes;
+	return SCREE_OK;
+}
+
+typedef struct // the value of an argument
+{
+	size_t size;
+	const void* value;
+} Value;
+
+#define VALUE(x)        \
+	{                   \
+		sizeof(x), &(x) \
+	}
+#define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
+
+// Launches a kernel over so many items, with these values for its arguments from the first on.
+static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
+                              int count)
+{
+	for (int k = 0; k < count; ++k)
+		TRY(CALL(SetKernelArg, kernel, first + (cl_uint)k, values[k].size, values[k].value));
+	return launch(d, kernel, groups_of(items, group) * group, group);
+}
+
+// The same for a kernel that takes all pools: the values go behind the step.
+static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
+{
+	Kernel* kernel = &d->tiles.kernels[k];
+	TRY(kernel_step(d, kernel));
+	return plain_run(d, kernel->kernel, kernel->group, items, ARGUMENT_STEP + 1, values, count);
+}
+
+// Cuts the bodies into tiles, and sorts the constraints by tile and color.
+static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int places)
+{
+	Tiles* t = &d->tiles;
+	cl_mem *b = t->buffers, place = b[TILE_PLACE_BUFFER], edge = b[TILE_EDGE_BUFFER];
+	cl_mem resident = b[TILE_RESIDENT_BUFFER], table = b[TILE_TABLE_BUFFER], total = b[TILE_TOTAL_BUFFER];
+	cl_mem rank = b[TILE_RANK_BUFFER], order = b[TILE_ORDER_BUFFER];
+	const cl_int zero = 0, none = -1;
+	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->bytes[TILE_TABLE_BUFFER], 0, NULL, NULL));
+	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->bytes[TILE_ORDER_BUFFER], 0, NULL, NULL));
+	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places))));
+	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places))));
+	for (const Run* run = solve->colors; run < solve->colors + solve->color_count; ++run)
+		TRY(tile_run(d, TILE_COUNT, run->end - run->begin,
+		             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(run->begin),
+		                    VALUE(run->end))));
+	TRY(plain_run(d, t->total, STAGE_GROUP, rows + 1, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
+	TRY(plain_run(d, t->begin, PRIMITIVE_GROUP, 1, 0, VALUES(VALUE(total), VALUE(rows))));
+	TRY(plain_run(d, t->range, STAGE_GROUP, rows + 2, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
+	TRY(tile_run(d, TILE_ORDER, solve->constraints,
+	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(order),
+	                    VALUE(solve->constraints))));
+	t->stale = false;
+	return SCREE_OK;
+}
+
+scree_status tiles_run(OpenCl* d, const Solve* solve)
+{
+	Tiles* t = &d->tiles;
+	// no tree has more leaves than there are collidables
+	cl_int rows = (d->step.collidables - 1) / TILE_BODIES + 1, places = rows * TILE_BODIES;
+	cl_int stride = solve->constraints + TILE_COLORS * RELAY_GROUP, spins = RELAY_SPINS_MOST;
+	const size_t bytes[TILE_BUFFERS] = {
+	    [TILE_PLACE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
+	    [TILE_EDGE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
+	    [TILE_RESIDENT_BUFFER] = (size_t)places * sizeof(cl_int),
+	    [TILE_TABLE_BUFFER] = (size_t)(rows + 2) * TILE_COLORS * sizeof(cl_int),
+	    [TILE_TOTAL_BUFFER] = (size_t)(rows + 2) * sizeof(cl_int),
+	    [TILE_RANK_BUFFER] = (size_t)solve->constraints * sizeof(cl_int),
+	    [TILE_ORDER_BUFFER] = (size_t)stride * sizeof(cl_int),
+	    [TILE_NOTES_BUFFER] = (size_t)stride * RELAY_NOTES * sizeof(cl_float4),
+	};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		TRY(reserve(d, k, bytes[k]));
+	TRY(relay_reserve(d, solve->bodies));
+	if (t->stale)
+		TRY(lay_out(d, solve, rows, places));
+
+	cl_mem *b = t->buffers, place = b[TILE_PLACE_BUFFER], edge = b[TILE_EDGE_BUFFER];
+	cl_mem resident = b[TILE_RESIDENT_BUFFER], table = b[TILE_TABLE_BUFFER], order = b[TILE_ORDER_BUFFER];
+	cl_mem notes = b[TILE_NOTES_BUFFER];
+	TRY(tile_run(d, TILE_PREPARE, stride,
+	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
+	                    VALUE(solve->substeps), VALUE(solve->cleanse), VALUE(solve->bound))));
+	for (cl_int q = 0; q < solve->passes; ++q)
+	{
+		TRY(tile_run(d, TILE_PASS, rows * TILE_GROUP,
+		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
+		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound))));
+		int most = d->relay_groups * RELAY_GROUP;
+		TRY(tile_run(d, TILE_BORDER, most,
+		             VALUES(VALUE(d->rows), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
+		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound),
+		                    VALUE(spins))));
+	}
+	return SCREE_OK;
+}

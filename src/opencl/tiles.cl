@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: MIT
+// tiles.cl -- the solve of a large world, a pass a launch: what is near lies in local memory while all colors are solved.
+//
+// A pass by colors brings every body from memory and back as often as it has constraints. So the bodies are cut into
+// tiles of neighbors, along the curve of the broad phase's tree, and a group takes a tile: its bodies come once, and the
+// constraints among them are solved color by color with nothing but barriers in between.
+//
+// That must not change what each body goes through, which is its constraints in the order of colors. A constraint
+// between two tiles is on the border, and so is every one that comes after it on either body: those are left over, and
+// follow in a second launch as a relay (relay.cl). Whatever the tiles are, the result is the same.
+//
+// Integration costs no pass over the bodies: a tile does it when it fetches them.
+#include "opencl/limits.h"
+#include "pools/pools.h"
+
+#define TILE_NONE (-1)
+// the place of a body that is not in the tile, because it cannot move: it rests, or its pool must be asked
+#define TILE_RESTS 0xffffu
+#define TILE_ASKS  0xfffeu
+
+// ---------------------------------------------------------------------------------------------------------------
+// who is where
+// ---------------------------------------------------------------------------------------------------------------
+
+INLINE int tile_holds(const Pools* p, int body)
+{
+	return body >= 0 && p->color_mask[body] != 0 && p->body[body].inv_mass > 0.0f;
+}
+
+INLINE int tile_body_of(const Pools* p, int leaf)
+{
+	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
+}
+
+// A body belongs where one of its leaves is, whichever comes last. place is by body, resident by place.
+__kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places)
+{
+	Pools pools = {POOL_NAMES step, 0};
+	int i = (int)get_global_id(0), body = i < places ? tile_body_of(&pools, i) : -1;
+	if (!tile_holds(&pools, body))
+		return;
+	place[body] = i;
+	border[body] = TILE_COLORS;
+}
+
+__kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places)
+{
+	Pools pools = {POOL_NAMES step, 0};
+	int i = (int)get_global_id(0), body = i < places ? tile_body_of(&pools, i) : -1;
+	if (i < places)
+		resident[i] = tile_holds(&pools, body) && place[body] == i ? body : -1;
+}
+
+// The row of the table that a constraint belongs to: its tile's, or the last one for what is on the border. border is
+// the first color of a body that is.
+INLINE int tile_row(const Pools* p, int i, int color, __global const int* place, __global const int* border, int rows)
+{
+	int a = constraint_at(p, body_a, i), b = constraint_at(p, body_b, i), row = -1;
+	if (p->body[a].inv_mass > 0.0f)
+		row = border[a] <= color ? rows : place[a] / TILE_BODIES;
+	if (p->body[b].inv_mass > 0.0f && row != rows)
+	{
+		int other = border[b] <= color ? rows : place[b] / TILE_BODIES;
+		row = row == -1 || row == other ? other : rows;
+	}
+	return row == -1 ? rows : row;
+}
+
+// Counts the constraints of one color, and finds those on the border: one launch a color, for each depends on the colors
+// before it. The count so far is the constraint's rank, in no order.
+__kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
+                         __global int* rank, int rows, int begin, int end)
+{
+	Pools pools = {POOL_NAMES step, 0};
+	const Pools* p = &pools;
+	int i = begin + (int)get_global_id(0), slot = i < end ? p->constraint_contact[i] : -1;
+	if (slot < 0)
+		return;
+	int color = p->contact_color[slot], row = tile_row(p, i, color, place, border, rows);
+	rank[i] = atomic_inc(&table[row * TILE_COLORS + color]);
+	if (row != rows)
+		return;
+	int bodies[2] = {constraint_at(p, body_a, i), constraint_at(p, body_b, i)};
+	for (int k = 0; k < 2; ++k)
+		if (p->body[bodies[k]].inv_mass > 0.0f && border[bodies[k]] > color)
+			border[bodies[k]] = color;
+}
+
+INLINE int tile_padded(int count, int row, int rows)
+{
+	// what the relay takes in step is of one color
+	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
+}
+
+// constraints of each row, the last one being the border's
+__kernel void tile_total(__global const int* table, __global int* total, int rows)
+{
+	int row = (int)get_global_id(0), sum = 0;
+	if (row > rows)
+		return;
+	for (int k = 0; k < TILE_COLORS; ++k)
+		sum += tile_padded(table[row * TILE_COLORS + k], row, rows);
+	total[row] = sum;
+}
+
+// Where each row begins. One group.
+__kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_begin(__global int* total, int rows)
+{
+	__local uint sum[PRIMITIVE_GROUP];
+	uint before = 0, t = (uint)get_local_id(0);
+	for (int first = 0; first <= rows + 1; first += PRIMITIVE_GROUP)
+	{
+		int row = first + (int)t;
+		uint mine = row <= rows ? (uint)total[row] : 0u, below = group_scan(sum, mine);
+		if (row <= rows + 1)
+			total[row] = (int)(before + below);
+		before += sum[PRIMITIVE_GROUP - 1];
+		barrier(CLK_LOCAL_MEM_FENCE);
+	}
+}
+
+// Counts into beginnings. The row behind the border's holds the end.
+__kernel void tile_range(__global int* table, __global const int* total, int rows)
+{
+	int row = (int)get_global_id(0);
+	if (row > rows + 1)
+		return;
+	int begin = total[row];
+	for (int k = 0; k < (row > rows ? 1 : TILE_COLORS); ++k)
+	{
+		int count = row > rows ? 0 : tile_padded(table[row * TILE_COLORS + k], row, rows);
+		table[row * TILE_COLORS + k] = begin;
+		begin += count;
+	}
+}
+
+// order: constraint at each place, -1 for none
+__kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
+                         __global const int* table, __global const int* rank, int rows, __global int* order,
+                         int constraints)
+{
+	Pools pools = {POOL_NAMES step, 0};
+	const Pools* p = &pools;
+	int i = (int)get_global_id(0), slot = i < constraints ? p->constraint_contact[i] : -1;
+	if (slot < 0)
+		return;
+	int color = p->contact_color[slot];
+	order[table[tile_row(p, i, color, place, border, rows) * TILE_COLORS + color] + rank[i]] = i;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// notes: a constraint as the passes stream it
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	__global const int* place;
+	__global const int* border;
+	__global const int* resident;
+	__global const int* table;
+	__global const int* order;
+	__global float4* notes; // RELAY_NOTES columns of stride
+	int stride, rows;
+} Tiles;
+
+INLINE bool tile_still(const float row[8])
+{
+	return relay_bits(row) == 0 && relay_bits(row + 4) == 0 && float_bits(row[7]) == 0;
+}
+
+// The place of a body in its tile, for a constraint that is not on the border.
+INLINE uint tile_place(const Pools* p, const Relay* r, const Tiles* t, int body)
+{
+	if (p->body[body].inv_mass > 0.0f)
+		return (uint)t->place[body] % TILE_BODIES;
+	float first[8], second[8];
+	relay_alone(p, r, body, 0, first);
+	relay_alone(p, r, body, 2, second);
+	return tile_still(first) && tile_still(second) ? TILE_RESTS : TILE_ASKS;
+}
+
+// The side of a constraint on the border: of the body's constraints, those before the first on the border do not count.
+INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
+{
+	Side side = relay_side(p, body, color);
+	if (side.moves)
+	{
+		Word64 inner = ((Word64)1 << t->border[body]) - (Word64)1, lower = ((Word64)1 << color) - (Word64)1;
+		side.before = (int)popcount(p->color_mask[body] & lower & ~inner);
+	}
+	return side;
+}
+
+INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, int j)
+{
+	int n = t->stride;
+	__global float2* pairs = (__global float2*)(t->notes + 3 * n) + j;
+	t->notes[j] = (float4)(as_float(names), u->friction, u->c.n.x, u->c.n.y);
+	t->notes[n + j] = (float4)(u->c.ra[0].x, u->c.ra[0].y, u->c.ra[1].x, u->c.ra[1].y);
+	t->notes[2 * n + j] = (float4)(offset.x, offset.y, u->separation[0], u->separation[1]);
+	pairs[0] = (float2)(u->normal_mass[0], u->normal_mass[1]);
+	pairs[n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
+	pairs[2 * n] = (float2)(u->normal[0], u->normal[1]);
+	pairs[3 * n] = (float2)(u->tangent[0], u->tangent[1]);
+}
+
+__kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
+                           __global const int* table, __global const int* order, __global float4* notes, int stride,
+                           int rows, int substeps, int cleanse, int bound)
+{
+	Pools pools = {POOL_NAMES step, 0};
+	const Pools* p = &pools;
+	Relay r = {0, substeps, 0, 0};
+	Tiles t = {place, border, 0, table, order, notes, stride, rows};
+	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+		return;
+	int j = (int)get_global_id(0);
+	if (j == 0)
+	{
+		p->counters->nonfinite = 0;
+		p->counters->first_nonfinite = 0x7fffffff;
+	}
+	if (j >= table[(rows + 1) * TILE_COLORS])
+		return;
+	int i = order[j];
+	bool on_border = j >= table[rows * TILE_COLORS];
+	Runner u;
+	u.inert = i < 0;
+	if (u.inert)
+	{
+		relay_leave(&u, notes, stride, j);
+		return;
+	}
+	if (cleanse)
+		cleanse_item(p, i);
+	int slot = p->constraint_contact[i], color = p->contact_color[slot];
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	if (p->step.extras)
+		prepare_extras(p, i, &made);
+	u = relay_make(p, i, &made);
+	if (on_border)
+	{
+		u.side[0] = tile_side(p, &t, u.c.ia, color);
+		u.side[1] = tile_side(p, &t, u.c.ib, color);
+		relay_leave(&u, notes, stride, j);
+	}
+	else
+		tile_leave(&u, tile_place(p, &r, &t, u.c.ia) | tile_place(p, &r, &t, u.c.ib) << 16, made.offset, &t, j);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// a pass
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct // the bodies of a tile
+{
+	float4 motion[TILE_BODIES]; // velocity x, y, angular, inverse mass
+	float4 moved[TILE_BODIES];  // displacement x, y, sine and versine of the turn
+	float inv_inertia[TILE_BODIES];
+} Tile;
+
+// A body into local memory, moved on to pass q.
+INLINE void tile_fetch(const Pools* p, const Relay* r, int body, int q, __local Tile* tile, int k)
+{
+	BodyState state = p->body[body];
+	float row[8] = {state.vx, state.vy, state.w,  state.inv_mass,
+	                state.dx, state.dy, state.da, state.inv_inertia};
+	if (q == 0)
+	{
+		row[4] = 0.0f;
+		row[5] = 0.0f;
+		row[6] = 0.0f;
+		p->base[body] = make_float4(row[0], row[1], row[2], 0.0f);
+	}
+	else if (q <= 2 * r->substeps)
+	{
+		float m[8];
+		relay_motion(p, body, m);
+		if (q & 1)
+		{
+			Float4 old = p->base[body];
+			float base[4] = {old.x, old.y, old.z, 0.0f};
+			body_accelerate(&p->step, row, m, base, q == 1);
+			p->base[body] = make_float4(base[0], base[1], base[2], 0.0f);
+		}
+		else
+			body_move(&p->step, row, m);
+	}
+	if (!(q & 1))
+		*(__global float4*)&p->body[body].dx = (float4)(row[4], row[5], row[6], row[7]);
+	Body b;
+	b.da = row[6];
+	body_turn(&b);
+	tile->motion[k] = (float4)(row[0], row[1], row[2], row[3]);
+	tile->moved[k] = (float4)(row[4], row[5], b.sine, b.versine);
+	tile->inv_inertia[k] = row[7];
+}
+
+INLINE void tile_gather(const Pools* p, const Relay* r, __local const Tile* tile, uint place, int body, int q, Body* b)
+{
+	if (place < TILE_BODIES)
+	{
+		float4 motion = tile->motion[place], moved = tile->moved[place];
+		b->v = vec(motion.x, motion.y);
+		b->w = motion.z;
+		b->inv_mass = motion.w;
+		b->d = vec(moved.x, moved.y);
+		b->sine = moved.z;
+		b->versine = moved.w;
+		b->inv_inertia = tile->inv_inertia[place];
+		return;
+	}
+	float row[8] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+	if (place == TILE_ASKS)
+		relay_alone(p, r, body, q, row);
+	b->v = vec(row[0], row[1]);
+	b->w = row[2];
+	b->inv_mass = row[3];
+	b->d = vec(row[4], row[5]);
+	b->da = row[6];
+	b->inv_inertia = row[7];
+	body_turn(b);
+}
+
+INLINE void tile_scatter(__local Tile* tile, uint place, const Body* b)
+{
+	if (place < TILE_BODIES)
+		tile->motion[place] = (float4)(b->v.x, b->v.y, b->w, b->inv_mass);
+}
+
+// Pass q of the constraint at place j.
+INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, int j, int q)
+{
+	Runner u;
+	int n = t->stride, i = -1;
+	__global float2* pairs = (__global float2*)(t->notes + 3 * n) + j;
+	float4 names = t->notes[j], on_a = t->notes[n + j], gaps = t->notes[2 * n + j];
+	float2 normal = pairs[2 * n], tangent = (float2)(0.0f, 0.0f);
+	bool relaxes = q > 0 && !(q & 1), ends = q + 1 == r->passes;
+	if (relaxes || q == 0 || ends)
+		tangent = pairs[3 * n];
+	uint place_a = as_uint(names.x) & 0xffffu, place_b = as_uint(names.x) >> 16;
+	if (p->step.extras || ends || place_a == TILE_ASKS || place_b == TILE_ASKS)
+	{
+		i = t->order[j];
+		u.c.ia = constraint_at(p, body_a, i);
+		u.c.ib = constraint_at(p, body_b, i);
+	}
+	tile_gather(p, r, tile, place_a, u.c.ia, q, &u.c.a);
+	tile_gather(p, r, tile, place_b, u.c.ib, q, &u.c.b);
+	u.friction = names.y;
+	u.c.n = vec(names.z, names.w);
+	u.c.t = vec(names.w, -names.z);
+	u.c.ra[0] = vec(on_a.x, on_a.y);
+	u.c.ra[1] = vec(on_a.z, on_a.w);
+	u.c.rb[0] = vec_add(u.c.ra[0], vec(gaps.x, gaps.y));
+	u.c.rb[1] = vec_add(u.c.ra[1], vec(gaps.x, gaps.y));
+	u.normal[0] = normal.x;
+	u.normal[1] = normal.y;
+	u.tangent[0] = tangent.x;
+	u.tangent[1] = tangent.y;
+	u.gap[0] = pair_gap(&u.c, 0, gaps.z);
+	u.gap[1] = pair_gap(&u.c, 1, gaps.w);
+	float2 mass = pairs[0];
+	u.normal_mass[0] = mass.x;
+	u.normal_mass[1] = mass.y;
+	if (relaxes)
+	{
+		mass = pairs[n];
+		u.tangent_mass[0] = mass.x;
+		u.tangent_mass[1] = mass.y;
+	}
+	relay_pass(p, r, i, q, &u);
+	tile_scatter(tile, place_a, &u.c.a);
+	tile_scatter(tile, place_b, &u.c.b);
+	if (ends)
+		relay_stow(p, i, &u);
+	else if (q > 0)
+		pairs[2 * n] = (float2)(u.normal[0], u.normal[1]);
+	if (relaxes && !ends)
+		pairs[3 * n] = (float2)(u.tangent[0], u.tangent[1]);
+}
+
+// A group takes a tile.
+__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void
+tile_pass(POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order,
+          __global float4* notes, int stride, int substeps, int passes, int q, int bound)
+{
+	__local Tile tile;
+	__local int range[TILE_COLORS + 1];
+	Pools pools = {POOL_NAMES step, 0};
+	const Pools* p = &pools;
+	Relay r = {0, substeps, passes, 0};
+	Tiles t = {0, 0, resident, table, order, notes, stride, 0};
+	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+		return;
+	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
+	if (lane <= TILE_COLORS)
+		range[lane] = table[row * TILE_COLORS + lane];
+	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
+	{
+		int body = resident[row * TILE_BODIES + k];
+		if (body >= 0)
+			tile_fetch(p, &r, body, q, &tile, k);
+	}
+	barrier(CLK_LOCAL_MEM_FENCE);
+	for (int color = 0; color < COLORS; ++color)
+	{
+		int begin = range[color], end = range[color + 1];
+		if (begin == end)
+			continue;
+		for (int j = begin + lane; j < end; j += TILE_GROUP)
+			tile_task(p, &r, &t, &tile, j, q);
+		barrier(CLK_LOCAL_MEM_FENCE);
+	}
+	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
+	{
+		int body = resident[row * TILE_BODIES + k];
+		if (body >= 0)
+			*(__global float4*)&p->body[body] = tile.motion[k];
+	}
+}
+
+// Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
+INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile __local int* fault)
+{
+	Runner u = relay_return(t->notes, t->stride, j);
+	if (!u.inert)
+	{
+		Body* bodies[2] = {&u.c.a, &u.c.b};
+		for (int k = 0; k < 2; ++k)
+		{
+			float row[8];
+			Body* b = bodies[k];
+			if (u.side[k].moves)
+			{
+				BodyState state = p->body[u.side[k].body];
+				b->v = vec(state.vx, state.vy);
+				b->w = state.w;
+				b->d = vec(state.dx, state.dy);
+				b->da = state.da;
+			}
+			else
+			{
+				relay_alone(p, r, u.side[k].body, q, row);
+				b->v = vec(row[0], row[1]);
+				b->w = row[2];
+				b->d = vec(row[4], row[5]);
+				b->da = row[6];
+			}
+			body_turn(b);
+		}
+		u.gap[0] = pair_gap(&u.c, 0, u.separation[0]);
+		u.gap[1] = pair_gap(&u.c, 1, u.separation[1]);
+		Side sa = u.side[0], sb = u.side[1];
+		volatile __global ulong* row_a = r->rows + RELAY_WORDS * (ulong)sa.body;
+		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
+		if (!relay_wait(p, r, sa.moves && sa.before > 0, row_a, relay_turn(q, sa.before), &u.c.a.v, &u.c.a.w,
+		                sb.moves && sb.before > 0, row_b, relay_turn(q, sb.before), &u.c.b.v, &u.c.b.w))
+			*fault = 1;
+	}
+	barrier(CLK_LOCAL_MEM_FENCE);
+	if (*fault)
+	{
+		*(volatile __global int*)&p->counters->fault = FAULT_BLOWN;
+		return false;
+	}
+	if (u.inert)
+		return true;
+	int i = t->order[j];
+	relay_pass(p, r, i, q, &u);
+	for (int k = 0; k < 2; ++k)
+	{
+		Side side = u.side[k];
+		Body b = k ? u.c.b : u.c.a;
+		relay_pass_to(r, side, q, b);
+		if (side.moves && side.last)
+			*(__global float4*)&p->body[side.body] = (float4)(b.v.x, b.v.y, b.w, b.inv_mass);
+	}
+	if (q + 1 == r->passes)
+		relay_stow(p, i, &u);
+	else if (q > 0)
+		t->notes[j + (RELAY_NOTES - 1) * t->stride] = (float4)(u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
+	return true;
+}
+
+__kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_words, __global const int* table,
+                          __global const int* order, __global float4* notes, int stride, int rows, int substeps,
+                          int passes, int q, int bound, int spins)
+{
+	volatile __local int fault;
+	Pools pools = {POOL_NAMES step, 0};
+	const Pools* p = &pools;
+	Relay r = {rows_of_words, substeps, passes, spins};
+	Tiles t = {0, 0, 0, table, order, notes, stride, rows};
+	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+		return;
+	if (get_local_id(0) == 0)
+		fault = 0;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	int begin = table[rows * TILE_COLORS], end = table[(rows + 1) * TILE_COLORS];
+	for (int j = begin + (int)get_global_id(0); j < end; j += (int)get_global_size(0))
+		if (!tile_hand(p, &r, &t, j, q, &fault))
+			return;
+}
