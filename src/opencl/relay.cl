@@ -289,26 +289,41 @@ INLINE void relay_stow(const Pools* p, int i, const Runner* u)
 	constraint_at(p, tangent_impulse2, i) = u->tangent[1];
 }
 
-// A runner that does not stay in registers lies in RELAY_NOTES columns of n. The last are its impulses.
+// A runner that does not stay in registers lies in columns of n: RELAY_QUADS of float4s, then RELAY_PAIRS of float2s, of
+// which the last two are its impulses.
+INLINE __global float2* relay_pairs(__global float4* notes, int n, int i)
+{
+	return (__global float2*)(notes + RELAY_QUADS * n) + i;
+}
+
+INLINE void relay_note_impulses(const Runner* u, __global float4* notes, int n, int i)
+{
+	__global float2* pair = relay_pairs(notes, n, i);
+	pair[(RELAY_PAIRS - 2) * n] = (float2)(u->normal[0], u->normal[1]);
+	pair[(RELAY_PAIRS - 1) * n] = (float2)(u->tangent[0], u->tangent[1]);
+}
+
 INLINE void relay_leave(const Runner* u, __global float4* notes, int n, int i)
 {
 	int turns = -1;
-	__global float4* note = notes + i;
 	if (!u->inert)
 	{
 		Pair c = u->c;
+		__global float2* pair = relay_pairs(notes, n, i);
 		turns = 0;
 		for (int k = 0; k < 2; ++k)
 			turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-		note[n] = (float4)(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
-		note[2 * n] = (float4)(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
-		note[3 * n] = (float4)(c.rb[0].x, c.rb[0].y, c.rb[1].x, c.rb[1].y);
-		note[4 * n] = (float4)(u->separation[0], u->separation[1], c.a.inv_mass, c.a.inv_inertia);
-		note[5 * n] = (float4)(u->normal_mass[0], u->normal_mass[1], u->tangent_mass[0],
-		                       u->tangent_mass[1]);
-		note[6 * n] = (float4)(u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
+		notes[n + i] = (float4)(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
+		notes[2 * n + i] = (float4)(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
+		pair[0] = (float2)(c.rb[0].x, c.rb[0].y);
+		pair[n] = (float2)(c.rb[1].x, c.rb[1].y);
+		pair[2 * n] = (float2)(u->separation[0], u->separation[1]);
+		pair[3 * n] = (float2)(c.a.inv_mass, c.a.inv_inertia);
+		pair[4 * n] = (float2)(u->normal_mass[0], u->normal_mass[1]);
+		pair[5 * n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
+		relay_note_impulses(u, notes, n, i);
 	}
-	note[0] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
+	notes[i] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
 }
 
 INLINE Side relay_side_of(int body, int turns)
@@ -321,12 +336,13 @@ INLINE Side relay_side_of(int body, int turns)
 	return side;
 }
 
-INLINE Runner relay_return(__global const float4* notes, int n, int i)
+INLINE Runner relay_return(__global float4* notes, int n, int i)
 {
 	Runner u;
-	__global const float4* note = notes + i;
-	float4 names = note[0], normal = note[n], on_a = note[2 * n], on_b = note[3 * n], gaps = note[4 * n],
-	       masses = note[5 * n], impulses = note[6 * n];
+	__global const float2* pair = relay_pairs(notes, n, i);
+	float4 names = notes[i], normal = notes[n + i], on_a = notes[2 * n + i];
+	float2 gaps = pair[2 * n], mass_a = pair[3 * n], normal_mass = pair[4 * n], tangent_mass = pair[5 * n];
+	float2 push = pair[6 * n], rub = pair[7 * n];
 	int turns = as_int(names.x);
 	u.inert = turns < 0;
 	u.c.ia = as_int(names.y);
@@ -337,10 +353,10 @@ INLINE Runner relay_return(__global const float4* notes, int n, int i)
 	u.c.t = vec(normal.y, -normal.x);
 	u.c.ra[0] = vec(on_a.x, on_a.y);
 	u.c.ra[1] = vec(on_a.z, on_a.w);
-	u.c.rb[0] = vec(on_b.x, on_b.y);
-	u.c.rb[1] = vec(on_b.z, on_b.w);
-	u.c.a.inv_mass = gaps.z;
-	u.c.a.inv_inertia = gaps.w;
+	u.c.rb[0] = vec(pair[0].x, pair[0].y);
+	u.c.rb[1] = vec(pair[n].x, pair[n].y);
+	u.c.a.inv_mass = mass_a.x;
+	u.c.a.inv_inertia = mass_a.y;
 	u.c.a.d = vec(0.0f, 0.0f);
 	u.c.a.da = 0.0f;
 	u.c.b.inv_mass = normal.z;
@@ -350,14 +366,14 @@ INLINE Runner relay_return(__global const float4* notes, int n, int i)
 	u.friction = names.w;
 	u.separation[0] = gaps.x;
 	u.separation[1] = gaps.y;
-	u.normal[0] = impulses.x;
-	u.normal[1] = impulses.y;
-	u.tangent[0] = impulses.z;
-	u.tangent[1] = impulses.w;
-	u.normal_mass[0] = masses.x;
-	u.normal_mass[1] = masses.y;
-	u.tangent_mass[0] = masses.z;
-	u.tangent_mass[1] = masses.w;
+	u.normal[0] = push.x;
+	u.normal[1] = push.y;
+	u.tangent[0] = rub.x;
+	u.tangent[1] = rub.y;
+	u.normal_mass[0] = normal_mass.x;
+	u.normal_mass[1] = normal_mass.y;
+	u.tangent_mass[0] = tangent_mass.x;
+	u.tangent_mass[1] = tangent_mass.y;
 	return u;
 }
 
@@ -494,8 +510,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 				if (q + 1 == passes)
 					relay_stow(p, i, &u);
 				else
-					notes[i + (RELAY_NOTES - 1) * constraints] =
-					    (float4)(u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
+					relay_note_impulses(&u, notes, constraints, i);
 			}
 }
 

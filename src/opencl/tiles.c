@@ -63,7 +63,7 @@ static scree_status reserve(OpenCl* d, int buffer, size_t bytes)
 	t->buffers[buffer] = NULL;
 	t->bytes[buffer] = 0;
 	t->stale = true;
-	bytes += bytes / 8;
+	bytes = (bytes + bytes / 8 + 15) / 16 * 16;
 	TRY(buffer_create(d, bytes, &t->buffers[buffer]));
 	t->bytes[buffer] = bytes;
 	return SCREE_OK;

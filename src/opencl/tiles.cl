@@ -159,7 +159,7 @@ typedef struct
 	__global const int* resident;
 	__global const int* table;
 	__global const int* order;
-	__global float4* notes; // RELAY_NOTES columns of stride
+	__global float4* notes; // in columns of stride
 	int stride, rows;
 } Tiles;
 
@@ -194,7 +194,7 @@ INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, int j)
 {
 	int n = t->stride;
-	__global float2* pairs = (__global float2*)(t->notes + 3 * n) + j;
+	__global float2* pairs = relay_pairs(t->notes, n, j);
 	t->notes[j] = (float4)(as_float(names), u->friction, u->c.n.x, u->c.n.y);
 	t->notes[n + j] = (float4)(u->c.ra[0].x, u->c.ra[0].y, u->c.ra[1].x, u->c.ra[1].y);
 	t->notes[2 * n + j] = (float4)(offset.x, offset.y, u->separation[0], u->separation[1]);
@@ -333,7 +333,7 @@ INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 {
 	Runner u;
 	int n = t->stride, i = -1;
-	__global float2* pairs = (__global float2*)(t->notes + 3 * n) + j;
+	__global float2* pairs = relay_pairs(t->notes, n, j);
 	float4 names = t->notes[j], on_a = t->notes[n + j], gaps = t->notes[2 * n + j];
 	float2 normal = pairs[2 * n], tangent = (float2)(0.0f, 0.0f);
 	bool relaxes = q > 0 && !(q & 1), ends = q + 1 == r->passes;
@@ -480,7 +480,7 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 	if (q + 1 == r->passes)
 		relay_stow(p, i, &u);
 	else if (q > 0)
-		t->notes[j + (RELAY_NOTES - 1) * t->stride] = (float4)(u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
+		relay_note_impulses(&u, t->notes, t->stride, j);
 	return true;
 }
 
