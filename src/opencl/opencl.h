@@ -49,7 +49,10 @@ enum // kernels of tiles.cl that take all pools, in the order in which they are 
 	TILE_COUNT,
 	TILE_ORDER,
 	TILE_PREPARE,
-	TILE_PASS,
+	TILE_WARM_START,
+	TILE_BIAS,
+	TILE_RELAX,
+	TILE_BOUNCE,
 	TILE_BORDER,
 	TILE_KERNELS
 };

@@ -3,23 +3,24 @@
 #include "error.h"
 #include "opencl/opencl.h"
 
-static const char* const names[TILE_KERNELS] = {
-    [TILE_SETTLE] = "tile_settle", [TILE_LIST] = "tile_list",       [TILE_COUNT] = "tile_count",
-    [TILE_ORDER] = "tile_order",   [TILE_PREPARE] = "tile_prepare", [TILE_PASS] = "tile_pass",
-    [TILE_BORDER] = "tile_border",
-};
-
-// work-items of a group of each, at most
-static const size_t groups[TILE_KERNELS] = {
-    [TILE_SETTLE] = STAGE_GROUP,  [TILE_LIST] = STAGE_GROUP, [TILE_COUNT] = STAGE_GROUP,  [TILE_ORDER] = STAGE_GROUP,
-    [TILE_PREPARE] = STAGE_GROUP, [TILE_PASS] = TILE_GROUP,  [TILE_BORDER] = RELAY_GROUP,
+// work-items of a group, at most
+static const struct
+{
+	const char* name;
+	size_t group;
+} kernels[TILE_KERNELS] = {
+    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},   [TILE_LIST] = {"tile_list", STAGE_GROUP},
+    [TILE_COUNT] = {"tile_count", STAGE_GROUP},     [TILE_ORDER] = {"tile_order", STAGE_GROUP},
+    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP}, [TILE_WARM_START] = {"tile_warm_start", TILE_GROUP},
+    [TILE_BIAS] = {"tile_bias", TILE_GROUP},        [TILE_RELAX] = {"tile_relax", TILE_GROUP},
+    [TILE_BOUNCE] = {"tile_bounce", TILE_GROUP},    [TILE_BORDER] = {"tile_border", RELAY_GROUP},
 };
 
 scree_status tiles_open(OpenCl* d)
 {
 	Tiles* t = &d->tiles;
 	for (int k = 0; k < TILE_KERNELS; ++k)
-		TRY(kernel_create(d, names[k], groups[k], &t->kernels[k]));
+		TRY(kernel_create(d, kernels[k].name, kernels[k].group, &t->kernels[k]));
 	cl_int error;
 	t->total = opencl.CreateKernel(d->program, "tile_total", &error);
 	TRY(opencl_check("clCreateKernel", error));
@@ -151,10 +152,11 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	cl_mem notes = b[TILE_NOTES_BUFFER];
 	TRY(tile_run(d, TILE_PREPARE, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
-	                    VALUE(solve->substeps), VALUE(solve->cleanse), VALUE(solve->bound))));
+	                    VALUE(solve->cleanse), VALUE(solve->bound))));
 	for (cl_int q = 0; q < solve->passes; ++q)
 	{
-		TRY(tile_run(d, TILE_PASS, rows * TILE_GROUP,
+		int kernel = q == 0 ? TILE_WARM_START : q > 2 * solve->substeps ? TILE_BOUNCE : q & 1 ? TILE_BIAS : TILE_RELAX;
+		TRY(tile_run(d, kernel, rows * TILE_GROUP,
 		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
 		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound))));
 		int most = d->relay_groups * RELAY_GROUP;

@@ -14,9 +14,8 @@
 #include "pools/pools.h"
 
 #define TILE_NONE (-1)
-// the place of a body that is not in the tile, because it cannot move: it rests, or its pool must be asked
+// the place of a body that rests and cannot be moved
 #define TILE_RESTS 0xffffu
-#define TILE_ASKS  0xfffeu
 
 // ---------------------------------------------------------------------------------------------------------------
 // who is where
@@ -51,17 +50,35 @@ __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __g
 		resident[i] = tile_holds(&pools, body) && place[body] == i ? body : -1;
 }
 
+INLINE bool tile_still(const float row[8])
+{
+	return relay_bits(row) == 0 && relay_bits(row + 4) == 0 && float_bits(row[7]) == 0;
+}
+
+// The row of the table to which a body that cannot move lets its constraints belong: any, or the border's when it is
+// driven, for then it is elsewhere in every pass.
+INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
+{
+	Relay r = {0, 1, 0, 0};
+	float first[8], second[8];
+	relay_alone(p, &r, body, 0, first);
+	relay_alone(p, &r, body, 2, second);
+	return tile_still(first) && tile_still(second) ? -1 : rows;
+}
+
 // The row of the table that a constraint belongs to: its tile's, or the last one for what is on the border. border is
 // the first color of a body that is.
 INLINE int tile_row(const Pools* p, int i, int color, __global const int* place, __global const int* border, int rows)
 {
-	int a = constraint_at(p, body_a, i), b = constraint_at(p, body_b, i), row = -1;
-	if (p->body[a].inv_mass > 0.0f)
-		row = border[a] <= color ? rows : place[a] / TILE_BODIES;
-	if (p->body[b].inv_mass > 0.0f && row != rows)
+	int bodies[2] = {constraint_at(p, body_a, i), constraint_at(p, body_b, i)}, row = -1;
+	for (int k = 0; k < 2 && row != rows; ++k)
 	{
-		int other = border[b] <= color ? rows : place[b] / TILE_BODIES;
-		row = row == -1 || row == other ? other : rows;
+		int body = bodies[k], own;
+		if (!(p->body[body].inv_mass > 0.0f))
+			own = tile_row_of_fixed(p, body, rows);
+		else
+			own = border[body] <= color ? rows : place[body] / TILE_BODIES;
+		row = row == -1 || row == own ? own : own == -1 ? row : rows;
 	}
 	return row == -1 ? rows : row;
 }
@@ -71,19 +88,37 @@ INLINE int tile_row(const Pools* p, int i, int color, __global const int* place,
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int begin, int end)
 {
+	// many are on the border, and would all ask for one counter
+	__local int together, first, found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	int i = begin + (int)get_global_id(0), slot = i < end ? p->constraint_contact[i] : -1;
-	if (slot < 0)
-		return;
-	int color = p->contact_color[slot], row = tile_row(p, i, color, place, border, rows);
-	rank[i] = atomic_inc(&table[row * TILE_COLORS + color]);
-	if (row != rows)
-		return;
-	int bodies[2] = {constraint_at(p, body_a, i), constraint_at(p, body_b, i)};
-	for (int k = 0; k < 2; ++k)
-		if (p->body[bodies[k]].inv_mass > 0.0f && border[bodies[k]] > color)
-			border[bodies[k]] = color;
+	int color = 0, row = -1, mine = 0;
+	if (get_local_id(0) == 0)
+		together = 0;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	if (slot >= 0)
+	{
+		color = p->contact_color[slot];
+		row = tile_row(p, i, color, place, border, rows);
+	}
+	if (row == rows)
+	{
+		mine = atomic_inc(&together);
+		found = color;
+		int bodies[2] = {constraint_at(p, body_a, i), constraint_at(p, body_b, i)};
+		for (int k = 0; k < 2; ++k)
+			if (p->body[bodies[k]].inv_mass > 0.0f && border[bodies[k]] > color)
+				border[bodies[k]] = color;
+	}
+	else if (row >= 0)
+		rank[i] = atomic_inc(&table[row * TILE_COLORS + color]);
+	barrier(CLK_LOCAL_MEM_FENCE);
+	if (get_local_id(0) == 0 && together > 0)
+		first = atomic_add(&table[rows * TILE_COLORS + found], together);
+	barrier(CLK_LOCAL_MEM_FENCE);
+	if (row == rows)
+		rank[i] = first + mine;
 }
 
 INLINE int tile_padded(int count, int row, int rows)
@@ -163,20 +198,10 @@ typedef struct
 	int stride, rows;
 } Tiles;
 
-INLINE bool tile_still(const float row[8])
-{
-	return relay_bits(row) == 0 && relay_bits(row + 4) == 0 && float_bits(row[7]) == 0;
-}
-
 // The place of a body in its tile, for a constraint that is not on the border.
-INLINE uint tile_place(const Pools* p, const Relay* r, const Tiles* t, int body)
+INLINE uint tile_place(const Pools* p, const Tiles* t, int body)
 {
-	if (p->body[body].inv_mass > 0.0f)
-		return (uint)t->place[body] % TILE_BODIES;
-	float first[8], second[8];
-	relay_alone(p, r, body, 0, first);
-	relay_alone(p, r, body, 2, second);
-	return tile_still(first) && tile_still(second) ? TILE_RESTS : TILE_ASKS;
+	return p->body[body].inv_mass > 0.0f ? (uint)t->place[body] % TILE_BODIES : TILE_RESTS;
 }
 
 // The side of a constraint on the border: of the body's constraints, those before the first on the border do not count.
@@ -206,11 +231,10 @@ INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, 
 
 __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                            __global const int* table, __global const int* order, __global float4* notes, int stride,
-                           int rows, int substeps, int cleanse, int bound)
+                           int rows, int cleanse, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	Relay r = {0, substeps, 0, 0};
 	Tiles t = {place, border, 0, table, order, notes, stride, rows};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
@@ -245,7 +269,7 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 		relay_leave(&u, notes, stride, j);
 	}
 	else
-		tile_leave(&u, tile_place(p, &r, &t, u.c.ia) | tile_place(p, &r, &t, u.c.ib) << 16, made.offset, &t, j);
+		tile_leave(&u, tile_place(p, &t, u.c.ia) | tile_place(p, &t, u.c.ib) << 16, made.offset, &t, j);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -296,130 +320,179 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int body, int q, __local 
 	tile->inv_inertia[k] = row[7];
 }
 
-INLINE void tile_gather(const Pools* p, const Relay* r, __local const Tile* tile, uint place, int body, int q, Body* b)
+INLINE void tile_gather(__local const Tile* tile, uint place, Body* b)
 {
-	if (place < TILE_BODIES)
+	if (place == TILE_RESTS)
 	{
-		float4 motion = tile->motion[place], moved = tile->moved[place];
-		b->v = vec(motion.x, motion.y);
-		b->w = motion.z;
-		b->inv_mass = motion.w;
-		b->d = vec(moved.x, moved.y);
-		b->sine = moved.z;
-		b->versine = moved.w;
-		b->inv_inertia = tile->inv_inertia[place];
+		b->v = vec(0.0f, 0.0f);
+		b->w = 0.0f;
+		b->inv_mass = 0.0f;
+		b->d = b->v;
+		b->da = 0.0f;
+		b->inv_inertia = 0.0f;
+		body_turn(b);
 		return;
 	}
-	float row[8] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-	if (place == TILE_ASKS)
-		relay_alone(p, r, body, q, row);
-	b->v = vec(row[0], row[1]);
-	b->w = row[2];
-	b->inv_mass = row[3];
-	b->d = vec(row[4], row[5]);
-	b->da = row[6];
-	b->inv_inertia = row[7];
-	body_turn(b);
+	float4 motion = tile->motion[place], moved = tile->moved[place];
+	b->v = vec(motion.x, motion.y);
+	b->w = motion.z;
+	b->inv_mass = motion.w;
+	b->d = vec(moved.x, moved.y);
+	b->sine = moved.z;
+	b->versine = moved.w;
+	b->inv_inertia = tile->inv_inertia[place];
 }
 
 INLINE void tile_scatter(__local Tile* tile, uint place, const Body* b)
 {
-	if (place < TILE_BODIES)
+	if (place != TILE_RESTS)
 		tile->motion[place] = (float4)(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// Pass q of the constraint at place j.
-INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, int j, int q)
+// what a pass does with a constraint
+#define TILE_WARM_START 0
+#define TILE_BIAS       1
+#define TILE_RELAX      2
+#define TILE_BOUNCE     3
+
+typedef struct // a constraint on its way from memory
 {
-	Runner u;
-	int n = t->stride, i = -1;
-	__global float2* pairs = relay_pairs(t->notes, n, j);
-	float4 names = t->notes[j], on_a = t->notes[n + j], gaps = t->notes[2 * n + j];
-	float2 normal = pairs[2 * n], tangent = (float2)(0.0f, 0.0f);
-	bool relaxes = q > 0 && !(q & 1), ends = q + 1 == r->passes;
-	if (relaxes || q == 0 || ends)
-		tangent = pairs[3 * n];
-	uint place_a = as_uint(names.x) & 0xffffu, place_b = as_uint(names.x) >> 16;
-	if (p->step.extras || ends || place_a == TILE_ASKS || place_b == TILE_ASKS)
-	{
-		i = t->order[j];
-		u.c.ia = constraint_at(p, body_a, i);
-		u.c.ib = constraint_at(p, body_b, i);
-	}
-	tile_gather(p, r, tile, place_a, u.c.ia, q, &u.c.a);
-	tile_gather(p, r, tile, place_b, u.c.ib, q, &u.c.b);
-	u.friction = names.y;
-	u.c.n = vec(names.z, names.w);
-	u.c.t = vec(names.w, -names.z);
-	u.c.ra[0] = vec(on_a.x, on_a.y);
-	u.c.ra[1] = vec(on_a.z, on_a.w);
-	u.c.rb[0] = vec_add(u.c.ra[0], vec(gaps.x, gaps.y));
-	u.c.rb[1] = vec_add(u.c.ra[1], vec(gaps.x, gaps.y));
-	u.normal[0] = normal.x;
-	u.normal[1] = normal.y;
-	u.tangent[0] = tangent.x;
-	u.tangent[1] = tangent.y;
-	u.gap[0] = pair_gap(&u.c, 0, gaps.z);
-	u.gap[1] = pair_gap(&u.c, 1, gaps.w);
-	float2 mass = pairs[0];
-	u.normal_mass[0] = mass.x;
-	u.normal_mass[1] = mass.y;
-	if (relaxes)
-	{
-		mass = pairs[n];
-		u.tangent_mass[0] = mass.x;
-		u.tangent_mass[1] = mass.y;
-	}
-	relay_pass(p, r, i, q, &u);
-	tile_scatter(tile, place_a, &u.c.a);
-	tile_scatter(tile, place_b, &u.c.b);
-	if (ends)
-		relay_stow(p, i, &u);
-	else if (q > 0)
-		pairs[2 * n] = (float2)(u.normal[0], u.normal[1]);
-	if (relaxes && !ends)
-		pairs[3 * n] = (float2)(u.tangent[0], u.tangent[1]);
+	float4 names, on_a, gaps;
+	float2 normal_mass, tangent_mass, normal, tangent;
+} Note;
+
+INLINE Note tile_note(const Tiles* t, int j, int kind)
+{
+	Note note;
+	int n = t->stride;
+	__global const float2* pair = relay_pairs(t->notes, n, j);
+	note.names = t->notes[j];
+	note.on_a = t->notes[n + j];
+	note.gaps = t->notes[2 * n + j];
+	note.normal_mass = kind == TILE_WARM_START ? (float2)(0.0f, 0.0f) : pair[0];
+	note.tangent_mass = kind == TILE_RELAX ? pair[n] : note.normal_mass;
+	note.normal = pair[2 * n];
+	note.tangent = kind == TILE_BIAS ? note.normal : pair[3 * n];
+	return note;
 }
 
-// A group takes a tile.
-__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void
-tile_pass(POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order,
-          __global float4* notes, int stride, int substeps, int passes, int q, int bound)
+// A pass of the constraint at place j.
+INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, int j, Note note, int q,
+                      int kind)
 {
-	__local Tile tile;
-	__local int range[TILE_COLORS + 1];
-	Pools pools = {POOL_NAMES step, 0};
-	const Pools* p = &pools;
-	Relay r = {0, substeps, passes, 0};
-	Tiles t = {0, 0, resident, table, order, notes, stride, 0};
-	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+	Runner u;
+	bool ends = q + 1 == r->passes;
+	uint place_a = as_uint(note.names.x) & 0xffffu, place_b = as_uint(note.names.x) >> 16;
+	tile_gather(tile, place_a, &u.c.a);
+	tile_gather(tile, place_b, &u.c.b);
+	u.friction = note.names.y;
+	u.c.n = vec(note.names.z, note.names.w);
+	u.c.t = vec(u.c.n.y, -u.c.n.x);
+	u.c.ra[0] = vec(note.on_a.x, note.on_a.y);
+	u.c.ra[1] = vec(note.on_a.z, note.on_a.w);
+	u.c.rb[0] = vec_add(u.c.ra[0], vec(note.gaps.x, note.gaps.y));
+	u.c.rb[1] = vec_add(u.c.ra[1], vec(note.gaps.x, note.gaps.y));
+	u.normal[0] = note.normal.x;
+	u.normal[1] = note.normal.y;
+	u.tangent[0] = note.tangent.x;
+	u.tangent[1] = note.tangent.y;
+	u.gap[0] = pair_gap(&u.c, 0, note.gaps.z);
+	u.gap[1] = pair_gap(&u.c, 1, note.gaps.w);
+	u.normal_mass[0] = note.normal_mass.x;
+	u.normal_mass[1] = note.normal_mass.y;
+	u.tangent_mass[0] = note.tangent_mass.x;
+	u.tangent_mass[1] = note.tangent_mass.y;
+	int i = p->step.extras || (ends && kind >= TILE_RELAX) ? t->order[j] : 0;
+	if (kind == TILE_WARM_START)
+		pair_push(p, i, &u.c, u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
+	else if (kind == TILE_BIAS)
+		relay_bias(&p->step, &u);
+	else if (kind == TILE_RELAX)
+		relay_relax(p, i, &u);
+	else
+		relay_bounce(p, i, &u);
+	tile_scatter(tile, place_a, &u.c.a);
+	tile_scatter(tile, place_b, &u.c.b);
+	if (ends && kind >= TILE_RELAX)
+	{
+		relay_stow(p, i, &u);
 		return;
+	}
+	__global float2* pair = relay_pairs(t->notes, t->stride, j);
+	if (kind != TILE_WARM_START)
+		pair[2 * t->stride] = (float2)(u.normal[0], u.normal[1]);
+	if (kind == TILE_RELAX)
+		pair[3 * t->stride] = (float2)(u.tangent[0], u.tangent[1]);
+}
+
+// the next place from which a group takes constraints: the same color's, or the next color's that has any
+INLINE int tile_next(__local const int* range, int at, int* color)
+{
+	if (at < range[*color + 1])
+		return at;
+	do
+		++*color;
+	while (*color < COLORS && range[*color] == range[*color + 1]);
+	return range[*color];
+}
+
+// A group takes a tile. The notes of the next constraint are on their way while one is solved.
+INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, __local int* range, int q,
+                      int kind)
+{
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
 	if (lane <= TILE_COLORS)
-		range[lane] = table[row * TILE_COLORS + lane];
+		range[lane] = t->table[row * TILE_COLORS + lane];
 	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
 	{
-		int body = resident[row * TILE_BODIES + k];
+		int body = t->resident[row * TILE_BODIES + k];
 		if (body >= 0)
-			tile_fetch(p, &r, body, q, &tile, k);
+			tile_fetch(p, r, body, q, tile, k);
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
-	for (int color = 0; color < COLORS; ++color)
+	int color = 0, at = tile_next(range, range[0], &color);
+	Note note;
+	if (color < COLORS && at + lane < range[color + 1])
+		note = tile_note(t, at + lane, kind);
+	while (color < COLORS)
 	{
-		int begin = range[color], end = range[color + 1];
-		if (begin == end)
-			continue;
-		for (int j = begin + lane; j < end; j += TILE_GROUP)
-			tile_task(p, &r, &t, &tile, j, q);
-		barrier(CLK_LOCAL_MEM_FENCE);
+		int next_color = color, next = tile_next(range, at + TILE_GROUP, &next_color);
+		Note ahead;
+		if (next_color < COLORS && next + lane < range[next_color + 1])
+			ahead = tile_note(t, next + lane, kind);
+		if (at + lane < range[color + 1])
+			tile_task(p, r, t, tile, at + lane, note, q, kind);
+		if (next_color != color)
+			barrier(CLK_LOCAL_MEM_FENCE);
+		note = ahead;
+		at = next;
+		color = next_color;
 	}
 	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
 	{
-		int body = resident[row * TILE_BODIES + k];
+		int body = t->resident[row * TILE_BODIES + k];
 		if (body >= 0)
-			*(__global float4*)&p->body[body] = tile.motion[k];
+			*(__global float4*)&p->body[body] = tile->motion[k];
 	}
 }
+
+#define TILE_PASS_KERNEL(name, kind)                                                                                \
+	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                     \
+	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
+	    __global float4* notes, int stride, int substeps, int passes, int q, int bound)                             \
+	{                                                                                                               \
+		__local Tile tile;                                                                                          \
+		__local int range[TILE_COLORS + 1];                                                                         \
+		Pools pools = {POOL_NAMES step, 0};                                                                         \
+		Relay r = {0, substeps, passes, 0};                                                                         \
+		Tiles t = {0, 0, resident, table, order, notes, stride, 0};                                                 \
+		if (bound < 0 || ((__global const int*)pools.counters)[bound] != 0)                                         \
+			tile_work(&pools, &r, &t, &tile, range, q, kind);                                                       \
+	}
+TILE_PASS_KERNEL(tile_warm_start, TILE_WARM_START)
+TILE_PASS_KERNEL(tile_bias, TILE_BIAS)
+TILE_PASS_KERNEL(tile_relax, TILE_RELAX)
+TILE_PASS_KERNEL(tile_bounce, TILE_BOUNCE)
 
 // Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
 INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile __local int* fault)
