@@ -43,6 +43,7 @@
 	X(EnqueueCopyBuffer)          \
 	X(EnqueueFillBuffer)          \
 	X(EnqueueBarrierWithWaitList) \
+	X(GetEventInfo)               \
 	X(GetEventProfilingInfo)      \
 	X(ReleaseEvent)               \
 	X(Flush)                      \

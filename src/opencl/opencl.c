@@ -171,6 +171,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
 	TRY(held_open(d));
+	solve_open(d);
 	d->together = persistent_wanted(d);
 	TRY(program_build(d->context, &d->device, d->together ? " -DTOGETHER" : "", opencl_program, opencl_program_length,
 	                  &d->program));

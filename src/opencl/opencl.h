@@ -77,6 +77,11 @@ typedef struct
 	cl_mem buffers[TILE_BUFFERS];
 	size_t bytes[TILE_BUFFERS];
 	bool stale; // the constraints, or what moves, may have changed since the tiles were laid out
+
+	// how many constraints were on the border when the tiles were last laid out, and solves since
+	cl_event asked;  // or null
+	cl_int edges[2]; // where the border begins and ends, when the event is complete
+	int border, age; // border is -1 before the first time
 } Tiles;
 
 typedef struct
@@ -121,6 +126,14 @@ typedef struct
 	cl_mem notes; // RELAY_NOTES float4s a constraint
 	int note_count;
 	int relay_groups; // that run together; 0 when this device takes other forms only
+
+	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size
+	enum
+	{
+		SOLVER_ANY,
+		SOLVER_RELAY,
+		SOLVER_TILES
+	} solver;
 
 	// tiles.c
 	Tiles tiles;
@@ -199,8 +212,12 @@ scree_status relay_end(OpenCl* d, const Solve* solve);
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);
 scree_status tiles_bind(OpenCl* d, Per per); // as kernels_bind
+// Whether tiles are faster than launches by color.
+bool tiles_pay(OpenCl* d, const Solve* solve);
 scree_status tiles_run(OpenCl* d, const Solve* solve);
 
+// Reads the environment.
+void solve_open(OpenCl* d);
 // How many runs from the first on are a whole solve that is better launched in another form; 0 for none.
 int solve_length(OpenCl* d, const Run* runs, int count);
 scree_status solve_run(OpenCl* d, const Run* runs, int count);

@@ -531,8 +531,10 @@ __kernel void relay_end(POOL_ARGUMENTS Step step, __global ulong* rows, int bodi
 			relay_alone(p, &r, i, passes, row);
 			relay_keep(p, i, row);
 		}
-		for (int k = 0; k < RELAY_WORDS; ++k)
-			rows[RELAY_WORDS * (ulong)i + k] = 0;
+		__global ulong* words = rows + RELAY_WORDS * (ulong)i;
+		if (words[0] != 0)
+			for (int k = 0; k < RELAY_WORDS; ++k)
+				words[k] = 0;
 		finalize_item(p, i);
 	}
 }

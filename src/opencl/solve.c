@@ -2,6 +2,7 @@
 // solve.c -- finds the runs of a whole solve in a list, and the form in which they are fastest.
 #include "opencl/opencl.h"
 #include <stdlib.h>
+#include <string.h>
 
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
@@ -42,13 +43,28 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 	return 0;
 }
 
+void solve_open(OpenCl* d)
+{
+	const char* forced = getenv("SCREE_SOLVER");
+	d->solver = SOLVER_ANY;
+	if (forced && strcmp(forced, "relay") == 0)
+		d->solver = SOLVER_RELAY;
+	if (forced && strcmp(forced, "tiles") == 0)
+		d->solver = SOLVER_TILES;
+}
+
+static bool relayed(const OpenCl* d, const Solve* solve)
+{
+	return d->solver == SOLVER_RELAY || (d->solver == SOLVER_ANY && solve->constraints <= RELAY_CONSTRAINTS);
+}
+
 int solve_length(OpenCl* d, const Run* runs, int count)
 {
 	Solve solve;
-	if (d->relay_groups == 0 || !solve_find(runs, count, &solve))
-		return 0;
 	// the overflow set needs sums over many constraints
-	return solve.overflow ? 0 : solve.length;
+	if (d->relay_groups == 0 || !solve_find(runs, count, &solve) || solve.overflow)
+		return 0;
+	return relayed(d, &solve) || d->solver == SOLVER_TILES || tiles_pay(d, &solve) ? solve.length : 0;
 }
 
 scree_status solve_run(OpenCl* d, const Run* runs, int count)
@@ -56,10 +72,6 @@ scree_status solve_run(OpenCl* d, const Run* runs, int count)
 	Solve solve;
 	solve_find(runs, count, &solve);
 	d->box = BOX_solve;
-	bool tiles = solve.constraints > RELAY_CONSTRAINTS;
-	const char* forced = getenv("SCREE_TILES");
-	if (forced)
-		tiles = *forced == '1';
-	TRY(tiles ? tiles_run(d, &solve) : relay_run(d, &solve));
+	TRY(relayed(d, &solve) ? relay_run(d, &solve) : tiles_run(d, &solve));
 	return relay_end(d, &solve);
 }

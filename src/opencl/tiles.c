@@ -3,6 +3,14 @@
 #include "error.h"
 #include "opencl/opencl.h"
 
+// Tiles that must be laid out first pay up to this share of constraints on the border. What that share is, is looked up
+// again after so many solves without tiles.
+#define BORDER_SHARE 0.25
+#define BORDER_AGE   64
+
+// border constraints a group of the relay takes when few are on the border: the more groups, the longer the launch
+#define BORDER_GRAIN 64
+
 // work-items of a group, at most
 static const struct
 {
@@ -28,12 +36,15 @@ scree_status tiles_open(OpenCl* d)
 	TRY(opencl_check("clCreateKernel", error));
 	t->range = opencl.CreateKernel(d->program, "tile_range", &error);
 	t->stale = true;
+	t->border = -1;
 	return opencl_check("clCreateKernel", error);
 }
 
 void tiles_close(OpenCl* d)
 {
 	Tiles* t = &d->tiles;
+	if (t->asked)
+		opencl.ReleaseEvent(t->asked);
 	cl_kernel others[] = {t->total, t->begin, t->range};
 	for (int k = 0; k < TILE_KERNELS; ++k)
 		if (t->kernels[k].kernel)
@@ -109,20 +120,46 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	const cl_int zero = 0, none = -1;
 	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->bytes[TILE_TABLE_BUFFER], 0, NULL, NULL));
 	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->bytes[TILE_ORDER_BUFFER], 0, NULL, NULL));
-	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places))));
-	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places))));
+	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places), VALUE(solve->bound))));
+	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound))));
 	for (const Run* run = solve->colors; run < solve->colors + solve->color_count; ++run)
 		TRY(tile_run(d, TILE_COUNT, run->end - run->begin,
-		             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(run->begin),
-		                    VALUE(run->end))));
+		             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
+		                    VALUE(run->begin), VALUE(run->end))));
 	TRY(plain_run(d, t->total, STAGE_GROUP, rows + 1, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
 	TRY(plain_run(d, t->begin, PRIMITIVE_GROUP, 1, 0, VALUES(VALUE(total), VALUE(rows))));
 	TRY(plain_run(d, t->range, STAGE_GROUP, rows + 2, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
 	TRY(tile_run(d, TILE_ORDER, solve->constraints,
-	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(order),
-	                    VALUE(solve->constraints))));
+	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
+	                    VALUE(order), VALUE(solve->constraints))));
 	t->stale = false;
+	t->age = 0;
+	if (t->asked)
+		return SCREE_OK;
+	// the first of either row: where the border begins, and where it ends
+	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
+	         NULL, &t->asked));
 	return SCREE_OK;
+}
+
+// Takes what lay_out asked for, once it has come.
+static void border_look(Tiles* t)
+{
+	cl_int status = CL_QUEUED;
+	if (!t->asked || opencl.GetEventInfo(t->asked, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, NULL) ||
+	    status > CL_COMPLETE)
+		return;
+	opencl.ReleaseEvent(t->asked);
+	t->asked = NULL;
+	if (status == CL_COMPLETE)
+		t->border = t->edges[1] - t->edges[0];
+}
+
+bool tiles_pay(OpenCl* d, const Solve* solve)
+{
+	Tiles* t = &d->tiles;
+	border_look(t);
+	return !t->stale || t->border <= BORDER_SHARE * solve->constraints || ++t->age >= BORDER_AGE;
 }
 
 scree_status tiles_run(OpenCl* d, const Solve* solve)
@@ -153,14 +190,16 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	TRY(tile_run(d, TILE_PREPARE, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
 	                    VALUE(solve->cleanse), VALUE(solve->bound))));
+	int border = d->relay_groups * RELAY_GROUP;
+	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay_groups)
+		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
 	for (cl_int q = 0; q < solve->passes; ++q)
 	{
 		int kernel = q == 0 ? TILE_WARM_START : q > 2 * solve->substeps ? TILE_BOUNCE : q & 1 ? TILE_BIAS : TILE_RELAX;
 		TRY(tile_run(d, kernel, rows * TILE_GROUP,
 		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
 		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound))));
-		int most = d->relay_groups * RELAY_GROUP;
-		TRY(tile_run(d, TILE_BORDER, most,
+		TRY(tile_run(d, TILE_BORDER, border,
 		             VALUES(VALUE(d->rows), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
 		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound),
 		                    VALUE(spins))));

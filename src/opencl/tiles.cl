@@ -14,12 +14,20 @@
 #include "pools/pools.h"
 
 #define TILE_NONE (-1)
-// the place of a body that rests and cannot be moved
-#define TILE_RESTS 0xffffu
+// the place in local memory of whatever rests and cannot be moved
+#define TILE_RESTS TILE_BODIES
+// bits of a resident: its body, and whether the constants of its motion are the usual ones, which need not be read
+#define TILE_PLAIN 0x40000000
 
 // ---------------------------------------------------------------------------------------------------------------
 // who is where
 // ---------------------------------------------------------------------------------------------------------------
+
+// Nothing is done when the counter at bound is zero: the constraints are not those that the host knows.
+INLINE bool tile_wanted(const Pools* p, int bound)
+{
+	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
+}
 
 INLINE int tile_holds(const Pools* p, int body)
 {
@@ -31,23 +39,35 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
+// No force, damping or lock, and the world's gravity. What is true when the tiles are laid out stays true: the user's
+// changes lay them out anew.
+INLINE int tile_plain(const Pools* p, int body)
+{
+	Motion m = p->motion[body];
+	int odd = float_bits(m.fx) | float_bits(m.fy) | float_bits(m.torque) | float_bits(m.linear_damping) |
+	          float_bits(m.angular_damping);
+	return odd == 0 && m.gravity_scale == 1.0f && m.free_x == 1.0f && m.free_y == 1.0f ? TILE_PLAIN : 0;
+}
+
 // A body belongs where one of its leaves is, whichever comes last. place is by body, resident by place.
-__kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places)
+__kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places,
+                          int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};
-	int i = (int)get_global_id(0), body = i < places ? tile_body_of(&pools, i) : -1;
+	int i = (int)get_global_id(0), body = i < places && tile_wanted(&pools, bound) ? tile_body_of(&pools, i) : -1;
 	if (!tile_holds(&pools, body))
 		return;
 	place[body] = i;
 	border[body] = TILE_COLORS;
 }
 
-__kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places)
+__kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
+                        int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	int i = (int)get_global_id(0), body = i < places ? tile_body_of(&pools, i) : -1;
-	if (i < places)
-		resident[i] = tile_holds(&pools, body) && place[body] == i ? body : -1;
+	if (i < places && tile_wanted(&pools, bound))
+		resident[i] = tile_holds(&pools, body) && place[body] == i ? body | tile_plain(&pools, body) : -1;
 }
 
 INLINE bool tile_still(const float row[8])
@@ -86,13 +106,13 @@ INLINE int tile_row(const Pools* p, int i, int color, __global const int* place,
 // Counts the constraints of one color, and finds those on the border: one launch a color, for each depends on the colors
 // before it. The count so far is the constraint's rank, in no order.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
-                         __global int* rank, int rows, int begin, int end)
+                         __global int* rank, int rows, int bound, int begin, int end)
 {
 	// many are on the border, and would all ask for one counter
 	__local int together, first, found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	int i = begin + (int)get_global_id(0), slot = i < end ? p->constraint_contact[i] : -1;
+	int i = begin + (int)get_global_id(0), slot = i < end && tile_wanted(p, bound) ? p->constraint_contact[i] : -1;
 	int color = 0, row = -1, mine = 0;
 	if (get_local_id(0) == 0)
 		together = 0;
@@ -171,12 +191,12 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 
 // order: constraint at each place, -1 for none
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
-                         __global const int* table, __global const int* rank, int rows, __global int* order,
-                         int constraints)
+                         __global const int* table, __global const int* rank, int rows, int bound,
+                         __global int* order, int constraints)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	int i = (int)get_global_id(0), slot = i < constraints ? p->constraint_contact[i] : -1;
+	int i = (int)get_global_id(0), slot = i < constraints && tile_wanted(p, bound) ? p->constraint_contact[i] : -1;
 	if (slot < 0)
 		return;
 	int color = p->contact_color[slot];
@@ -236,7 +256,7 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	Tiles t = {place, border, 0, table, order, notes, stride, rows};
-	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+	if (!tile_wanted(p, bound))
 		return;
 	int j = (int)get_global_id(0);
 	if (j == 0)
@@ -278,14 +298,15 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 
 typedef struct // the bodies of a tile
 {
-	float4 motion[TILE_BODIES]; // velocity x, y, angular, inverse mass
-	float4 moved[TILE_BODIES];  // displacement x, y, sine and versine of the turn
-	float inv_inertia[TILE_BODIES];
+	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular, inverse mass
+	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the turn
+	float inv_inertia[TILE_BODIES + 1];
 } Tile;
 
 // A body into local memory, moved on to pass q.
-INLINE void tile_fetch(const Pools* p, const Relay* r, int body, int q, __local Tile* tile, int k)
+INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, __local Tile* tile, int k)
 {
+	int body = resident & ~TILE_PLAIN;
 	BodyState state = p->body[body];
 	float row[8] = {state.vx, state.vy, state.w,  state.inv_mass,
 	                state.dx, state.dy, state.da, state.inv_inertia};
@@ -298,8 +319,9 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int body, int q, __local 
 	}
 	else if (q <= 2 * r->substeps)
 	{
-		float m[8];
-		relay_motion(p, body, m);
+		float m[8] = {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f};
+		if (!(resident & TILE_PLAIN))
+			relay_motion(p, body, m);
 		if (q & 1)
 		{
 			Float4 old = p->base[body];
@@ -322,17 +344,6 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int body, int q, __local 
 
 INLINE void tile_gather(__local const Tile* tile, uint place, Body* b)
 {
-	if (place == TILE_RESTS)
-	{
-		b->v = vec(0.0f, 0.0f);
-		b->w = 0.0f;
-		b->inv_mass = 0.0f;
-		b->d = b->v;
-		b->da = 0.0f;
-		b->inv_inertia = 0.0f;
-		body_turn(b);
-		return;
-	}
 	float4 motion = tile->motion[place], moved = tile->moved[place];
 	b->v = vec(motion.x, motion.y);
 	b->w = motion.z;
@@ -445,9 +456,18 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 		range[lane] = t->table[row * TILE_COLORS + lane];
 	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
 	{
-		int body = t->resident[row * TILE_BODIES + k];
-		if (body >= 0)
-			tile_fetch(p, r, body, q, tile, k);
+		int resident = t->resident[row * TILE_BODIES + k];
+		if (resident >= 0)
+			tile_fetch(p, r, resident, q, tile, k);
+	}
+	if (lane == 0)
+	{
+		Body rests;
+		rests.da = 0.0f;
+		body_turn(&rests);
+		tile->motion[TILE_RESTS] = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+		tile->moved[TILE_RESTS] = (float4)(0.0f, 0.0f, rests.sine, rests.versine);
+		tile->inv_inertia[TILE_RESTS] = 0.0f;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
 	int color = 0, at = tile_next(range, range[0], &color);
@@ -470,9 +490,9 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 	}
 	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
 	{
-		int body = t->resident[row * TILE_BODIES + k];
-		if (body >= 0)
-			*(__global float4*)&p->body[body] = tile->motion[k];
+		int resident = t->resident[row * TILE_BODIES + k];
+		if (resident >= 0)
+			*(__global float4*)&p->body[resident & ~TILE_PLAIN] = tile->motion[k];
 	}
 }
 
@@ -486,7 +506,7 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 		Pools pools = {POOL_NAMES step, 0};                                                                         \
 		Relay r = {0, substeps, passes, 0};                                                                         \
 		Tiles t = {0, 0, resident, table, order, notes, stride, 0};                                                 \
-		if (bound < 0 || ((__global const int*)pools.counters)[bound] != 0)                                         \
+		if (tile_wanted(&pools, bound))                                                                             \
 			tile_work(&pools, &r, &t, &tile, range, q, kind);                                                       \
 	}
 TILE_PASS_KERNEL(tile_warm_start, TILE_WARM_START)
@@ -566,7 +586,7 @@ __kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_word
 	const Pools* p = &pools;
 	Relay r = {rows_of_words, substeps, passes, spins};
 	Tiles t = {0, 0, 0, table, order, notes, stride, rows};
-	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
+	if (!tile_wanted(p, bound))
 		return;
 	if (get_local_id(0) == 0)
 		fault = 0;

@@ -59,10 +59,12 @@ STAGE(finalize)
 	body->vx = vx;
 	body->vy = vy;
 	body->w = w;
-	motion.fx = 0.0f;
-	motion.fy = 0.0f;
-	motion.torque = 0.0f;
-	p->motion[i] = motion;
+	if (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque))
+	{
+		p->motion[i].fx = 0.0f;
+		p->motion[i].fy = 0.0f;
+		p->motion[i].torque = 0.0f;
+	}
 }
 
 #endif
