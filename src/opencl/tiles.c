@@ -5,7 +5,7 @@
 
 // Tiles that must be laid out first pay up to this share of constraints on the border. What that share is, is looked up
 // again after so many solves without tiles.
-#define BORDER_SHARE 0.25
+#define BORDER_SHARE 0.1
 #define BORDER_AGE   64
 
 // border constraints a group of the relay takes when few are on the border: the more groups, the longer the launch
