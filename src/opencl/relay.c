@@ -21,8 +21,7 @@ enum
 	RELAY_CLEANSE,
 	RELAY_BOUND,
 	RELAY_SPINS,
-	END_ROWS = RELAY_ROWS,
-	END_BODIES,
+	END_BODIES = RELAY_ROWS,
 	END_SUBSTEPS,
 	END_PASSES,
 	END_BOUND
@@ -40,7 +39,6 @@ scree_status relay_reserve(OpenCl* d, int count)
 	int room = count + count / 2;
 	TRY(buffer_create(d, (size_t)room * RELAY_WORDS * sizeof(cl_ulong), &d->rows));
 	d->row_count = room;
-	TRY(CALL(SetKernelArg, d->relay_end.kernel, END_ROWS, sizeof d->rows, &d->rows));
 	return CALL(SetKernelArg, d->relay.kernel, RELAY_ROWS, sizeof d->rows, &d->rows);
 }
 

@@ -52,6 +52,13 @@ INLINE void relay_give(volatile __global ulong* row, uint turn, float x, float y
 	*(volatile __global ulong2*)row = (ulong2)(first, second);
 }
 
+// After the last turn of a step nobody waits for the row any more.
+INLINE void relay_clear(volatile __global ulong* row)
+{
+	for (int k = 0; k < RELAY_WORDS; ++k)
+		row[k] = 0;
+}
+
 INLINE void relay_row(const Pools* p, int body, float row[8])
 {
 	BodyState state = p->body[body];
@@ -144,12 +151,13 @@ INLINE void relay_pass_on(const Pools* p, const Relay* r, Side side, int q, Body
 	if (!side.moves || !side.last)
 		return;
 	float row[8] = {body.v.x, body.v.y, body.w, body.inv_mass, body.d.x, body.d.y, body.da, body.inv_inertia};
+	volatile __global ulong* words = r->rows + RELAY_WORDS * (ulong)side.body;
 	if (q + 1 == r->passes)
 	{
 		relay_keep(p, side.body, row);
+		relay_clear(words);
 		return;
 	}
-	volatile __global ulong* words = r->rows + RELAY_WORDS * (ulong)side.body;
 	uint turn = relay_turn(q + 1, 0);
 	bool moves_on = q < 2 * r->substeps; // or bounce follows relax at once
 	if (moves_on && !(q & 1))
@@ -515,12 +523,11 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 }
 
 // What no constraint pushed moves alone, and all bodies are finalized.
-__kernel void relay_end(POOL_ARGUMENTS Step step, __global ulong* rows, int bodies, int substeps,
-                        int passes, int bound)
+__kernel void relay_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	Relay r = {rows, substeps, passes, 0};
+	Relay r = {0, substeps, passes, 0};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
 	for (int i = (int)get_global_id(0); i < bodies; i += (int)get_global_size(0))
@@ -531,10 +538,6 @@ __kernel void relay_end(POOL_ARGUMENTS Step step, __global ulong* rows, int bodi
 			relay_alone(p, &r, i, passes, row);
 			relay_keep(p, i, row);
 		}
-		__global ulong* words = rows + RELAY_WORDS * (ulong)i;
-		if (words[0] != 0)
-			for (int k = 0; k < RELAY_WORDS; ++k)
-				words[k] = 0;
 		finalize_item(p, i);
 	}
 }

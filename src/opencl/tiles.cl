@@ -590,8 +590,11 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 		Side side = u.side[k];
 		Body b = k ? u.c.b : u.c.a;
 		relay_pass_to(r, side, q, b);
-		if (side.moves && side.last)
-			*(__global float4*)&p->body[side.body] = (float4)(b.v.x, b.v.y, b.w, b.inv_mass);
+		if (!side.moves || !side.last)
+			continue;
+		*(__global float4*)&p->body[side.body] = (float4)(b.v.x, b.v.y, b.w, b.inv_mass);
+		if (q + 1 == r->passes)
+			relay_clear(r->rows + RELAY_WORDS * (ulong)side.body);
 	}
 	if (q + 1 == r->passes)
 		relay_stow(p, i, &u);
