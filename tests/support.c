@@ -194,19 +194,19 @@ void check_finite(scree_world* world)
 // the same run on many devices
 // ---------------------------------------------------------------------------------------------------------------
 
-static int add_way(Way ways[MAX_WAYS], int count, const char* device, int threads, int lanes, const char* persistent)
+static int add_way(Way ways[MAX_WAYS], int count, const char* device, int threads, int lanes, const char* persistent,
+                   const char* solver)
 {
 	if (count == MAX_WAYS)
 		return count;
 	Way* way = ways + count;
-	*way = (Way){.threads = threads, .lanes = lanes, .persistent = persistent};
+	*way = (Way){.threads = threads, .lanes = lanes, .persistent = persistent, .solver = solver};
 	snprintf(way->device, sizeof way->device, "%.127s", device);
 	if (threads > 0)
 		snprintf(way->name, sizeof way->name, "%d thread%s, %d lane%s", threads, threads > 1 ? "s" : "", lanes,
 		         lanes > 1 ? "s" : "");
 	else
-		snprintf(way->name, sizeof way->name, "%.127s, solver in %s", device,
-		         strcmp(persistent, "1") == 0 ? "one launch" : "many launches");
+		snprintf(way->name, sizeof way->name, "%.127s, solver: %s", device, solver ? solver : "launches");
 	return count + 1;
 }
 
@@ -216,7 +216,7 @@ int list_ways(Way ways[MAX_WAYS])
 	for (int threads = 1; threads <= 2; ++threads)
 		for (int lanes = 1; lanes <= 16; lanes *= 2)
 			if (lanes != 2 && processor_has_lanes(lanes))
-				count = add_way(ways, count, "cpu", threads, lanes, NULL);
+				count = add_way(ways, count, "cpu", threads, lanes, NULL, NULL);
 
 	scree_device devices[MAX_WAYS];
 	int found;
@@ -225,8 +225,9 @@ int list_ways(Way ways[MAX_WAYS])
 	{
 		if (strcmp(devices[k].name, "cpu") == 0 || !devices[k].equal_bits)
 			continue;
-		count = add_way(ways, count, devices[k].name, 0, 0, "0");
-		count = add_way(ways, count, devices[k].name, 0, 0, "1");
+		count = add_way(ways, count, devices[k].name, 0, 0, "0", NULL);
+		count = add_way(ways, count, devices[k].name, 0, 0, "1", "relay");
+		count = add_way(ways, count, devices[k].name, 0, 0, "1", "tiles");
 	}
 	return count;
 }
@@ -247,10 +248,12 @@ static scree_world* open_story(const Story* story, const Way* way)
 	def.lanes = way->lanes;
 	if (way->persistent)
 		setenv("SCREE_PERSISTENT", way->persistent, 1);
+	if (way->solver)
+		setenv("SCREE_SOLVER", way->solver, 1);
 	scree_world* world;
 	scree_status status = scree_create_world(&def, &world);
-	if (way->persistent)
-		unsetenv("SCREE_PERSISTENT");
+	unsetenv("SCREE_PERSISTENT");
+	unsetenv("SCREE_SOLVER");
 	if (status != SCREE_OK)
 		fail_msg("%s: %s", way->name, scree_error());
 	story->build(world, story->context);

@@ -5,6 +5,8 @@
 // only for devices whose groups run together: they are the larger part of what there is to compile
 #ifdef TOGETHER
 #include "opencl/persistent.cl"
+#include "opencl/solve.cl"
 #include "opencl/relay.cl"
 #include "opencl/tiles.cl"
+#include "opencl/tile_pass.cl"
 #endif

@@ -84,6 +84,27 @@ scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer)
 	return opencl_check("clCreateBuffer", error);
 }
 
+scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
+{
+	if (bytes <= scratch->bytes)
+		return SCREE_OK;
+	TRY(finish(d));
+	d->backend->bytes -= scratch->bytes;
+	scratch_release(scratch);
+	bytes = (bytes + bytes / 8 + 15) / 16 * 16;
+	TRY(buffer_create(d, bytes, &scratch->buffer));
+	scratch->bytes = bytes;
+	d->backend->bytes += bytes;
+	return SCREE_OK;
+}
+
+void scratch_release(Scratch* scratch)
+{
+	if (scratch->buffer)
+		opencl.ReleaseMemObject(scratch->buffer);
+	*scratch = (Scratch){0};
+}
+
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
 {
 	cl_int error;
@@ -120,7 +141,7 @@ scree_status kernels_bind(OpenCl* d, Per per)
 	{
 		TRY(kernel_bind(d, per, &d->persistent));
 		TRY(kernel_bind(d, per, &d->relay));
-		TRY(kernel_bind(d, per, &d->relay_end));
+		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));
 	}
 	return primitives_bind(d);

@@ -38,9 +38,9 @@
 // bound of a wait, in looks at a word of half a microsecond or so: 2 s
 #define RELAY_SPINS_MOST (1 << 22)
 // float4s and float2s of a constraint that does not stay in registers
-#define RELAY_QUADS 3
-#define RELAY_PAIRS 8
-#define RELAY_NOTES (RELAY_QUADS + RELAY_PAIRS / 2) // float4s in all
+#define NOTE_QUADS   3
+#define NOTE_PAIRS   8
+#define NOTE_FLOAT4S (NOTE_QUADS + NOTE_PAIRS / 2) // float4s in all
 
 // Bodies of a tile, which lie in local memory during a pass: 36 bytes each. More leave fewer constraints on the borders,
 // fewer let more tiles be at work on a compute unit.

@@ -159,6 +159,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	OpenCl* d = b->state = scree_allocate(sizeof *d);
 	if (!d)
 		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
+	d->backend = b;
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	TRY(staging_open(d, options->timings));
@@ -182,7 +183,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
-		TRY(kernel_create(d, "relay_end", STAGE_GROUP, &d->relay_end));
+		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}
 	TRY(primitives_open(d));

@@ -32,6 +32,12 @@ typedef struct // a launch whose time has not been read
 	Box box;
 } Lap;
 
+typedef struct // a buffer that is no pool: what it holds is lost when it grows
+{
+	cl_mem buffer;
+	size_t bytes;
+} Scratch;
+
 typedef struct // the runs of a whole solve, to be launched in another form than one by one
 {
 	cl_int constraints, bodies, substeps, passes;
@@ -66,7 +72,6 @@ enum
 	TILE_TOTAL_BUFFER,    // an int a row of the table
 	TILE_RANK_BUFFER,     // an int a constraint
 	TILE_ORDER_BUFFER,    // the same, and what pads the colors of the border
-	TILE_NOTES_BUFFER,    // RELAY_NOTES float4s for each of these
 	TILE_BUFFERS
 };
 
@@ -74,8 +79,7 @@ typedef struct
 {
 	Kernel kernels[TILE_KERNELS];
 	cl_kernel total, begin, range;
-	cl_mem buffers[TILE_BUFFERS];
-	size_t bytes[TILE_BUFFERS];
+	Scratch buffers[TILE_BUFFERS];
 	bool stale; // the constraints, or what moves, may have changed since the tiles were laid out
 
 	// how many constraints were on the border when the tiles were last laid out, and solves since
@@ -86,6 +90,7 @@ typedef struct
 
 typedef struct
 {
+	Backend* backend; // that this is the state of
 	Device device;
 	cl_context context;
 	cl_command_queue queue; // in order
@@ -120,11 +125,9 @@ typedef struct
 	bool any_size;   // SCREE_PERSISTENT=1: also where launches are faster
 
 	// relay.c
-	Kernel relay, relay_end;
-	cl_mem rows; // of words, RELAY_WORDS a body
-	int row_count;
-	cl_mem notes; // RELAY_NOTES float4s a constraint
-	int note_count;
+	Kernel relay, solve_end;
+	Scratch rows;     // of words, RELAY_WORDS a body
+	Scratch notes;    // NOTE_FLOAT4S a constraint that does not stay in registers
 	int relay_groups; // that run together; 0 when this device takes other forms only
 
 	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size
@@ -132,7 +135,8 @@ typedef struct
 	{
 		SOLVER_ANY,
 		SOLVER_RELAY,
-		SOLVER_TILES
+		SOLVER_TILES,
+		SOLVER_NONE // no room for any
 	} solver;
 
 	// tiles.c
@@ -173,6 +177,10 @@ scree_status finish(OpenCl* d);
 // Creates a zeroed buffer. Fails with SCREE_OUT_OF_MEMORY when there is no room.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
+// Gives a scratch buffer room for so many bytes, zeroed when it grows, and counts them with those of the pools.
+scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
+void scratch_release(Scratch* scratch);
+
 // Creates a kernel that takes all pools, and finds the size of its groups: at most largest.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);
 
@@ -203,17 +211,17 @@ scree_status persistent_run(OpenCl* d, const Run* runs, int count);
 // Decides whether the device can run the relay kernel.
 scree_status relay_open(OpenCl* d);
 void relay_close(OpenCl* d);
-// Makes room for the rows of so many bodies, zeroed.
-scree_status relay_reserve(OpenCl* d, int bodies);
+// Makes room for a solve, for its rows alone when tiles follow.
+scree_status relay_reserve(OpenCl* d, const Solve* solve);
+scree_status rows_reserve(OpenCl* d, const Solve* solve);
 scree_status relay_run(OpenCl* d, const Solve* solve);
-// Moves what no constraint pushes, and finalizes all bodies.
-scree_status relay_end(OpenCl* d, const Solve* solve);
 
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);
 scree_status tiles_bind(OpenCl* d, Per per); // as kernels_bind
 // Whether tiles are faster than launches by color.
 bool tiles_pay(OpenCl* d, const Solve* solve);
+scree_status tiles_reserve(OpenCl* d, const Solve* solve); // as relay_reserve
 scree_status tiles_run(OpenCl* d, const Solve* solve);
 
 // Reads the environment.

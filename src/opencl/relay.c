@@ -20,42 +20,19 @@ enum
 	RELAY_PASSES,
 	RELAY_CLEANSE,
 	RELAY_BOUND,
-	RELAY_SPINS,
-	END_BODIES = RELAY_ROWS,
-	END_SUBSTEPS,
-	END_PASSES,
-	END_BOUND
+	RELAY_SPINS
 };
 
-scree_status relay_reserve(OpenCl* d, int count)
+scree_status rows_reserve(OpenCl* d, const Solve* solve)
 {
-	if (count <= d->row_count)
-		return SCREE_OK;
-	TRY(finish(d));
-	if (d->rows)
-		opencl.ReleaseMemObject(d->rows);
-	d->rows = NULL;
-	d->row_count = 0;
-	int room = count + count / 2;
-	TRY(buffer_create(d, (size_t)room * RELAY_WORDS * sizeof(cl_ulong), &d->rows));
-	d->row_count = room;
-	return CALL(SetKernelArg, d->relay.kernel, RELAY_ROWS, sizeof d->rows, &d->rows);
+	return scratch_reserve(d, &d->rows, (size_t)solve->bodies * RELAY_WORDS * sizeof(cl_ulong));
 }
 
-// Room for the notes of so many constraints, if they do not stay in registers.
-static scree_status notes_reserve(OpenCl* d, int count)
+scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
-	if (d->notes && (count <= d->note_count || count <= d->relay_groups * (int)d->relay.group))
-		return SCREE_OK;
-	TRY(finish(d));
-	if (d->notes)
-		opencl.ReleaseMemObject(d->notes);
-	d->notes = NULL;
-	d->note_count = 0;
-	int room = count + count / 2 + 1;
-	TRY(buffer_create(d, (size_t)room * RELAY_NOTES * sizeof(cl_float4), &d->notes));
-	d->note_count = room;
-	return CALL(SetKernelArg, d->relay.kernel, RELAY_NOTE, sizeof d->notes, &d->notes);
+	TRY(rows_reserve(d, solve));
+	bool registers = solve->constraints <= d->relay_groups * (int)d->relay.group;
+	return scratch_reserve(d, &d->notes, registers ? 1 : (size_t)solve->constraints * NOTE_FLOAT4S * sizeof(cl_float4));
 }
 
 // Whether work-items really run together, each on its own.
@@ -111,23 +88,21 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.kernel, d->relay_end.kernel};
+	cl_kernel kernels[] = {d->relay.kernel, d->solve_end.kernel};
 	for (int i = 0; i < 2; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
-	if (d->rows)
-		opencl.ReleaseMemObject(d->rows);
-	if (d->notes)
-		opencl.ReleaseMemObject(d->notes);
+	scratch_release(&d->rows);
+	scratch_release(&d->notes);
 }
 
 scree_status relay_run(OpenCl* d, const Solve* solve)
 {
-	TRY(relay_reserve(d, solve->bodies));
-	TRY(notes_reserve(d, solve->constraints));
 	cl_int spins = SPINS;
 	cl_kernel kernel = d->relay.kernel;
 	TRY(kernel_step(d, &d->relay));
+	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_NOTE, sizeof(cl_mem), &d->notes.buffer));
 	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
 	TRY(CALL(SetKernelArg, kernel, RELAY_SUBSTEPS, sizeof(cl_int), &solve->substeps));
 	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof(cl_int), &solve->passes));
@@ -137,17 +112,4 @@ scree_status relay_run(OpenCl* d, const Solve* solve)
 	size_t group = d->relay.group, groups = groups_of(solve->constraints, group);
 	groups = groups < (size_t)d->relay_groups ? groups : (size_t)d->relay_groups;
 	return launch(d, kernel, groups * group, group);
-}
-
-scree_status relay_end(OpenCl* d, const Solve* solve)
-{
-	cl_kernel kernel = d->relay_end.kernel;
-	TRY(kernel_step(d, &d->relay_end));
-	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
-	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
-	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &solve->passes));
-	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
-	size_t group = d->relay_end.group;
-	d->box = BOX_finalize;
-	return launch(d, kernel, groups_of(solve->bodies, group) * group, group);
 }

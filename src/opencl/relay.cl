@@ -59,85 +59,6 @@ INLINE void relay_clear(volatile __global ulong* row)
 		row[k] = 0;
 }
 
-INLINE void relay_row(const Pools* p, int body, float row[8])
-{
-	BodyState state = p->body[body];
-	row[0] = state.vx;
-	row[1] = state.vy;
-	row[2] = state.w;
-	row[3] = state.inv_mass;
-	row[4] = 0.0f;
-	row[5] = 0.0f;
-	row[6] = 0.0f;
-	row[7] = state.inv_inertia;
-}
-
-INLINE void relay_motion(const Pools* p, int body, float m[8])
-{
-	Motion motion = p->motion[body];
-	m[0] = motion.fx;
-	m[1] = motion.fy;
-	m[2] = motion.torque;
-	m[3] = motion.gravity_scale;
-	m[4] = motion.linear_damping;
-	m[5] = motion.angular_damping;
-	m[6] = motion.free_x;
-	m[7] = motion.free_y;
-}
-
-INLINE void relay_keep(const Pools* p, int body, const float row[8])
-{
-	GLOBAL BodyState* state = p->body + body;
-	state->vx = row[0];
-	state->vy = row[1];
-	state->w = row[2];
-	state->dx = row[4];
-	state->dy = row[5];
-	state->da = row[6];
-}
-
-INLINE int relay_bits(const float v[3]) { return float_bits(v[0]) | float_bits(v[1]) | float_bits(v[2]); }
-
-// The row of a body that no constraint pushes, as pass q finds it. It is worked out by whoever asks: a row in memory
-// would have to wait for its last reader.
-INLINE void relay_alone(const Pools* p, const Relay* r, int body, int q, float row[8])
-{
-	float m[8], base[4];
-	relay_row(p, body, row);
-	relay_motion(p, body, m);
-	base[0] = row[0];
-	base[1] = row[1];
-	base[2] = row[2];
-	int before = 1, after = relay_bits(row) | relay_bits(base);
-	for (int k = 1; k <= q && k <= 2 * r->substeps && (before | after); ++k)
-	{
-		// from rest to rest: so it will stay
-		before = after;
-		if (k & 1)
-			body_accelerate(&p->step, row, m, base, k == 1);
-		else
-			body_move(&p->step, row, m);
-		after = relay_bits(row) | relay_bits(base);
-	}
-}
-
-typedef struct // one body of a constraint
-{
-	int body, before; // of its constraints, so many come before this one in a pass
-	bool moves, last; // last: no other constraint of the body comes after this one
-} Side;
-
-INLINE Side relay_side(const Pools* p, int body, int color)
-{
-	Side side;
-	Word64 mask = p->color_mask[body];
-	side.body = body;
-	side.moves = p->body[body].inv_mass > 0.0f;
-	side.before = (int)popcount(mask & (((Word64)1 << color) - (Word64)1));
-	side.last = mask >> color == (Word64)1;
-	return side;
-}
-
 // A body to the next constraint of the pass.
 INLINE void relay_pass_to(const Relay* r, Side side, int q, Body body)
 {
@@ -154,7 +75,7 @@ INLINE void relay_pass_on(const Pools* p, const Relay* r, Side side, int q, Body
 	volatile __global ulong* words = r->rows + RELAY_WORDS * (ulong)side.body;
 	if (q + 1 == r->passes)
 	{
-		relay_keep(p, side.body, row);
+		body_keep(p, side.body, row);
 		relay_clear(words);
 		return;
 	}
@@ -178,7 +99,7 @@ INLINE void relay_ready(const Pools* p, const Relay* r, Side side, int q, Body* 
 	if (!side.moves || (q == 0 && side.before == 0))
 	{
 		float row[8];
-		relay_alone(p, r, side.body, side.moves ? 0 : q, row);
+		body_alone(p, r->substeps, side.body, side.moves ? 0 : q, row);
 		body->v = vec(row[0], row[1]);
 		body->w = row[2];
 		body->d = vec(row[4], row[5]);
@@ -186,7 +107,7 @@ INLINE void relay_ready(const Pools* p, const Relay* r, Side side, int q, Body* 
 	}
 	if (side.moves && side.last)
 	{
-		relay_motion(p, side.body, m);
+		body_motion(p, side.body, m);
 		if (q == 0)
 		{
 			BodyState state = p->body[side.body];
@@ -220,210 +141,6 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 			return false;
 	}
 	return true;
-}
-
-typedef struct // a constraint in registers
-{
-	Pair c;
-	Side side[2];
-	float friction;
-	float separation[2];         // of the points at the start of the step
-	float gap[2];                // now
-	float normal[2], tangent[2]; // impulses
-	float normal_mass[2], tangent_mass[2];
-	bool inert;
-} Runner;
-
-// Of constraint i: what it is made of, but for its sides.
-INLINE Runner relay_make(const Pools* p, int i, const Prepared* made)
-{
-	Runner u;
-	u.inert = false;
-	u.c.ia = constraint_at(p, body_a, i);
-	u.c.ib = constraint_at(p, body_b, i);
-	BodyState a = p->body[u.c.ia], b = p->body[u.c.ib];
-	u.c.a.inv_mass = a.inv_mass;
-	u.c.a.inv_inertia = a.inv_inertia;
-	u.c.a.d = vec(0.0f, 0.0f);
-	u.c.a.da = 0.0f;
-	u.c.b.inv_mass = b.inv_mass;
-	u.c.b.inv_inertia = b.inv_inertia;
-	u.c.b.d = u.c.a.d;
-	u.c.b.da = 0.0f;
-	u.c.n = made->normal;
-	u.c.t = vec(made->normal.y, -made->normal.x);
-	u.friction = constraint_at(p, friction, i);
-	u.normal[0] = constraint_at(p, normal_impulse1, i);
-	u.normal[1] = constraint_at(p, normal_impulse2, i);
-	u.tangent[0] = constraint_at(p, tangent_impulse1, i);
-	u.tangent[1] = constraint_at(p, tangent_impulse2, i);
-	for (int k = 0; k < 2; ++k)
-	{
-		u.separation[k] = made->separation[k];
-		u.c.ra[k] = made->anchor[k];
-		u.c.rb[k] = vec_add(made->anchor[k], made->offset);
-		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
-		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
-	}
-	return u;
-}
-
-// Constraint i, which may be none.
-INLINE Runner relay_prepare(const Pools* p, int i, int cleanse)
-{
-	Runner u;
-	int slot = p->constraint_contact[i];
-	u.inert = slot < 0;
-	if (u.inert)
-		return u;
-	if (cleanse)
-		cleanse_item(p, i);
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
-	if (p->step.extras)
-		prepare_extras(p, i, &made);
-	u = relay_make(p, i, &made);
-	int color = p->contact_color[slot];
-	u.side[0] = relay_side(p, u.c.ia, color);
-	u.side[1] = relay_side(p, u.c.ib, color);
-	return u;
-}
-
-// Its impulses, for the next step.
-INLINE void relay_stow(const Pools* p, int i, const Runner* u)
-{
-	constraint_at(p, normal_impulse1, i) = u->normal[0];
-	constraint_at(p, normal_impulse2, i) = u->normal[1];
-	constraint_at(p, tangent_impulse1, i) = u->tangent[0];
-	constraint_at(p, tangent_impulse2, i) = u->tangent[1];
-}
-
-// A runner that does not stay in registers lies in columns of n: RELAY_QUADS of float4s, then RELAY_PAIRS of float2s, of
-// which the last two are its impulses.
-INLINE __global float2* relay_pairs(__global float4* notes, int n, int i)
-{
-	return (__global float2*)(notes + RELAY_QUADS * n) + i;
-}
-
-INLINE void relay_note_impulses(const Runner* u, __global float4* notes, int n, int i)
-{
-	__global float2* pair = relay_pairs(notes, n, i);
-	pair[(RELAY_PAIRS - 2) * n] = (float2)(u->normal[0], u->normal[1]);
-	pair[(RELAY_PAIRS - 1) * n] = (float2)(u->tangent[0], u->tangent[1]);
-}
-
-INLINE void relay_leave(const Runner* u, __global float4* notes, int n, int i)
-{
-	int turns = -1;
-	if (!u->inert)
-	{
-		Pair c = u->c;
-		__global float2* pair = relay_pairs(notes, n, i);
-		turns = 0;
-		for (int k = 0; k < 2; ++k)
-			turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-		notes[n + i] = (float4)(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
-		notes[2 * n + i] = (float4)(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
-		pair[0] = (float2)(c.rb[0].x, c.rb[0].y);
-		pair[n] = (float2)(c.rb[1].x, c.rb[1].y);
-		pair[2 * n] = (float2)(u->separation[0], u->separation[1]);
-		pair[3 * n] = (float2)(c.a.inv_mass, c.a.inv_inertia);
-		pair[4 * n] = (float2)(u->normal_mass[0], u->normal_mass[1]);
-		pair[5 * n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
-		relay_note_impulses(u, notes, n, i);
-	}
-	notes[i] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
-}
-
-INLINE Side relay_side_of(int body, int turns)
-{
-	Side side;
-	side.body = body;
-	side.before = turns & 63;
-	side.moves = turns >> 6 & 1;
-	side.last = turns >> 7 & 1;
-	return side;
-}
-
-INLINE Runner relay_return(__global float4* notes, int n, int i)
-{
-	Runner u;
-	__global const float2* pair = relay_pairs(notes, n, i);
-	float4 names = notes[i], normal = notes[n + i], on_a = notes[2 * n + i];
-	float2 gaps = pair[2 * n], mass_a = pair[3 * n], normal_mass = pair[4 * n], tangent_mass = pair[5 * n];
-	float2 push = pair[6 * n], rub = pair[7 * n];
-	int turns = as_int(names.x);
-	u.inert = turns < 0;
-	u.c.ia = as_int(names.y);
-	u.c.ib = as_int(names.z);
-	u.side[0] = relay_side_of(u.c.ia, turns);
-	u.side[1] = relay_side_of(u.c.ib, turns >> 8);
-	u.c.n = vec(normal.x, normal.y);
-	u.c.t = vec(normal.y, -normal.x);
-	u.c.ra[0] = vec(on_a.x, on_a.y);
-	u.c.ra[1] = vec(on_a.z, on_a.w);
-	u.c.rb[0] = vec(pair[0].x, pair[0].y);
-	u.c.rb[1] = vec(pair[n].x, pair[n].y);
-	u.c.a.inv_mass = mass_a.x;
-	u.c.a.inv_inertia = mass_a.y;
-	u.c.a.d = vec(0.0f, 0.0f);
-	u.c.a.da = 0.0f;
-	u.c.b.inv_mass = normal.z;
-	u.c.b.inv_inertia = normal.w;
-	u.c.b.d = u.c.a.d;
-	u.c.b.da = 0.0f;
-	u.friction = names.w;
-	u.separation[0] = gaps.x;
-	u.separation[1] = gaps.y;
-	u.normal[0] = push.x;
-	u.normal[1] = push.y;
-	u.tangent[0] = rub.x;
-	u.tangent[1] = rub.y;
-	u.normal_mass[0] = normal_mass.x;
-	u.normal_mass[1] = normal_mass.y;
-	u.tangent_mass[0] = tangent_mass.x;
-	u.tangent_mass[1] = tangent_mass.y;
-	return u;
-}
-
-// The passes of solve.h for what is in registers.
-INLINE void relay_bias(const Step* step, Runner* u)
-{
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1);
-}
-
-INLINE void relay_relax(const Pools* p, int i, Runner* u)
-{
-	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f;
-	for (int k = 0; k < 2; ++k)
-		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0);
-	if (p->step.extras)
-	{
-		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
-		pair_peak(p, i, u->normal[0], u->normal[1]);
-	}
-}
-
-INLINE void relay_bounce(const Pools* p, int i, Runner* u)
-{
-	relay_stow(p, i, u);
-	bounce_pass(p, i, &u->c);
-	u->normal[0] = constraint_at(p, normal_impulse1, i);
-	u->normal[1] = constraint_at(p, normal_impulse2, i);
-}
-
-INLINE void relay_pass(const Pools* p, const Relay* r, int i, int q, Runner* u)
-{
-	if (q == 0)
-		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
-	else if (q > 2 * r->substeps)
-		relay_bounce(p, i, u);
-	else if (q & 1)
-		relay_bias(&p->step, u);
-	else
-		relay_relax(p, i, u);
 }
 
 // Pass q of a constraint, which the whole group takes in step, for no two of a group share a body. False when some never
@@ -461,7 +178,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 	}
 	if (u->inert)
 		return true;
-	relay_pass(p, r, i, q, u);
+	runner_pass(p, r->substeps, i, q, u);
 	relay_pass_to(r, u->side[0], q, u->c.a);
 	relay_pass_to(r, u->side[1], q, u->c.b);
 	relay_pass_on(p, r, u->side[0], q, u->c.a, motion_a, base_a);
@@ -469,7 +186,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 	return true;
 }
 
-// All tasks of all constraints. Bodies that no constraint holds are relay_end's. notes has RELAY_NOTES rows a constraint
+// All tasks of all constraints. Bodies that no constraint holds are solve_end's. notes has NOTE_FLOAT4S rows a constraint
 // when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
 __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints, int substeps,
                     int passes, int cleanse, int bound, int spins)
@@ -494,9 +211,9 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	Runner u;
 	for (int i = begin; i < constraints; i += stride)
 	{
-		u = relay_prepare(p, i, cleanse);
+		u = runner_prepare(p, i, cleanse);
 		if (constraints > stride)
-			relay_leave(&u, notes, constraints, i);
+			runner_leave(&u, notes, constraints, i);
 	}
 	if (constraints <= stride)
 	{
@@ -504,42 +221,22 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 			if (!relay_task(p, &r, begin, q, &u, &fault))
 				return;
 		if (!u.inert)
-			relay_stow(p, begin, &u);
+			runner_stow(p, begin, &u);
 	}
 	else
 		for (int q = 0; q < passes; ++q)
 			for (int i = begin; i < constraints; i += stride)
 			{
-				u = relay_return(notes, constraints, i);
+				u = runner_return(notes, constraints, i);
 				if (!relay_task(p, &r, i, q, &u, &fault))
 					return;
 				if (u.inert)
 					continue;
 				if (q + 1 == passes)
-					relay_stow(p, i, &u);
+					runner_stow(p, i, &u);
 				else
-					relay_note_impulses(&u, notes, constraints, i);
+					runner_leave_impulses(&u, notes, constraints, i);
 			}
-}
-
-// What no constraint pushed moves alone, and all bodies are finalized.
-__kernel void relay_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
-{
-	Pools pools = {POOL_NAMES step, 0};
-	const Pools* p = &pools;
-	Relay r = {0, substeps, passes, 0};
-	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
-		return;
-	for (int i = (int)get_global_id(0); i < bodies; i += (int)get_global_size(0))
-	{
-		if (p->color_mask[i] == 0 || !(p->body[i].inv_mass > 0.0f))
-		{
-			float row[8];
-			relay_alone(p, &r, i, passes, row);
-			relay_keep(p, i, row);
-		}
-		finalize_item(p, i);
-	}
 }
 
 // Whether work-items advance each on its own, and words arrive whole: in round k each waits for its neighbor's row of

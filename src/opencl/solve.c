@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: MIT
 // solve.c -- finds the runs of a whole solve in a list, and the form in which they are fastest.
+#include "error.h"
 #include "opencl/opencl.h"
 #include <stdlib.h>
 #include <string.h>
 
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
+
+// arguments of solve_end behind the step
+enum
+{
+	END_BODIES = ARGUMENT_STEP + 1,
+	END_SUBSTEPS,
+	END_PASSES,
+	END_BOUND
+};
 
 static int solve_find(const Run* runs, int count, Solve* solve)
 {
@@ -62,9 +72,32 @@ int solve_length(OpenCl* d, const Run* runs, int count)
 {
 	Solve solve;
 	// the overflow set needs sums over many constraints
-	if (d->relay_groups == 0 || !solve_find(runs, count, &solve) || solve.overflow)
+	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve) || solve.overflow)
 		return 0;
-	return relayed(d, &solve) || d->solver == SOLVER_TILES || tiles_pay(d, &solve) ? solve.length : 0;
+	bool relay = relayed(d, &solve);
+	if (!relay && d->solver != SOLVER_TILES && !tiles_pay(d, &solve))
+		return 0;
+	scree_status status = relay ? relay_reserve(d, &solve) : tiles_reserve(d, &solve);
+	if (status == SCREE_OK)
+		return solve.length;
+	// launches need no room
+	log_sentence(SCREE_LOG_WARNING, "%s: %s; the solver is slower without.", d->backend->name, scree_error());
+	d->solver = SOLVER_NONE;
+	return 0;
+}
+
+// Moves what no constraint pushes, and finalizes all bodies.
+static scree_status solve_end(OpenCl* d, const Solve* solve)
+{
+	cl_kernel kernel = d->solve_end.kernel;
+	TRY(kernel_step(d, &d->solve_end));
+	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
+	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
+	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &solve->passes));
+	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
+	size_t group = d->solve_end.group;
+	d->box = BOX_finalize;
+	return launch(d, kernel, groups_of(solve->bodies, group) * group, group);
 }
 
 scree_status solve_run(OpenCl* d, const Run* runs, int count)
@@ -73,5 +106,5 @@ scree_status solve_run(OpenCl* d, const Run* runs, int count)
 	solve_find(runs, count, &solve);
 	d->box = BOX_solve;
 	TRY(relayed(d, &solve) ? relay_run(d, &solve) : tiles_run(d, &solve));
-	return relay_end(d, &solve);
+	return solve_end(d, &solve);
 }

@@ -53,8 +53,7 @@ void tiles_close(OpenCl* d)
 		if (others[k])
 			opencl.ReleaseKernel(others[k]);
 	for (int k = 0; k < TILE_BUFFERS; ++k)
-		if (t->buffers[k])
-			opencl.ReleaseMemObject(t->buffers[k]);
+		scratch_release(&t->buffers[k]);
 }
 
 scree_status tiles_bind(OpenCl* d, Per per)
@@ -64,21 +63,32 @@ scree_status tiles_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-static scree_status reserve(OpenCl* d, int buffer, size_t bytes)
+// no tree has more leaves than there are collidables
+static cl_int row_count(const OpenCl* d) { return (d->step.collidables - 1) / TILE_BODIES + 1; }
+
+// places of constraints: all, and what pads the colors of the border
+static cl_int place_count(const Solve* solve) { return solve->constraints + TILE_COLORS * RELAY_GROUP; }
+
+scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 {
 	Tiles* t = &d->tiles;
-	if (bytes <= t->bytes[buffer])
-		return SCREE_OK;
-	TRY(finish(d));
-	if (t->buffers[buffer])
-		opencl.ReleaseMemObject(t->buffers[buffer]);
-	t->buffers[buffer] = NULL;
-	t->bytes[buffer] = 0;
-	t->stale = true;
-	bytes = (bytes + bytes / 8 + 15) / 16 * 16;
-	TRY(buffer_create(d, bytes, &t->buffers[buffer]));
-	t->bytes[buffer] = bytes;
-	return SCREE_OK;
+	size_t rows = (size_t)row_count(d), places = (size_t)place_count(solve);
+	const size_t bytes[TILE_BUFFERS] = {
+	    [TILE_PLACE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
+	    [TILE_EDGE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
+	    [TILE_RESIDENT_BUFFER] = rows * TILE_BODIES * sizeof(cl_int),
+	    [TILE_TABLE_BUFFER] = (rows + 2) * TILE_COLORS * sizeof(cl_int),
+	    [TILE_TOTAL_BUFFER] = (rows + 2) * sizeof(cl_int),
+	    [TILE_RANK_BUFFER] = (size_t)solve->constraints * sizeof(cl_int),
+	    [TILE_ORDER_BUFFER] = places * sizeof(cl_int),
+	};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+	{
+		t->stale |= bytes[k] > t->buffers[k].bytes;
+		TRY(scratch_reserve(d, &t->buffers[k], bytes[k]));
+	}
+	TRY(rows_reserve(d, solve));
+	return scratch_reserve(d, &d->notes, places * NOTE_FLOAT4S * sizeof(cl_float4));
 }
 
 typedef struct // the value of an argument
@@ -114,12 +124,15 @@ static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, i
 static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int places)
 {
 	Tiles* t = &d->tiles;
-	cl_mem *b = t->buffers, place = b[TILE_PLACE_BUFFER], edge = b[TILE_EDGE_BUFFER];
-	cl_mem resident = b[TILE_RESIDENT_BUFFER], table = b[TILE_TABLE_BUFFER], total = b[TILE_TOTAL_BUFFER];
-	cl_mem rank = b[TILE_RANK_BUFFER], order = b[TILE_ORDER_BUFFER];
+	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
+	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
+	       total = t->buffers[TILE_TOTAL_BUFFER].buffer;
+	cl_mem rank = t->buffers[TILE_RANK_BUFFER].buffer, order = t->buffers[TILE_ORDER_BUFFER].buffer;
 	const cl_int zero = 0, none = -1;
-	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->bytes[TILE_TABLE_BUFFER], 0, NULL, NULL));
-	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->bytes[TILE_ORDER_BUFFER], 0, NULL, NULL));
+	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->buffers[TILE_TABLE_BUFFER].bytes, 0, NULL,
+	         NULL));
+	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->buffers[TILE_ORDER_BUFFER].bytes, 0, NULL,
+	         NULL));
 	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places), VALUE(solve->bound))));
 	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound))));
 	for (const Run* run = solve->colors; run < solve->colors + solve->color_count; ++run)
@@ -165,28 +178,14 @@ bool tiles_pay(OpenCl* d, const Solve* solve)
 scree_status tiles_run(OpenCl* d, const Solve* solve)
 {
 	Tiles* t = &d->tiles;
-	// no tree has more leaves than there are collidables
-	cl_int rows = (d->step.collidables - 1) / TILE_BODIES + 1, places = rows * TILE_BODIES;
-	cl_int stride = solve->constraints + TILE_COLORS * RELAY_GROUP, spins = RELAY_SPINS_MOST;
-	const size_t bytes[TILE_BUFFERS] = {
-	    [TILE_PLACE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
-	    [TILE_EDGE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
-	    [TILE_RESIDENT_BUFFER] = (size_t)places * sizeof(cl_int),
-	    [TILE_TABLE_BUFFER] = (size_t)(rows + 2) * TILE_COLORS * sizeof(cl_int),
-	    [TILE_TOTAL_BUFFER] = (size_t)(rows + 2) * sizeof(cl_int),
-	    [TILE_RANK_BUFFER] = (size_t)solve->constraints * sizeof(cl_int),
-	    [TILE_ORDER_BUFFER] = (size_t)stride * sizeof(cl_int),
-	    [TILE_NOTES_BUFFER] = (size_t)stride * RELAY_NOTES * sizeof(cl_float4),
-	};
-	for (int k = 0; k < TILE_BUFFERS; ++k)
-		TRY(reserve(d, k, bytes[k]));
-	TRY(relay_reserve(d, solve->bodies));
+	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_SPINS_MOST;
 	if (t->stale)
 		TRY(lay_out(d, solve, rows, places));
 
-	cl_mem *b = t->buffers, place = b[TILE_PLACE_BUFFER], edge = b[TILE_EDGE_BUFFER];
-	cl_mem resident = b[TILE_RESIDENT_BUFFER], table = b[TILE_TABLE_BUFFER], order = b[TILE_ORDER_BUFFER];
-	cl_mem notes = b[TILE_NOTES_BUFFER];
+	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
+	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
+	       order = t->buffers[TILE_ORDER_BUFFER].buffer;
+	cl_mem notes = d->notes.buffer;
 	TRY(tile_run(d, TILE_PREPARE, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
 	                    VALUE(solve->cleanse), VALUE(solve->bound))));
@@ -200,7 +199,7 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
 		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound))));
 		TRY(tile_run(d, TILE_BORDER, border,
-		             VALUES(VALUE(d->rows), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
+		             VALUES(VALUE(d->rows.buffer), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
 		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound),
 		                    VALUE(spins))));
 	}
