@@ -14,10 +14,8 @@
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
-// A row: two words of velocity, two of displacement. 96 bits of components and twice a turn of 16.
-#define PAUSE_NS 50
-
 // Waits a moment, so that those whose turn is near get through.
+#define PAUSE_NS 50
 #ifdef __NV_CL_C_VERSION
 #define PAUSE(ns) asm volatile("nanosleep.u32 %0;" ::"r"((uint)(ns)))
 #else
@@ -31,6 +29,9 @@ typedef struct // what every task knows
 	int passes; // warm start, bias and relax of every substep, and bounce
 	int spins;
 } Relay;
+
+// A row is two words of velocity and two of displacement: two words have room for 96 bits of components, and twice for a
+// turn of 16.
 
 // Of pass q, the turn of the constraint before which so many others of the body come. A pass has as many turns as there
 // are bits in a body's mask.
