@@ -51,7 +51,8 @@ struct scree_world
 	int dynamic_bodies;
 	Pending pending;
 	Pipeline pipeline;
-	void* scratch; // for a call to work in
+	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
+	void* scratch;   // for a call to work in
 	size_t scratch_bytes;
 };
 

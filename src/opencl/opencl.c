@@ -28,6 +28,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		held_close(d);
+		share_close(d);
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
 				opencl.ReleaseMemObject(d->buffers[i]);
@@ -160,14 +161,13 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
+	d->step_version = 1; // a step of zeros, which no kernel holds yet
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	TRY(staging_open(d, options->timings));
 
+	TRY(share_context(d, options->opengl));
 	cl_int error;
-	cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
-	d->context = opencl.CreateContext(properties, 1, &d->device.id, NULL, NULL, &error);
-	TRY(opencl_check("clCreateContext", error));
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
@@ -214,6 +214,8 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .read_end = opencl_read_end,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
+	    .share = opencl_share,
+	    .show = opencl_show,
 	};
 	*backend = NULL;
 	Backend* b = scree_allocate(sizeof *b);
