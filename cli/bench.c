@@ -7,6 +7,7 @@
 #include "record.h"
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 
 // Steps at the start of each run whose time does not count: kernels are built, buffers grow, threads wake up.
 #define WARM_UP 2
@@ -117,6 +118,8 @@ static int measure_all(const Options* options, char** names, int count)
 
 int bench_command(const Options* options)
 {
+	if (options->argument_count == 2 && strcmp(options->arguments[0], "frames") == 0)
+		return frames_command(options, options->arguments[1]);
 	if (options->argument_count > 0)
 		return measure_all(options, options->arguments, options->argument_count);
 	char** names;

@@ -10,4 +10,7 @@ int scenes_command(const Options* options);
 int devices_command(const Options* options);
 int bench_command(const Options* options);
 
+// bench frames SCENE
+int frames_command(const Options* options, const char* scene);
+
 #endif

@@ -78,6 +78,7 @@ grep -q 'rows=100' out || fail "scenes: no parameters"
 expect 0 'pyramid' scenes --names
 [ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "scenes --names: more than one word a line"
 expect 0 'equal bits' devices
+expect 0 'drawing     copied' devices
 head -n 1 out | grep -qx 'cpu' || fail "devices: the CPU is not the first"
 mkdir own
 printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a"}]}' >own/ball.json

@@ -14,7 +14,7 @@ for document in README.md ARCHITECTURE.md STYLE.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
-		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scenes|src|tests|tools)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scenes|src|tests|tools|view)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
 	while read -r path; do
 		[ -e "$(dirname "$document")/$path" ] || complain "$document: the link to $path leads nowhere"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
@@ -44,5 +44,5 @@ asks=$(grep -lE '__OPENCL|__GNUC__|__clang__' src/stages/*.h | tr '\n' ' ')
 while read -r file; do
 	head -n 2 "$file" | tr -d '\n' | grep -q "^// SPDX-License-Identifier: MIT// $(basename "$file") -- " ||
 		complain "$file: does not begin with its licence and what it is"
-done < <(find include src cli tests examples \( -name '*.c' -o -name '*.h' \) 2>/dev/null)
+done < <(find include src cli view tests examples \( -name '*.c' -o -name '*.h' \) 2>/dev/null)
 exit $failed

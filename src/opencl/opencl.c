@@ -28,7 +28,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		held_close(d);
-		share_close(d);
+		shared_close(d);
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
 				opencl.ReleaseMemObject(d->buffers[i]);
@@ -166,7 +166,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	TRY(staging_open(d, options->timings));
 
-	TRY(share_context(d, options->opengl));
+	TRY(context_open(d, options->opengl));
 	cl_int error;
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);

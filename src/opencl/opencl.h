@@ -249,8 +249,8 @@ scree_status solve_run(OpenCl* d, const Run* runs, int count);
 scree_status opencl_note(Backend* b, const Counters* counters);
 
 // Makes the context of a device, shared with one of OpenGL where that is not null and the driver can.
-scree_status share_context(OpenCl* d, const scree_opengl* opengl);
-void share_close(OpenCl* d);
+scree_status context_open(OpenCl* d, const scree_opengl* opengl);
+void shared_close(OpenCl* d);
 scree_status opencl_share(Backend* b, const SharedMemory* memory);
 scree_status opencl_show(Backend* b, const Run* run);
 

@@ -77,13 +77,13 @@ scree_status opencl_show(Backend* b, const Run* run)
 	return finish(d);
 }
 
-void share_close(OpenCl* d)
+void shared_close(OpenCl* d)
 {
 	if (d->shared.memory)
 		opencl.ReleaseMemObject(d->shared.memory);
 }
 
-scree_status share_context(OpenCl* d, const scree_opengl* opengl)
+scree_status context_open(OpenCl* d, const scree_opengl* opengl)
 {
 	// a context that shares with OpenGL, where that is asked for and works; else a plain one
 	cl_int error;

@@ -1,0 +1,21 @@
+# view.cmake -- drawing with OpenGL: needs libepoxy; shares memory through Vulkan where its headers are found.
+file(GLOB view_sources CONFIGURE_DEPENDS view/*.c)
+
+find_package(PkgConfig)
+if(PkgConfig_FOUND)
+	pkg_check_modules(EPOXY IMPORTED_TARGET epoxy)
+endif()
+find_path(SCREE_VULKAN_INCLUDE_DIR vulkan/vulkan.h DOC "Folder that holds vulkan/vulkan.h")
+
+if(NOT EPOXY_FOUND)
+	message(NOTICE "scree: drawing with OpenGL is left out, because libepoxy was not found; Debian has it in libepoxy-dev")
+elseif(view_sources)
+	add_library(scree_view STATIC ${view_sources})
+	scree_flags(scree_view)
+	target_include_directories(scree_view PUBLIC ${PROJECT_SOURCE_DIR})
+	target_link_libraries(scree_view PUBLIC scree_static PkgConfig::EPOXY PRIVATE m ${CMAKE_DL_LIBS})
+	if(SCREE_VULKAN_INCLUDE_DIR)
+		target_compile_definitions(scree_view PRIVATE SCREE_HAVE_VULKAN)
+		target_include_directories(scree_view SYSTEM PRIVATE ${SCREE_VULKAN_INCLUDE_DIR})
+	endif()
+endif()
