@@ -36,6 +36,7 @@ typedef struct
 	int threads, lanes; // 0: as many as there are
 	PipelineChoice pipeline;
 	bool allow_unequal_bits;
+	const scree_opengl* opengl;        // that draws the world; null for none
 	const char *picture, *video, *csv; // null: none
 	int width, height;                 // px
 	int repeats;

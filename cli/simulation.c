@@ -86,6 +86,7 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 	def.lanes = simulation->f->one_thread ? 1 : options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
+	def.opengl = options->opengl;
 	scree_status status = scree_create_world(&def, &simulation->world);
 	if (status == SCREE_OK)
 		status = scene_build(scene, simulation->world);

@@ -86,6 +86,15 @@ SCREE_SCENES=own expect 0 'ball' scenes --names
 SCREE_SCENES=own expect 0 'bodies         1' run ball --steps 2 --device cpu
 SCREE_SCENES=own expect 0 'bodies         22' run pyramid "${small[@]}"
 
+# frames: both ways draw the same picture of the same world, unless there is nothing to draw with
+if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
+	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
+	[ "$(sed 1d out | cut -d, -f 11,12 | sort -u | wc -l)" = 1 ] || fail "bench frames: two pictures"
+else
+	grep -qE 'libepoxy-dev|libegl1|OpenGL 3.3' err || fail "bench frames: does not say what is missing"
+fi
+refuse 2 'no scene is called "nothing"' bench frames nothing
+
 # hash
 expect 0 '' hash pyramid "${small[@]}"
 grep -qxE '[0-9a-f]{16}' out || fail "hash: not 16 digits alone"

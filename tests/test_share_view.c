@@ -18,7 +18,6 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 static Offscreen offscreen;
 
@@ -122,8 +121,8 @@ static void test_exported_memory(void** state)
 		munmap(one, 100000);
 		munmap(other, 100000);
 	}
-	close(memory.files[0]);
-	close(memory.files[1]);
+	exported_memory_drop(&memory);
+	assert_int_equal(memory.files[1], -1);
 	assert_false(exported_memory_make(&memory, nobody, 100000, sentence, sizeof sentence));
 	assert_string_equal(sentence, "Vulkan allocates memory on another device already");
 	assert_int_equal(memory.files[0], -1);

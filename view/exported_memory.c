@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // exported_memory.c -- memory of a device that OpenCL and OpenGL both import: neither can export, but Vulkan can.
 //
-// Vulkan is opened at run time, for this alone. What a file descriptor names lives until the last of those that
-// imported it lets go (Khronos, Vulkan 1.3 specification, VK_KHR_external_memory_fd).
+// Vulkan is opened at run time, for this alone.
 #include "view/share.h"
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #ifdef SCREE_HAVE_VULKAN
 #define VK_NO_PROTOTYPES
 #include <dlfcn.h>
-#include <unistd.h>
 #include <vulkan/vulkan.h>
 
 // of an instance, and of a device
@@ -34,8 +33,6 @@ typedef struct
 	VkInstance instance;
 	VkPhysicalDevice physical;
 	VkDevice device;
-	VkBuffer buffer;
-	VkDeviceMemory memory;
 #define X(name) PFN_vk##name name;
 	INSTANCE_FUNCTIONS(X)
 	DEVICE_FUNCTIONS(X)
@@ -121,11 +118,13 @@ static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 	                             .size = bytes,
 	                             .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
 	                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT};
-	if (v->CreateBuffer(v->device, &buffer, NULL, &v->buffer) != VK_SUCCESS)
+	VkBuffer made;
+	if (v->CreateBuffer(v->device, &buffer, NULL, &made) != VK_SUCCESS)
 		return "Vulkan makes no buffer that could be exported";
 	VkMemoryRequirements needs;
 	VkPhysicalDeviceMemoryProperties types;
-	v->GetBufferMemoryRequirements(v->device, v->buffer, &needs);
+	v->GetBufferMemoryRequirements(v->device, made, &needs);
+	v->DestroyBuffer(v->device, made, NULL);
 	v->GetPhysicalDeviceMemoryProperties(v->physical, &types);
 	int type = own_memory(&types, needs.memoryTypeBits);
 
@@ -134,11 +133,13 @@ static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 	                               .pNext = &export,
 	                               .allocationSize = needs.size,
 	                               .memoryTypeIndex = (uint32_t)type};
-	if (type < 0 || v->AllocateMemory(v->device, &memory, NULL, &v->memory) != VK_SUCCESS)
+	VkDeviceMemory allocation;
+	if (type < 0 || v->AllocateMemory(v->device, &memory, NULL, &allocation) != VK_SUCCESS)
 		return "Vulkan has no memory left on the device";
+	out->allocation = allocation;
 	out->allocated = needs.size;
 	VkMemoryGetFdInfoKHR file = {.sType = VK_STRUCTURE_TYPE_MEMORY_GET_FD_INFO_KHR,
-	                             .memory = v->memory,
+	                             .memory = allocation,
 	                             .handleType = (VkExternalMemoryHandleTypeFlagBits)kind};
 	for (int k = 0; k < 2; ++k)
 		if (v->GetMemoryFdKHR(v->device, &file, &out->files[k]) != VK_SUCCESS)
@@ -146,8 +147,10 @@ static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 	return NULL;
 }
 
-// Vulkan stays open as long as the process: with its instance NVIDIA's driver (580) unloads what it shares with EGL, and
-// the thread's context of OpenGL is current no more. One device is enough, as OpenGL draws on one.
+// Vulkan stays open as long as the process: when it was closed, NVIDIA's driver (580) took the thread's context of OpenGL
+// away with it. One device is enough, as OpenGL draws on one.
+static Vulkan vulkan;
+
 static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])
 {
 	void* library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
@@ -161,7 +164,6 @@ static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])
 
 static const char* make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes)
 {
-	static Vulkan vulkan;
 	static const char* trouble;
 	static uint8_t opened[16];
 	static bool open;
@@ -175,17 +177,13 @@ static const char* make(ExportedMemory* memory, const uint8_t uuid[16], size_t b
 		return trouble;
 	if (memcmp(opened, uuid, sizeof opened) != 0)
 		return "Vulkan allocates memory on another device already";
-	const char* failure = allocate(&vulkan, bytes, memory);
+	return allocate(&vulkan, bytes, memory);
+}
 
-	// the descriptors hold the memory from here on
-	vulkan.FreeMemory(vulkan.device, vulkan.memory, NULL);
-	vulkan.DestroyBuffer(vulkan.device, vulkan.buffer, NULL);
-	vulkan.memory = VK_NULL_HANDLE;
-	vulkan.buffer = VK_NULL_HANDLE;
-	for (int k = 0; failure && k < 2; ++k)
-		if (memory->files[k] >= 0)
-			close(memory->files[k]);
-	return failure;
+static void drop(ExportedMemory* memory)
+{
+	if (memory->allocation)
+		vulkan.FreeMemory(vulkan.device, memory->allocation, NULL);
 }
 #else
 static const char* make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes)
@@ -195,6 +193,7 @@ static const char* make(ExportedMemory* memory, const uint8_t uuid[16], size_t b
 	(void)bytes;
 	return "this build has no Vulkan to allocate memory with: install its headers (Debian, Ubuntu: libvulkan-dev)";
 }
+static void drop(ExportedMemory* memory) { (void)memory; }
 #endif
 
 bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size)
@@ -202,5 +201,16 @@ bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t
 	*memory = (ExportedMemory){.files = {-1, -1}};
 	const char* trouble = make(memory, uuid, bytes);
 	snprintf(sentence, size, "%s", trouble ? trouble : "");
+	if (trouble)
+		exported_memory_drop(memory);
 	return !trouble;
+}
+
+void exported_memory_drop(ExportedMemory* memory)
+{
+	for (int k = 0; k < 2; ++k)
+		if (memory->files[k] >= 0)
+			close(memory->files[k]);
+	drop(memory);
+	*memory = (ExportedMemory){.files = {-1, -1}};
 }

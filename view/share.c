@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 bool share_context(scree_opengl* opengl)
 {
@@ -36,7 +35,8 @@ static bool find_device(const scree_world* world, scree_device* device)
 
 void share_open(Share* share, scree_world* world, bool copy)
 {
-	*share = (Share){.world = world, .how = copy ? SCREE_COPIED : scree_world_sharing(world)};
+	*share =
+	    (Share){.world = world, .how = copy ? SCREE_COPIED : scree_world_sharing(world), .exported.files = {-1, -1}};
 }
 
 static void drop_buffer(Share* share)
@@ -45,6 +45,7 @@ static void drop_buffer(Share* share)
 	glDeleteBuffers(1, &share->buffer);
 	if (share->memory)
 		glDeleteMemoryObjectsEXT(1, &share->memory);
+	exported_memory_drop(&share->exported);
 	share->buffer = share->memory = 0;
 	share->room = 0;
 }
@@ -52,7 +53,7 @@ static void drop_buffer(Share* share)
 void share_close(Share* share)
 {
 	drop_buffer(share);
-	*share = (Share){0};
+	*share = (Share){.exported.files = {-1, -1}};
 }
 
 // A buffer in memory that Vulkan allocated: OpenGL and OpenCL each import it.
@@ -69,22 +70,26 @@ static bool share_memory(Share* share, size_t bytes)
 		snprintf(sentence, size, "OpenGL draws on another device, or has no GL_EXT_memory_object_fd");
 		return false;
 	}
-	ExportedMemory memory;
-	if (!exported_memory_make(&memory, uuid, bytes, sentence, size))
+	ExportedMemory* memory = &share->exported;
+	if (!exported_memory_make(memory, uuid, bytes, sentence, size))
 		return false;
-	if (scree_share_memory(share->world, memory.files[0], bytes) != SCREE_OK)
+	if (scree_share_memory(share->world, memory->files[0], bytes) != SCREE_OK)
 	{
-		close(memory.files[0]);
-		close(memory.files[1]);
 		snprintf(sentence, size, "%s", scree_error());
 		return false;
 	}
+	memory->files[0] = -1; // OpenCL's now
 	while (glGetError() != GL_NO_ERROR)
 		; // those of before are not ours
 	glCreateMemoryObjectsEXT(1, &share->memory);
-	glImportMemoryFdEXT(share->memory, memory.allocated, GL_HANDLE_TYPE_OPAQUE_FD_EXT, memory.files[1]);
-	glBufferStorageMemEXT(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, share->memory, 0);
+	glImportMemoryFdEXT(share->memory, memory->allocated, GL_HANDLE_TYPE_OPAQUE_FD_EXT, memory->files[1]);
 	GLenum error = glGetError();
+	if (!error)
+	{
+		memory->files[1] = -1; // OpenGL's now
+		glBufferStorageMemEXT(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, share->memory, 0);
+		error = glGetError();
+	}
 	if (error)
 		snprintf(sentence, size, "OpenGL does not take memory from outside: error 0x%x", error);
 	return !error;

@@ -6,6 +6,13 @@
 #define SHARE_H
 #include "scree/scree.h"
 
+typedef struct // memory of a device, for two that import it
+{
+	int files[2];     // descriptors; -1 for one that is not ours any more
+	size_t allocated; // bytes
+	void* allocation; // of Vulkan
+} ExportedMemory;
+
 typedef struct
 {
 	scree_world* world;
@@ -13,7 +20,8 @@ typedef struct
 	char sentence[256]; // why not better, where the device offers better; else empty
 	unsigned buffer;    // of OpenGL, holds a scree_shown a row; another one after the world has grown
 	unsigned memory;    // object of OpenGL that the buffer lies in, 0 for none
-	int room, count;    // rows: there is room for, there are
+	ExportedMemory exported;
+	int room, count; // rows: there is room for, there are
 } Share;
 
 // The current context, for scree_world_def.opengl: false when it is not one of EGL.
@@ -27,13 +35,9 @@ scree_status share_update(Share* share);
 
 void share_close(Share* share);
 
-typedef struct // memory of a device, as file descriptors that own it
-{
-	int files[2];     // for two that import it
-	size_t allocated; // bytes
-} ExportedMemory;
-
 // Allocates memory on the device with this uuid through Vulkan. From one thread. False leaves a sentence.
 bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size);
+// When those that imported it have let go.
+void exported_memory_drop(ExportedMemory* memory);
 
 #endif
