@@ -8,6 +8,7 @@
 
 #define MAX_EGL_DEVICES 16
 
+// A display is one for the whole process, and others may draw on it: it is never terminated.
 static EGLContext context_of(EGLDisplay display)
 {
 	if (!eglInitialize(display, NULL, NULL))
@@ -25,7 +26,6 @@ static EGLContext context_of(EGLDisplay display)
 		return context;
 	if (context)
 		eglDestroyContext(display, context);
-	eglTerminate(display);
 	return EGL_NO_CONTEXT;
 }
 
@@ -73,7 +73,6 @@ void offscreen_close(Offscreen* o)
 	glDeleteRenderbuffers(1, &o->color);
 	eglMakeCurrent(o->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 	eglDestroyContext(o->display, o->context);
-	eglTerminate(o->display);
 	*o = (Offscreen){0};
 }
 
