@@ -271,6 +271,8 @@ static scree_status cpu_timings(Backend* b, double milliseconds[BOX_COUNT])
 	return SCREE_OK;
 }
 
+static void* cpu_address(Backend* b, PoolId pool) { return pool_memory(b->state, pool); }
+
 static void cpu_close(Backend* b)
 {
 	Cpu* cpu = b->state;
@@ -290,6 +292,7 @@ static const BackendFunctions functions = {
     .read_end = cpu_read_end,
     .wait = cpu_wait,
     .timings = cpu_timings,
+    .address = cpu_address,
 };
 
 static void choose_stages(Cpu* cpu, int lanes)

@@ -159,6 +159,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
+	b->memory = d->device.about.memory;
 	TRY(staging_open(d, options->timings));
 
 	cl_int error;
