@@ -120,10 +120,18 @@ static bool opening_pays(scree_world* world)
 	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&opening_milliseconds);
 }
 
+static void spare_core(scree_world* world, bool core)
+{
+	Backend* b = world->backend;
+	if (b->f->spare)
+		b->f->spare(b, core);
+}
+
 static void take_opened(scree_world* world)
 {
 	Automatic* a = &world->automatic;
 	double milliseconds;
+	spare_core(world, false);
 	scree_status status = opening_end(a->opening, &a->other, &milliseconds);
 	a->opening = NULL;
 	if (status == SCREE_OK)
@@ -236,7 +244,10 @@ void automatic_close(scree_world* world)
 	Automatic* a = &world->automatic;
 	double milliseconds;
 	if (a->opening)
+	{
+		spare_core(world, false);
 		opening_end(a->opening, &a->other, &milliseconds);
+	}
 	if (a->other)
 		a->other->f->close(a->other);
 	*a = (Automatic){0};
@@ -256,6 +267,7 @@ scree_status automatic_choose(scree_world* world)
 	{
 		a->opening = opening_begin(&world->def, a->named[0] ? a->named : NULL);
 		a->alone = !a->opening;
+		spare_core(world, !a->alone);
 	}
 	if (a->opening && (a->named[0] || opening_done(a->opening)))
 		take_opened(world);

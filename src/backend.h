@@ -105,6 +105,8 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
+	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing does.
+	void (*spare)(Backend* b, bool core);
 } BackendFunctions;
 
 struct Backend
