@@ -124,6 +124,7 @@ static scree_status compare_bits(Backend* b)
 static scree_status open_and_compare(Opening* o)
 {
 	TRY(o->name[0] ? device_open(&o->def, &o->backend) : device_open_gpu(&o->def, &o->backend));
+	o->milliseconds = processor_milliseconds() - o->begin;
 	scree_status status = compare_bits(o->backend);
 	if (status == SCREE_OK)
 		return SCREE_OK;
@@ -138,7 +139,6 @@ static THREAD_RESULT opening_main(void* argument)
 	o->status = open_and_compare(o);
 	if (o->status != SCREE_OK)
 		snprintf(o->sentence, sizeof o->sentence, "%s", scree_error());
-	o->milliseconds = processor_milliseconds() - o->begin;
 	atomic_store(&o->done, true);
 	return THREAD_END;
 }

@@ -13,7 +13,8 @@ Opening* opening_begin(const scree_world_def* def, const char* device);
 // Whether opening_end would return at once.
 bool opening_done(const Opening* opening);
 
-// Waits for the device and releases the opening. *milliseconds is how long it took. Fails with the sentence set and
+// Waits for the device and releases the opening. *milliseconds is how long it took to open, without
+// the comparison. Fails with the sentence set and
 // *backend null when there is no device, or none that leaves the same bits.
 scree_status opening_end(Opening* opening, Backend** backend, double* milliseconds);
 
