@@ -115,7 +115,9 @@ static bool opening_pays(scree_world* world)
 {
 	const Meter* m = meter_of(world, world->backend);
 	double step = BODY_STEP * world->bodies.alive / world->backend->threads;
-	if (m->count >= RECENT_STEPS)
+	if (m->count % RECENT_STEPS != 0)
+		return false;
+	if (m->count > 0)
 		step = meter_step(m, SHORTEST);
 	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&opening_milliseconds);
 }
@@ -153,7 +155,7 @@ static bool trial_pays(scree_world* world)
 	Automatic* a = &world->automatic;
 	const Backend *here = world->backend, *there = a->other;
 	const Meter* m = meter_of(world, here);
-	if (m->count < RECENT_STEPS)
+	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
 	// three times the world, so that it may grow there: a step that runs out of memory cannot be undone
 	if (there->memory > 0 && 3 * here->bytes > there->memory)
