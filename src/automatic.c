@@ -8,6 +8,7 @@
 // None of this changes a bit of the world, since both devices leave the same; so the clock may decide.
 #include "automatic.h"
 #include "cpu/processor.h"
+#include "devices.h"
 #include "error.h"
 #include "move.h"
 #include "world.h"
@@ -38,8 +39,8 @@
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
-// The next trial waits until the world has worked for so many times the cost of the last: fewer when the world has
-// changed in favor of the other device. Twice as many after every trial in vain.
+// The next trial waits until the world has worked for so many times as long as the last took: fewer when the world
+// has changed in favor of the other device. Twice as many after every trial in vain.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
 #define LIKELY          0.8 // of the time now
@@ -91,13 +92,19 @@ static double meter_step(const Meter* m, double share)
 
 static Meter* meter_of(scree_world* world, const Backend* b) { return &world->automatic.meters[b->distant]; }
 
+// A step of a device that has not been measured: less than it will take.
+static double least_step(const scree_world* world, const Backend* b)
+{
+	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
+}
+
 // What a step would take on the other device. A CPU's time follows the work, a GPU's hardly does.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->automatic.other;
 	const Meter* m = meter_of(world, other);
 	if (m->step <= 0.0)
-		return LEAST_STEP;
+		return least_step(world, other);
 	return other->distant ? m->step : m->step * work_of(world) / m->work;
 }
 
@@ -114,11 +121,9 @@ static double steps_to_come(const scree_world* world)
 static bool opening_pays(scree_world* world)
 {
 	const Meter* m = meter_of(world, world->backend);
-	double step = BODY_STEP * world->bodies.alive / world->backend->threads;
 	if (m->count % RECENT_STEPS != 0)
 		return false;
-	if (m->count > 0)
-		step = meter_step(m, SHORTEST);
+	double step = m->count > 0 ? meter_step(m, SHORTEST) : least_step(world, world->backend);
 	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&opening_milliseconds);
 }
 
@@ -213,8 +218,7 @@ static void end_trial(scree_world* world)
 	a->failures_work = here->work;
 	if (!faster)
 		change_over(world);
-	a->cost = automatic_clock() - a->begun - (faster ? here->count * here->step : here->count * before->step);
-	a->cost = a->cost > 0.0 ? a->cost : 0.0;
+	a->cost = automatic_clock() - a->begun;
 	a->spent = 0.0;
 }
 
@@ -238,7 +242,12 @@ void automatic_open(scree_world* world)
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
-	a->alone = strcmp(a->named, "cpu") == 0 || world->backend->distant;
+	a->alone = strcmp(a->named, "cpu") == 0;
+	if (a->alone || !world->backend->distant)
+		return;
+	scree_world_def def = world->def;
+	def.device = "cpu";
+	a->alone = device_open(&def, &a->other) != SCREE_OK;
 }
 
 void automatic_close(scree_world* world)

@@ -27,7 +27,7 @@ typedef struct
 	double current;    // ms that the library has worked since the last step began
 	double spent;      // ms of steps since the last comparison
 	double begun;      // ms, when the last trial began
-	double cost;       // ms that the last trial took beyond what its steps would have taken without it
+	double cost;       // ms that the last trial took, with its steps; 0 before the first
 	int failures;      // trials in a row after which the world went back
 	int failures_work; // bodies and contacts at the last of them
 } Automatic;

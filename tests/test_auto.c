@@ -579,7 +579,18 @@ static void user_decides(void** state)
 	assert_false(world->automatic.on);
 	run_steps(world, 20);
 	assert_string_equal(scree_world_device(world), other);
-	assert_true(hash_of(world) == hash_after(steps + 40));
+
+	// from there the way back is open as well
+	OK(scree_move_world(world, "auto"));
+	while (!world->automatic.trial && steps < 1000)
+	{
+		run_steps(world, 1);
+		++steps;
+	}
+	world->automatic.meters[1].step = 1e6;
+	run_steps(world, 10);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_true(hash_of(world) == hash_after(steps + 50));
 	scree_destroy_world(world);
 }
 
