@@ -100,14 +100,16 @@ static int measure_all(const Options* options, char** names, int count)
 		scenes[k] = open_scene(options, names[k]);
 		code = scenes[k] ? EXIT_GOOD : EXIT_BAD;
 	}
-	if (code == EXIT_GOOD)
+	if (code == EXIT_GOOD && options->whole)
+		code = whole_command(options, scenes, count);
+	else if (code == EXIT_GOOD)
 	{
 		printf("scene,device,threads,lanes,bodies,contacts,colors,steps,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
 			printf(",ms_%s", pipeline_functions(options->pipeline)->stages[k]);
 		printf(",penetration,hash,valid\n");
 	}
-	for (int k = 0; k < count && code == EXIT_GOOD; ++k)
+	for (int k = 0; k < count && code == EXIT_GOOD && !options->whole; ++k)
 		code = measure(options, scenes[k]);
 	for (int k = 0; scenes && k < count; ++k)
 		scene_free(scenes[k]);

@@ -26,6 +26,7 @@ static const struct
     {"size", 'S', "WxH", RUN, "pixels of picture and video, 1600x900 without it"},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds"},
     {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
+    {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md"},
     {"names", 'N', NULL, SCENES, "names alone, one a line"},
     {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH, "this text"},
 };
@@ -198,6 +199,9 @@ static bool read_option(Options* options, char letter, char* value)
 		return true;
 	case 'u':
 		options->allow_unequal_bits = true;
+		return true;
+	case 'w':
+		options->whole = true;
 		return true;
 	case 'N':
 		options->names = true;

@@ -39,7 +39,7 @@ typedef struct
 	const char *picture, *video, *csv; // null: none
 	int width, height;                 // px
 	int repeats;
-	bool names;
+	bool names, whole;
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // what is not an option

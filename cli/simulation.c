@@ -86,9 +86,13 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 	def.lanes = simulation->f->one_thread ? 1 : options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
+	double begin = seconds_now();
 	scree_status status = scree_create_world(&def, &simulation->world);
+	double opened = seconds_now();
 	if (status == SCREE_OK)
 		status = scene_build(scene, simulation->world);
+	simulation->opening = opened - begin;
+	simulation->building = seconds_now() - opened;
 	int code = status == SCREE_OK ? simulation->f->open(options, simulation) : report(status);
 	if (code != EXIT_GOOD)
 		simulation_close(simulation);

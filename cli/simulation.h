@@ -26,8 +26,9 @@ extern const SimulationFunctions paper_functions; // cli/paper.c
 struct Simulation
 {
 	const SimulationFunctions* f;
-	scree_world* world; // with the scene in it; a pipeline of its own takes bodies and attributes from here
-	void* state;        // of the pipeline
+	scree_world* world;       // with the scene in it; a pipeline of its own takes bodies and attributes from here
+	double opening, building; // s: until the world was there, and until its bodies were
+	void* state;              // of the pipeline
 	const Scene* scene;
 };
 

@@ -103,6 +103,10 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*wait)(Backend* b);
 	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
+	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
+	void* (*address)(Backend* b, PoolId pool);
+	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing does.
+	void (*spare)(Backend* b, bool core);
 } BackendFunctions;
 
 struct Backend
@@ -113,6 +117,7 @@ struct Backend
 	bool distant;            // waiting for a read costs as much as many runs
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
+	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's
 	void* state;             // the backend's own
 };
 

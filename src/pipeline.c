@@ -214,7 +214,8 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 static scree_status read_back(scree_world* world, const Step* step)
 {
 	scree_status status = list_run(world, step, &world->pipeline.list);
-	return status ? status : pipeline_counters(world);
+	Backend* b = world->backend;
+	return status ? status : b->f->read(b, POOL_counters, 0, 1, &world->pipeline.counters);
 }
 
 // The same where the layout of the constraints will probably stay: the solve is listed before the host knows, bounded by
@@ -369,12 +370,6 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	pipeline->trees[0].unsorted += pipeline->counters.moved;
 	++pipeline->steps;
 	return SCREE_OK;
-}
-
-scree_status pipeline_counters(scree_world* world)
-{
-	Backend* b = world->backend;
-	return b->f->read(b, POOL_counters, 0, 1, &world->pipeline.counters);
 }
 
 scree_status pipeline_hash(scree_world* world, uint64_t* hash)

@@ -46,9 +46,6 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps);
 // The hash of all simulated state. world_flush has been called.
 scree_status pipeline_hash(scree_world* world, uint64_t* hash);
 
-// Reads the counters again: those that the end of the last step changed are a step old otherwise.
-scree_status pipeline_counters(scree_world* world);
-
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.
 scree_status pipeline_reserve(scree_world* world, Per per, int capacity);

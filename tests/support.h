@@ -68,12 +68,14 @@ typedef struct // where and how a world runs
 	int threads, lanes;
 	const char* persistent; // of the environment's SCREE_PERSISTENT; null leaves it
 	const char* solver;     // of the environment's SCREE_SOLVER, the same
+	char other[128];        // the device to which the world moves now and then, and back; empty for none
 } Way;
 
 #define MAX_WAYS 32
 
 // The first is the reference: one thread, one lane. Then every number of lanes that the processor has with one thread
-// and with two, and every OpenCL device that keeps equal bits, with its solver in each of its forms.
+// and with two, and every OpenCL device that keeps equal bits, with its solver in each of its forms. Then a world
+// that moves between the CPU and each of these devices.
 int list_ways(Way ways[MAX_WAYS]);
 void print_ways(const Way* ways, int count);
 

@@ -80,7 +80,8 @@ typedef enum scree_log_level
 } scree_log_level;
 
 // Hooks of the process. Null members mean the default. Set them before the first world is created and not while one
-// exists. The pointed-to functions may be called from any thread that calls into Scree.
+// exists. The pointed-to functions may be called from any thread that calls into Scree, and by a thread of its own that
+// opens a GPU for a world of device "auto".
 typedef struct scree_hooks
 {
 	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
@@ -182,8 +183,12 @@ typedef struct scree_world_def
 
 SCREE_API scree_world_def scree_default_world_def(void);
 
-// Creates a world into *world, which the caller owns and gives to scree_destroy_world. With device "auto" a failing
-// OpenCL device is logged and the CPU is taken; otherwise the failure is returned and *world is null.
+// Creates a world into *world, which the caller owns and gives to scree_destroy_world. On failure *world is null.
+//
+// With device "auto" the world begins on the CPU. scree_step moves it to a GPU, and back, when its steps take less time
+// there, and tells the log so (SCREE_LOG_INFO, with both times). A GPU is opened when the world is large enough to gain
+// from it, by a thread while the world goes on; one that fails, or whose bits are not the CPU's, is logged and left
+// alone. Moving changes no bit of the world. docs/auto.md says when it moves.
 SCREE_API scree_status scree_create_world(const scree_world_def* def, scree_world** world);
 
 // Destroys a world and everything in it. Null is allowed.
@@ -201,8 +206,18 @@ SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
 SCREE_API scree_status scree_set_gravity(scree_world* world, scree_vec gravity);
 SCREE_API scree_vec scree_get_gravity(const scree_world* world);
 
-// The device that the world runs on, as in scree_device.name; owned by the world.
+// The device that the world runs on now, as in scree_device.name; owned by the world, and changed when it moves.
 SCREE_API const char* scree_world_device(const scree_world* world);
+
+// Moves a world to another device between two steps. device is what scree_world_def.device takes: "cpu", "opencl" or
+// "opencl:NAME" for good, "auto" to leave the choice to scree_step from now on. The world goes on with the same bits:
+// its hash, handles, contacts and impulses, and what the user has changed since the last step all stay. Threads, lanes,
+// allow_unequal_bits and timings are those of its definition.
+//
+// It costs the opening of the device, some 0.3 s for a GPU, and the transfer of the world, some 1 kB a body; both devices
+// hold it for that moment. On failure (SCREE_NO_DEVICE, SCREE_OUT_OF_MEMORY, ...) the world is where it was, as it was;
+// only if the device that it was on failed while it was read (SCREE_DEVICE_FAILED) it is broken, as after scree_step.
+SCREE_API scree_status scree_move_world(scree_world* world, const char* device);
 
 // CPU threads and lanes in use; 0 on an OpenCL device.
 SCREE_API int scree_world_threads(const scree_world* world);

@@ -271,6 +271,20 @@ static scree_status cpu_timings(Backend* b, double milliseconds[BOX_COUNT])
 	return SCREE_OK;
 }
 
+static void* cpu_address(Backend* b, PoolId pool) { return pool_memory(b->state, pool); }
+
+// Workers meet a hundred times a step: one whose core is taken holds up all others, and one worker fewer does not.
+static void cpu_spare(Backend* b, bool core)
+{
+	Cpu* cpu = b->state;
+	int workers = core && b->threads > 2 && b->threads >= processor_cores() ? b->threads - 1 : b->threads;
+	Threads* threads = workers == threads_workers(cpu->threads) ? NULL : threads_open(workers);
+	if (!threads)
+		return;
+	threads_close(cpu->threads);
+	cpu->threads = threads;
+}
+
 static void cpu_close(Backend* b)
 {
 	Cpu* cpu = b->state;
@@ -290,6 +304,8 @@ static const BackendFunctions functions = {
     .read_end = cpu_read_end,
     .wait = cpu_wait,
     .timings = cpu_timings,
+    .address = cpu_address,
+    .spare = cpu_spare,
 };
 
 static void choose_stages(Cpu* cpu, int lanes)

@@ -125,6 +125,9 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
+	// a world that comes from another device
+	Per per = pool_info[pool].per;
+	d->tiles.stale |= per == CONTACT || per == CONSTRAINT || per == BODY;
 	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
 	              bytes * (size_t)count);
 }
@@ -162,6 +165,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->backend = b;
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
+	b->memory = d->device.about.memory;
 	TRY(staging_open(d, options->timings));
 
 	cl_int error;
