@@ -47,8 +47,9 @@ STAGE(prepare)
 
 	// anchors are from the centers of mass
 	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
-	Vec offset = vec_sub(center_a, center_b);
-	Vec ra1 = vec_sub(points.point[0], center_a), ra2 = vec_sub(points.point[1], center_a);
+	Vec offset = vec_add(vec_sub(center_a, center_b), points.apart);
+	Vec from_a = vec_add(center_a, vec_scale(0.5f, points.apart));
+	Vec ra1 = vec_sub(points.point[0], from_a), ra2 = vec_sub(points.point[1], from_a);
 	prepare_depth(p, points.separation[0]);
 	prepare_depth(p, points.separation[1]);
 	constraint_at(p, normal_x, i) = points.normal.x;
