@@ -231,7 +231,7 @@ typedef struct scree_counters
 	int bodies, dynamic_bodies;  // alive
 	int collidables, attributes; // alive
 	int contacts;                // pairs whose boxes overlap
-	int touching;                // of these, the ones with at least one point within the speculative distance
+	int touching;                // of these, the ones with points: within the speculative distance, or about to meet
 	int colors;                  // colors in use
 	int overflow;                // contacts that found no color, solved by mass splitting
 	int moved;                   // collidables whose enlarged box changed in the last step
@@ -511,7 +511,8 @@ SCREE_API scree_status scree_set_collidable_poses(scree_world* world, const scre
 typedef struct scree_contact_point
 {
 	scree_vec point;       // m, world, halfway between the surfaces, where the last step found it
-	float separation;      // m, negative when overlapping, at the start of the last step
+	float separation;      // m, negative when overlapping, at the start of the last step; where fast bodies were about
+	                       // to meet in it, as much as they had left to go
 	float normal_impulse;  // N s, of the last substep
 	float tangent_impulse; // N s
 	uint32_t feature;      // names the two features that touch; stable while they do

@@ -52,10 +52,11 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
 	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
 	Prepared made;
 	made.normal = points.normal;
-	made.offset = vec_sub(center_a, center_b);
+	made.offset = vec_add(vec_sub(center_a, center_b), points.apart);
+	Vec from_a = vec_add(center_a, vec_scale(0.5f, points.apart));
 	for (int k = 0; k < 2; ++k)
 	{
-		made.anchor[k] = vec_sub(points.point[k], center_a);
+		made.anchor[k] = vec_sub(points.point[k], from_a);
 		made.separation[k] = points.separation[k];
 		prepare_depth(p, points.separation[k]);
 	}
