@@ -11,14 +11,22 @@
 #include "cpu/processor.h"
 #include "cpu/threads.h"
 #include "error.h"
+#include <limits.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
-// Runs of fewer items than this are done by one worker: a barrier costs a microsecond, an item a few nanoseconds.
-#define GRAIN      512
-#define SORT_GRAIN 8192
-#define SCAN_GRAIN 16384
+// Runs of fewer items than this are done by one worker: a barrier costs a microsecond, an item a few nanoseconds. In the
+// solve, what another core wrote last costs more than the barrier, so that nearly all runs are shared, or none (Choice).
+#define GRAIN       512
+#define SOLVE_GRAIN 64
+#define SORT_GRAIN  8192
+#define SCAN_GRAIN  16384
+
+// Solves with more items a run than this are always shared. The slower way is tried again after so many solves, times the
+// square of how much slower it was.
+#define ALWAYS_SHARED 2048
+#define REST          64
 
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
@@ -36,11 +44,19 @@ static const size_t pool_offsets[POOL_COUNT] = {
 // items that the pools really have room for: wide stages round up
 static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
+typedef struct // whether workers share the solve: the clock decides, since it depends on how far cores are apart
+{
+	double cost[2]; // ns an item, alone and shared; 0 before the first time
+	int rest;       // solves until the slower way is tried again
+	bool shares;
+} Choice;
+
 typedef struct
 {
 	Backend backend;
 	Pools pools;
 	Threads* threads;
+	Choice choice;
 	StageFunction functions[STAGE_COUNT];
 	int lanes[STAGE_COUNT]; // items that a function does at once
 	bool timed;
@@ -55,6 +71,7 @@ typedef struct
 	// the list at work, and the items of run number at; written by one worker while the others wait
 	const Run* runs;
 	int count, at, begin, end;
+	int grain; // fewest items worth sharing, of stages that are not handed out in chunks
 
 	_Alignas(64) atomic_int next; // first item that nobody has taken, of a run in chunks
 	Shared shared;
@@ -99,7 +116,7 @@ static void do_share(Cpu* cpu, int worker, int workers)
 		do_stage(cpu, (StageId)run->stage, worker, workers);
 }
 
-static int smallest_shared(int stage)
+static int smallest_shared(const Cpu* cpu, int stage)
 {
 	switch (stage)
 	{
@@ -108,7 +125,7 @@ static int smallest_shared(int stage)
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
 	default:
-		return chunks[stage] ? 2 * chunks[stage] : GRAIN;
+		return chunks[stage] ? 2 * chunks[stage] : cpu->grain;
 	}
 }
 
@@ -148,7 +165,7 @@ static void advance(Cpu* cpu)
 			cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 		}
 
-		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(run->stage))
+		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(cpu, run->stage))
 		{
 			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
 			return;
@@ -165,7 +182,7 @@ static void work(void* context, int worker, int workers)
 	while (cpu->at < cpu->count)
 	{
 		do_share(cpu, worker, workers);
-		if (threads_arrive(cpu->threads))
+		if (threads_gather(cpu->threads, worker))
 		{
 			advance(cpu);
 			threads_release(cpu->threads);
@@ -174,21 +191,57 @@ static void work(void* context, int worker, int workers)
 	float_mode_leave(found);
 }
 
-static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+static void run_list(Cpu* cpu, const Run* runs, int count, int grain)
 {
-	Cpu* cpu = b->state;
-	cpu->pools.step = *step;
 	cpu->runs = runs;
 	cpu->count = count;
 	cpu->at = -1;
-	if (cpu->timed)
-		cpu->mark = processor_milliseconds();
-
+	cpu->grain = grain;
 	FloatMode found = float_mode_enter();
 	advance(cpu);
 	float_mode_leave(found);
 	if (cpu->at < cpu->count)
 		threads_run(cpu->threads, work, cpu);
+}
+
+// A solve of so many items, in the way that took less time before. The other way is tried now and then, the more seldom
+// the slower it was.
+static void run_solve(Cpu* cpu, const Run* runs, int count, double items)
+{
+	Choice* c = &cpu->choice;
+	double mean = items / count;
+	bool tries = c->cost[0] > 0 && c->cost[1] > 0 && --c->rest < 0;
+	if (mean > ALWAYS_SHARED || mean < SOLVE_GRAIN)
+		c->shares = mean > ALWAYS_SHARED;
+	else if (c->cost[0] == 0 || c->cost[1] == 0)
+		c->shares = c->cost[1] == 0;
+	else
+		c->shares = (c->cost[1] < c->cost[0]) != tries;
+	double begin = processor_milliseconds();
+	run_list(cpu, runs, count, c->shares ? SOLVE_GRAIN : INT_MAX);
+	double cost = 1e6 * (processor_milliseconds() - begin) / items, *known = &c->cost[c->shares];
+	*known = *known > 0 ? 0.75 * *known + 0.25 * cost : cost;
+	if (tries)
+	{
+		double slower = c->cost[c->shares] / c->cost[!c->shares];
+		c->rest = slower > 1 ? (int)(REST * slower * slower) : REST;
+	}
+}
+
+static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	Cpu* cpu = b->state;
+	cpu->pools.step = *step;
+	if (cpu->timed)
+		cpu->mark = processor_milliseconds();
+	double items = 0;
+	if (b->threads > 1 && count > 0 && runs[0].stage == STAGE_solve_begin)
+		for (int k = 0; k < count; ++k)
+			items += runs[k].end - runs[k].begin;
+	if (items > 0)
+		run_solve(cpu, runs, count, items);
+	else
+		run_list(cpu, runs, count, GRAIN);
 	return SCREE_OK;
 }
 
