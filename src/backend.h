@@ -103,6 +103,11 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*wait)(Backend* b);
 	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
+	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are none
+	scree_status (*copy_reserve)(Backend* b, size_t bytes);
+	void (*copy_release)(Backend* b);
+	// copies one to the other so many times with all that the device has; waits
+	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
 struct Backend

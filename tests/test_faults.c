@@ -387,8 +387,15 @@ static scree_status faulty_timings(Backend* b, double milliseconds[BOX_COUNT])
 	return status ? status : real->timings(b, milliseconds);
 }
 
-static const BackendFunctions faulty = {faulty_close,      faulty_resize,   faulty_run,  faulty_write,  faulty_read,
-                                        faulty_read_begin, faulty_read_end, faulty_wait, faulty_timings};
+static const BackendFunctions faulty = {.close = faulty_close,
+                                        .resize = faulty_resize,
+                                        .run = faulty_run,
+                                        .write = faulty_write,
+                                        .read = faulty_read,
+                                        .read_begin = faulty_read_begin,
+                                        .read_end = faulty_read_end,
+                                        .wait = faulty_wait,
+                                        .timings = faulty_timings};
 
 // Tells the scenario with the given call failing. Returns whether it was reached; broken counts worlds that broke.
 static bool tell_with_faulty_device(int calls, int* broken)
