@@ -5,8 +5,8 @@
 #   FOLDER  where curves.csv, curves.svg and curves.png go; default bench/results/local
 #   DEVICE  as for scree --device; default cpu
 # SIZES names the sizes (100 1k 10k 100k 1M 10M); CPU_SIZES the ones that a CPU takes (those up to 1M); SCENES the scenes
-# (pyramids storm); LIMIT the seconds that one run may take (600); SCREE the command line (build/scree). Needs gnuplot for
-# the plots. Exit 1 when a row is invalid or missing.
+# (pyramids storm); LIMIT the seconds that one run may take (600); SCREE the command line (build/scree).
+# bench/plot.sh draws. Exit 1 when a row is invalid or missing.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 folder=${1:-bench/results/local}
@@ -50,7 +50,6 @@ steps_of()
 }
 
 failed=0
-heading=
 : >"$csv"
 for device in "$@"; do
 	sizes=${SIZES:-100 1k 10k 100k 1M 10M}
@@ -58,28 +57,15 @@ for device in "$@"; do
 	for scene in ${SCENES:-pyramids storm}; do
 		for size in $sizes; do
 			settings=$(settings_of "$scene" "$size") || { echo "curves.sh: no settings for $scene of $size" >&2; exit 2; }
-			# word splitting of both is meant
-			rows=$(timeout "${LIMIT:-600}" "$scree" bench "$scene" --device "$device" $(steps_of "$size") \
-				$(printf -- '--set %s ' $settings) "${known[@]}") || failed=1
-			[ -n "$heading" ] || { heading=$(head -n 1 <<<"$rows") && echo "$heading" | tee "$csv"; }
+			read -ra options <<<"$(steps_of "$size") --set ${settings// / --set }"
+			rows=$(timeout "${LIMIT:-600}" "$scree" bench "$scene" --device "$device" "${options[@]}" "${known[@]}") || failed=1
 			row=$(sed -n 2p <<<"$rows")
 			[ -n "$row" ] || { echo "curves.sh: no row of $scene of $size on $device" >&2; failed=1; continue; }
+			[ -s "$csv" ] || head -n 1 <<<"$rows" | tee "$csv"
 			echo "$row" | tee -a "$csv"
 		done
 	done
 done
 
-command -v gnuplot >/dev/null || { echo "curves.sh: no plots, because there is no gnuplot (Debian: gnuplot-nox)" >&2; exit $failed; }
-data=$(mktemp)
-trap 'rm -f "$data"' EXIT
-awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
-	{ curve = $column["scene"] ", " $column["device"] }
-	curve != last { printf "%s\"%s\"\n", last ? "\n\n" : "", curve; last = curve; }
-	{ print $column["bodies"], $column["ms_step"] }' "$csv" >"$data"
-count=$(grep -c '^"' "$data")
-for terminal in "svg size 1000,420 background 'white'" "pngcairo size 2000,840 fontscale 1.6 linewidth 2"; do
-	gnuplot -e "data = '$data'; count = $count; out = '$folder/curves.${terminal:0:3}'; set terminal $terminal" bench/curves.gp ||
-		failed=1
-done
-echo "The curves are $csv, $folder/curves.svg and $folder/curves.png" >&2
+bench/plot.sh "$folder" || failed=1
 exit $failed
