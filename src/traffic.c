@@ -30,9 +30,11 @@
 // Of two blocks to copy between; a device with less room takes the half, down to the least.
 #define MOST_BYTES  ((size_t)256 << 20)
 #define LEAST_BYTES ((size_t)1 << 20)
-// The best of so many tries counts, each of so many copies, so that what starts and ends them weighs little.
+// The best of so many tries counts, each of so many copies, so that what starts and ends them weighs little; fewer tries on
+// a device that is so slow that they would take longer than this, in ms.
 #define TRIES  4
 #define COPIES 8
+#define ENOUGH 500.0
 
 scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras)
 {
@@ -81,13 +83,15 @@ scree_status scree_get_traffic(scree_world* world, scree_traffic* traffic)
 static scree_status time_copies(Backend* b, size_t bytes, double* bandwidth)
 {
 	TRY(b->f->copy(b, 1));
-	for (int k = 0; k < TRIES; ++k)
+	double spent = 0;
+	for (int k = 0; k < TRIES && spent < ENOUGH; ++k)
 	{
 		double begin = clock_milliseconds();
 		TRY(b->f->copy(b, COPIES));
-		double seconds = 1e-3 * (clock_milliseconds() - begin);
-		double found = seconds > 0 ? 2.0 * COPIES * (double)bytes / seconds : 0;
+		double time = clock_milliseconds() - begin;
+		double found = time > 0 ? 1e3 * 2.0 * COPIES * (double)bytes / time : 0;
 		*bandwidth = found > *bandwidth ? found : *bandwidth;
+		spent += time;
 	}
 	return SCREE_OK;
 }
