@@ -14,9 +14,10 @@ mkdir -p "$folder"
 known=()
 [ -e bench/known.csv ] && [ "${KNOWN:-}" != write ] && known=(--known bench/known.csv)
 
+# the first OpenCL device whose driver is not PoCL, whose devices are CPUs
 devices=(cpu)
-best=$("$scree" run pyramid --set rows=2 --steps 1 | sed -n 's/^device *//p')
-case $best in cpu*) ;; *) devices+=("$best") ;; esac
+gpu=$("$scree" devices | awk '/^opencl:/ { name = $0 } / driver / && name { if (!/Portable Computing Language/) { print name; exit } name = "" }')
+[ -z "$gpu" ] || devices+=("$gpu")
 {
 	echo "commit: ${COMMIT:-$(git describe --always --dirty 2>/dev/null || echo unknown)}"
 	echo "processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
