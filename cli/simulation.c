@@ -45,6 +45,7 @@ static void soft_close(Simulation* simulation) { simulation->state = NULL; }
 
 static const SimulationFunctions soft_functions = {
     .stages = {"transform", "broad_phase", "narrow_phase", "color", "solve", "finalize"},
+    .solve = 4,
     .open = soft_open,
     .step = soft_step,
     .hash = soft_hash,

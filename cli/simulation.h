@@ -11,6 +11,7 @@ typedef struct Simulation Simulation;
 typedef struct // what a pipeline must do; all as the functions of scree.h with the same names
 {
 	const char* stages[STAGE_COLUMNS]; // that it is timed by, in the order of the step
+	int solve;                         // of stages, the one whose traffic is counted; -1 for none
 	bool one_thread;                   // on the CPU it uses one thread and one lane
 	// from the world; returns an exit code, after printing what is wrong. Closed also then
 	int (*open)(const Options* options, Simulation* simulation);

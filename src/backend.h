@@ -107,6 +107,11 @@ typedef struct // every function that returns a status has set the error's sente
 	void* (*address)(Backend* b, PoolId pool);
 	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing does.
 	void (*spare)(Backend* b, bool core);
+	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are none
+	scree_status (*copy_reserve)(Backend* b, size_t bytes);
+	void (*copy_release)(Backend* b);
+	// copies one to the other so many times with all that the device has; waits
+	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
 struct Backend

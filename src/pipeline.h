@@ -34,6 +34,7 @@ typedef struct
 	int grown;               // times that a pool grew
 	double milliseconds;     // of the last step, by the wall clock
 	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
+	scree_traffic traffic;   // of the last step
 } Pipeline;
 
 // Gives the pools their first sizes. world->backend is open; world->def has the capacities to begin with.

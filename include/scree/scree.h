@@ -253,6 +253,23 @@ typedef struct scree_timings // milliseconds of the last step; zero unless scree
 
 SCREE_API scree_status scree_get_timings(scree_world* world, scree_timings* timings);
 
+typedef struct scree_traffic // memory that the solve stage of the last step asked for
+{
+	int constraints;           // touching contacts that it solved
+	int passes;                // over all of them
+	uint64_t constraint_bytes; // read and written of the constraints themselves, which stream by in every pass
+	uint64_t body_bytes;       // read and written of bodies, which are few enough for a cache to serve much of it
+} scree_traffic;
+
+// Counts the bytes that the last step's solve stage read and wrote by its algorithm: the same on every device, whatever
+// caches save. Both members over scree_timings.solve are the rate that it achieved. Zeros before the first step.
+SCREE_API scree_status scree_get_traffic(scree_world* world, scree_traffic* traffic);
+
+// Measures how fast the world's device copies its own memory: bytes read and written a second, both counted, with all
+// threads of a CPU. Takes some milliseconds on a GPU and up to a second elsewhere, and 512 MB for that time, or less where
+// there is less. The world stays as it is.
+SCREE_API scree_status scree_measure_bandwidth(scree_world* world, double* bandwidth);
+
 // Waits until the device has finished everything that was asked of it.
 SCREE_API scree_status scree_wait(scree_world* world);
 

@@ -68,6 +68,11 @@ typedef struct
 	size_t held_count;
 	unsigned char held[HELD_BYTES];
 
+	// between copy_reserve and copy_release
+	char *copy_from, *copy_to;
+	size_t copy_bytes;
+	int copy_times;
+
 	// the list at work, and the items of run number at; written by one worker while the others wait
 	const Run* runs;
 	int count, at, begin, end;
@@ -338,9 +343,47 @@ static void cpu_spare(Backend* b, bool core)
 	cpu->threads = threads;
 }
 
+static void cpu_copy_release(Backend* b)
+{
+	Cpu* cpu = b->state;
+	scree_release(cpu->copy_from);
+	scree_release(cpu->copy_to);
+	cpu->copy_from = cpu->copy_to = NULL;
+}
+
+static scree_status cpu_copy_reserve(Backend* b, size_t bytes)
+{
+	Cpu* cpu = b->state;
+	cpu_copy_release(b);
+	cpu->copy_from = scree_allocate(bytes);
+	cpu->copy_to = scree_allocate(bytes);
+	cpu->copy_bytes = bytes;
+	if (cpu->copy_from && cpu->copy_to)
+		return SCREE_OK;
+	return fail(SCREE_OUT_OF_MEMORY, "no memory for two blocks of %zu bytes", bytes);
+}
+
+static void copy_share(void* context, int worker, int workers)
+{
+	const Cpu* cpu = context;
+	size_t begin = cpu->copy_bytes / (size_t)workers * (size_t)worker;
+	size_t end = worker + 1 == workers ? cpu->copy_bytes : cpu->copy_bytes / (size_t)workers * (size_t)(worker + 1);
+	for (int k = 0; k < cpu->copy_times; ++k)
+		memcpy(cpu->copy_to + begin, cpu->copy_from + begin, end - begin);
+}
+
+static scree_status cpu_copy(Backend* b, int times)
+{
+	Cpu* cpu = b->state;
+	cpu->copy_times = times;
+	threads_run(cpu->threads, copy_share, cpu);
+	return SCREE_OK;
+}
+
 static void cpu_close(Backend* b)
 {
 	Cpu* cpu = b->state;
+	cpu_copy_release(b);
 	threads_close(cpu->threads);
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 		scree_release(pool_memory(cpu, pool));
@@ -359,6 +402,9 @@ static const BackendFunctions functions = {
     .timings = cpu_timings,
     .address = cpu_address,
     .spare = cpu_spare,
+    .copy_reserve = cpu_copy_reserve,
+    .copy_release = cpu_copy_release,
+    .copy = cpu_copy,
 };
 
 static void choose_stages(Cpu* cpu, int lanes)

@@ -28,6 +28,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		held_close(d);
+		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
 				opencl.ReleaseMemObject(d->buffers[i]);
@@ -218,6 +219,9 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .read_end = opencl_read_end,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
+	    .copy_reserve = opencl_copy_reserve,
+	    .copy_release = opencl_copy_release,
+	    .copy = opencl_copy,
 	};
 	*backend = NULL;
 	Backend* b = scree_allocate(sizeof *b);
