@@ -20,8 +20,12 @@
 // solve, what another core wrote last costs more than the barrier, so that nearly all runs are shared, or none (Choice).
 #define GRAIN       512
 #define SOLVE_GRAIN 64
-#define SORT_GRAIN  8192
-#define SCAN_GRAIN  16384
+// The same where the solve was done alone: meanwhile the other workers have fallen asleep, and to wake them takes 50 us.
+#define ALONE_GRAIN 4096
+// An item of a stage that is handed out in chunks takes as long as so many of others.
+#define CHUNK_ITEM 8
+#define SORT_GRAIN 8192
+#define SCAN_GRAIN 16384
 
 // Solves with more items a run than this are always shared. The slower way is tried again after so many solves, times the
 // square of how much slower it was.
@@ -76,7 +80,7 @@ typedef struct
 	// the list at work, and the items of run number at; written by one worker while the others wait
 	const Run* runs;
 	int count, at, begin, end;
-	int grain; // fewest items worth sharing, of stages that are not handed out in chunks
+	int grain; // fewest items worth sharing
 
 	_Alignas(64) atomic_int next; // first item that nobody has taken, of a run in chunks
 	Shared shared;
@@ -130,7 +134,9 @@ static int smallest_shared(const Cpu* cpu, int stage)
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
 	default:
-		return chunks[stage] ? 2 * chunks[stage] : cpu->grain;
+		if (!chunks[stage])
+			return cpu->grain;
+		return 2 * chunks[stage] > cpu->grain / CHUNK_ITEM ? 2 * chunks[stage] : cpu->grain / CHUNK_ITEM;
 	}
 }
 
@@ -246,7 +252,7 @@ static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int c
 	if (items > 0)
 		run_solve(cpu, runs, count, items);
 	else
-		run_list(cpu, runs, count, GRAIN);
+		run_list(cpu, runs, count, cpu->choice.shares ? GRAIN : ALONE_GRAIN);
 	return SCREE_OK;
 }
 
