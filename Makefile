@@ -29,8 +29,9 @@ test: packages ## everything that CI runs: gcc, clang, sanitizers, one lane; CPU
 	@cmake --build --preset test
 	@ctest --preset test --parallel $(cores)
 
-bench: build ## time every scene on the best device, as CSV on standard output
-	@build/scree bench
+bench: build ## measure on the CPU, and the GPU if any, for some minutes, into bench/results/NAME (NAME=local)
+	@tools/packages.sh gnuplot-nox
+	@bench/bench.sh $(NAME)
 
 format: ## put every C file into the house style
 	@tools/packages.sh git clang-format-14

@@ -3,9 +3,10 @@
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  where parity.csv, bench.csv and machine.txt go; default bench/results/DEVICE
+#   FOLDER  where parity.csv, bench.csv, machine.txt and the curves go; default bench/results/DEVICE
 # STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
-# BENCH names the scenes to measure ("none" for none). Exit 1 when any hash differs.
+# BENCH names the scenes to measure ("none" for none); CURVES=yes runs bench/curves.sh as well. Exit 1 when any hash differs
+# or any row is invalid.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
@@ -89,8 +90,11 @@ for scene in $heavy; do
 done
 cat "$folder/parity.csv"
 
-scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer}
+scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm}
 if [ "$scenes" != none ]; then
-	timeout 500 $scree bench $scenes --device "opencl:$device" --steps "$steps" | tee "$folder/bench.csv"
+	timeout 500 $scree bench $scenes --device "opencl:$device" --steps "$steps" | tee "$folder/bench.csv" || differ=1
+fi
+if [ "${CURVES:-no}" = yes ]; then
+	bench/curves.sh "$folder" "opencl:$device" || differ=1
 fi
 exit $differ

@@ -4,6 +4,7 @@
 // A GPU's clocks between kernels cost time themselves. So the repeats run without them and give ms_step; one more run,
 // with them, gives the stages. Its hash must be the same.
 #include "commands.h"
+#include "known.h"
 #include "record.h"
 #include <inttypes.h>
 #include <stdlib.h>
@@ -14,43 +15,68 @@
 
 typedef struct
 {
+	const Options* options;
+	Known known;
+	char settings[256];
+	double bandwidth; // of the device, bytes a second; 0 until it has been measured
+	bool invalid;     // some row is
+} Bench;
+
+typedef struct
+{
 	Record* records; // of the steps whose time counts, of all repeats
 	int count;
-	int staged;        // of these, the ones of the last run, with milliseconds by stage
-	float penetration; // deepest of all steps, m
-	uint64_t hash;
-	bool equal, finite;
+	int staged;           // of these, the ones of the last run, with milliseconds by stage
+	double least, most;   // median step of the fastest and of the slowest repeat, ms
+	float penetration;    // deepest of all steps, m
+	uint64_t hash, other; // of the first run, and of a later one that differs
+	int nonfinite;        // steps that froze a body
 	char device[160];
 	int threads, lanes;
 } Measurement;
 
-static int measure_once(const Options* options, const Scene* scene, int steps, bool first, bool timings, Measurement* m)
+static scree_status take_steps(Simulation* simulation, int steps, Measurement* m)
 {
-	Simulation simulation;
-	int code = simulation_open(options, scene, timings, &simulation);
-	if (code != EXIT_GOOD)
-		return code;
-	scree_status status = SCREE_OK;
-	for (int step = 0; step < steps && status == SCREE_OK; ++step)
+	for (int step = 0; step < steps; ++step)
 	{
 		Record record;
-		status = record_step(&simulation, &record);
+		scree_status status = record_step(simulation, &record);
 		if (status != SCREE_OK)
-			break;
+			return status;
 		if (deepest(&record, 1) > m->penetration)
 			m->penetration = deepest(&record, 1);
-		m->finite = m->finite && record.counters.nonfinite == 0;
+		m->nonfinite += record.counters.nonfinite > 0;
 		if (step >= WARM_UP || steps <= WARM_UP)
-		{
 			m->records[m->count++] = record;
-			m->staged += timings;
-		}
 	}
+	return SCREE_OK;
+}
+
+// One run from the scene's start; the last one is timed by stage.
+static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat, Measurement* m)
+{
+	Simulation simulation;
+	bool timings = repeat == bench->options->repeats;
+	int code = simulation_open(bench->options, scene, timings, &simulation), before = m->count;
+	if (code != EXIT_GOOD)
+		return code;
 	uint64_t hash = 0;
+	scree_status status = take_steps(&simulation, steps, m);
 	if (status == SCREE_OK)
 		status = simulation.f->hash(&simulation, &hash);
-	m->equal = m->equal && (first || hash == m->hash);
-	m->hash = hash;
+	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.f->solve >= 0)
+		status = scree_measure_bandwidth(simulation.world, &bench->bandwidth);
+	if (repeat == 0)
+		m->hash = m->other = hash;
+	m->other = hash == m->hash ? m->other : hash;
+	if (timings)
+		m->staged = m->count - before;
+	else
+	{
+		double middle = median(m->records + before, m->count - before, step_of, 0);
+		m->least = repeat == 0 || middle < m->least ? middle : m->least;
+		m->most = middle > m->most ? middle : m->most;
+	}
 	snprintf(m->device, sizeof m->device, "%s", scree_world_device(simulation.world));
 	m->threads = scree_world_threads(simulation.world);
 	m->lanes = scree_world_lanes(simulation.world);
@@ -58,73 +84,124 @@ static int measure_once(const Options* options, const Scene* scene, int steps, b
 	return report(status);
 }
 
-static void print_row(const Scene* scene, Measurement* m, int steps)
+// Whether the work was done; if not, says why.
+static bool check_work(const Bench* bench, const Scene* scene, const Measurement* m, int steps)
+{
+	bool valid = true;
+	uint64_t known;
+	if (m->nonfinite > 0)
+	{
+		fprintf(stderr, "scree bench: %s is invalid: bodies whose state was not finite were frozen in %d steps\n",
+		        scene->name, m->nonfinite);
+		valid = false;
+	}
+	if (!(m->penetration <= scene->penetration_limit))
+	{
+		fprintf(stderr, "scree bench: %s is invalid: its deepest overlap is %g m, its penetration_limit %g\n",
+		        scene->name, (double)m->penetration, (double)scene->penetration_limit);
+		valid = false;
+	}
+	if (m->other != m->hash)
+	{
+		fprintf(stderr,
+		        "scree bench: %s is invalid: its hash was %016" PRIx64 " in one run and %016" PRIx64 " in another\n",
+		        scene->name, m->hash, m->other);
+		valid = false;
+	}
+	if (known_find(&bench->known, scene->name, bench->settings, steps, &known) && known != m->hash)
+	{
+		fprintf(stderr, "scree bench: %s is invalid: its hash is %016" PRIx64 ", but %s has %016" PRIx64 "\n",
+		        scene->name, m->hash, bench->options->known, known);
+		valid = false;
+	}
+	return valid;
+}
+
+static void print_heading(const SimulationFunctions* f)
+{
+	printf("scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most");
+	for (int k = 0; k < STAGE_COLUMNS; ++k)
+		printf(",ms_%s", f->stages[k]);
+	printf(",bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,penetration,hash,valid\n");
+}
+
+static void print_row(const Bench* bench, const Scene* scene, Measurement* m, int steps, bool valid)
 {
 	// a comma in a driver's name must not make a column
 	for (char* c = m->device; *c; ++c)
 		*c = *c == ',' ? ' ' : *c;
-	bool valid = m->equal && m->finite && m->penetration <= scene->penetration_limit;
 	int count = m->count - m->staged;
 	const Record* staged = m->records + count;
-	printf("%s,%s,%d,%d,%d,%.0f,%.0f,%d,%.4f", scene->name, m->device, m->threads, m->lanes,
-	       m->records[count - 1].counters.bodies, median(m->records, count, contacts_of, 0),
-	       median(m->records, count, colors_of, 0), steps, median(m->records, count, step_of, 0));
+	const scree_counters* last = &m->records[count - 1].counters;
+	printf("%s,%s,%s,%d,%d,%d,%.0f,%.0f,%.0f,%d", scene->name, bench->settings, m->device, m->threads, m->lanes,
+	       last->bodies, median(m->records, count, contacts_of, 0), median(m->records, count, touching_of, 0),
+	       median(m->records, count, colors_of, 0), steps);
+	printf(",%.4f,%.4f,%.4f", median(m->records, count, step_of, 0), m->least, m->most);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		printf(",%.4f", median(staged, m->staged, stage_of, k));
+	printf(",%.0f,%.3f,%.3f,%.2f,%.2f", last->bodies > 0 ? (double)last->device_bytes / last->bodies : 0.0,
+	       1e-6 * median(m->records, count, constraint_bytes_of, 0), 1e-6 * median(m->records, count, body_bytes_of, 0),
+	       1e-9 * median(staged, m->staged, solve_rate_of, 0), 1e-9 * bench->bandwidth);
 	printf(",%.5f,%016" PRIx64 ",%d\n", (double)m->penetration, m->hash, valid);
 	fflush(stdout);
 }
 
-static int measure(const Options* options, const Scene* scene)
+static int measure(Bench* bench, const Scene* scene)
 {
+	const Options* options = bench->options;
 	int steps = options->steps > 0 ? options->steps : scene->steps;
-	Measurement m = {.equal = true, .finite = true};
+	Measurement m = {0};
 	m.records = malloc((size_t)steps * (size_t)(options->repeats + 1) * sizeof(Record));
 	int code = m.records ? EXIT_GOOD : EXIT_FAILED;
 	if (!m.records)
 		fprintf(stderr, "scree bench: out of memory for %d steps\n", steps);
 	for (int repeat = 0; repeat <= options->repeats && code == EXIT_GOOD; ++repeat)
-		code = measure_once(options, scene, steps, repeat == 0, repeat == options->repeats, &m);
+		code = measure_once(bench, scene, steps, repeat, &m);
 	if (code == EXIT_GOOD)
-		print_row(scene, &m, steps);
+	{
+		bool valid = check_work(bench, scene, &m, steps);
+		print_row(bench, scene, &m, steps, valid);
+		bench->invalid = bench->invalid || !valid;
+	}
 	free(m.records);
 	return code;
 }
 
 // Reads all scenes before the first is measured, so that a bad one costs nothing.
-static int measure_all(const Options* options, char** names, int count)
+static int measure_all(Bench* bench, char** names, int count)
 {
+	const Options* options = bench->options;
 	Scene** scenes = calloc((size_t)count + 1, sizeof(Scene*));
-	int code = scenes ? EXIT_GOOD : EXIT_FAILED;
+	int code = scenes ? known_open(options->known, &bench->known) : EXIT_FAILED;
 	for (int k = 0; k < count && code == EXIT_GOOD; ++k)
 	{
 		scenes[k] = open_scene(options, names[k]);
 		code = scenes[k] ? EXIT_GOOD : EXIT_BAD;
 	}
-	if (code == EXIT_GOOD)
-	{
-		printf("scene,device,threads,lanes,bodies,contacts,colors,steps,ms_step");
-		for (int k = 0; k < STAGE_COLUMNS; ++k)
-			printf(",ms_%s", pipeline_functions(options->pipeline)->stages[k]);
-		printf(",penetration,hash,valid\n");
-	}
-	for (int k = 0; k < count && code == EXIT_GOOD; ++k)
-		code = measure(options, scenes[k]);
+	settings_text(options, bench->settings, sizeof bench->settings);
+	if (code == EXIT_GOOD && options->whole)
+		code = whole_command(options, scenes, count);
+	else if (code == EXIT_GOOD)
+		print_heading(pipeline_functions(options->pipeline));
+	for (int k = 0; k < count && code == EXIT_GOOD && !options->whole; ++k)
+		code = measure(bench, scenes[k]);
 	for (int k = 0; scenes && k < count; ++k)
 		scene_free(scenes[k]);
 	free(scenes);
-	return code;
+	known_close(&bench->known);
+	return code == EXIT_GOOD && bench->invalid ? EXIT_FAILED : code;
 }
 
 int bench_command(const Options* options)
 {
 	if (options->argument_count == 2 && strcmp(options->arguments[0], "frames") == 0)
 		return frames_command(options, options->arguments[1]);
+	Bench bench = {.options = options};
 	if (options->argument_count > 0)
-		return measure_all(options, options->arguments, options->argument_count);
+		return measure_all(&bench, options->arguments, options->argument_count);
 	char** names;
 	int count = scene_list(options->executable, &names);
-	int code = measure_all(options, names, count);
+	int code = measure_all(&bench, names, count);
 	for (int k = 0; k < count; ++k)
 		free(names[k]);
 	free(names);

@@ -9,6 +9,7 @@ int hash_command(const Options* options);
 int scenes_command(const Options* options);
 int devices_command(const Options* options);
 int bench_command(const Options* options);
+int whole_command(const Options* options, Scene** scenes, int count); // of bench
 
 // bench frames SCENE
 int frames_command(const Options* options, const char* scene);

@@ -26,6 +26,8 @@ static const struct
     {"size", 'S', "WxH", RUN | BENCH, "pixels of picture, video and frames, 1600x900 without it"},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds"},
     {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
+    {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md"},
+    {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench, whose hashes must come out again"},
     {"names", 'N', NULL, SCENES, "names alone, one a line"},
     {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH, "this text"},
 };
@@ -79,7 +81,8 @@ void print_help(FILE* file)
 	}
 	fprintf(file,
 	        "\nA scene is a name from `scree scenes` or the path of a JSON file. SCREE_SCENES names another folder\n"
-	        "to look in first. Exit codes: 0 done, 1 a device or a file failed, 2 bad arguments or a bad scene.\n");
+	        "to look in first. Exit codes: 0 done, 1 a device or a file failed, or a measurement is\n"
+	        "invalid, 2 bad arguments or a bad scene.\n");
 }
 
 static const char* command_name(Command command)
@@ -196,8 +199,14 @@ static bool read_option(Options* options, char letter, char* value)
 	case 'c':
 		options->csv = value;
 		return true;
+	case 'k':
+		options->known = value;
+		return true;
 	case 'u':
 		options->allow_unequal_bits = true;
+		return true;
+	case 'w':
+		options->whole = true;
 		return true;
 	case 'N':
 		options->names = true;

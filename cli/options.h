@@ -9,7 +9,7 @@
 
 // exit codes
 #define EXIT_GOOD   0
-#define EXIT_FAILED 1 // a device, a file or memory failed
+#define EXIT_FAILED 1 // a device, a file or memory failed, or a measurement is invalid
 #define EXIT_BAD    2 // a bad command line or scene; nothing was simulated
 
 typedef enum // bits, so that an option can belong to several
@@ -40,7 +40,8 @@ typedef struct
 	const char *picture, *video, *csv; // null: none
 	int width, height;                 // px
 	int repeats;
-	bool names;
+	const char* known; // null: no hash is known
+	bool names, whole;
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // what is not an option

@@ -108,6 +108,7 @@ static scree_status read_poses(Simulation* simulation, const scree_body* bodies,
 
 const SimulationFunctions paper_functions = {
     .stages = {"to_device", "integrate", "transform", "detect", "from_device", "resolve"},
+    .solve = -1,
     .one_thread = true,
     .open = paper_open,
     .step = take_step,

@@ -14,6 +14,14 @@ scree_status record_step(Simulation* simulation, Record* record)
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
 	if (status == SCREE_OK)
 		status = simulation->f->timings(simulation, record->stages);
+	int solve = simulation->f->solve;
+	record->traffic = (scree_traffic){0};
+	record->solve_rate = 0;
+	if (status == SCREE_OK && solve >= 0)
+		status = scree_get_traffic(simulation->world, &record->traffic);
+	if (solve >= 0 && record->stages[solve] > 0)
+		record->solve_rate = 1e3 * (double)(record->traffic.constraint_bytes + record->traffic.body_bytes) /
+		                     (double)record->stages[solve];
 	return status;
 }
 
@@ -61,8 +69,32 @@ double contacts_of(const Record* record, int unused)
 	return record->counters.contacts;
 }
 
+double touching_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->counters.touching;
+}
+
 double colors_of(const Record* record, int unused)
 {
 	(void)unused;
 	return record->counters.colors;
+}
+
+double constraint_bytes_of(const Record* record, int unused)
+{
+	(void)unused;
+	return (double)record->traffic.constraint_bytes;
+}
+
+double body_bytes_of(const Record* record, int unused)
+{
+	(void)unused;
+	return (double)record->traffic.body_bytes;
+}
+
+double solve_rate_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->solve_rate;
 }

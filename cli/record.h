@@ -9,6 +9,8 @@ typedef struct
 	scree_counters counters;
 	float stages[STAGE_COLUMNS]; // milliseconds
 	float milliseconds;          // of the step, by our own clock
+	scree_traffic traffic;
+	double solve_rate; // bytes that the solve stage moved, a second; 0 where nothing timed it
 } Record;
 
 // Takes one step and records it.
@@ -24,6 +26,10 @@ double median(const Record* records, int count, double (*value)(const Record* re
 double step_of(const Record* record, int unused);
 double stage_of(const Record* record, int stage);
 double contacts_of(const Record* record, int unused);
+double touching_of(const Record* record, int unused);
 double colors_of(const Record* record, int unused);
+double constraint_bytes_of(const Record* record, int unused);
+double body_bytes_of(const Record* record, int unused);
+double solve_rate_of(const Record* record, int unused);
 
 #endif

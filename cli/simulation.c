@@ -45,6 +45,7 @@ static void soft_close(Simulation* simulation) { simulation->state = NULL; }
 
 static const SimulationFunctions soft_functions = {
     .stages = {"transform", "broad_phase", "narrow_phase", "color", "solve", "finalize"},
+    .solve = 4,
     .open = soft_open,
     .step = soft_step,
     .hash = soft_hash,
@@ -87,9 +88,13 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
 	def.opengl = options->opengl;
+	double begin = seconds_now();
 	scree_status status = scree_create_world(&def, &simulation->world);
+	double opened = seconds_now();
 	if (status == SCREE_OK)
 		status = scene_build(scene, simulation->world);
+	simulation->opening = opened - begin;
+	simulation->building = seconds_now() - opened;
 	int code = status == SCREE_OK ? simulation->f->open(options, simulation) : report(status);
 	if (code != EXIT_GOOD)
 		simulation_close(simulation);

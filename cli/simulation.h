@@ -11,6 +11,7 @@ typedef struct Simulation Simulation;
 typedef struct // what a pipeline must do; all as the functions of scree.h with the same names
 {
 	const char* stages[STAGE_COLUMNS]; // that it is timed by, in the order of the step
+	int solve;                         // of stages, the one whose traffic is counted; -1 for none
 	bool one_thread;                   // on the CPU it uses one thread and one lane
 	// from the world; returns an exit code, after printing what is wrong. Closed also then
 	int (*open)(const Options* options, Simulation* simulation);
@@ -26,8 +27,9 @@ extern const SimulationFunctions paper_functions; // cli/paper.c
 struct Simulation
 {
 	const SimulationFunctions* f;
-	scree_world* world; // with the scene in it; a pipeline of its own takes bodies and attributes from here
-	void* state;        // of the pipeline
+	scree_world* world;       // with the scene in it; a pipeline of its own takes bodies and attributes from here
+	double opening, building; // s: until the world was there, and until its bodies were
+	void* state;              // of the pipeline
 	const Scene* scene;
 };
 

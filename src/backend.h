@@ -117,6 +117,15 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*share)(Backend* b, const SharedMemory* memory);
 	// runs a stage with the pool shown in that memory, and waits until OpenGL may read it
 	scree_status (*show)(Backend* b, const Run* run);
+	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
+	void* (*address)(Backend* b, PoolId pool);
+	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing does.
+	void (*spare)(Backend* b, bool core);
+	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are none
+	scree_status (*copy_reserve)(Backend* b, size_t bytes);
+	void (*copy_release)(Backend* b);
+	// copies one to the other so many times with all that the device has; waits
+	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
 struct Backend
@@ -128,6 +137,7 @@ struct Backend
 	scree_sharing sharing;   // what share takes; SCREE_COPIED for nothing, and then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
+	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's
 	void* state;             // the backend's own
 };
 

@@ -16,11 +16,10 @@ typedef struct // the pools of contacts, and where their collidables were
 
 static scree_status read_pool(scree_world* world, const char* function, PoolId pool, int count, void** rows)
 {
-	Backend* b = world->backend;
 	*rows = scree_allocate(pool_info[pool].bytes * (size_t)count);
 	if (!*rows)
 		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, count);
-	return world_note(world, b->f->read(b, pool, 0, count, *rows));
+	return world_read(world, pool, 0, count, *rows);
 }
 
 static void release(ContactRows* rows)

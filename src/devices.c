@@ -33,16 +33,16 @@ scree_status scree_get_devices(scree_device* devices, int capacity, int* count)
 
 const char* scree_opencl_remedy(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_remedy(); }
 
-scree_status check_device(Where at, const char* device)
+scree_status check_device(Where at, const char* member, const char* device)
 {
 	if (!device)
-		return refuse(SCREE_INVALID, at, ".device", "is null");
+		return refuse(SCREE_INVALID, at, member, "is null");
 	if (strcmp(device, "auto") == 0 || strcmp(device, "cpu") == 0 || strcmp(device, "opencl") == 0)
 		return SCREE_OK;
 	if (strncmp(device, "opencl:", 7) == 0 && device[7])
 		return SCREE_OK;
 	return refuse(
-	    SCREE_INVALID, at, ".device",
+	    SCREE_INVALID, at, member,
 	    "is \"%.64s\", must be \"auto\", \"cpu\", \"opencl\" or \"opencl:NAME\" with a part of a device's name",
 	    device);
 }

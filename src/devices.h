@@ -6,12 +6,12 @@
 #include "check.h"
 
 // One of the forms of scree_world_def.device?
-scree_status check_device(Where at, const char* device);
+scree_status check_device(Where at, const char* member, const char* device);
 
 // Opens the device of a definition; "auto" means the CPU here.
 scree_status device_open(const scree_world_def* def, Backend** backend);
 
-// Opens a GPU that keeps equal bits, if there is one: the better half of "auto".
+// Opens a GPU that says that it keeps equal bits, if there is one.
 scree_status device_open_gpu(const scree_world_def* def, Backend** backend);
 
 #endif

@@ -389,5 +389,8 @@ scree_status world_flush(scree_world* world)
 	const Pending* p = &world->pending;
 	if (p->body_count + p->collidable_count + p->command_count == 0 && p->attributes == world->attribute_count)
 		return SCREE_OK;
-	return world_note(world, flush(world));
+	double begin = automatic_clock();
+	scree_status status = world_note(world, flush(world));
+	automatic_count(world, begin);
+	return status;
 }

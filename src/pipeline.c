@@ -5,19 +5,13 @@
 //
 // integrate runs inside solve, once per substep.
 #include "pipeline.h"
+#include "clock.h"
+#include "traffic.h"
 #include "tree.h"
 #include "world.h"
-#include <time.h>
 
 // coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
 #define SPARE_ROUNDS 2
-
-static double now(void)
-{
-	struct timespec t;
-	timespec_get(&t, TIME_UTC);
-	return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
-}
 
 static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
@@ -214,7 +208,8 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 static scree_status read_back(scree_world* world, const Step* step)
 {
 	scree_status status = list_run(world, step, &world->pipeline.list);
-	return status ? status : pipeline_counters(world);
+	Backend* b = world->backend;
+	return status ? status : b->f->read(b, POOL_counters, 0, 1, &world->pipeline.counters);
 }
 
 // The same where the layout of the constraints will probably stay: the solve is listed before the host knows, bounded by
@@ -344,7 +339,7 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 {
 	Pipeline* pipeline = &world->pipeline;
 	Backend* b = world->backend;
-	double begin = now();
+	double begin = clock_milliseconds();
 	pipeline->begun = false;
 	scree_status status = list_reserve(&pipeline->list, substeps);
 	if (!status)
@@ -365,17 +360,15 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 			world->broken = status;
 		return status;
 	}
-	pipeline->milliseconds = now() - begin;
+	pipeline->milliseconds = clock_milliseconds() - begin;
+	int constraints = 0;
+	for (int color = 0; color <= COLORS; ++color)
+		constraints += pipeline->counters.color_count[color];
+	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras);
 	pipeline->trees[0].unsorted += pipeline->counters.moved;
 	++pipeline->steps;
 	pipeline->step = step;
 	return SCREE_OK;
-}
-
-scree_status pipeline_counters(scree_world* world)
-{
-	Backend* b = world->backend;
-	return b->f->read(b, POOL_counters, 0, 1, &world->pipeline.counters);
 }
 
 scree_status pipeline_hash(scree_world* world, uint64_t* hash)

@@ -35,6 +35,7 @@ typedef struct
 	int grown;               // times that a pool grew
 	double milliseconds;     // of the last step, by the wall clock
 	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
+	scree_traffic traffic;   // of the last step
 } Pipeline;
 
 // Gives the pools their first sizes. world->backend is open; world->def has the capacities to begin with.
@@ -50,9 +51,6 @@ scree_status pipeline_hash(scree_world* world, uint64_t* hash);
 // Brings the pool shown up to date for all slots of collidables; where it is shared, in the memory that OpenGL draws
 // from. world_flush has been called.
 scree_status pipeline_show(scree_world* world, bool shared);
-
-// Reads the counters again: those that the end of the last step changed are a step old otherwise.
-scree_status pipeline_counters(scree_world* world);
 
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.

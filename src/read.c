@@ -34,7 +34,6 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 	}
 	TRY(world_flush(world));
 
-	Backend* b = world->backend;
 	bool dense = (int64_t)high - low < (int64_t)SPARSE_ROWS * count;
 	*rows = (Rows){.bytes = pool_info[pool].bytes, .first = dense ? low : -1};
 	size_t bytes = rows->bytes * (size_t)(dense ? high - low + 1 : count);
@@ -43,9 +42,9 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
 	rows->rows = memory;
 	if (dense)
-		return world_note(world, b->f->read(b, pool, low, high - low + 1, memory));
+		return world_read(world, pool, low, high - low + 1, memory);
 	for (int k = 0; k < count; ++k)
-		TRY(world_note(world, b->f->read(b, pool, (int)bodies[k].index, 1, memory + (size_t)k * rows->bytes)));
+		TRY(world_read(world, pool, (int)bodies[k].index, 1, memory + (size_t)k * rows->bytes));
 	return SCREE_OK;
 }
 

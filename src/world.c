@@ -3,6 +3,7 @@
 #include "world.h"
 #include "devices.h"
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 // Shorter than this, rates of change are too large for a float; seconds.
@@ -39,6 +40,15 @@ scree_status world_note(scree_world* world, scree_status status)
 	if (status == SCREE_DEVICE_FAILED)
 		world->broken = status;
 	return status;
+}
+
+scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items)
+{
+	Backend* b = world->backend;
+	double begin = automatic_clock();
+	scree_status status = b->f->read(b, pool, first, count, items);
+	automatic_count(world, begin);
+	return world_note(world, status);
 }
 
 void* world_scratch(scree_world* world, size_t bytes)
@@ -81,7 +91,7 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	Where at = {function, "def", ALONE};
 	TRY(check_cookie(at, def->cookie, COOKIE_WORLD, "scree_default_world_def"));
 	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
-	TRY(check_device(at, def->device));
+	TRY(check_device(at, ".device", def->device));
 	if (def->opengl && (!def->opengl->context || !def->opengl->display))
 		return refuse(SCREE_INVALID, at, ".opengl", "has no %s", def->opengl->context ? "display" : "context");
 	if (def->opengl && (def->opengl->system < SCREE_EGL || def->opengl->system > SCREE_WGL))
@@ -105,34 +115,6 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	return SCREE_OK;
 }
 
-static void close_device(scree_world* world)
-{
-	pipeline_close(world);
-	world->pipeline = (Pipeline){0};
-	if (world->backend)
-		world->backend->f->close(world->backend);
-	world->backend = NULL;
-}
-
-// "auto" is a GPU that keeps equal bits where there is one that works, else the CPU.
-static scree_status open_device(scree_world* world)
-{
-	if (strcmp(world->def.device, "auto") == 0)
-	{
-		scree_status status = device_open_gpu(&world->def, &world->backend);
-		if (status == SCREE_OK)
-			status = pipeline_open(world);
-		if (status == SCREE_OK)
-			return SCREE_OK;
-		if (status != SCREE_NO_DEVICE)
-			log_sentence(SCREE_LOG_WARNING, "scree_create_world: the CPU is taken, because the GPU failed: %s",
-			             scree_error());
-		close_device(world);
-	}
-	TRY(device_open(&world->def, &world->backend));
-	return pipeline_open(world);
-}
-
 // Body 0, what everything without a body of its own is bound to. Its slot is never in use, so that no handle names it.
 static scree_status add_ground(scree_world* world, const char* function)
 {
@@ -146,38 +128,57 @@ static scree_status add_ground(scree_world* world, const char* function)
 	return SCREE_OK;
 }
 
+scree_status world_create(const scree_world_def* def, Backend* backend, scree_world** world)
+{
+	const char* function = "scree_create_world";
+	*world = NULL;
+	scree_world* made = scree_allocate(sizeof *made);
+	if (!made)
+		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for a world", function);
+	worlds_add(1);
+	made->def = *def;
+	// what the definition points to was lent for the call alone
+	made->def.device = made->device;
+	made->def.opengl = NULL;
+	snprintf(made->device, sizeof made->device, "%s", backend->name);
+	made->backend = backend;
+	scree_status status = pipeline_open(made);
+	if (status == SCREE_OK)
+		status = add_ground(made, function);
+	if (status == SCREE_OK)
+		*world = made;
+	else
+	{
+		made->backend = NULL;
+		scree_destroy_world(made);
+	}
+	return status;
+}
+
 scree_status scree_create_world(const scree_world_def* def, scree_world** world)
 {
 	const char* function = "scree_create_world";
 	TRY(check_pointer(function, "world", world));
 	*world = NULL;
 	TRY(check_def(function, def));
-	scree_world* made = scree_allocate(sizeof *made);
-	if (!made)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for a world", function);
-	worlds_add(1);
-	made->def = *def;
-	scree_status status = open_device(made);
-	if (status == SCREE_OK)
-		status = add_ground(made, function);
+	Backend* backend;
+	TRY(device_open(def, &backend));
+	scree_status status = world_create(def, backend, world);
 	if (status != SCREE_OK)
-	{
-		scree_destroy_world(made);
-		return status;
-	}
-
-	// what the definition points to was lent for the call alone
-	made->def.device = made->backend->name;
-	made->def.opengl = NULL;
-	*world = made;
-	return SCREE_OK;
+		backend->f->close(backend);
+	else if (strcmp(def->device, "auto") == 0)
+		automatic_open(*world);
+	return status;
 }
 
 void scree_destroy_world(scree_world* world)
 {
 	if (!world)
 		return;
-	close_device(world);
+	automatic_close(world);
+	pipeline_close(world);
+	if (world->backend)
+		world->backend->f->close(world->backend);
 	pending_close(&world->pending);
 	slots_close(&world->bodies);
 	slots_close(&world->collidables);
@@ -202,8 +203,14 @@ scree_status scree_step(scree_world* world, float dt, int substeps)
 	TRY(check_real((Where){function, "dt", ALONE}, "", dt, SHORTEST_STEP, 1.0f));
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
+	TRY(automatic_choose(world));
 	TRY(world_flush(world));
-	TRY(world_note(world, pipeline_step(world, dt, substeps)));
+	double begin = automatic_clock();
+	scree_status status = pipeline_step(world, dt, substeps);
+	if (status == SCREE_OK && world->automatic.trial)
+		status = world->backend->f->wait(world->backend);
+	automatic_count(world, begin);
+	TRY(world_note(world, status));
 	const Counters* c = &world->pipeline.counters;
 	if (c->nonfinite > 0)
 		log_sentence(SCREE_LOG_WARNING,
@@ -221,7 +228,7 @@ scree_status scree_set_gravity(scree_world* world, scree_vec gravity)
 }
 
 scree_vec scree_get_gravity(const scree_world* world) { return world ? world->def.gravity : (scree_vec){0}; }
-const char* scree_world_device(const scree_world* world) { return world ? world->backend->name : ""; }
+const char* scree_world_device(const scree_world* world) { return world ? world->device : ""; }
 int scree_world_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
 int scree_world_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
 
@@ -231,7 +238,10 @@ scree_status scree_world_hash(scree_world* world, uint64_t* hash)
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "hash", hash));
 	TRY(world_flush(world));
-	return world_note(world, pipeline_hash(world, hash));
+	double begin = automatic_clock();
+	scree_status status = pipeline_hash(world, hash);
+	automatic_count(world, begin);
+	return world_note(world, status);
 }
 
 scree_status scree_get_counters(scree_world* world, scree_counters* counters)
@@ -239,7 +249,8 @@ scree_status scree_get_counters(scree_world* world, scree_counters* counters)
 	const char* function = "scree_get_counters";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "counters", counters));
-	TRY(world_note(world, pipeline_counters(world)));
+	// those that the end of the last step changed are a step old otherwise
+	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
 	const Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
 	*counters = (scree_counters){.bodies = world->bodies.alive,

@@ -2,6 +2,7 @@
 // world.h -- what a world is made of on the host, for the files that share it.
 #ifndef WORLD_H
 #define WORLD_H
+#include "automatic.h"
 #include "backend.h"
 #include "check.h"
 #include "error.h"
@@ -52,9 +53,17 @@ struct scree_world
 	Pending pending;
 	Pipeline pipeline;
 	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
-	void* scratch;   // for a call to work in
+	Automatic automatic;
+	char device[160]; // the name of backend
+	void* scratch;    // for a call to work in
 	size_t scratch_bytes;
 };
+
+// Makes a world on a device that is open. On failure, *world is null and the device still the caller's.
+scree_status world_create(const scree_world_def* def, Backend* backend, scree_world** world);
+
+// Reads items of a pool for the user.
+scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items);
 
 // src/flush.c: sends everything the user changed since the last call to the device. Called before a step and before
 // anything is read back.

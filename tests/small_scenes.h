@@ -24,6 +24,7 @@ static const SmallScene small_scenes[] = {
     {"shapes", 240, {{NULL, NULL}}},
     {"slope", 240, {{NULL, NULL}}},
     {"smash", 200, {{"columns", "30"}, {"rows", "20"}, {"speed", "60"}}},
+    {"storm", 160, {{"columns", "2"}, {"rows", "1"}, {"across", "12"}}},
     {"tumbler", 240, {{"side", "18"}, {"degrees", "90"}}},
     {"washer", 160, {{"radius", "13"}, {"plates", "48"}, {"spin", "0.6"}}},
 };

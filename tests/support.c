@@ -34,6 +34,30 @@ void check_near(double value, double expected, double tolerance, const char* wha
 	_fail(file, line);
 }
 
+int allocations_left;
+
+static void* counting_allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	if (allocations_left == 0)
+		return NULL;
+	allocations_left -= allocations_left > 0;
+	return aligned_alloc(alignment, bytes);
+}
+
+static void plain_release(void* memory, void* context)
+{
+	(void)context;
+	free(memory);
+}
+
+void count_allocations(void)
+{
+	const scree_hooks hooks = {.allocate = counting_allocate, .release = plain_release};
+	allocations_left = -1;
+	OK(scree_set_hooks(&hooks));
+}
+
 uint64_t random_word(uint64_t* seed) // xorshift64*, George Marsaglia and Sebastiano Vigna; seed is not 0
 {
 	*seed ^= *seed >> 12;
@@ -210,6 +234,17 @@ static int add_way(Way ways[MAX_WAYS], int count, const char* device, int thread
 	return count + 1;
 }
 
+static int add_moving_way(Way ways[MAX_WAYS], int count, const char* device)
+{
+	if (count == MAX_WAYS)
+		return count;
+	Way* way = ways + count;
+	*way = (Way){.device = "cpu", .threads = 2};
+	snprintf(way->other, sizeof way->other, "%.127s", device);
+	snprintf(way->name, sizeof way->name, "between cpu and %.127s", device);
+	return count + 1;
+}
+
 int list_ways(Way ways[MAX_WAYS])
 {
 	int count = 0;
@@ -228,6 +263,7 @@ int list_ways(Way ways[MAX_WAYS])
 		count = add_way(ways, count, devices[k].name, 0, 0, "0", NULL);
 		count = add_way(ways, count, devices[k].name, 0, 0, "1", "relay");
 		count = add_way(ways, count, devices[k].name, 0, 0, "1", "tiles");
+		count = add_moving_way(ways, count, devices[k].name);
 	}
 	return count;
 }
@@ -260,10 +296,15 @@ static scree_world* open_story(const Story* story, const Way* way)
 	return world;
 }
 
-static void tell_step(const Story* story, scree_world* world, int step)
+static void tell_step(const Story* story, scree_world* world, int step, const Way* way)
 {
 	if (story->act)
 		story->act(world, step, story->context);
+	// what the story has just changed is still pending
+	if (way->other[0] && step % 40 == 9)
+		OK(scree_move_world(world, way->other));
+	if (way->other[0] && step % 40 == 25)
+		OK(scree_move_world(world, way->device));
 	OK(scree_step(world, story->dt, story->substeps));
 }
 
@@ -272,7 +313,7 @@ void tell(const Story* story, const Way* way, uint64_t* hashes, scree_counters* 
 	scree_world* world = open_story(story, way);
 	for (int k = 0; k < story->steps; ++k)
 	{
-		tell_step(story, world, k);
+		tell_step(story, world, k, way);
 		hashes[k] = hash_of(world);
 	}
 	if (last)
@@ -351,8 +392,8 @@ static void fail_different(const Story* story_a, const Way* way_a, const Story* 
 	scree_world* b = open_story(story_b, way_b);
 	for (int k = 0; k < story_a->steps; ++k)
 	{
-		tell_step(story_a, a, k);
-		tell_step(story_b, b, k);
+		tell_step(story_a, a, k, way_a);
+		tell_step(story_b, b, k, way_b);
 		if (hash_of(a) == hash_of(b))
 			continue;
 		print_message("%s, step %d: %s | %s\n", story_a->name, k, way_a->name, way_b->name);

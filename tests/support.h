@@ -21,6 +21,11 @@ void check_ok(scree_status status, const char* call, const char* file, int line)
 #define NEAR(value, expected, tolerance) check_near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
 void check_near(double value, double expected, double tolerance, const char* what, const char* file, int line);
 
+// From here on the library takes its memory from an allocator that fails when none is left; a negative number is as many
+// as you like, and what it is set to.
+void count_allocations(void);
+extern int allocations_left;
+
 // the same numbers for every compiler and machine
 uint64_t random_word(uint64_t* seed);
 float random_between(uint64_t* seed, float low, float high);
@@ -68,12 +73,14 @@ typedef struct // where and how a world runs
 	int threads, lanes;
 	const char* persistent; // of the environment's SCREE_PERSISTENT; null leaves it
 	const char* solver;     // of the environment's SCREE_SOLVER, the same
+	char other[128];        // the device to which the world moves now and then, and back; empty for none
 } Way;
 
 #define MAX_WAYS 32
 
 // The first is the reference: one thread, one lane. Then every number of lanes that the processor has with one thread
-// and with two, and every OpenCL device that keeps equal bits, with its solver in each of its forms.
+// and with two, and every OpenCL device that keeps equal bits, with its solver in each of its forms. Then a world
+// that moves between the CPU and each of these devices.
 int list_ways(Way ways[MAX_WAYS]);
 void print_ways(const Way* ways, int count);
 

@@ -149,6 +149,12 @@ static void world_functions(void** state)
 	INVALID(scree_world_hash, (world, NULL), "hash is null");
 	INVALID(scree_get_counters, (world, NULL), "counters is null");
 	INVALID(scree_get_timings, (world, NULL), "timings is null");
+	scree_traffic traffic;
+	double bandwidth;
+	INVALID(scree_get_traffic, (NULL, &traffic), "world is null");
+	INVALID(scree_get_traffic, (world, NULL), "traffic is null");
+	INVALID(scree_measure_bandwidth, (NULL, &bandwidth), "world is null");
+	INVALID(scree_measure_bandwidth, (world, NULL), "bandwidth is null");
 	INVALID(scree_wait, (NULL), "world is null");
 	int count;
 	INVALID(scree_get_devices, (NULL, 3, &count), "devices is null");

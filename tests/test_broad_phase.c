@@ -504,7 +504,7 @@ static void run_layout(const Layout* layout, const Way* way)
 static void pairs_are_complete(void** state)
 {
 	const Way alone = {.name = "one thread", .device = "cpu", .threads = 1},
-	          both = {"two threads", "cpu", 2, 0, NULL, NULL};
+	          both = {.name = "two threads", .device = "cpu", .threads = 2};
 	run_layout(*state, &alone);
 	run_layout(*state, &both);
 }

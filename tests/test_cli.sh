@@ -112,7 +112,9 @@ for line in to_device integrate transform detect from_device resolve; do
 	grep -qE "^ *$line " out || fail "run --pipeline paper: no line for $line"
 done
 head -n 1 rows.csv | grep -q ',ms_resolve$' || fail "run --pipeline paper --csv: another heading"
-expect 0 "$paper" bench pyramid "${small[@]}" --pipeline paper --repeats 1
+# in the paper's pipeline this pile sinks deeper than its limit
+expect 1 "$paper" bench pyramid "${small[@]}" --pipeline paper --repeats 1
+grep -q "pyramid is invalid: its deepest overlap" err || fail "bench --pipeline paper: stacks stand"
 expect 0 "$hash" run pyramid "${small[@]}"
 
 # run and its files
@@ -148,11 +150,33 @@ if [ -w /dev/full ]; then
 fi
 
 # bench
-expect 0 'scene,device,threads,lanes,bodies,contacts,colors,steps,ms_step,ms_transform,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize,penetration,hash,valid' \
-	bench pyramid "${small[@]}" --repeats 2
+heading=scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most
+heading+=,ms_transform,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
+heading+=,bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,penetration,hash,valid
+expect 0 "$heading" bench pyramid "${small[@]}" --repeats 2
 row=$(sed -n 2p out)
-[ "$(tr -cd , <<<"$row" | wc -c)" = 17 ] || fail "bench: not 18 columns"
-grep -qE "^pyramid,cpu,1,[0-9]+,22,.*,$hash,1\$" <<<"$row" || fail "bench: an unexpected row"
+[ "$(tr -cd , <<<"$row")" = "$(tr -cd , <<<"$heading")" ] || fail "bench: not a column for each name"
+grep -qE "^pyramid,rows=6,cpu,1,[0-9]+,22,.*,$hash,1\$" <<<"$row" || fail "bench: an unexpected row"
+awk -F, '{ exit !($12 <= $11 && $11 <= $13 && $20 > 200 && $21 > 0 && $22 > 0 && $23 > 0 && $24 > 0) }' <<<"$row" ||
+	fail "bench: columns that cannot be"
+
+# a row that proves too little is marked, and said to be
+cp out known.csv
+expect 0 ",$hash,1" bench pyramid "${small[@]}" --repeats 1 --known known.csv
+sed "s/,$hash,/,0123456789abcdef,/" known.csv >other.csv
+expect 1 "its hash is $hash, but other.csv has 0123456789abcdef" bench pyramid "${small[@]}" --repeats 1 --known other.csv
+grep -q ",$hash,0\$" out || fail "bench --known: an invalid row is not marked"
+expect 0 ',1' bench pyramid --device cpu --steps 4 --set rows=6 --repeats 1 --known other.csv
+refuse 2 'cannot read nothing.csv' bench pyramid "${small[@]}" --known nothing.csv
+printf 'scene,steps,hash\n' >other.csv
+refuse 2 'other.csv: its first line must name the columns' bench pyramid "${small[@]}" --known other.csv
+printf 'scene,settings,steps,hash\npyramid,rows=6,5,xyz\n' >other.csv
+refuse 2 'other.csv: line 2 is not a row' bench pyramid "${small[@]}" --known other.csv
+printf '{"name":"sunk","title":"Two in one","penetration_limit":0.1,"attributes":{"a":{"circle":1}},
+"bodies":[{"attribute":"a"},{"attribute":"a","position":[0.5,0]}]}' >sunk.json
+expect 1 'sunk is invalid: its deepest overlap is 1.5 m, its penetration_limit 0.1' \
+	bench ./sunk.json --steps 3 --device cpu --repeats 1
+grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 

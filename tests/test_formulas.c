@@ -105,7 +105,7 @@ static void boxes_follow_bodies(void** state)
 	close_pools(&p);
 }
 
-// |finalize_rotation(a) - (cos a, sin a)|: under 2e-7 up to 1 radian, 2.3e-5 up to pi; no worse than a rounding or two
+// |vec_rotation(a) - (cos a, sin a)|: under 2e-7 up to 1 radian, 2.3e-5 up to pi; no worse than a rounding or two
 // for the turns of ordinary steps, up to a tenth.
 static void rotations_are_exact_enough(void** state)
 {
@@ -114,7 +114,7 @@ static void rotations_are_exact_enough(void** state)
 	for (int k = -200000; k <= 200000; ++k)
 	{
 		float angle = (float)(PI * k / 200000.0);
-		Vec q = finalize_rotation(angle);
+		Vec q = vec_rotation(angle);
 		double error = hypot(q.x - cos(angle), q.y - sin(angle));
 		worst = error > worst ? error : worst;
 		if (fabsf(angle) <= 1.0f && error > worst_common)

@@ -207,7 +207,7 @@ static const char* pose_name(int a, int b, Vec position, Vec rotation)
 static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 {
 	const Attribute *shape_a = shapes + a, *shape_b = shapes + b;
-	Manifold m = collide(shape_a, shape_b, position, rotation);
+	Manifold m = collide(shape_a, shape_b, frame_at(position, rotation), reach_of(SPECULATIVE_DISTANCE));
 	float radius_a = shape_a->radius, radius_b = shape_b->radius, radius = radius_a + radius_b;
 	CHECK(m.count >= 0 && m.count <= 2, "%d points", m.count);
 	CHECK(isfinite(m.normal.x) && isfinite(m.normal.y), "normal is not finite");
@@ -349,7 +349,8 @@ static void test_random_poses(void** state)
 				// where cores overlap little, a ten thousandth of a millimetre seldom changes a name
 				if (m.count == 0 || deepest(&m) + shapes[a].radius + shapes[b].radius < -0.01f)
 					continue;
-				Manifold n = collide(shapes + a, shapes + b, vec_add(position, random_vec(1e-7)), rotation);
+				Manifold n = collide(shapes + a, shapes + b, frame_at(vec_add(position, random_vec(1e-7)), rotation),
+				                     reach_of(SPECULATIVE_DISTANCE));
 				compared += 1;
 				renamed += !same_features(&m, &n);
 			}

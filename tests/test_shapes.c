@@ -288,7 +288,7 @@ static void impulses_carry_the_weight(void** state)
 // brought to rest
 // ---------------------------------------------------------------------------------------------------------------
 
-// One shape dropped on another in a trough, turned, apart, touching or deep in it: within six seconds both lie still in
+// One shape dropped on another in a trough, turned, apart, touching or deep in it: within eight seconds both lie still in
 // the trough, and neither is deeper in anything than 1 cm.
 static void check_rest(int a, int b, int turn, float height)
 {
@@ -299,7 +299,7 @@ static void check_rest(int a, int b, int turn, float height)
 	scree_body lower = add_body(world, SCREE_DYNAMIC, rough_attribute_of(world, a), 0.0f, 1.1f, turn_of(turn));
 	scree_body upper =
 	    add_body(world, SCREE_DYNAMIC, rough_attribute_of(world, b), 0.1f, 1.1f + height, turn_of(turn + 1));
-	run_steps(world, 360);
+	run_steps(world, 480);
 	check_finite(world);
 	scree_body bodies[] = {lower, upper};
 	for (int k = 0; k < 2; ++k)

@@ -96,7 +96,7 @@ static void take_turns(void* context, int worker, int workers)
 	(void)workers;
 	for (int round = 1; round <= ROUNDS; ++round)
 	{
-		if (threads_arrive(scene->threads))
+		if (threads_gather(scene->threads, worker))
 		{
 			++scene->alone;
 			++scene->runs[worker];

@@ -81,7 +81,8 @@ typedef enum scree_log_level
 } scree_log_level;
 
 // Hooks of the process. Null members mean the default. Set them before the first world is created and not while one
-// exists. The pointed-to functions may be called from any thread that calls into Scree.
+// exists. The pointed-to functions may be called from any thread that calls into Scree, and by a thread of its own that
+// opens a GPU for a world of device "auto".
 typedef struct scree_hooks
 {
 	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
@@ -209,8 +210,12 @@ typedef struct scree_world_def
 
 SCREE_API scree_world_def scree_default_world_def(void);
 
-// Creates a world into *world, which the caller owns and gives to scree_destroy_world. With device "auto" a failing
-// OpenCL device is logged and the CPU is taken; otherwise the failure is returned and *world is null.
+// Creates a world into *world, which the caller owns and gives to scree_destroy_world. On failure *world is null.
+//
+// With device "auto" the world begins on the CPU. scree_step moves it to a GPU, and back, when its steps take less time
+// there, and tells the log so (SCREE_LOG_INFO, with both times). A GPU is opened when the world is large enough to gain
+// from it, by a thread while the world goes on; one that fails, or whose bits are not the CPU's, is logged and left
+// alone. Moving changes no bit of the world. docs/auto.md says when it moves.
 SCREE_API scree_status scree_create_world(const scree_world_def* def, scree_world** world);
 
 // Destroys a world and everything in it. Null is allowed.
@@ -228,8 +233,18 @@ SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
 SCREE_API scree_status scree_set_gravity(scree_world* world, scree_vec gravity);
 SCREE_API scree_vec scree_get_gravity(const scree_world* world);
 
-// The device that the world runs on, as in scree_device.name; owned by the world.
+// The device that the world runs on now, as in scree_device.name; owned by the world, and changed when it moves.
 SCREE_API const char* scree_world_device(const scree_world* world);
+
+// Moves a world to another device between two steps. device is what scree_world_def.device takes: "cpu", "opencl" or
+// "opencl:NAME" for good, "auto" to leave the choice to scree_step from now on. The world goes on with the same bits:
+// its hash, handles, contacts and impulses, and what the user has changed since the last step all stay. Threads, lanes,
+// allow_unequal_bits and timings are those of its definition.
+//
+// It costs the opening of the device, some 0.3 s for a GPU, and the transfer of the world, some 1 kB a body; both devices
+// hold it for that moment. On failure (SCREE_NO_DEVICE, SCREE_OUT_OF_MEMORY, ...) the world is where it was, as it was;
+// only if the device that it was on failed while it was read (SCREE_DEVICE_FAILED) it is broken, as after scree_step.
+SCREE_API scree_status scree_move_world(scree_world* world, const char* device);
 
 // CPU threads and lanes in use; 0 on an OpenCL device.
 SCREE_API int scree_world_threads(const scree_world* world);
@@ -243,7 +258,7 @@ typedef struct scree_counters
 	int bodies, dynamic_bodies;  // alive
 	int collidables, attributes; // alive
 	int contacts;                // pairs whose boxes overlap
-	int touching;                // of these, the ones with at least one point within the speculative distance
+	int touching;                // of these, the ones with points: within the speculative distance, or about to meet
 	int colors;                  // colors in use
 	int overflow;                // contacts that found no color, solved by mass splitting
 	int moved;                   // collidables whose enlarged box changed in the last step
@@ -264,6 +279,23 @@ typedef struct scree_timings // milliseconds of the last step; zero unless scree
 } scree_timings;
 
 SCREE_API scree_status scree_get_timings(scree_world* world, scree_timings* timings);
+
+typedef struct scree_traffic // memory that the solve stage of the last step asked for
+{
+	int constraints;           // touching contacts that it solved
+	int passes;                // over all of them
+	uint64_t constraint_bytes; // read and written of the constraints themselves, which stream by in every pass
+	uint64_t body_bytes;       // read and written of bodies, which are few enough for a cache to serve much of it
+} scree_traffic;
+
+// Counts the bytes that the last step's solve stage read and wrote by its algorithm: the same on every device, whatever
+// caches save. Both members over scree_timings.solve are the rate that it achieved. Zeros before the first step.
+SCREE_API scree_status scree_get_traffic(scree_world* world, scree_traffic* traffic);
+
+// Measures how fast the world's device copies its own memory: bytes read and written a second, both counted, with all
+// threads of a CPU. Takes some milliseconds on a GPU and up to a second elsewhere, and 512 MB for that time, or less where
+// there is less. The world stays as it is.
+SCREE_API scree_status scree_measure_bandwidth(scree_world* world, double* bandwidth);
 
 // Waits until the device has finished everything that was asked of it.
 SCREE_API scree_status scree_wait(scree_world* world);
@@ -523,7 +555,8 @@ SCREE_API scree_status scree_set_collidable_poses(scree_world* world, const scre
 typedef struct scree_contact_point
 {
 	scree_vec point;       // m, world, halfway between the surfaces, where the last step found it
-	float separation;      // m, negative when overlapping, at the start of the last step
+	float separation;      // m, negative when overlapping, at the start of the last step; where fast bodies were about
+	                       // to meet in it, as much as they had left to go
 	float normal_impulse;  // N s, of the last substep
 	float tangent_impulse; // N s
 	uint32_t feature;      // names the two features that touch; stable while they do
@@ -573,7 +606,8 @@ SCREE_API scree_sharing scree_world_sharing(const scree_world* world);
 // Memory that another interface allocated on the same device (scree_device.uuid) and exported as an opaque file
 // descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The world
 // takes over the descriptor when this succeeds. bytes is the size of the allocation, at least one row.
-// The memory is shared until it is replaced by another call, scree_unshare, or the end of the world.
+// The memory is shared until it is replaced by another call, scree_unshare, the world's move to another device (of itself,
+// where that is "auto"), or its end.
 SCREE_API scree_status scree_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
 // A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in scree_show; bytes

@@ -11,14 +11,26 @@
 #include "cpu/processor.h"
 #include "cpu/threads.h"
 #include "error.h"
+#include <limits.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
-// Runs of fewer items than this are done by one worker: a barrier costs a microsecond, an item a few nanoseconds.
-#define GRAIN      512
+// Runs of fewer items than this are done by one worker: a barrier costs a microsecond, an item a few nanoseconds. In the
+// solve, what another core wrote last costs more than the barrier, so that nearly all runs are shared, or none (Choice).
+#define GRAIN       512
+#define SOLVE_GRAIN 64
+// The same where the solve was done alone: meanwhile the other workers have fallen asleep, and to wake them takes 50 us.
+#define ALONE_GRAIN 4096
+// An item of a stage that is handed out in chunks takes as long as so many of others.
+#define CHUNK_ITEM 8
 #define SORT_GRAIN 8192
 #define SCAN_GRAIN 16384
+
+// Solves with more items a run than this are always shared. The slower way is tried again after so many solves, times the
+// square of how much slower it was.
+#define ALWAYS_SHARED 2048
+#define REST          64
 
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
@@ -36,11 +48,19 @@ static const size_t pool_offsets[POOL_COUNT] = {
 // items that the pools really have room for: wide stages round up
 static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
+typedef struct // whether workers share the solve: the clock decides, since it depends on how far cores are apart
+{
+	double cost[2]; // ns an item, alone and shared; 0 before the first time
+	int rest;       // solves until the slower way is tried again
+	bool shares;
+} Choice;
+
 typedef struct
 {
 	Backend backend;
 	Pools pools;
 	Threads* threads;
+	Choice choice;
 	StageFunction functions[STAGE_COUNT];
 	int lanes[STAGE_COUNT]; // items that a function does at once
 	bool timed;
@@ -52,9 +72,15 @@ typedef struct
 	size_t held_count;
 	unsigned char held[HELD_BYTES];
 
+	// between copy_reserve and copy_release
+	char *copy_from, *copy_to;
+	size_t copy_bytes;
+	int copy_times;
+
 	// the list at work, and the items of run number at; written by one worker while the others wait
 	const Run* runs;
 	int count, at, begin, end;
+	int grain; // fewest items worth sharing
 
 	_Alignas(64) atomic_int next; // first item that nobody has taken, of a run in chunks
 	Shared shared;
@@ -99,7 +125,7 @@ static void do_share(Cpu* cpu, int worker, int workers)
 		do_stage(cpu, (StageId)run->stage, worker, workers);
 }
 
-static int smallest_shared(int stage)
+static int smallest_shared(const Cpu* cpu, int stage)
 {
 	switch (stage)
 	{
@@ -108,7 +134,9 @@ static int smallest_shared(int stage)
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
 	default:
-		return chunks[stage] ? 2 * chunks[stage] : GRAIN;
+		if (!chunks[stage])
+			return cpu->grain;
+		return 2 * chunks[stage] > cpu->grain / CHUNK_ITEM ? 2 * chunks[stage] : cpu->grain / CHUNK_ITEM;
 	}
 }
 
@@ -148,7 +176,7 @@ static void advance(Cpu* cpu)
 			cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 		}
 
-		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(run->stage))
+		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(cpu, run->stage))
 		{
 			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
 			return;
@@ -165,7 +193,7 @@ static void work(void* context, int worker, int workers)
 	while (cpu->at < cpu->count)
 	{
 		do_share(cpu, worker, workers);
-		if (threads_arrive(cpu->threads))
+		if (threads_gather(cpu->threads, worker))
 		{
 			advance(cpu);
 			threads_release(cpu->threads);
@@ -174,21 +202,57 @@ static void work(void* context, int worker, int workers)
 	float_mode_leave(found);
 }
 
-static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+static void run_list(Cpu* cpu, const Run* runs, int count, int grain)
 {
-	Cpu* cpu = b->state;
-	cpu->pools.step = *step;
 	cpu->runs = runs;
 	cpu->count = count;
 	cpu->at = -1;
-	if (cpu->timed)
-		cpu->mark = processor_milliseconds();
-
+	cpu->grain = grain;
 	FloatMode found = float_mode_enter();
 	advance(cpu);
 	float_mode_leave(found);
 	if (cpu->at < cpu->count)
 		threads_run(cpu->threads, work, cpu);
+}
+
+// A solve of so many items, in the way that took less time before. The other way is tried now and then, the more seldom
+// the slower it was.
+static void run_solve(Cpu* cpu, const Run* runs, int count, double items)
+{
+	Choice* c = &cpu->choice;
+	double mean = items / count;
+	bool tries = c->cost[0] > 0 && c->cost[1] > 0 && --c->rest < 0;
+	if (mean > ALWAYS_SHARED || mean < SOLVE_GRAIN)
+		c->shares = mean > ALWAYS_SHARED;
+	else if (c->cost[0] == 0 || c->cost[1] == 0)
+		c->shares = c->cost[1] == 0;
+	else
+		c->shares = (c->cost[1] < c->cost[0]) != tries;
+	double begin = processor_milliseconds();
+	run_list(cpu, runs, count, c->shares ? SOLVE_GRAIN : INT_MAX);
+	double cost = 1e6 * (processor_milliseconds() - begin) / items, *known = &c->cost[c->shares];
+	*known = *known > 0 ? 0.75 * *known + 0.25 * cost : cost;
+	if (tries)
+	{
+		double slower = c->cost[c->shares] / c->cost[!c->shares];
+		c->rest = slower > 1 ? (int)(REST * slower * slower) : REST;
+	}
+}
+
+static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	Cpu* cpu = b->state;
+	cpu->pools.step = *step;
+	if (cpu->timed)
+		cpu->mark = processor_milliseconds();
+	double items = 0;
+	if (b->threads > 1 && count > 0 && runs[0].stage == STAGE_solve_begin)
+		for (int k = 0; k < count; ++k)
+			items += runs[k].end - runs[k].begin;
+	if (items > 0)
+		run_solve(cpu, runs, count, items);
+	else
+		run_list(cpu, runs, count, cpu->choice.shares ? GRAIN : ALONE_GRAIN);
 	return SCREE_OK;
 }
 
@@ -271,9 +335,61 @@ static scree_status cpu_timings(Backend* b, double milliseconds[BOX_COUNT])
 	return SCREE_OK;
 }
 
+static void* cpu_address(Backend* b, PoolId pool) { return pool_memory(b->state, pool); }
+
+// Workers meet a hundred times a step: one whose core is taken holds up all others, and one worker fewer does not.
+static void cpu_spare(Backend* b, bool core)
+{
+	Cpu* cpu = b->state;
+	int workers = core && b->threads > 2 && b->threads >= processor_cores() ? b->threads - 1 : b->threads;
+	Threads* threads = workers == threads_workers(cpu->threads) ? NULL : threads_open(workers);
+	if (!threads)
+		return;
+	threads_close(cpu->threads);
+	cpu->threads = threads;
+}
+
+static void cpu_copy_release(Backend* b)
+{
+	Cpu* cpu = b->state;
+	scree_release(cpu->copy_from);
+	scree_release(cpu->copy_to);
+	cpu->copy_from = cpu->copy_to = NULL;
+}
+
+static scree_status cpu_copy_reserve(Backend* b, size_t bytes)
+{
+	Cpu* cpu = b->state;
+	cpu_copy_release(b);
+	cpu->copy_from = scree_allocate(bytes);
+	cpu->copy_to = scree_allocate(bytes);
+	cpu->copy_bytes = bytes;
+	if (cpu->copy_from && cpu->copy_to)
+		return SCREE_OK;
+	return fail(SCREE_OUT_OF_MEMORY, "no memory for two blocks of %zu bytes", bytes);
+}
+
+static void copy_share(void* context, int worker, int workers)
+{
+	const Cpu* cpu = context;
+	size_t begin = cpu->copy_bytes / (size_t)workers * (size_t)worker;
+	size_t end = worker + 1 == workers ? cpu->copy_bytes : cpu->copy_bytes / (size_t)workers * (size_t)(worker + 1);
+	for (int k = 0; k < cpu->copy_times; ++k)
+		memcpy(cpu->copy_to + begin, cpu->copy_from + begin, end - begin);
+}
+
+static scree_status cpu_copy(Backend* b, int times)
+{
+	Cpu* cpu = b->state;
+	cpu->copy_times = times;
+	threads_run(cpu->threads, copy_share, cpu);
+	return SCREE_OK;
+}
+
 static void cpu_close(Backend* b)
 {
 	Cpu* cpu = b->state;
+	cpu_copy_release(b);
 	threads_close(cpu->threads);
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 		scree_release(pool_memory(cpu, pool));
@@ -290,6 +406,11 @@ static const BackendFunctions functions = {
     .read_end = cpu_read_end,
     .wait = cpu_wait,
     .timings = cpu_timings,
+    .address = cpu_address,
+    .spare = cpu_spare,
+    .copy_reserve = cpu_copy_reserve,
+    .copy_release = cpu_copy_release,
+    .copy = cpu_copy,
 };
 
 static void choose_stages(Cpu* cpu, int lanes)

@@ -9,49 +9,10 @@
 // turns out to be so time after time, the spin is cut to almost nothing, until workers have cores of their own again.
 #include "cpu/threads.h"
 #include "cpu/processor.h"
+#include "cpu/system.h"
 #include "error.h"
 #include <stdatomic.h>
 #include <stdint.h>
-
-#ifdef _WIN32
-#define WIN32_LEAN_AND_MEAN
-#include <windows.h>
-typedef SRWLOCK Mutex;
-typedef CONDITION_VARIABLE Condition;
-typedef HANDLE Thread;
-#define THREAD_RESULT         DWORD WINAPI
-#define THREAD_END            0
-#define mutex_open            InitializeSRWLock
-#define mutex_close(m)        ((void)(m))
-#define mutex_lock            AcquireSRWLockExclusive
-#define mutex_unlock          ReleaseSRWLockExclusive
-#define condition_open        InitializeConditionVariable
-#define condition_close(c)    ((void)(c))
-#define condition_wait(c, m)  SleepConditionVariableSRW(c, m, INFINITE, 0)
-#define condition_wake_all    WakeAllConditionVariable
-#define thread_start(t, f, x) ((*(t) = CreateThread(NULL, 0, f, x, 0, NULL)) != NULL)
-#define thread_join(t)        ((void)WaitForSingleObject(t, INFINITE), (void)CloseHandle(t))
-#define give_core_away()      ((void)SwitchToThread())
-#else
-#include <pthread.h>
-#include <sched.h>
-typedef pthread_mutex_t Mutex;
-typedef pthread_cond_t Condition;
-typedef pthread_t Thread;
-#define THREAD_RESULT         void*
-#define THREAD_END            NULL
-#define mutex_open(m)         pthread_mutex_init(m, NULL)
-#define mutex_close           pthread_mutex_destroy
-#define mutex_lock            pthread_mutex_lock
-#define mutex_unlock          pthread_mutex_unlock
-#define condition_open(c)     pthread_cond_init(c, NULL)
-#define condition_close       pthread_cond_destroy
-#define condition_wait        pthread_cond_wait
-#define condition_wake_all    pthread_cond_broadcast
-#define thread_start(t, f, x) (pthread_create(t, NULL, f, x) == 0)
-#define thread_join(t)        pthread_join(t, NULL)
-#define give_core_away()      sched_yield()
-#endif
 
 #define CACHE_LINE 64
 
@@ -79,6 +40,7 @@ struct Threads
 	Condition released;
 	_Alignas(CACHE_LINE) atomic_int arrived;     // at the barrier now
 	_Alignas(CACHE_LINE) atomic_uint generation; // barriers passed
+	_Alignas(CACHE_LINE) atomic_uint gathered;   // times that worker 0 was told that all had arrived
 	_Alignas(CACHE_LINE) atomic_int sleepers;    // on the condition, or about to be
 	_Alignas(CACHE_LINE) atomic_int spins;       // tries of the next wait; seldom written
 };
@@ -102,12 +64,13 @@ static void adapt_spins(Threads* t, int spins, bool at_once)
 		atomic_store_explicit(&t->spins, next, memory_order_relaxed);
 }
 
-static void wait_past(Threads* t, unsigned generation)
+// Waits until a count has gone on from what it was.
+static void wait_past(Threads* t, atomic_uint* count, unsigned was)
 {
 	int spins = atomic_load_explicit(&t->spins, memory_order_relaxed);
 	for (int i = 0; i < spins; ++i)
 	{
-		if (atomic_load_explicit(&t->generation, memory_order_acquire) != generation)
+		if (atomic_load_explicit(count, memory_order_acquire) != was)
 		{
 			adapt_spins(t, spins, true);
 			return;
@@ -116,7 +79,7 @@ static void wait_past(Threads* t, unsigned generation)
 	}
 	for (int i = 0; i < YIELDS; ++i)
 	{
-		if (atomic_load_explicit(&t->generation, memory_order_acquire) != generation)
+		if (atomic_load_explicit(count, memory_order_acquire) != was)
 		{
 			// the first gift was all that it took: it went to the worker waited for
 			adapt_spins(t, spins, i != 1);
@@ -125,31 +88,19 @@ static void wait_past(Threads* t, unsigned generation)
 		give_core_away();
 	}
 
-	// Sequentially consistent on both sides: this worker counts itself, then looks at the generation; the one that
-	// releases changes the generation, then looks at the count. One of them sees the other.
+	// Sequentially consistent on both sides: this worker counts itself, then looks at the count; the one that goes on
+	// changes the count, then looks for sleepers. One of them sees the other.
 	atomic_fetch_add(&t->sleepers, 1);
 	mutex_lock(&t->mutex);
-	while (atomic_load(&t->generation) == generation)
+	while (atomic_load(count) == was)
 		condition_wait(&t->released, &t->mutex);
 	mutex_unlock(&t->mutex);
 	atomic_fetch_sub(&t->sleepers, 1);
 }
 
-bool threads_arrive(Threads* t)
+static void go_on(Threads* t, atomic_uint* count)
 {
-	unsigned generation = atomic_load_explicit(&t->generation, memory_order_relaxed);
-	if (atomic_fetch_add_explicit(&t->arrived, 1, memory_order_acq_rel) + 1 == t->workers)
-	{
-		atomic_store_explicit(&t->arrived, 0, memory_order_relaxed);
-		return true;
-	}
-	wait_past(t, generation);
-	return false;
-}
-
-void threads_release(Threads* t)
-{
-	atomic_fetch_add(&t->generation, 1);
+	atomic_fetch_add(count, 1);
 	if (atomic_load(&t->sleepers) > 0)
 	{
 		mutex_lock(&t->mutex);
@@ -158,10 +109,41 @@ void threads_release(Threads* t)
 	}
 }
 
+// Whether this worker is the last to arrive.
+static bool arrive_last(Threads* t)
+{
+	if (atomic_fetch_add_explicit(&t->arrived, 1, memory_order_acq_rel) + 1 < t->workers)
+		return false;
+	atomic_store_explicit(&t->arrived, 0, memory_order_relaxed);
+	return true;
+}
+
+bool threads_gather(Threads* t, int worker)
+{
+	unsigned released = atomic_load_explicit(&t->generation, memory_order_relaxed),
+	         gathered = atomic_load_explicit(&t->gathered, memory_order_relaxed);
+	bool last = arrive_last(t);
+	if (worker == 0)
+	{
+		if (!last)
+			wait_past(t, &t->gathered, gathered);
+		return true;
+	}
+	if (last)
+		go_on(t, &t->gathered);
+	wait_past(t, &t->generation, released);
+	return false;
+}
+
+void threads_release(Threads* t) { go_on(t, &t->generation); }
+
 void threads_barrier(Threads* t)
 {
-	if (threads_arrive(t))
-		threads_release(t);
+	unsigned released = atomic_load_explicit(&t->generation, memory_order_relaxed);
+	if (arrive_last(t))
+		go_on(t, &t->generation);
+	else
+		wait_past(t, &t->generation, released);
 }
 
 static THREAD_RESULT thread_main(void* argument)

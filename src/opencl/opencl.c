@@ -29,6 +29,7 @@ static void opencl_close(Backend* b)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		held_close(d);
 		shared_close(d);
+		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
 				opencl.ReleaseMemObject(d->buffers[i]);
@@ -126,6 +127,9 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
+	// a world that comes from another device
+	Per per = pool_info[pool].per;
+	d->tiles.stale |= per == CONTACT || per == CONSTRAINT || per == BODY;
 	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
 	              bytes * (size_t)count);
 }
@@ -164,6 +168,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->step_version = 1; // a step of zeros, which no kernel holds yet
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
+	b->memory = d->device.about.memory;
 	TRY(staging_open(d, options->timings));
 
 	TRY(context_open(d, options->opengl));
@@ -216,6 +221,9 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .timings = opencl_timings,
 	    .share = opencl_share,
 	    .show = opencl_show,
+	    .copy_reserve = opencl_copy_reserve,
+	    .copy_release = opencl_copy_release,
+	    .copy = opencl_copy,
 	};
 	*backend = NULL;
 	Backend* b = scree_allocate(sizeof *b);

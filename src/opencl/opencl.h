@@ -160,6 +160,10 @@ typedef struct
 	size_t held_bytes, held_staged;
 	cl_event held_event;
 
+	// what copy copies, from the first to the second; null for none
+	cl_mem copies[2];
+	size_t copy_bytes;
+
 	// data on its way to the device: the driver may still read it until the queue has been waited for
 	unsigned char* staging;
 	size_t staged;
@@ -259,6 +263,11 @@ scree_status held_open(OpenCl* d);
 void held_close(OpenCl* d);
 scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count);
 scree_status opencl_read_end(Backend* b, void* items);
+
+// copies within the device; src/backend.h
+scree_status opencl_copy_reserve(Backend* b, size_t bytes);
+void opencl_copy_release(Backend* b);
+scree_status opencl_copy(Backend* b, int times);
 
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count);
 scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT]);

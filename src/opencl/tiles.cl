@@ -285,8 +285,8 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 	int slot = p->constraint_contact[i], color = p->contact_color[slot];
 	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
 	if (p->step.extras)
-		prepare_extras(p, i, &made);
-	u = runner_make(p, i, &made);
+		prepare_extras(p, i, made);
+	u = runner_make(p, i, made);
 	if (on_border)
 	{
 		u.side[0] = tile_side(p, &t, u.c.ia, color);

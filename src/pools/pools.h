@@ -36,6 +36,10 @@
 // separation of a point that is not there: so far apart that no impulse ever arises
 #define NO_POINT 1.0e6f
 
+// bits of the pool moved
+#define MOVED_BOX 1 // its box differs from old_box
+#define MOVED_FAR 2 // it may go further in this step than the speculative distance allows for
+
 // kinds of collidables
 #define KIND_DEAD      0
 #define KIND_STATIC    1
@@ -73,7 +77,8 @@ typedef struct // 64 bytes: the points of a contact as they were found
 	    normal; // x, y from a to b in the frame of a, separations of the points (m), NO_POINT for one that is not there
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
 	Float4 on_b;     // the same places in the frame of b, m
-	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin
+	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin; of points found ahead, for one step only:
+	                 // NO_POINT and how far a and b have yet to turn (rad)
 } Found;
 
 typedef struct // 32 bytes: one sector

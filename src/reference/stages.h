@@ -90,7 +90,8 @@ PAPER_STAGE(detect)
 			continue;
 
 		// both instances are in the world's frame already
-		Manifold m = collide(&a->instance, &b->instance, vec(0.0f, 0.0f), vec(1.0f, 0.0f));
+		Manifold m = collide(&a->instance, &b->instance, frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)),
+		                     reach_of(SPECULATIVE_DISTANCE));
 		if (m.count == 0 || !(minimum(m.separation[0], m.separation[1]) < 0.0f))
 			continue;
 		int slot = atomic_add_int(p->contact_count, 1);

@@ -12,7 +12,7 @@
 INLINE void broad_phase_leaf(const Pools* p, int i, int j)
 {
 	// most neighbors are known ones
-	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || (p->moved[j] && j < i))
+	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->moved[j] & MOVED_BOX) && j < i))
 		return;
 	int body = p->collidable_body[i];
 	if (body >= 0 && body == p->collidable_body[j])

@@ -4,22 +4,6 @@
 #define FINALIZE_H
 #include "stages/body.h"
 
-// Cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. Off by under 2e-7
-// up to 1 radian, which is 60 rad/s at 60 steps a second, and by 2.3e-5 at pi.
-INLINE Vec finalize_rotation(float angle)
-{
-	float a = 0.25f * angle, q = a * a;
-	float s = a * (1.0f - q * (1.0f / 6.0f) * (1.0f - q * (1.0f / 20.0f) * (1.0f - q * (1.0f / 42.0f))));
-	float c = 1.0f - q * 0.5f * (1.0f - q * (1.0f / 12.0f) * (1.0f - q * (1.0f / 30.0f)));
-	for (int k = 0; k < 2; ++k)
-	{
-		float twice = 2.0f * s * c;
-		c = 1.0f - 2.0f * s * s;
-		s = twice;
-	}
-	return vec(c, s);
-}
-
 // false for NaN too
 INLINE int finalize_bounded(float x, float limit) { return x >= -limit && x <= limit; }
 
@@ -50,7 +34,7 @@ STAGE(finalize)
 	}
 	if (da != 0.0f)
 	{
-		Vec q = vec_turn(finalize_rotation(da), vec(pose.z, pose.w));
+		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
 		float scale = 1.0f / square_root(vec_dot(q, q));
 		pose.z = scale * q.x;
 		pose.w = scale * q.y;

@@ -31,6 +31,25 @@ typedef struct // in the frame of a
 	int count;          // points; when 0 there is no normal
 } Manifold;
 
+typedef struct // how far apart points count, in the frame of a
+{
+	Real within; // m
+	Vec near;    // m: velocity of b in what is left of the step
+	Real swing;  // m: how much faster some point of it may be
+} Reach;
+
+INLINE Reach reach_of(Real within)
+{
+	Reach r;
+	r.within = within;
+	r.near = vec(0.0f, 0.0f);
+	r.swing = 0.0f;
+	return r;
+}
+
+// Along a normal from a to b: what the velocity cannot close in time does not count.
+INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
+
 INLINE Manifold no_manifold(void)
 {
 	Manifold m;
@@ -42,10 +61,10 @@ INLINE Manifold no_manifold(void)
 }
 
 // Adds the point between one on the core of a and the one on the core of b that is at a height (m) over it.
-INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature)
+INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
-	if (!(separation <= SPECULATIVE_DISTANCE))
+	if (!(separation <= within))
 		return;
 	Vec point = vec_add(from, vec_scale(0.5f * (height + radius_a - radius_b), m->normal));
 
@@ -65,21 +84,22 @@ INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real
 	m->count += 1;
 }
 
-INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
+INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	Manifold m = no_manifold();
 	Vec from = shape_corner(a, 0);
 	Vec delta = vec_sub(frame_point(f, shape_corner(b, 0)), from);
 	Real distance = root(vec_dot(delta, delta));
 	m.normal = distance > NEAREST_TOLERANCE ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
-	manifold_add(&m, from, distance, a->radius, b->radius, 0);
+	manifold_add(&m, from, distance, a->radius, b->radius, 0, reach_along(reach, m.normal));
 	return m;
 }
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
 // The manifold of a, which has the reference edge, and b. separation is the largest over the edges of both.
-INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f)
+INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
+                              Reach reach)
 {
 	// the reference edge from corner i to i2: coordinates along it and over it
 	int i = axis.edge, i2 = shape_next(a, i);
@@ -142,16 +162,20 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 			height = distance;
 		}
 		from = vec_add(origin, vec_add(vec_scale(from.x, right), vec_scale(from.y, up)));
-		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature));
+		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
+		             reach_along(reach, m.normal));
 		return m;
 	}
 
 	int steep = facing > -FACING;
+	Real within = reach_along(reach, m.normal);
 	manifold_add(&m, vec_add(origin, vec_scale(high.x, right)), high.y, a->radius, b->radius,
-	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j));
+	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j),
+	             within);
 	if (b->count > 1)
 		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
-		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2));
+		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
+		             within);
 	return m;
 }
 
@@ -169,40 +193,41 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// The manifold of two shapes in the frame of a, where b is placed at a position (m) and rotation (cos, sin).
-INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec position, Vec rotation)
+// The manifold of two shapes in the frame of a, where b is placed at f: points with a separation within reach.
+INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
-	Frame f;
-	f.position = position;
-	f.rotation = rotation;
 	if (a->count == 1 && b->count == 1)
-		return circles_manifold(a, b, f);
+		return circles_manifold(a, b, f, reach);
 
-	Real reach = a->radius + b->radius + SPECULATIVE_DISTANCE;
+	Real radius = a->radius + b->radius;
 	Axis on_a = best_axis(a, b, f);
-	if (on_a.separation > reach)
+	if (on_a.separation > radius + reach_along(reach, shape_normal(a, on_a.edge)))
 		return no_manifold();
 	Frame back = frame_inverse(f);
 	Axis on_b = best_axis(b, a, back);
-	if (on_b.separation > reach)
+	Reach back_reach = reach;
+	back_reach.near = vec_neg(vec_turn_back(f.rotation, reach.near));
+	if (on_b.separation > radius + reach_along(back_reach, shape_normal(b, on_b.edge)))
 		return no_manifold();
 
 	Real separation = maximum(on_a.separation, on_b.separation);
-	Real facing = vec_dot(shape_normal(a, on_a.edge), vec_turn(rotation, shape_normal(b, on_b.edge)));
+	Real facing = vec_dot(shape_normal(a, on_a.edge), vec_turn(f.rotation, shape_normal(b, on_b.edge)));
 	Real bias = facing < -FACING ? REFERENCE_BIAS : 0.0f;
 	int swap = on_b.separation > on_a.separation + bias;
 	const GLOBAL Attribute* reference = a;
 	const GLOBAL Attribute* incident = b;
 	Frame placed = f;
 	Axis axis = on_a;
+	Reach facing_reach = reach;
 	if (swap)
 	{
 		reference = b;
 		incident = a;
 		placed = back;
 		axis = on_b;
+		facing_reach = back_reach;
 	}
-	Manifold m = edge_manifold(reference, incident, axis, separation, placed);
+	Manifold m = edge_manifold(reference, incident, axis, separation, placed, facing_reach);
 	if (swap)
 		m = manifold_swap(m, f);
 	return m;

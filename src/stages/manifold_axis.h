@@ -15,6 +15,14 @@ typedef struct // of one shape in the frame of another
 	Vec position, rotation;
 } Frame;
 
+INLINE Frame frame_at(Vec position, Vec rotation)
+{
+	Frame f;
+	f.position = position;
+	f.rotation = rotation;
+	return f;
+}
+
 typedef struct
 {
 	Real separation; // of the cores along the edge's normal, m

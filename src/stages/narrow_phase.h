@@ -6,7 +6,8 @@
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "stages/box.h"
-#include "stages/manifold.h"
+#include "stages/contact_points.h"
+#include "stages/sweep.h"
 
 // a point farther than this from where it was, and of another feature, starts without impulse
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
@@ -68,13 +69,50 @@ INLINE int narrow_phase_stayed(Float4 was, Vec position, Vec rotation, float rea
 	return moved + reach * turned < STAY_DISTANCE;
 }
 
+// The manifold of a pair that may draw near by more than the speculative distance: as it will be where they meet, with
+// what may follow in the rest of the step; if they will not, as it is now. f is the frame in which it was found.
+INLINE Manifold narrow_phase_ahead(const Pools* p, Placed a, Placed b, Closing closing, Frame* f, Float4* relative)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Manifold now = no_manifold();
+	Frame start = *f;
+	Vec turn = vec(1.0f, 0.0f);
+	Real time = 0.0f;
+	for (int round = 0; round < SWEEP_ROUNDS; ++round)
+	{
+		Vec axes = vec_turn(turn, vec(a.c, a.s));
+		Manifold m = collide(shape_a, shape_b, *f, sweep_reach(closing, axes, time));
+		Real gap = minimum(m.separation[0], m.separation[1]);
+		if (gap <= (round + 1 < SWEEP_ROUNDS ? -SWEEP_DEPTH : SPECULATIVE_DISTANCE))
+		{
+			// contact_points turns it with a as it is now
+			m.normal = vec_turn(turn, m.normal);
+			relative->y = time * closing.a.turn;
+			relative->z = time * closing.b.turn;
+			return m;
+		}
+		// what the forces of a step may close is kept without a meeting, or nothing would roll or slide fast on a floor
+		if (round == 0 && gap <= LINEAR_SLOP)
+			now = m;
+		Real speed = sweep_speed(closing, vec_turn(axes, m.normal), time);
+		if (m.count == 0 || !(speed * (1.0f - time) > gap + 2.0f * SWEEP_DEPTH))
+			break;
+		time = time + (gap + 2.0f * SWEEP_DEPTH) / speed;
+		turn = sweep_frame(a, b, closing, time, f);
+	}
+	*f = start;
+	return now;
+}
+
 STAGE(narrow_phase)
 {
 	Int2 pair = p->pair[i];
 	if (pair.x < 0)
 		return;
 	Word flags = p->contact_flags[i];
-	if (!(flags & CONTACT_FRESH) && (p->moved[pair.x] | p->moved[pair.y]))
+	int moved = p->moved[pair.x] | p->moved[pair.y];
+	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX))
 	{
 		// one of them was made anew when the old boxes do not overlap
 		if (!box_overlap(p->box[pair.x], p->box[pair.y]) || !box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
@@ -90,13 +128,27 @@ STAGE(narrow_phase)
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Placed a = p->placed[pair.x], b = p->placed[pair.y];
 	Vec turn = vec(a.c, a.s);
-	Vec position = vec_turn_back(turn, vec(b.x - a.x, b.y - a.y));
-	Vec rotation = vec_turn_back(turn, vec(b.c, b.s));
-	const GLOBAL Attribute* shape = p->attribute + b.attribute;
-	Float4 was = p->contact_found[i].relative;
-	if (!(flags & CONTACT_FRESH) && narrow_phase_stayed(was, position, rotation, shape->reach))
-		return;
-	Manifold m = collide(p->attribute + a.attribute, shape, position, rotation);
+	Frame f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Float4 was = p->contact_found[i].relative,
+	       relative = make_float4(f.position.x, f.position.y, f.rotation.x, f.rotation.y);
+	Manifold m;
+	Closing closing;
+	closing.most = 0.0f;
+	if ((moved & MOVED_FAR) && !(flags & CONTACT_DETECTED))
+		closing = sweep_closing(p, a, b);
+	if (closing.most > SPECULATIVE_DISTANCE)
+	{
+		relative = make_float4(NO_POINT, 0.0f, 0.0f, 0.0f);
+		m = narrow_phase_ahead(p, a, b, closing, &f, &relative);
+	}
+	else
+	{
+		if (!(flags & CONTACT_FRESH) && narrow_phase_stayed(was, f.position, f.rotation, shape_b->reach))
+			return;
+		m = collide(shape_a, shape_b, f, reach_of(SPECULATIVE_DISTANCE));
+	}
 
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_constraint[i];
 	Int2 features = p->contact_feature[i];
@@ -119,7 +171,7 @@ STAGE(narrow_phase)
 	on_b[1] = on_b[0];
 	for (int k = 0; k < m.count; ++k)
 	{
-		on_b[k] = vec_turn_back(rotation, vec_sub(m.point[k], position));
+		on_b[k] = vec_turn_back(f.rotation, vec_sub(m.point[k], f.position));
 		feature[k] = m.feature[k];
 		int old = narrow_phase_match(feature[k], m.point[k], old_count, old_feature, old_point, taken);
 		if (old >= 0)
@@ -137,7 +189,7 @@ STAGE(narrow_phase)
 	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
 	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
 	found.on_b = make_float4(on_b[0].x, on_b[0].y, on_b[1].x, on_b[1].y);
-	found.relative = make_float4(position.x, position.y, rotation.x, rotation.y);
+	found.relative = relative;
 	p->contact_found[i] = found;
 	if (constraint >= 0)
 	{

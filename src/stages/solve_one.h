@@ -37,9 +37,9 @@ INLINE void prepare_depth(const Pools* p, float separation)
 
 typedef struct
 {
-	Vec normal, offset;  // from a to b; m: center of a minus center of b
-	Vec anchor[2];       // m: of the points, from the center of a
-	float separation[2]; // m
+	Vec normal, offset;             // from a to b; m: center of a minus center of b
+	Vec anchor1, anchor2;           // m: of the points, from the center of a
+	float separation1, separation2; // m
 } Prepared;
 
 // what the passes need of the points of a contact
@@ -50,25 +50,26 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
 
 	// anchors are from the centers of mass
 	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
+	Vec from_a = vec_add(center_a, vec_scale(0.5f, points.apart));
 	Prepared made;
 	made.normal = points.normal;
-	made.offset = vec_sub(center_a, center_b);
-	for (int k = 0; k < 2; ++k)
-	{
-		made.anchor[k] = vec_sub(points.point[k], center_a);
-		made.separation[k] = points.separation[k];
-		prepare_depth(p, points.separation[k]);
-	}
+	made.offset = vec_add(vec_sub(center_a, center_b), points.apart);
+	made.anchor1 = vec_sub(points.point[0], from_a);
+	made.anchor2 = vec_sub(points.point[1], from_a);
+	made.separation1 = points.separation[0];
+	made.separation2 = points.separation[1];
+	prepare_depth(p, points.separation[0]);
+	prepare_depth(p, points.separation[1]);
 	return made;
 }
 
 // what bounces starts with the speed at which it came
-INLINE void prepare_extras(const Pools* p, int i, const Prepared* made)
+INLINE void prepare_extras(const Pools* p, int i, Prepared made)
 {
 	Body a = body_gather(p, constraint_at(p, body_a, i)), b = body_gather(p, constraint_at(p, body_b, i));
-	Vec ra1 = made->anchor[0], ra2 = made->anchor[1];
-	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made->offset), made->normal);
-	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made->offset), made->normal);
+	Vec ra1 = made.anchor1, ra2 = made.anchor2;
+	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made.offset), made.normal);
+	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made.offset), made.normal);
 	extra_at(p, peak_impulse1, i) = 0.0f;
 	extra_at(p, peak_impulse2, i) = 0.0f;
 }
@@ -84,14 +85,14 @@ STAGE(prepare)
 	constraint_at(p, normal_y, i) = made.normal.y;
 	constraint_at(p, offset_x, i) = made.offset.x;
 	constraint_at(p, offset_y, i) = made.offset.y;
-	constraint_at(p, anchor1_x, i) = made.anchor[0].x;
-	constraint_at(p, anchor1_y, i) = made.anchor[0].y;
-	constraint_at(p, anchor2_x, i) = made.anchor[1].x;
-	constraint_at(p, anchor2_y, i) = made.anchor[1].y;
-	constraint_at(p, separation1, i) = made.separation[0];
-	constraint_at(p, separation2, i) = made.separation[1];
+	constraint_at(p, anchor1_x, i) = made.anchor1.x;
+	constraint_at(p, anchor1_y, i) = made.anchor1.y;
+	constraint_at(p, anchor2_x, i) = made.anchor2.x;
+	constraint_at(p, anchor2_y, i) = made.anchor2.y;
+	constraint_at(p, separation1, i) = made.separation1;
+	constraint_at(p, separation2, i) = made.separation2;
 	if (p->step.extras)
-		prepare_extras(p, i, &made);
+		prepare_extras(p, i, made);
 }
 
 // an impulse fit to start the step with

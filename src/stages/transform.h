@@ -3,6 +3,7 @@
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "stages/box.h"
+#include "stages/sweep.h"
 #include "stages/vec.h"
 
 // the counters of one step, cleared
@@ -75,8 +76,7 @@ INLINE Float4 world_box(Placed placed, const GLOBAL Attribute* attribute, float 
 		Vec v = world_vertex(placed, attribute, k);
 		box = box_union(box, make_float4(v.x, v.y, v.x, v.y));
 	}
-	float r = attribute->radius + extra;
-	return make_float4(box.x - r, box.y - r, box.z + r, box.w + r);
+	return box_grow(box, attribute->radius + extra);
 }
 
 STAGE(transform)
@@ -86,7 +86,7 @@ STAGE(transform)
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
 		// its contacts see an empty box, and end; the box may be empty already, of a row made anew before it died
-		p->moved[i] = 1;
+		p->moved[i] = MOVED_BOX;
 		p->box[i] = box_empty();
 		return;
 	}
@@ -97,19 +97,34 @@ STAGE(transform)
 
 	// contacts begin at the speculative distance, so half of it on either side belongs to the tight box
 	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
+	float margin = attribute->margin;
+	int far = 0;
+	if (placed.body >= 0)
+	{
+		Sweep sweep = sweep_of(p, placed, attribute);
+		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
+		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
+		float travel = absolute(path.x) + absolute(path.y) + swing;
+		if (travel > 0.5f * SPECULATIVE_DISTANCE)
+		{
+			// where it will be belongs to the tight box too. What leaves its box in every step needs no margin.
+			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
+			tight = box_grow(box_union(tight, then), swing);
+			margin = travel < margin ? margin : 0.0f;
+			far = MOVED_FAR;
+		}
+	}
 	if (box_contains(box, tight))
 	{
-		if (moved)
-		{
+		if (moved & MOVED_BOX)
 			p->old_box[i] = box;
-			p->moved[i] = 0;
-		}
+		if (moved != far)
+			p->moved[i] = far;
 		return;
 	}
-	float m = attribute->margin;
 	p->old_box[i] = box;
-	p->box[i] = make_float4(tight.x - m, tight.y - m, tight.z + m, tight.w + m);
-	p->moved[i] = 1;
+	p->box[i] = box_grow(tight, margin);
+	p->moved[i] = MOVED_BOX | far;
 	raise_int(&p->counters->refit, 0x7fffffff);
 	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
 }

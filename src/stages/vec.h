@@ -29,4 +29,20 @@ INLINE Vec vec_turn(Vec q, Vec a) { return vec(q.x * a.x - q.y * a.y, q.y * a.x 
 INLINE Vec vec_turn_back(Vec q, Vec a) { return vec(q.x * a.x + q.y * a.y, q.x * a.y - q.y * a.x); }
 INLINE Real absolute(Real a) { return choose(a, -a, a < splat(0.0f)); }
 
+// Cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. Off by under 2e-7
+// up to 1 radian, which is 60 rad/s at 60 steps a second, and by 2.3e-5 at pi.
+INLINE Vec vec_rotation(Real angle)
+{
+	Real a = 0.25f * angle, q = a * a;
+	Real s = a * (1.0f - q * (1.0f / 6.0f) * (1.0f - q * (1.0f / 20.0f) * (1.0f - q * (1.0f / 42.0f))));
+	Real c = 1.0f - q * 0.5f * (1.0f - q * (1.0f / 12.0f) * (1.0f - q * (1.0f / 30.0f)));
+	for (int k = 0; k < 2; ++k)
+	{
+		Real twice = 2.0f * s * c;
+		c = 1.0f - 2.0f * s * s;
+		s = twice;
+	}
+	return vec(c, s);
+}
+
 #endif

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# curves.sh -- how the cost of a step grows with the number of bodies: 100 to 10 million, at rest and in a storm.
+#
+# usage: bench/curves.sh [FOLDER [DEVICE...]]
+#   FOLDER  where curves.csv, curves.svg and curves.png go; default bench/results/local
+#   DEVICE  as for scree --device; default cpu
+# SIZES names the sizes (100 1k 10k 100k 1M 10M); CPU_SIZES the ones that a CPU takes (those up to 1M); SCENES the scenes
+# (pyramids storm); LIMIT the seconds that one run may take (600); SCREE the command line (build/scree).
+# bench/plot.sh draws. Exit 1 when a row is invalid or missing.
+set -uo pipefail
+cd "$(dirname "$0")/.." || exit 1
+folder=${1:-bench/results/local}
+[ $# -gt 0 ] && shift
+[ $# -gt 0 ] || set -- cpu
+scree=${SCREE:-build/scree}
+mkdir -p "$folder"
+csv=$folder/curves.csv
+known=()
+[ -e bench/known.csv ] && [ "${KNOWN:-}" != write ] && known=(--known bench/known.csv)
+
+# Scene and size to settings; 55 boxes a pyramid, 364 bodies and a rotor a cell of the storm.
+settings_of()
+{
+	case $1.$2 in
+	pyramids.100) echo columns=2 rows=1 ;;
+	pyramids.1k) echo columns=6 rows=3 ;;
+	pyramids.10k) echo columns=14 rows=13 ;;
+	pyramids.100k) echo columns=43 rows=42 ;;
+	pyramids.1M) echo columns=135 rows=135 ;;
+	pyramids.10M) echo columns=427 rows=426 ;;
+	storm.100) echo columns=1 rows=1 across=10 ;;
+	storm.1k) echo columns=3 rows=1 ;;
+	storm.10k) echo columns=9 rows=3 ;;
+	storm.100k) echo columns=17 rows=16 ;;
+	storm.1M) echo columns=53 rows=52 ;;
+	storm.10M) echo columns=166 rows=165 ;;
+	*) return 1 ;;
+	esac
+}
+
+# The storm breaks within 30 steps. Repeats of the large sizes would say little, and building them takes longer than they run.
+steps_of()
+{
+	case $1 in
+	100 | 1k | 10k) echo --steps 500 --repeats 3 ;;
+	100k) echo --steps 200 --repeats 3 ;;
+	1M) echo --steps 100 --repeats 2 ;;
+	*) echo --steps 60 --repeats 1 ;;
+	esac
+}
+
+failed=0
+: >"$csv"
+for device in "$@"; do
+	sizes=${SIZES:-100 1k 10k 100k 1M 10M}
+	[ "$device" = cpu ] && sizes=${CPU_SIZES:-${sizes/10M/}}
+	for scene in ${SCENES:-pyramids storm}; do
+		for size in $sizes; do
+			settings=$(settings_of "$scene" "$size") || { echo "curves.sh: no settings for $scene of $size" >&2; exit 2; }
+			read -ra options <<<"$(steps_of "$size") --set ${settings// / --set }"
+			rows=$(timeout "${LIMIT:-600}" "$scree" bench "$scene" --device "$device" "${options[@]}" "${known[@]}") || failed=1
+			row=$(sed -n 2p <<<"$rows")
+			[ -n "$row" ] || { echo "curves.sh: no row of $scene of $size on $device" >&2; failed=1; continue; }
+			[ -s "$csv" ] || head -n 1 <<<"$rows" | tee "$csv"
+			echo "$row" | tee -a "$csv"
+		done
+	done
+done
+
+bench/plot.sh "$folder" || failed=1
+exit $failed

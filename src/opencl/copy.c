@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// copy.c -- copies within the device, to learn how fast its memory is.
+#include "error.h"
+#include "opencl/opencl.h"
+
+void opencl_copy_release(Backend* b)
+{
+	OpenCl* d = b->state;
+	for (int k = 0; k < 2; ++k)
+	{
+		if (d->copies[k])
+			opencl.ReleaseMemObject(d->copies[k]);
+		d->copies[k] = NULL;
+	}
+}
+
+scree_status opencl_copy_reserve(Backend* b, size_t bytes)
+{
+	OpenCl* d = b->state;
+	opencl_copy_release(b);
+	if (b->bytes + 2 * (uint64_t)bytes > d->device.about.memory)
+		return fail(SCREE_OUT_OF_MEMORY, "%s has no room for two blocks of %zu bytes.", b->name, bytes);
+	d->copy_bytes = bytes;
+	for (int k = 0; k < 2; ++k)
+		TRY(buffer_create(d, bytes, &d->copies[k]));
+	return finish(d); // drivers that allocate late say so by now
+}
+
+scree_status opencl_copy(Backend* b, int times)
+{
+	OpenCl* d = b->state;
+	for (int k = 0; k < times; ++k)
+		TRY(CALL(EnqueueCopyBuffer, d->queue, d->copies[0], d->copies[1], 0, 0, d->copy_bytes, 0, NULL, NULL));
+	return finish(d);
+}

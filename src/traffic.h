@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// traffic.h -- the bytes that the solve stage moves, counted by its algorithm.
+#ifndef TRAFFIC_H
+#define TRAFFIC_H
+#include "scree/scree.h"
+#include <stdbool.h>
+
+// Of one step with so many constraints (padding not counted), rows of bodies and substeps; extras as in Step.
+scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras);
+
+#endif

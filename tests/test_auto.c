@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// test_auto.c -- device "auto": when a world moves by the clock, and that nobody can tell by its state.
+#include "moving.h"
+#include <stdlib.h>
+#include <string.h>
+
+static char said[4][512]; // the last sentences of the log
+static int said_count;
+
+static void note(scree_log_level level, const char* sentence, void* context)
+{
+	(void)level;
+	(void)context;
+	snprintf(said[said_count++ % 4], sizeof said[0], "%s", sentence);
+}
+
+static bool was_said(const char* words)
+{
+	for (int k = 0; k < 4; ++k)
+		if (strstr(said[k], words))
+			return true;
+	return false;
+}
+
+static int set_log(void** state)
+{
+	(void)state;
+	scree_hooks hooks = {.log = note};
+	memset(said, 0, sizeof said);
+	said_count = 0;
+	return scree_set_hooks(&hooks);
+}
+
+static int reset_log(void** state)
+{
+	(void)state;
+	unsetenv("SCREE_AUTO");
+	return scree_set_hooks(NULL) || scree_memory() > 0;
+}
+
+// Steps until a trial has begun; returns how many.
+static int run_to_trial(scree_world* world)
+{
+	int steps = 0;
+	while (!world->automatic.trial && steps < 100)
+	{
+		run_steps(world, 1);
+		++steps;
+	}
+	assert_true(world->automatic.trial);
+	assert_string_equal(scree_world_device(world), other);
+	return steps;
+}
+
+// The CPU, were it as slow as this, would lose; then the other device does.
+static void trial_decides(void** state)
+{
+	(void)state;
+	NEEDS_OTHER();
+	setenv("SCREE_AUTO", other, 1);
+	scree_world* world = open_pile("auto", false);
+	int steps = run_to_trial(world);
+	world->automatic.meters[0].step = 1e6;
+	run_steps(world, 30);
+	assert_string_equal(scree_world_device(world), other);
+	assert_false(world->automatic.trial);
+	assert_true(was_said("the world moves to opencl:") && was_said("ms a step, and 1000000.0000 ms on cpu"));
+
+	// the CPU is tried again when the world has worked for long enough
+	world->automatic.spent = 1e9;
+	run_steps(world, 1);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_true(world->automatic.trial);
+	world->automatic.meters[1].step = 0.0;
+	run_steps(world, 10);
+	assert_string_equal(scree_world_device(world), other);
+	assert_true(was_said("the world does not stay on cpu"));
+	assert_int_equal(world->automatic.failures, 1);
+
+	world->automatic.spent = 1e9;
+	run_steps(world, 1);
+	world->automatic.meters[1].step = 1e6;
+	run_steps(world, 10);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_int_equal(world->automatic.failures, 0);
+	assert_true(hash_of(world) == hash_after(steps + 52));
+	scree_destroy_world(world);
+}
+
+static void world_goes_back(void** state)
+{
+	(void)state;
+	NEEDS_OTHER();
+	setenv("SCREE_AUTO", other, 1);
+	scree_world* world = open_pile("auto", false);
+	int steps = run_to_trial(world);
+	world->automatic.meters[0].step = 0.0;
+	run_steps(world, 20);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_true(was_said("the world does not stay on opencl:"));
+
+	// the next one waits for many times what this one cost
+	assert_true(world->automatic.cost > 0.0);
+	assert_true(world->automatic.failures == 1);
+	assert_false(world->automatic.trial);
+	assert_true(hash_of(world) == hash_after(steps + 20));
+	scree_destroy_world(world);
+}
+
+// What gains nothing from a GPU does not open one.
+static void small_world_stays(void** state)
+{
+	(void)state;
+	scree_world* world = open_pile("auto", false);
+	run_steps(world, 60);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_null(world->automatic.opening);
+	assert_null(world->automatic.other);
+	assert_int_equal(said_count, 0);
+	assert_true(hash_of(world) == hash_after(60));
+	scree_destroy_world(world);
+}
+
+static void other_is_missing(void** state)
+{
+	(void)state;
+	setenv("SCREE_AUTO", "opencl:no such device", 1);
+	scree_world* world = open_pile("auto", false);
+	run_steps(world, 20);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_true(was_said("scree_step: the world stays on the CPU: "));
+	assert_int_equal(said_count, 1);
+	scree_destroy_world(world);
+
+	setenv("SCREE_AUTO", "cpu", 1);
+	world = open_pile("auto", false);
+	run_steps(world, 20);
+	assert_int_equal(said_count, 1);
+	scree_destroy_world(world);
+}
+
+// A device that fails while the world goes there is left alone from then on.
+static void other_falls(void** state)
+{
+	(void)state;
+	scree_world* world = open_pile("auto", true);
+	run_steps(world, 10);
+	BackendOptions options = {.threads = 1};
+	Backend* to;
+	OK(cpu_open(&options, &to));
+	BackendFunctions f = far_away(to, true);
+	to->f = &f;
+	to->distant = true;
+	call_status = SCREE_OUT_OF_MEMORY;
+	calls_left = 20;
+	snprintf(world->automatic.named, sizeof world->automatic.named, "%s", "opencl:X");
+	world->automatic.other = to;
+	run_steps(world, 10);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_true(world->automatic.alone && !world->automatic.trial && !world->automatic.other);
+	assert_true(was_said("scree_step: the world stays on cpu: the device has fallen"));
+	assert_true(hash_of(world) == hash_after(20));
+	scree_destroy_world(world);
+}
+
+// The user's word ends the choice by the clock, and gives it back.
+static void user_decides(void** state)
+{
+	(void)state;
+	NEEDS_OTHER();
+	setenv("SCREE_AUTO", other, 1);
+	scree_world* world = open_pile("auto", false);
+	int steps = run_to_trial(world);
+	OK(scree_move_world(world, "cpu"));
+	assert_false(world->automatic.on);
+	assert_null(world->automatic.other);
+	run_steps(world, 20);
+	assert_string_equal(scree_world_device(world), "cpu");
+	OK(scree_move_world(world, "auto"));
+	OK(scree_move_world(world, "auto"));
+	steps += run_to_trial(world);
+	OK(scree_move_world(world, other));
+	assert_false(world->automatic.on);
+	run_steps(world, 20);
+	assert_string_equal(scree_world_device(world), other);
+
+	// from there the way back is open as well
+	OK(scree_move_world(world, "auto"));
+	while (!world->automatic.trial && steps < 1000)
+	{
+		run_steps(world, 1);
+		++steps;
+	}
+	world->automatic.meters[1].step = 1e6;
+	run_steps(world, 10);
+	assert_string_equal(scree_world_device(world), "cpu");
+	assert_true(hash_of(world) == hash_after(steps + 50));
+	scree_destroy_world(world);
+}
+
+// A world may end while a device is being opened for it.
+static void opening_is_waited_for(void** state)
+{
+	(void)state;
+	NEEDS_OTHER();
+	for (int moved = 0; moved < 2; ++moved)
+	{
+		scree_world* world = open_pile("auto", false);
+		world->automatic.opening = opening_begin(&world->def, other);
+		assert_non_null(world->automatic.opening);
+		if (moved)
+			OK(scree_move_world(world, "cpu"));
+		scree_destroy_world(world);
+		assert_int_equal(scree_memory(), 0);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test_setup_teardown(trial_decides, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(world_goes_back, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(small_world_stays, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(other_is_missing, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(other_falls, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(user_decides, set_log, reset_log),
+	    cmocka_unit_test(opening_is_waited_for),
+	};
+	return cmocka_run_group_tests(tests, find_other, NULL);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// test_traffic.c -- bytes of the solve stage against sums made by hand, and the measured bandwidth.
+#include "world_support.h"
+
+static size_t largest; // allocation that the hook grants, bytes
+
+static void* allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	return bytes > largest ? NULL : aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+
+static void release(void* memory, void* context)
+{
+	(void)context;
+	free(memory);
+}
+
+static void limit_allocations(size_t bytes)
+{
+	scree_hooks hooks = {.allocate = allocate, .release = release};
+	largest = bytes;
+	assert_ok(scree_set_hooks(&hooks));
+}
+
+static scree_traffic traffic_of(scree_world* world)
+{
+	scree_traffic traffic;
+	assert_ok(scree_get_traffic(world, &traffic));
+	return traffic;
+}
+
+// One box on a floor: one constraint, three rows of bodies (the ground of the world is one).
+static void a_box_on_the_floor(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_traffic before = traffic_of(world);
+	assert_int_equal(before.constraints + before.passes, 0);
+	assert_int_equal(before.constraint_bytes + before.body_bytes, 0);
+	add_box(world, SCREE_STATIC, 0.0f, 0.0f);
+	add_box(world, SCREE_DYNAMIC, 0.0f, 1.0f);
+	step(world, 1);
+
+	// Prepare 180: slot 4, pair 8, two places 64, points 64; normal 8, arms 24, gaps 8.
+	// Warm start 56: indices 8, normal and arms 32, impulses 16. Bias 64: 48 with gaps, normal impulses twice 16.
+	// Relax 84: 48, friction 4, all impulses twice 32.
+	scree_traffic traffic = traffic_of(world);
+	assert_int_equal(traffic.constraints, 1);
+	assert_int_equal(traffic.passes, 1 + 2 * 4);
+	assert_int_equal(traffic.constraint_bytes, 180 + 56 + 4 * (64 + 84));
+	// A pass reads 32 bytes of either body and writes 16. A row costs 44 once, and in a substep 128 for its velocity
+	// (state twice 64, motion 32, base twice 32) and 96 for its position.
+	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
+
+	// what bounces takes one more pass, and more of each constraint
+	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute attribute;
+	def.restitution = 0.5f;
+	assert_ok(scree_create_attribute(world, &def, &attribute));
+	traffic = traffic_of(world);
+	assert_int_equal(traffic.passes, 9);
+	assert_ok(scree_step(world, STEP, 2));
+	traffic = traffic_of(world);
+	assert_int_equal(traffic.constraints, 1);
+	assert_int_equal(traffic.passes, 1 + 2 * 2 + 1);
+	// prepare and 24, warm start and 4, relax and 32, bounce 76: 40, restitution 4, approach 8, peaks 8, impulses 16
+	assert_int_equal(traffic.constraint_bytes, 204 + 60 + 2 * (64 + 116) + 76);
+	assert_int_equal(traffic.body_bytes, (6 * 48 + 32) * 2 + 3 * (44 + 2 * 224));
+	scree_destroy_world(world);
+}
+
+// Whatever its figure, it takes no memory for good and changes nothing. On a CPU smaller blocks do, sooner.
+static void bandwidth_is_measured(void** state)
+{
+	(void)state;
+	limit_allocations((size_t)16 << 20);
+	scree_world* world = make_world(-10.0f);
+	add_box(world, SCREE_DYNAMIC, 0.0f, 1.0f);
+	step(world, 3);
+	uint64_t hash = hash_of(world);
+	size_t memory = scree_memory();
+	double bandwidth = -1.0;
+	assert_ok(scree_measure_bandwidth(world, &bandwidth));
+	assert_true(bandwidth > 1e7 && bandwidth < 1e14);
+	assert_int_equal(scree_memory(), memory);
+	assert_true(hash_of(world) == hash);
+	step(world, 1);
+	scree_destroy_world(world);
+	assert_ok(scree_set_hooks(NULL));
+}
+
+// On the CPU the blocks come from the hook: none at all is a sentence.
+static void bandwidth_takes_what_there_is(void** state)
+{
+	(void)state;
+	if (strcmp(device, "cpu") != 0)
+		return;
+	limit_allocations((size_t)16 << 20);
+	scree_world* world = make_world(-10.0f);
+	double bandwidth = -1.0;
+	largest = 100000;
+	assert_int_equal(scree_measure_bandwidth(world, &bandwidth), SCREE_OUT_OF_MEMORY);
+	assert_non_null(strstr(scree_error(), "no memory for two blocks"));
+	assert_true(bandwidth == -1.0);
+	step(world, 1);
+	scree_destroy_world(world);
+	assert_ok(scree_set_hooks(NULL));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(a_box_on_the_floor),
+	    cmocka_unit_test(bandwidth_is_measured),
+	    cmocka_unit_test(bandwidth_takes_what_there_is),
+	};
+	return RUN_ON_DEVICES(tests);
+}
