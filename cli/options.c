@@ -24,6 +24,9 @@ static const struct
     {"picture", 'p', "FILE.png", RUN, "draw the end state"},
     {"video", 'v', "FILE.mp4", RUN, "one frame a step, 60 a second, through ffmpeg"},
     {"size", 'S', "WxH", RUN | BENCH, "pixels of picture, video and frames, 1600x900 without it"},
+    {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it"},
+    {"paint", 'a', "NAME", RUN, "with gl: color bodies by attribute, speed or graph (colors of the solver)"},
+    {"layers", 'L', "NAME,...", RUN, "with gl: boxes, contacts, normals, impulses, velocities over the bodies"},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds"},
     {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
     {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md"},
@@ -169,6 +172,14 @@ static bool read_size(Options* options, const char* text)
 	return false;
 }
 
+static bool read_renderer(const char* text)
+{
+	if (strcmp(text, "gl") == 0 || strcmp(text, "cairo") == 0)
+		return true;
+	fprintf(stderr, "scree run: --renderer %s: must be cairo or gl\n", text);
+	return false;
+}
+
 static bool read_option(Options* options, char letter, char* value)
 {
 	switch (letter)
@@ -195,6 +206,15 @@ static bool read_option(Options* options, char letter, char* value)
 		return true;
 	case 'v':
 		options->video = value;
+		return true;
+	case 'R':
+		options->renderer = value;
+		return read_renderer(value);
+	case 'a':
+		options->paint = value;
+		return true;
+	case 'L':
+		options->layers = value;
 		return true;
 	case 'c':
 		options->csv = value;

@@ -36,9 +36,10 @@ typedef struct
 	int threads, lanes; // 0: as many as there are
 	PipelineChoice pipeline;
 	bool allow_unequal_bits;
-	const scree_opengl* opengl;        // that draws the world; null for none
-	const char *picture, *video, *csv; // null: none
-	int width, height;                 // px
+	const scree_opengl* opengl;            // that draws the world; null for none
+	const char *picture, *video, *csv;     // null: none
+	const char *renderer, *paint, *layers; // null: by default
+	int width, height;                     // px
 	int repeats;
 	const char* known; // null: no hash is known
 	bool names, whole;

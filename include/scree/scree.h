@@ -566,6 +566,7 @@ typedef struct scree_contact
 {
 	scree_collidable a, b;
 	scree_vec normal; // from a to b
+	int color;        // in which the solver takes it: no two of a color share a body that can move. -1 for an overlap
 	int count;        // 1 or 2
 	scree_contact_point points[2];
 } scree_contact;

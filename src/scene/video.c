@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // video.c -- frames on their way through ffmpeg into a file.
-#include "video.h"
+#include "scene/video.h"
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>

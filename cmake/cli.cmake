@@ -1,0 +1,16 @@
+# cli.cmake -- the command line: on scenes, with drawing where there is any.
+file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.c)
+
+if(cli_sources AND SCREE_BUILD_CLI AND TARGET scree_scene)
+	add_executable(scree_cli ${cli_sources})
+	scree_flags(scree_cli)
+	set_target_properties(scree_cli PROPERTIES OUTPUT_NAME scree RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+	if(TARGET scree_reference)
+		target_link_libraries(scree_cli PRIVATE scree_reference)
+	endif()
+	if(TARGET scree_view)
+		target_link_libraries(scree_cli PRIVATE scree_view)
+		target_compile_definitions(scree_cli PRIVATE SCREE_HAVE_VIEW)
+	endif()
+	target_link_libraries(scree_cli PRIVATE scree_scene scree_static)
+endif()
