@@ -19,7 +19,7 @@ extern const char* const paint_names[PAINTS];
 
 typedef enum
 {
-#define X(name, letter, shown, help) LAYER_##name,
+#define X(name, help) LAYER_##name,
 #include "view/layers.def"
 #undef X
 	LAYERS,

@@ -7,7 +7,7 @@
 
 const char* const paint_names[PAINTS] = {"attribute", "speed", "graph"};
 const char* const layer_names[LAYERS] = {
-#define X(name, letter, shown, help) shown,
+#define X(name, help) #name,
 #include "view/layers.def"
 #undef X
 };
