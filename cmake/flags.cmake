@@ -21,8 +21,8 @@ function(scree_flags target)
 		target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 	endif()
 	if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
-		# empty, so that a file may still say it itself; C17 alone hides popen, clock_gettime and the like
-		target_compile_definitions(${target} PRIVATE _GNU_SOURCE=)
+		# empty, so that a file may still say it itself; C17 alone hides popen, clock_gettime and the like; C++ says it
+		target_compile_definitions(${target} PRIVATE $<$<COMPILE_LANGUAGE:C>:_GNU_SOURCE=>)
 	endif()
 	if(SCREE_WERROR)
 		target_compile_options(${target} PRIVATE -Werror)

@@ -171,7 +171,7 @@ static void draw_times(const Viewer* v)
 {
 	const Play* play = &v->play;
 	for (int k = 0; k < STAGES; ++k)
-		draw_bar(stage_names[k], play->stages[k], play->step);
+		draw_bar(play_stages[k], play->stages[k], play->step);
 	draw_bar("step", play->step, play->step);
 	draw_bar("frame", v->frame_ms, 1000.0f / 60.0f);
 	const scree_counters* c = &play->counters;

@@ -7,7 +7,7 @@
 
 #define SMOOTH 0.1f // share of the last step in what is shown
 
-const char* const stage_names[STAGES] = {"transform", "broad phase", "narrow phase", "color", "solve", "finalize"};
+const char* const play_stages[STAGES] = {"transform", "broad phase", "narrow phase", "color", "solve", "finalize"};
 
 static bool failed(char* sentence)
 {

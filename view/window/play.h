@@ -37,7 +37,7 @@ typedef struct
 	float stages[STAGES]; // ms, smoothed
 } Play;
 
-extern const char* const stage_names[STAGES];
+extern const char* const play_stages[STAGES];
 
 // All but play_close return false after writing a sentence (SENTENCE of shader.h), and leave what there was.
 
