@@ -6,10 +6,9 @@
 #include <string.h>
 
 #ifdef SCREE_HAVE_VIEW
-#include "scene/sprites.h"
-#include "view/marks.h"
 #include "view/offscreen.h"
-#include "view/share.h"
+#include "view/renderer.h"
+#include "view/shader.h"
 #include <epoxy/gl.h>
 #include <stdlib.h>
 
@@ -35,18 +34,6 @@ static double median_of(double* times, int count)
 	return times[count / 2];
 }
 
-// what the scene wants to be shown, in the shape of the picture
-static scree_box fit(const Scene* scene, const Offscreen* offscreen)
-{
-	scree_box view = scene->has_view ? scene->view : (scree_box){{-50.0f, -5.0f}, {50.0f, 50.0f}};
-	float width = view.upper.x - view.lower.x, height = view.upper.y - view.lower.y;
-	float aspect = (float)offscreen->width / (float)offscreen->height;
-	float x = 0.5f * (height * aspect - width), y = 0.5f * (width / aspect - height);
-	if (x > 0.0f)
-		return (scree_box){{view.lower.x - x, view.lower.y}, {view.upper.x + x, view.upper.y}};
-	return (scree_box){{view.lower.x, view.lower.y - y}, {view.upper.x, view.upper.y + y}};
-}
-
 // a comma in a driver's name must not make a column
 static void without_commas(const char* name, char* text, size_t size)
 {
@@ -55,11 +42,13 @@ static void without_commas(const char* name, char* text, size_t size)
 		*text = *text == ',' ? ' ' : *text;
 }
 
-static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen, Share* share, const Marks* marks,
+static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen, Share* share, Renderer* renderer,
                              int steps, double* times[4])
 {
 	const Scene* scene = simulation->scene;
-	scree_box view = fit(scene, offscreen);
+	const Style style = {.detail = 1.0f};
+	Camera camera;
+	camera_fit(&camera, scene->has_view ? scene->view : renderer->look.box, offscreen->width, offscreen->height);
 	for (int k = 0; k < steps; ++k)
 	{
 		double begin = seconds_now();
@@ -72,9 +61,7 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 		if (status != SCREE_OK)
 			return status;
 		double updated = seconds_now();
-		glClearColor(0.09f, 0.1f, 0.12f, 1.0f);
-		glClear(GL_COLOR_BUFFER_BIT);
-		marks_draw(marks, share->buffer, share->count, view);
+		renderer_draw(renderer, share, &camera, &style);
 		glFinish();
 		double drawn = seconds_now();
 		times[0][k] = stepped - begin;
@@ -90,22 +77,22 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
                    double* times[4], Frames* frames)
 {
 	Simulation simulation;
-	Sprites sprites = {0};
-	Marks marks;
+	Renderer renderer;
+	char sentence[SENTENCE] = "there is no memory for the picture";
 	int code = simulation_open(options, scene, false, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
-	const char* trouble = sprites_list(&sprites, simulation.world) ? NULL : "there is no memory for the marks";
-	if (!trouble)
-		trouble = marks_open(&marks, sprites.attributes, sprites.attribute_count);
-	if (trouble)
-		fprintf(stderr, "scree bench: %s\n", trouble);
-	code = trouble ? EXIT_FAILED : EXIT_GOOD;
+	bool opened = renderer_open(&renderer, sentence);
+	if (!opened || !renderer_look(&renderer, simulation.world))
+	{
+		fprintf(stderr, "scree bench: %s\n", sentence);
+		code = EXIT_FAILED;
+	}
 	if (code == EXIT_GOOD)
 	{
 		Share share;
 		share_open(&share, simulation.world, copy);
-		scree_status status = draw_run(&simulation, offscreen, &share, &marks, steps, times);
+		scree_status status = draw_run(&simulation, offscreen, &share, &renderer, steps, times);
 		frames->how = share.how;
 		frames->picture = offscreen_hash(offscreen);
 		if (*share.sentence)
@@ -114,20 +101,20 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 			status = scree_world_hash(simulation.world, &frames->world);
 		code = report(status);
 		share_close(&share);
-		marks_close(&marks);
 	}
-	sprites_free(&sprites);
+	if (opened)
+		renderer_close(&renderer);
 	int begin = steps > 2 * WARM_UP ? WARM_UP : 0;
 	double* medians[4] = {&frames->step, &frames->rows, &frames->draw, &frames->frame};
 	for (int k = 0; k < 4 && code == EXIT_GOOD; ++k)
 		*medians[k] = 1e3 * median_of(times[k] + begin, steps - begin);
 	if (code == EXIT_GOOD)
 	{
-		char device[160], renderer[128];
+		char device[160], drawer[128];
 		without_commas(scree_world_device(simulation.world), device, sizeof device);
-		without_commas(offscreen->renderer, renderer, sizeof renderer);
+		without_commas(offscreen->renderer, drawer, sizeof drawer);
 		printf("%s,%s,%s,%s,%dx%d,%d,%.4f,%.4f,%.4f,%.1f,%016" PRIx64 ",%016" PRIx64 "\n", scene->name, device,
-		       renderer, scree_sharing_name(frames->how), offscreen->width, offscreen->height, steps, frames->step,
+		       drawer, scree_sharing_name(frames->how), offscreen->width, offscreen->height, steps, frames->step,
 		       frames->rows, frames->draw, 1e3 / frames->frame, frames->picture, frames->world);
 		fflush(stdout);
 	}

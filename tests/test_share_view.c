@@ -2,9 +2,9 @@
 // test_share_view.c -- rows in a buffer of OpenGL are those of the world, and what is drawn of them the same each time.
 //
 // Skipped where OpenGL cannot draw without a window.
-#include "view/marks.h"
 #include "view/offscreen.h"
-#include "view/share.h"
+#include "view/renderer.h"
+#include "view/shader.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -64,18 +64,20 @@ static uint64_t picture_of(const char* device, bool copy)
 	OK(share_update(&share));
 	check_buffer(&share, 2051);
 
-	scree_attribute_def attributes[3] = {scree_default_attribute_def(), scree_default_attribute_def(),
-	                                     scree_default_attribute_def()};
-	OK(scree_make_box(0.4f, 0.4f, &attributes[1].shape));
-	Marks marks;
-	assert_null(marks_open(&marks, attributes, 3));
+	Renderer renderer;
+	Camera camera;
+	char sentence[SENTENCE];
+	const Style style = {.detail = 1.0f};
+	assert_true(renderer_open(&renderer, sentence));
+	assert_true(renderer_look(&renderer, world));
+	camera_fit(&camera, (scree_box){{-5.0f, -5.0f}, {65.0f, 45.0f}}, offscreen.width, offscreen.height);
 	glClear(GL_COLOR_BUFFER_BIT);
 	uint64_t empty = offscreen_hash(&offscreen);
-	marks_draw(&marks, share.buffer, share.count, (scree_box){{-5.0f, -5.0f}, {65.0f, 45.0f}});
+	renderer_draw(&renderer, &share, &camera, &style);
 	uint64_t hash = offscreen_hash(&offscreen);
 	assert_true(hash != empty && hash != 0);
 	assert_int_equal(glGetError(), GL_NO_ERROR);
-	marks_close(&marks);
+	renderer_close(&renderer);
 	share_close(&share);
 	scree_destroy_world(world);
 	return hash;
