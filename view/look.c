@@ -115,6 +115,21 @@ static bool fill_kinds(Look* look, const Sprites* sprites)
 	return good;
 }
 
+static bool list_rows(Look* look)
+{
+	int count = 0;
+	if (scree_get_shown(look->world, NULL, 0, &count) != SCREE_OK)
+		return false;
+	scree_shown* rows = malloc(((size_t)count + 1) * sizeof *rows);
+	look->row_attributes = malloc(((size_t)count + 1) * sizeof *look->row_attributes);
+	bool good = rows && look->row_attributes && scree_get_shown(look->world, rows, count, &count) == SCREE_OK;
+	for (int k = 0; k < count && good; ++k)
+		look->row_attributes[k] = rows[k].attribute < look->attribute_count ? rows[k].attribute : -1;
+	look->row_count = good ? count : 0;
+	free(rows);
+	return good;
+}
+
 bool look_take(Look* look, scree_world* world)
 {
 	Sprites sprites = {0};
@@ -126,7 +141,7 @@ bool look_take(Look* look, scree_world* world)
 	look->attribute_count = sprites.attribute_count;
 	look->bodies = sprites.bodies;
 	look->body_count = sprites.body_count;
-	good = good && fill_attributes(look) && fill_kinds(look, &sprites);
+	good = good && fill_attributes(look) && fill_kinds(look, &sprites) && list_rows(look);
 	free(sprites.list);
 	const float still[2] = {0};
 	const uint8_t none[1] = {255};
@@ -189,6 +204,7 @@ void look_close(Look* look)
 	table_drop(&look->graph);
 	free(look->attributes);
 	free(look->color_of);
+	free(look->row_attributes);
 	free(look->bodies);
 	*look = (Look){0};
 }

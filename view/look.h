@@ -15,6 +15,8 @@ typedef struct
 	scree_attribute_def* attributes; // by the index of their handles; shape.count 0: never seen
 	int* color_of;                   // palette entry of an attribute, -1 for none
 	int attribute_count;
+	int* row_attributes; // of the rows; -1 for none
+	int row_count;
 	scree_body* bodies; // alive when it was taken
 	int body_count;
 	int body_room; // one more than the highest index

@@ -2,7 +2,7 @@
 // renderer.c -- draws a world from rows in a buffer of OpenGL: bodies, and what may lie over them.
 //
 // A body under Style.detail is a blot: one vertex, and the pixels that it covers. A larger one is a rectangle whose
-// fragments know their distance from the shape. Both passes go over all rows, and a row drops out of one of them.
+// fragments know their distance from the shape. A row drops out of the pass that is not its own.
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
@@ -16,9 +16,9 @@ static bool pass_open(Pass* pass, const char* vertex, const char* fragment, char
 	pass->program = shader_link(glsl_row_glsl, vertex, fragment, sentence);
 	if (!pass->program)
 		return false;
-	const char* names[] = {"view", "scale", "paint", "least", "size", "line"};
-	int* places[] = {&pass->view, &pass->scale, &pass->paint, &pass->least, &pass->size, &pass->line};
-	for (int k = 0; k < 6; ++k)
+	const char* names[] = {"view", "scale", "paint", "least", "size", "line", "coarse"};
+	int* places[] = {&pass->view, &pass->scale, &pass->paint, &pass->least, &pass->size, &pass->line, &pass->coarse};
+	for (int k = 0; k < 7; ++k)
 		*places[k] = glGetUniformLocation(pass->program, names[k]);
 	const char* samplers[] = {"table", "kinds", "velocities", "graph"};
 	glUseProgram(pass->program);
@@ -60,6 +60,7 @@ void renderer_close(Renderer* r)
 bool renderer_look(Renderer* r, scree_world* world)
 {
 	r->contact_count = 0;
+	r->split = (Split){0};
 	return look_take(&r->look, world);
 }
 
@@ -92,15 +93,16 @@ scree_status renderer_fetch(Renderer* r, const Style* style)
 	return status;
 }
 
-// The rows as vertices (divisor 0) or as instances (divisor 1).
-static void bind_rows(unsigned vertices, const Share* share, GLuint divisor)
+// The rows from the first on, as vertices (divisor 0) or as instances (divisor 1).
+static void bind_rows(unsigned vertices, const Share* share, int first, GLuint divisor)
 {
 	const GLsizei row = sizeof(scree_shown);
+	const size_t begin = (size_t)first * sizeof(scree_shown);
 	glBindVertexArray(vertices);
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
-	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, row, (void*)offsetof(scree_shown, pose));
-	glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, row, (void*)offsetof(scree_shown, center));
-	glVertexAttribIPointer(2, 2, GL_INT, row, (void*)offsetof(scree_shown, attribute));
+	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_shown, pose)));
+	glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_shown, center)));
+	glVertexAttribIPointer(2, 2, GL_INT, row, (void*)(begin + offsetof(scree_shown, attribute)));
 	for (GLuint k = 0; k < 3; ++k)
 	{
 		glEnableVertexAttribArray(k);
@@ -117,21 +119,9 @@ static void use_pass(const Pass* pass, const Camera* camera, const Style* style)
 	glUniform1f(pass->scale, camera->scale);
 	glUniform1i(pass->paint, (int)style->paint);
 	glUniform1f(pass->least, style->detail);
+	glUniform1i(pass->coarse, style->detail > 1.0f);
 	glUniform2f(pass->size, (float)camera->width, (float)camera->height);
 	glUniform1f(pass->line, line < 0.7f ? 0.7f : line > 1.4f ? 1.4f : line);
-}
-
-// How many attributes are blots at this scale, and how many are not.
-static void count_blots(const Renderer* r, const Camera* camera, const Style* style, int* blots, int* bodies)
-{
-	*blots = *bodies = 0;
-	for (int k = 0; k < r->look.attribute_count; ++k)
-	{
-		const scree_shape* shape = &r->look.attributes[k].shape;
-		bool blot = shape->area > 0.0f && shape->reach * camera->scale < style->detail;
-		*blots += blot;
-		*bodies += !blot;
-	}
 }
 
 static void bind_tables(const Look* look)
@@ -146,10 +136,17 @@ static void bind_tables(const Look* look)
 	glActiveTexture(GL_TEXTURE0);
 }
 
+// A layer that has something to say of every row.
+static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
+{
+	bind_rows(r->four_each, share, 0, 1);
+	use_pass(pass, camera, style);
+	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
+}
+
 void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const Style* style)
 {
 	Color paper = PAPER;
-	int blots, bodies;
 	glViewport(0, 0, camera->width, camera->height);
 	glDisable(GL_DEPTH_TEST);
 	glDisable(GL_CULL_FACE);
@@ -162,31 +159,23 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	glClear(GL_COLOR_BUFFER_BIT);
 
 	bind_tables(&r->look);
-	count_blots(r, camera, style, &blots, &bodies);
-	bind_rows(r->four_each, share, 1);
-	if (bodies > 0)
+	split_rows(&r->split, &r->look, share->count, camera->scale, style->detail);
+	use_pass(&r->body, camera, style);
+	for (int k = 0; k < r->split.shape_runs; ++k)
 	{
-		use_pass(&r->body, camera, style);
-		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
+		bind_rows(r->four_each, share, r->split.shapes[k].first, 1);
+		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, r->split.shapes[k].count);
 	}
-	if (blots > 0)
+	if (r->split.blots)
 	{
-		bind_rows(r->one_each, share, 0);
+		bind_rows(r->one_each, share, 0, 0);
 		use_pass(&r->blot, camera, style);
 		glDrawArrays(GL_POINTS, 0, share->count);
 	}
 	if (style->layers[LAYER_boxes])
-	{
-		glBindVertexArray(r->four_each);
-		use_pass(&r->box, camera, style);
-		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
-	}
+		draw_over(r, &r->box, share, camera, style);
 	if (style->layers[LAYER_velocities])
-	{
-		glBindVertexArray(r->four_each);
-		use_pass(&r->velocity, camera, style);
-		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
-	}
+		draw_over(r, &r->velocity, share, camera, style);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
 	strokes_draw(&r->strokes, camera);
 }

@@ -4,6 +4,7 @@
 #define RENDERER_H
 #include "view/look.h"
 #include "view/share.h"
+#include "view/split.h"
 #include "view/stroke.h"
 
 typedef enum // what colors a body; row.glsl knows the numbers
@@ -42,7 +43,7 @@ bool style_read(Style* style, const char* paint, const char* layers, char* sente
 typedef struct // a program of OpenGL with its uniforms
 {
 	unsigned program;
-	int view, scale, paint, least, size, line;
+	int view, scale, paint, least, size, line, coarse;
 } Pass;
 
 typedef struct
@@ -51,6 +52,7 @@ typedef struct
 	unsigned one_each, four_each; // vertex arrays: a row is a vertex, or an instance
 	Strokes strokes;
 	Look look;
+	Split split;
 	scree_contact* contacts;
 	int contact_count, contact_room;
 	bool software; // OpenGL runs on the CPU

@@ -1,4 +1,5 @@
 // blot.vert -- a small shape: a point that holds a square of the shape's area.
+uniform bool coarse; // whole pixels will do
 uniform float least; // px: shapes of more reach are drawn as they are
 uniform vec2 size;   // px of the picture
 
@@ -10,7 +11,7 @@ void main()
 	int texel = 7 * max(name.x, 0);
 	vec4 around = texelFetch(table, texel), sizes = texelFetch(table, texel + 1);
 	float side = sizes.w * scale;
-	gl_PointSize = ceil(side) + 2.0;
+	gl_PointSize = coarse ? max(side, 1.0) : ceil(side) + 2.0;
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	color = vec3(0.0);
 	square = vec3(0.0);
