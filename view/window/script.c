@@ -49,10 +49,11 @@ static void print_state(Viewer* v)
 {
 	char sentence[SENTENCE];
 	uint64_t hash = play_hash(&v->play, sentence) ? v->play.hash : 0;
-	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64 ", middle %.3f %.3f, scale %.3f, %s\n",
+	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64
+	       ", middle %.3f %.3f, scale %.3f, %s, %s rows, %.2f ms a frame\n",
 	       v->play.scene->name, v->play.counters.steps, v->play.counters.bodies, v->play.paused ? "paused" : "running",
 	       hash, (double)v->camera.middle.x, (double)v->camera.middle.y, (double)v->camera.scale,
-	       hand_holds(&v->hand) ? "holding" : "free");
+	       hand_holds(&v->hand) ? "holding" : "free", scree_sharing_name(v->share.how), (double)v->frame_ms);
 }
 
 // One line; false when it is not understood.

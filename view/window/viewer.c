@@ -253,7 +253,7 @@ static bool open(Viewer* v, char* sentence)
 		return false;
 	v->style.detail = v->renderer.software ? COARSE : 1.0f;
 	v->code = 2;
-	if (!play_open(&v->play, o, share_context(&v->opengl) ? &v->opengl : NULL, sentence))
+	if (!play_open(&v->play, o, window_opengl(v), sentence))
 		return false;
 	v->code = 0;
 	glfwGetFramebufferSize(v->window, &width, &height);

@@ -7,6 +7,11 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#ifdef __linux__
+#define GLFW_EXPOSE_NATIVE_X11
+#define GLFW_EXPOSE_NATIVE_GLX
+#include <GLFW/glfw3native.h>
+#endif
 
 static char trouble[256]; // what GLFW said last; its callback has no place of ours
 
@@ -64,10 +69,10 @@ static void on_wheel(GLFWwindow* window, double x, double y)
 		input_wheel(viewer_of(window), (float)y);
 }
 
-// EGL first: only its contexts can share memory with OpenCL here.
+// As the display's own system has it, else by EGL.
 static GLFWwindow* create(const Viewer* v, const char* title)
 {
-	const int ways[] = {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API};
+	const int ways[] = {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API};
 	GLFWwindow* window = NULL;
 	for (int k = 0; k < 2 && !window; ++k)
 	{
@@ -80,6 +85,23 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 		window = glfwCreateWindow(v->options->width, v->options->height, title, NULL, NULL);
 	}
 	return window;
+}
+
+static bool glx_context(const Viewer* v, scree_opengl* opengl)
+{
+#ifdef __linux__
+	GLXContext context = glfwGetGLXContext(v->window);
+	*opengl = (scree_opengl){SCREE_GLX, context, context ? glfwGetX11Display() : NULL};
+	return context;
+#else
+	(void)v, (void)opengl;
+	return false;
+#endif
+}
+
+const scree_opengl* window_opengl(Viewer* v)
+{
+	return glx_context(v, &v->opengl) || share_context(&v->opengl) ? &v->opengl : NULL;
 }
 
 bool window_open(Viewer* v, char* sentence)

@@ -8,6 +8,9 @@
 bool window_open(Viewer* viewer, char* sentence);
 void window_close(Viewer* viewer);
 
+// The context, for scree_world_def.opengl; null when worlds cannot share with its kind.
+const scree_opengl* window_opengl(Viewer* viewer);
+
 // Waits no longer than this for events, and passes them on.
 void window_events(Viewer* viewer, double seconds);
 
