@@ -59,6 +59,8 @@ static void choose_colors()
 	style.Colors[ImGuiCol_Header] = ImVec4(0.82f, 0.87f, 0.86f, 1.0f);
 	style.Colors[ImGuiCol_HeaderHovered] = ImVec4(0.76f, 0.84f, 0.83f, 1.0f);
 	style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.27f, 0.55f, 0.53f, 1.0f);
+	style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.52f, 0.70f, 0.69f, 1.0f);
+	style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0.27f, 0.55f, 0.53f, 1.0f);
 	style.Colors[ImGuiCol_CheckMark] = ImVec4(0.20f, 0.45f, 0.44f, 1.0f);
 }
 

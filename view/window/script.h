@@ -10,7 +10,9 @@ typedef struct Script // docs/view.md has the words
 	FILE* file; // null when there is none
 	const char* path;
 	int line;
-	int frames; // still to be drawn before the next line
+	int frames;       // still to be drawn before the next line
+	char awaited[16]; // what the next line waits for; empty for nothing
+	double until;     // s: no longer than this
 } Script;
 
 struct Viewer;

@@ -13,12 +13,13 @@
 #include <GLFW/glfw3native.h>
 #endif
 
-static char trouble[256]; // what GLFW said last; its callback has no place of ours
+static char trouble[256]; // what GLFW said first; its callback has no place of ours
 
 static void on_error(int code, const char* sentence)
 {
 	(void)code;
-	snprintf(trouble, sizeof trouble, "%s", sentence);
+	if (!*trouble)
+		snprintf(trouble, sizeof trouble, "%s", sentence);
 }
 
 static Viewer* viewer_of(GLFWwindow* window) { return glfwGetWindowUserPointer(window); }
