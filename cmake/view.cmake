@@ -32,6 +32,9 @@ endif()
 # the window: GLFW, and Dear ImGui for its panel, in C++
 file(GLOB window_sources CONFIGURE_DEPENDS view/window/*.c view/window/*.cpp)
 include(CheckLanguage)
+if(NOT CMAKE_CXX_COMPILER)
+	unset(CMAKE_CXX_COMPILER CACHE) # it may have been installed since
+endif()
 check_language(CXX)
 if(PkgConfig_FOUND)
 	pkg_check_modules(GLFW IMPORTED_TARGET glfw3)
