@@ -1,6 +1,6 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view test bench build packages format check clean
+.PHONY: help run view clip test bench build packages format check clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -26,6 +26,11 @@ view: ## open a window on a scene (SCENE=pile)
 	@tools/packages.sh $(view_packages)
 	@$(MAKE) --no-print-directory build
 	@build/scree view $(or $(SCENE),pile)
+
+clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
+	@tools/packages.sh ffmpeg
+	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
+	@echo 'The video is build/clip.mp4'
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)

@@ -113,9 +113,9 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 		char device[160], drawer[128];
 		without_commas(scree_world_device(simulation.world), device, sizeof device);
 		without_commas(offscreen->renderer, drawer, sizeof drawer);
-		printf("%s,%s,%s,%s,%dx%d,%d,%.4f,%.4f,%.4f,%.1f,%016" PRIx64 ",%016" PRIx64 "\n", scene->name, device,
-		       drawer, scree_sharing_name(frames->how), offscreen->width, offscreen->height, steps, frames->step,
-		       frames->rows, frames->draw, 1e3 / frames->frame, frames->picture, frames->world);
+		printf("%s,%s,%s,%s,%dx%d,%d,%.4f,%.4f,%.4f,%.1f,%016" PRIx64 ",%016" PRIx64 "\n", scene->name, device, drawer,
+		       scree_sharing_name(frames->how), offscreen->width, offscreen->height, steps, frames->step, frames->rows,
+		       frames->draw, 1e3 / frames->frame, frames->picture, frames->world);
 		fflush(stdout);
 	}
 	simulation_close(&simulation);

@@ -25,7 +25,7 @@ static const struct
     {"allow-unequal-bits", 'u', NULL, WORLDS, "use a device that cannot keep the promise of equal bits"},
     {"set", 's', "NAME=VALUE", WORLDS, "give a parameter of the scene another value; may be repeated"},
     {"picture", 'p', "FILE.png", RUN, "draw the end state"},
-    {"video", 'v', "FILE.mp4", RUN, "one frame a step, 60 a second, through ffmpeg"},
+    {"video", 'v', "FILE.mp4", RUN, "60 frames a second of the world's time, through ffmpeg"},
     {"size", 'S', "WxH", RUN | BENCH | VIEW, "pixels of picture, video, frames and window, 1600x900 without it"},
     {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it"},
     {"paint", 'a', "NAME", RUN | VIEW, "with gl: color bodies by attribute, speed or graph (colors of the solver)"},

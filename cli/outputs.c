@@ -98,9 +98,12 @@ int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
 	}
 	if (!outputs->video.pipe)
 		return EXIT_GOOD;
-	int code = draw(outputs, simulation);
-	if (code == EXIT_GOOD && !video_frame(&outputs->video, artist_canvas(outputs->artist)->pixels))
-		code = EXIT_FAILED; // closing the video says why
+	double seconds = (double)record->counters.steps * (double)simulation->scene->dt;
+	int due = video_due(&outputs->video, seconds);
+	int code = due > 0 ? draw(outputs, simulation) : EXIT_GOOD;
+	for (; due > 0 && code == EXIT_GOOD; --due)
+		if (!video_frame(&outputs->video, artist_canvas(outputs->artist)->pixels))
+			code = EXIT_FAILED; // closing the video says why
 	return code;
 }
 

@@ -36,6 +36,11 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/stages/dialect.h |
 	grep -vxE 'DIALECT_H|ROW|STAGE_JOIN_?' | sort -u)
 
+# every key of the viewer has its row in docs/view.md
+while read -r key; do
+	grep -qE "^\|.*\`$key\`.*\|" docs/view.md || complain "docs/view.md: the key $key is missing"
+done < <(sed -nE 's/^X\([a-z]+, [A-Z0-9]+, "([^"]+)".*/\1/p' view/window/keys.def)
+
 # only one file of the stages asks which compiler is reading it
 asks=$(grep -lE '__OPENCL|__GNUC__|__clang__' src/stages/*.h | tr '\n' ' ')
 [ "$asks" = "src/stages/dialect.h " ] || complain "src/stages: these files ask which compiler reads them: $asks"

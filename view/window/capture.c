@@ -98,13 +98,20 @@ bool capture_begin(Capture* c, char* sentence)
 {
 	if (!free_name(c->path, "mp4", sentence))
 		return false;
+	c->seconds = 0;
 	if (video_open(&c->video, c->path, c->canvas.width, c->canvas.height))
 		return true;
 	snprintf(sentence, SENTENCE, "ffmpeg does not start: is it installed?");
 	return false;
 }
 
-bool capture_frame(Capture* c) { return video_frame(&c->video, c->canvas.pixels); }
+bool capture_frame(Capture* c)
+{
+	bool good = true;
+	for (int due = video_due(&c->video, c->seconds); due > 0 && good; --due)
+		good = video_frame(&c->video, c->canvas.pixels);
+	return good;
+}
 
 bool capture_end(Capture* c, char* sentence)
 {

@@ -10,7 +10,8 @@ typedef struct
 {
 	unsigned frame, color; // framebuffer and renderbuffer of OpenGL, of the canvas' size
 	Canvas canvas;
-	Video video; // pipe: null when none is made
+	Video video;    // pipe: null when none is made
+	double seconds; // of the world, since the video began
 	char path[64];
 } Capture;
 
@@ -31,6 +32,7 @@ bool capture_save(Capture* capture, const char* path, char* sentence);
 
 // Begins a video in a new file scree-N.mp4, or ends it. The sentence says where it is, or why it is not.
 bool capture_begin(Capture* capture, char* sentence);
+// Adds what was drawn, as often as the world's time wants it.
 bool capture_frame(Capture* capture);
 bool capture_end(Capture* capture, char* sentence);
 

@@ -4,6 +4,7 @@
 #include "view/window/panel.h"
 #include "view/window/window.h"
 #include <epoxy/gl.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -103,8 +104,8 @@ void viewer_move(Viewer* v, const char* device)
 	}
 	uint64_t before = v->play.hash;
 	if (play_move(&v->play, device, sentence) && play_hash(&v->play, sentence))
-		snprintf(sentence, SENTENCE, "moved to %s: the hash is %s", device,
-		         v->play.hash == before ? "the same" : "another one, which must not be");
+		snprintf(sentence, SENTENCE, "moved to %s: the hash %s %016" PRIx64, device,
+		         v->play.hash == before ? "stays" : "must not change, but is now", v->play.hash);
 	viewer_note(v, sentence);
 }
 
@@ -144,6 +145,7 @@ static void advance(Viewer* v, double seconds)
 	while (play->owed >= dt * 0.999)
 	{
 		play->owed -= dt;
+		v->capture.seconds += dt;
 		if (hand_pull(&v->hand) != SCREE_OK)
 			hand_release(&v->hand); // its body is gone
 		if (!play_step(play, sentence))
@@ -201,7 +203,7 @@ static void draw(Viewer* v)
 		v->done = true;
 		return;
 	}
-	if (v->capture.video.pipe)
+	if (v->capture.video.pipe && video_due(&v->capture.video, v->capture.seconds) > 0)
 		record_frame(v);
 	draw_hold(v);
 	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
