@@ -1,12 +1,13 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run test bench build packages format check clean
+.PHONY: help run view clip test bench build packages format check clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
 build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
-	pocl-opencl-icd
-test_packages := git clang libclang-rt-14-dev clang-format-14 libcmocka-dev
+	pocl-opencl-icd libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
+view_packages := g++ libglfw3-dev libimgui-dev
+test_packages := $(view_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -20,6 +21,16 @@ build: ## the library and the command line: build/libscree.a, build/libscree.so,
 run: build ## drop a pile of mixed shapes and make a picture of where they rest
 	@build/scree run pile --picture build/pile.png
 	@echo 'The picture is build/pile.png'
+
+view: ## open a window on a scene (SCENE=pile)
+	@tools/packages.sh $(view_packages)
+	@$(MAKE) --no-print-directory build
+	@build/scree view $(or $(SCENE),pile)
+
+clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
+	@tools/packages.sh ffmpeg
+	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
+	@echo 'The video is build/clip.mp4'
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)

@@ -3,10 +3,10 @@
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  where parity.csv, bench.csv, machine.txt and the curves go; default bench/results/DEVICE
+#   FOLDER  where parity.csv, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
 # STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
-# BENCH names the scenes to measure ("none" for none); CURVES=yes runs bench/curves.sh as well. Exit 1 when any hash differs
-# or any row is invalid.
+# BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well. Exit 1
+# when any hash or picture differs or any row is invalid.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
@@ -93,6 +93,17 @@ cat "$folder/parity.csv"
 scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm}
 if [ "$scenes" != none ]; then
 	timeout 500 $scree bench $scenes --device "opencl:$device" --steps "$steps" | tee "$folder/bench.csv" || differ=1
+fi
+frames=${FRAMES:-million pile pyramids tumbler}
+if [ "$frames" != none ]; then
+	for scene in $frames; do
+		for where in "opencl:$device" cpu; do
+			timeout "$limit" $scree bench frames "$scene" --device "$where" --steps 150
+		done
+	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/frames.csv" || differ=1
+	# the rows are shared or copied, of a CPU's world or a GPU's: a scene has one picture and one hash
+	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort -u | wc -l)
+	[ "$pictures" = "$(echo $frames | wc -w)" ] || { echo "frames.csv: pictures differ, or are missing"; differ=1; }
 fi
 if [ "${CURVES:-no}" = yes ]; then
 	bench/curves.sh "$folder" "opencl:$device" || differ=1

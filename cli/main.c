@@ -14,7 +14,7 @@ static const struct
 } commands[] = {
     {"run", RUN, 1, 1, run_command},          {"hash", HASH, 1, 1, hash_command},
     {"scenes", SCENES, 0, 0, scenes_command}, {"devices", DEVICES, 0, 0, devices_command},
-    {"bench", BENCH, 0, 1000, bench_command},
+    {"bench", BENCH, 0, 1000, bench_command}, {"view", VIEW, 0, 1, view_command},
 };
 
 // The file that is running; scenes may lie beside it.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // options.c -- reading the command line, and its help from the same table.
 #include "options.h"
+#include "commands.h"
 #include <ctype.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define WORLDS (RUN | HASH | BENCH | VIEW) // commands that make worlds
 
 static const struct
 {
@@ -15,21 +18,25 @@ static const struct
 	const char* help;
 } table[] = {
     {"steps", 'n', "N", RUN | HASH | BENCH, "steps to take; without it as many as the scene says"},
-    {"device", 'd', "NAME", RUN | HASH | BENCH, "auto, cpu, opencl, or opencl:NAME with part of a device's name"},
-    {"threads", 't', "N", RUN | HASH | BENCH, "CPU threads, 1 to 64; without it one a core"},
-    {"lanes", 'l', "N", RUN | HASH | BENCH, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is"},
+    {"device", 'd', "NAME", WORLDS, "auto, cpu, opencl, or opencl:NAME with part of a device's name"},
+    {"threads", 't', "N", WORLDS, "CPU threads, 1 to 64; without it one a core"},
+    {"lanes", 'l', "N", WORLDS, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is"},
     {"pipeline", 'P', "NAME", RUN | HASH | BENCH, "soft: the soft step solver; paper: the paper's, on one thread"},
-    {"allow-unequal-bits", 'u', NULL, RUN | HASH | BENCH, "use a device that cannot keep the promise of equal bits"},
-    {"set", 's', "NAME=VALUE", RUN | HASH | BENCH, "give a parameter of the scene another value; may be repeated"},
+    {"allow-unequal-bits", 'u', NULL, WORLDS, "use a device that cannot keep the promise of equal bits"},
+    {"set", 's', "NAME=VALUE", WORLDS, "give a parameter of the scene another value; may be repeated"},
     {"picture", 'p', "FILE.png", RUN, "draw the end state"},
-    {"video", 'v', "FILE.mp4", RUN, "one frame a step, 60 a second, through ffmpeg"},
-    {"size", 'S', "WxH", RUN, "pixels of picture and video, 1600x900 without it"},
+    {"video", 'v', "FILE.mp4", RUN, "60 frames a second of the world's time, through ffmpeg"},
+    {"size", 'S', "WxH", RUN | BENCH | VIEW, "pixels of picture, video, frames and window, 1600x900 without it"},
+    {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it"},
+    {"paint", 'a', "NAME", RUN | VIEW, "with gl: color bodies by attribute, speed or graph (colors of the solver)"},
+    {"layers", 'L', "NAME,...", RUN | VIEW, "with gl: boxes, contacts, normals, impulses, velocities over the bodies"},
+    {"script", 'x', "FILE", VIEW, "what a user would do, one thing a line: docs/view.md"},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds"},
     {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
     {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md"},
     {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench, whose hashes must come out again"},
     {"names", 'N', NULL, SCENES, "names alone, one a line"},
-    {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH, "this text"},
+    {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH | VIEW, "this text"},
 };
 #define OPTION_COUNT (int)(sizeof table / sizeof table[0])
 
@@ -41,10 +48,11 @@ static const struct
 	const char* help;
 } commands[] = {
     {RUN, "run", "SCENE|FILE", "simulate, with a table of results at the end"},
+    {VIEW, "view", "[SCENE|FILE]", "open a window on a scene, pile without a name"},
     {HASH, "hash", "SCENE|FILE --steps N", "simulate and print the world's hash, 16 digits, alone"},
     {SCENES, "scenes", "", "list the scenes with their parameters"},
     {DEVICES, "devices", "", "list the devices and whether they keep the promise of equal bits"},
-    {BENCH, "bench", "[SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
+    {BENCH, "bench", "[SCENE|FILE]...", "measure scenes (all without a name), CSV; frames SCENE: drawn"},
 };
 #define COMMAND_COUNT (int)(sizeof commands / sizeof commands[0])
 
@@ -169,6 +177,14 @@ static bool read_size(Options* options, const char* text)
 	return false;
 }
 
+static bool read_renderer(const char* text)
+{
+	if (strcmp(text, "gl") == 0 || strcmp(text, "cairo") == 0)
+		return true;
+	fprintf(stderr, "scree run: --renderer %s: must be cairo or gl\n", text);
+	return false;
+}
+
 static bool read_option(Options* options, char letter, char* value)
 {
 	switch (letter)
@@ -196,6 +212,18 @@ static bool read_option(Options* options, char letter, char* value)
 	case 'v':
 		options->video = value;
 		return true;
+	case 'R':
+		options->renderer = value;
+		return read_renderer(value);
+	case 'x':
+		options->script = value;
+		return true;
+	case 'a':
+		options->paint = value;
+		return true;
+	case 'L':
+		options->layers = value;
+		return true;
 	case 'c':
 		options->csv = value;
 		return true;
@@ -213,6 +241,8 @@ static bool read_option(Options* options, char letter, char* value)
 		return true;
 	default: // 'h'
 		print_help(stdout);
+		if (options->command == VIEW)
+			print_view_help(stdout);
 		exit(fflush(stdout) == 0 ? EXIT_GOOD : EXIT_FAILED);
 	}
 }

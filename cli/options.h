@@ -19,6 +19,7 @@ typedef enum // bits, so that an option can belong to several
 	SCENES = 4,
 	DEVICES = 8,
 	BENCH = 16,
+	VIEW = 32,
 } Command;
 
 typedef enum
@@ -36,8 +37,11 @@ typedef struct
 	int threads, lanes; // 0: as many as there are
 	PipelineChoice pipeline;
 	bool allow_unequal_bits;
-	const char *picture, *video, *csv; // null: none
-	int width, height;                 // px
+	const scree_opengl* opengl;            // that draws the world; null for none
+	const char *picture, *video, *csv;     // null: none
+	const char *renderer, *paint, *layers; // null: by default
+	const char* script;                    // null: none
+	int width, height;                     // px
 	int repeats;
 	const char* known; // null: no hash is known
 	bool names, whole;

@@ -2,7 +2,6 @@
 // outputs.c -- what a run leaves beside its table: a picture, a video, a CSV file.
 #include "outputs.h"
 #include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 
 static int file_failed(const char* path)
@@ -32,24 +31,24 @@ static bool close_file(FILE** file, const char* path)
 	return !bad || file_failed(path) == EXIT_GOOD;
 }
 
-int outputs_open(Outputs* outputs, const Options* options, Simulation* simulation)
+int outputs_begin(Outputs* outputs, const Options* options, Options* drawn)
 {
 	*outputs = (Outputs){.options = options};
-	if (options->picture || options->video)
-	{
-		char sentence[SCENE_SENTENCE];
-		int count = 0;
-		outputs->picture =
-		    picture_create(simulation->scene, simulation->world, options->width, options->height, sentence);
-		if (outputs->picture)
-			picture_bodies(outputs->picture, &count);
-		outputs->poses = malloc(((size_t)count + 1) * sizeof(scree_pose));
-		if (!outputs->picture || !outputs->poses)
-		{
-			fprintf(stderr, "scree: %s\n", sentence);
-			return EXIT_FAILED;
-		}
-	}
+	*drawn = *options;
+	if (!options->picture && !options->video)
+		return EXIT_GOOD;
+	int code = EXIT_GOOD;
+	outputs->artist = artist_open(options, &code);
+	if (outputs->artist)
+		drawn->opengl = artist_opengl(outputs->artist);
+	return code;
+}
+
+int outputs_open(Outputs* outputs, Simulation* simulation)
+{
+	const Options* options = outputs->options;
+	if (outputs->artist && !artist_world(outputs->artist, simulation))
+		return EXIT_FAILED;
 	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
 		return EXIT_FAILED;
 	if (options->video && !video_open(&outputs->video, options->video, options->width, options->height))
@@ -66,20 +65,17 @@ int outputs_open(Outputs* outputs, const Options* options, Simulation* simulatio
 
 static int draw(Outputs* outputs, Simulation* simulation)
 {
-	int count;
 	char caption[256], device[192];
-	const scree_body* bodies = picture_bodies(outputs->picture, &count);
 	scree_counters counters;
-	scree_status status = simulation->f->poses(simulation, bodies, outputs->poses, count);
-	if (status == SCREE_OK)
-		status = simulation->f->counters(simulation, &counters);
-	if (status != SCREE_OK)
-		return report(status);
+	scree_status status = simulation->f->counters(simulation, &counters);
 	device_text(simulation, device, sizeof device);
-	snprintf(caption, sizeof caption, "%.2f s   %d bodies   %d contacts   %s",
-	         (double)counters.steps * (double)simulation->scene->dt, counters.bodies, counters.contacts, device);
-	picture_draw(outputs->picture, outputs->poses, caption);
-	return EXIT_GOOD;
+	if (status == SCREE_OK)
+	{
+		snprintf(caption, sizeof caption, "%.2f s   %d bodies   %d contacts   %s",
+		         (double)counters.steps * (double)simulation->scene->dt, counters.bodies, counters.contacts, device);
+		status = artist_draw(outputs->artist, simulation, caption);
+	}
+	return report(status);
 }
 
 static void write_row(FILE* csv, const Record* record)
@@ -102,9 +98,12 @@ int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
 	}
 	if (!outputs->video.pipe)
 		return EXIT_GOOD;
-	int code = draw(outputs, simulation);
-	if (code == EXIT_GOOD && !video_frame(&outputs->video, picture_pixels(outputs->picture)))
-		code = EXIT_FAILED; // closing the video says why
+	double seconds = (double)record->counters.steps * (double)simulation->scene->dt;
+	int due = video_due(&outputs->video, seconds);
+	int code = due > 0 ? draw(outputs, simulation) : EXIT_GOOD;
+	for (; due > 0 && code == EXIT_GOOD; --due)
+		if (!video_frame(&outputs->video, artist_canvas(outputs->artist)->pixels))
+			code = EXIT_FAILED; // closing the video says why
 	return code;
 }
 
@@ -114,7 +113,7 @@ int outputs_close(Outputs* outputs, Simulation* simulation, int code)
 	{
 		errno = 0;
 		code = draw(outputs, simulation);
-		if (code == EXIT_GOOD && !picture_write(outputs->picture, outputs->picture_file))
+		if (code == EXIT_GOOD && !canvas_write(artist_canvas(outputs->artist), outputs->picture_file))
 		{
 			code = file_failed(outputs->options->picture);
 			fclose(outputs->picture_file);
@@ -127,7 +126,6 @@ int outputs_close(Outputs* outputs, Simulation* simulation, int code)
 		code = EXIT_FAILED;
 	if (!video_close(&outputs->video) && code == EXIT_GOOD)
 		code = EXIT_FAILED;
-	picture_free(outputs->picture);
-	free(outputs->poses);
+	artist_close(outputs->artist);
 	return code;
 }

@@ -2,22 +2,25 @@
 // outputs.h -- what a run leaves beside its table: a picture, a video, a CSV file.
 #ifndef OUTPUTS_H
 #define OUTPUTS_H
+#include "artist.h"
 #include "record.h"
-#include "scene/picture.h"
-#include "video.h"
+#include "scene/video.h"
 
 typedef struct
 {
-	Picture* picture; // null when neither picture nor video is asked for
-	scree_pose* poses;
+	Artist* artist; // null when neither picture nor video is asked for
 	Video video;
 	FILE* picture_file;
 	FILE* csv;
 	const Options* options;
 } Outputs;
 
+// Opens what draws pictures, of which the world must know when it is made: *drawn are the options to make it with.
+// Returns an exit code. To be closed also when this fails.
+int outputs_begin(Outputs* outputs, const Options* options, Options* drawn);
+
 // Opens all files before the first step, so that a bad path costs nothing. Returns an exit code.
-int outputs_open(Outputs* outputs, const Options* options, Simulation* simulation);
+int outputs_open(Outputs* outputs, Simulation* simulation);
 
 // Adds a frame and a row. Returns an exit code.
 int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record);

@@ -90,10 +90,15 @@ int run_command(const Options* options)
 	Totals totals = {0};
 	uint64_t hash = 0;
 	int steps = options->steps > 0 ? options->steps : scene->steps;
-	int code = simulation_open(options, scene, true, &simulation);
+	Options drawn;
+	int code = outputs_begin(&outputs, options, &drawn);
 	if (code == EXIT_GOOD)
+		code = simulation_open(&drawn, scene, true, &simulation);
+	if (code != EXIT_GOOD)
+		outputs_close(&outputs, NULL, code);
+	else
 	{
-		code = outputs_open(&outputs, options, &simulation);
+		code = outputs_open(&outputs, &simulation);
 		if (code == EXIT_GOOD)
 			code = take_steps(&simulation, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)

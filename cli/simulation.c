@@ -87,6 +87,7 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 	def.lanes = simulation->f->one_thread ? 1 : options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
+	def.opengl = options->opengl;
 	double begin = seconds_now();
 	scree_status status = scree_create_world(&def, &simulation->world);
 	double opened = seconds_now();

@@ -1,4 +1,4 @@
-# flags.cmake -- scree_flags(target): how every C file of this project is compiled.
+# flags.cmake -- scree_flags(target): how every file of this project is compiled.
 
 # What the promise of equal bits needs: a * b + c is two roundings everywhere. What costs nothing: no stage reads errno
 # or floating-point exceptions, so the compiler may treat sqrt and divisions as pure. Nothing else of fast-math is safe.
@@ -13,15 +13,16 @@ function(scree_flags target)
 	set_target_properties(${target} PROPERTIES C_STANDARD 17 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
 		POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
 	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow -Wstrict-prototypes)
+	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
+		$<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
 	# vectors are passed only between functions of one file
 	target_compile_options(${target} PRIVATE -Wno-psabi)
 	if(NOT WIN32)
 		target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 	endif()
 	if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
-		# empty, so that a file may still say it itself; C17 alone hides popen, clock_gettime and the like
-		target_compile_definitions(${target} PRIVATE _GNU_SOURCE=)
+		# empty, so that a file may still say it itself; C17 alone hides popen, clock_gettime and the like; C++ says it
+		target_compile_definitions(${target} PRIVATE $<$<COMPILE_LANGUAGE:C>:_GNU_SOURCE=>)
 	endif()
 	if(SCREE_WERROR)
 		target_compile_options(${target} PRIVATE -Werror)

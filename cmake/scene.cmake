@@ -1,6 +1,5 @@
-# scene.cmake -- the scene files and the command line: scree_scene needs Jansson, pictures need Cairo.
+# scene.cmake -- the scene files, which need Jansson, and pictures of them, which need Cairo.
 file(GLOB scene_sources CONFIGURE_DEPENDS src/scene/*.c)
-file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.c)
 
 find_package(PkgConfig)
 if(PkgConfig_FOUND)
@@ -23,14 +22,4 @@ elseif(scene_sources)
 	# looked up first in the sources, then where they are installed
 	target_compile_definitions(scree_scene PUBLIC SCREE_SCENE_DIR="${PROJECT_SOURCE_DIR}/scenes"
 		SCREE_INSTALLED_SCENE_DIR="${CMAKE_INSTALL_FULL_DATADIR}/scree/scenes")
-
-	if(cli_sources AND SCREE_BUILD_CLI)
-		add_executable(scree_cli ${cli_sources})
-		scree_flags(scree_cli)
-		set_target_properties(scree_cli PROPERTIES OUTPUT_NAME scree RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-		if(TARGET scree_reference)
-			target_link_libraries(scree_cli PRIVATE scree_reference)
-		endif()
-		target_link_libraries(scree_cli PRIVATE scree_scene scree_static)
-	endif()
 endif()

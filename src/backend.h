@@ -16,6 +16,7 @@ typedef enum // what a pool has an item for
 	CONSTRAINT,
 	BLOCK, // of MAX_LANES constraints
 	SHARE, // of a body, in the overflow set
+	SHOWN, // collidable, as a renderer sees it
 	TREE,
 	LEAF,
 	NODE,
@@ -78,11 +79,20 @@ typedef struct
 	const char* device; // part of a name, or null for the first that fits
 	int threads, lanes; // 0 for as many as there are
 	bool allow_unequal_bits, timings;
-	bool gpu; // OpenCL: only a GPU will do, else SCREE_NO_DEVICE
+	bool gpu;                   // OpenCL: only a GPU will do, else SCREE_NO_DEVICE
+	const scree_opengl* opengl; // or null
 } BackendOptions;
 
 #define HELD_BYTES ((size_t)4096)
 _Static_assert(sizeof(Counters) <= HELD_BYTES, "the counters are read in halves");
+
+typedef struct // that OpenGL draws from; who asked for it keeps it
+{
+	scree_sharing how; // not SCREE_COPIED
+	int file;          // SCREE_SHARED_MEMORY: descriptor, the device's own once it has taken it
+	uint32_t buffer;   // SCREE_SHARED_OPENGL: name of a buffer object
+	size_t bytes;
+} SharedMemory;
 
 typedef struct Backend Backend;
 typedef struct // every function that returns a status has set the error's sentence (fail, src/error.h)
@@ -103,6 +113,10 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*wait)(Backend* b);
 	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
+	// Takes memory to show in, instead of what it had, or null for none; on failure it keeps what it had. Waits.
+	scree_status (*share)(Backend* b, const SharedMemory* memory);
+	// runs a stage with the pool shown in that memory, and waits until OpenGL may read it
+	scree_status (*show)(Backend* b, const Run* run);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
 	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing does.
@@ -120,6 +134,7 @@ struct Backend
 	char name[160];          // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;      // 0 on OpenCL
 	bool distant;            // waiting for a read costs as much as many runs
+	scree_sharing sharing;   // what share takes; SCREE_COPIED for nothing, and then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
 	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's

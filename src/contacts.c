@@ -9,6 +9,7 @@ typedef struct // the pools of contacts, and where their collidables were
 	Int2* pair;
 	Int2* feature;
 	Found* found;
+	int* color;
 	int* constraint;
 	Constraints* blocks;
 	Placed* placed;
@@ -28,6 +29,7 @@ static void release(ContactRows* rows)
 	scree_release(rows->pair);
 	scree_release(rows->feature);
 	scree_release(rows->found);
+	scree_release(rows->color);
 	scree_release(rows->constraint);
 	scree_release(rows->blocks);
 	scree_release(rows->placed);
@@ -65,6 +67,7 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 	scree_contact contact = {.a = collidable_handle(world, pair.x),
 	                         .b = collidable_handle(world, pair.y),
 	                         .normal = {at.normal.x, at.normal.y},
+	                         .color = rows->color[k],
 	                         .count = (int)(rows->flags[k] & CONTACT_COUNT)};
 	contact.points[0] = (scree_contact_point){{a.x + at.point[0].x, a.y + at.point[0].y},
 	                                          at.separation[0],
@@ -92,6 +95,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 	{
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
 		TRY(read_pool(world, function, POOL_contact_found, slots, (void**)&rows->found));
+		TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
 		TRY(read_pool(world, function, POOL_contact_constraint, slots, (void**)&rows->constraint));
 		int blocks = world->pipeline.counters.color_begin[COLORS + 1] / MAX_LANES;
 		if (blocks > 0)

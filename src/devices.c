@@ -52,7 +52,8 @@ scree_status device_open(const scree_world_def* def, Backend** backend)
 	BackendOptions options = {.threads = def->threads,
 	                          .lanes = def->lanes,
 	                          .allow_unequal_bits = def->allow_unequal_bits,
-	                          .timings = def->timings};
+	                          .timings = def->timings,
+	                          .opengl = def->opengl};
 	if (strncmp(def->device, "opencl", 6) != 0)
 		return cpu_open(&options, backend);
 	options.device = def->device[6] ? def->device + 7 : NULL;
@@ -61,6 +62,6 @@ scree_status device_open(const scree_world_def* def, Backend** backend)
 
 scree_status device_open_gpu(const scree_world_def* def, Backend** backend)
 {
-	BackendOptions options = {.timings = def->timings, .gpu = true};
+	BackendOptions options = {.timings = def->timings, .gpu = true, .opengl = def->opengl};
 	return opencl_open(&options, backend);
 }

@@ -91,6 +91,8 @@ const char* scree_status_name(scree_status status)
 		return "no device";
 	case SCREE_DEVICE_FAILED:
 		return "device failed";
+	case SCREE_NOT_SUPPORTED:
+		return "not supported";
 	}
 	return "unknown";
 }

@@ -14,8 +14,8 @@
 
 // written before they are read in every step
 static const bool scratch[POOL_COUNT] = {
-    [POOL_moved_list] = true, [POOL_scan] = true,       [POOL_free_slot] = true,
-    [POOL_began] = true,      [POOL_uncolored0] = true, [POOL_uncolored1] = true,
+    [POOL_moved_list] = true, [POOL_scan] = true,       [POOL_free_slot] = true, [POOL_began] = true,
+    [POOL_uncolored0] = true, [POOL_uncolored1] = true, [POOL_shown] = true,
 };
 
 static int smaller(int a, int b) { return a < b ? a : b; }
@@ -114,6 +114,7 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_release(m.bounce);
 	if (status != SCREE_OK)
 		return status;
+	scree_unshare(world); // what another device has is no use to this one
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
 	for (int t = 0; t < 2; ++t)

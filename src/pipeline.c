@@ -367,6 +367,7 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras);
 	pipeline->trees[0].unsorted += pipeline->counters.moved;
 	++pipeline->steps;
+	pipeline->step = step;
 	return SCREE_OK;
 }
 
@@ -389,6 +390,16 @@ scree_status pipeline_hash(scree_world* world, uint64_t* hash)
 	for (int i = 0; i < HASH_SUMS; ++i)
 		*hash += sums[i];
 	return SCREE_OK;
+}
+
+scree_status pipeline_show(scree_world* world, bool shared)
+{
+	Backend* b = world->backend;
+	Run run = {.stage = STAGE_show, .end = world->collidables.used, .count = NO_COUNT};
+	if (shared)
+		return b->f->show(b, &run);
+	scree_status status = pipeline_reserve(world, SHOWN, run.end);
+	return status ? status : b->f->run(b, &world->pipeline.step, &run, 1);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

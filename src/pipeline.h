@@ -27,6 +27,7 @@ typedef struct
 	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
 	int member_capacity;
 	RunList list;
+	Step step;   // constants of the last step: kernels that need none keep those
 	bool begun;  // the step at work has changed something on the device
 	bool extras; // some attribute has restitution, rolling resistance or tangent speed
 	int rounds;  // coloring rounds that the last step needed
@@ -46,6 +47,10 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps);
 
 // The hash of all simulated state. world_flush has been called.
 scree_status pipeline_hash(scree_world* world, uint64_t* hash);
+
+// Brings the pool shown up to date for all slots of collidables; where it is shared, in the memory that OpenGL draws
+// from. world_flush has been called.
+scree_status pipeline_show(scree_world* world, bool shared);
 
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.

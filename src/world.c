@@ -92,6 +92,11 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	TRY(check_cookie(at, def->cookie, COOKIE_WORLD, "scree_default_world_def"));
 	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
 	TRY(check_device(at, ".device", def->device));
+	if (def->opengl && (!def->opengl->context || !def->opengl->display))
+		return refuse(SCREE_INVALID, at, ".opengl", "has no %s", def->opengl->context ? "display" : "context");
+	if (def->opengl && (def->opengl->system < SCREE_EGL || def->opengl->system > SCREE_WGL))
+		return refuse(SCREE_INVALID, at, ".opengl->system", "is %d, must be from %d to %d", (int)def->opengl->system,
+		              (int)SCREE_EGL, (int)SCREE_WGL);
 	if (def->threads < 0 || def->threads > 64)
 		return refuse(SCREE_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
 	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
@@ -132,7 +137,9 @@ scree_status world_create(const scree_world_def* def, Backend* backend, scree_wo
 		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for a world", function);
 	worlds_add(1);
 	made->def = *def;
-	made->def.device = made->device; // the string was lent for the call alone
+	// what the definition points to was lent for the call alone
+	made->def.device = made->device;
+	made->def.opengl = NULL;
 	snprintf(made->device, sizeof made->device, "%s", backend->name);
 	made->backend = backend;
 	scree_status status = pipeline_open(made);

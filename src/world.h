@@ -52,6 +52,7 @@ struct scree_world
 	int dynamic_bodies;
 	Pending pending;
 	Pipeline pipeline;
+	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
 	Automatic automatic;
 	char device[160]; // the name of backend
 	void* scratch;    // for a call to work in

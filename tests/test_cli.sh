@@ -78,12 +78,22 @@ grep -q 'rows=100' out || fail "scenes: no parameters"
 expect 0 'pyramid' scenes --names
 [ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "scenes --names: more than one word a line"
 expect 0 'equal bits' devices
+expect 0 'drawing     copied' devices
 head -n 1 out | grep -qx 'cpu' || fail "devices: the CPU is not the first"
 mkdir own
 printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a"}]}' >own/ball.json
 SCREE_SCENES=own expect 0 'ball' scenes --names
 SCREE_SCENES=own expect 0 'bodies         1' run ball --steps 2 --device cpu
 SCREE_SCENES=own expect 0 'bodies         22' run pyramid "${small[@]}"
+
+# frames: both ways draw the same picture of the same world, unless there is nothing to draw with
+if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
+	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
+	[ "$(sed 1d out | cut -d, -f 11,12 | sort -u | wc -l)" = 1 ] || fail "bench frames: two pictures"
+else
+	grep -qE 'libepoxy-dev|libegl1|OpenGL 3.3' err || fail "bench frames: does not say what is missing"
+fi
+refuse 2 'no scene is called "nothing"' bench frames nothing
 
 # hash
 expect 0 '' hash pyramid "${small[@]}"

@@ -14,7 +14,7 @@ for document in README.md ARCHITECTURE.md STYLE.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
-		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scenes|src|tests|tools)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scenes|src|tests|tools|view)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
 	while read -r path; do
 		[ -e "$(dirname "$document")/$path" ] || complain "$document: the link to $path leads nowhere"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
@@ -36,6 +36,11 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/stages/dialect.h |
 	grep -vxE 'DIALECT_H|ROW|STAGE_JOIN_?' | sort -u)
 
+# every key of the viewer has its row in docs/view.md
+while read -r key; do
+	grep -qE "^\|.*\`$key\`.*\|" docs/view.md || complain "docs/view.md: the key $key is missing"
+done < <(sed -nE 's/^X\([a-z]+, [A-Z0-9]+, "([^"]+)".*/\1/p' view/window/keys.def)
+
 # only one file of the stages asks which compiler is reading it
 asks=$(grep -lE '__OPENCL|__GNUC__|__clang__' src/stages/*.h | tr '\n' ' ')
 [ "$asks" = "src/stages/dialect.h " ] || complain "src/stages: these files ask which compiler reads them: $asks"
@@ -44,5 +49,5 @@ asks=$(grep -lE '__OPENCL|__GNUC__|__clang__' src/stages/*.h | tr '\n' ' ')
 while read -r file; do
 	head -n 2 "$file" | tr -d '\n' | grep -q "^// SPDX-License-Identifier: MIT// $(basename "$file") -- " ||
 		complain "$file: does not begin with its licence and what it is"
-done < <(find include src cli tests examples \( -name '*.c' -o -name '*.h' \) 2>/dev/null)
+done < <(find include src cli view tests examples \( -name '*.c' -o -name '*.h' \) 2>/dev/null)
 exit $failed

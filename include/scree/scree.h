@@ -62,6 +62,7 @@ typedef enum scree_status
 	SCREE_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, unless in the middle of a step (scree_step)
 	SCREE_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
 	SCREE_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
+	SCREE_NOT_SUPPORTED = 6, // the device has no way to do this; nothing changed
 } scree_status;
 
 // The sentence of the last failure on this thread, or an empty string. Valid until the next failing call.
@@ -140,14 +141,26 @@ SCREE_API float scree_rot_angle(scree_rot rotation);
 // Devices
 // ---------------------------------------------------------------------------------------------------------------
 
+typedef enum scree_sharing // how the rows of scree_show can reach an OpenGL buffer, best last
+{
+	SCREE_COPIED,        // through the host: scree_get_shown, then into the buffer
+	SCREE_SHARED_MEMORY, // cl_khr_external_memory with file descriptors: scree_share_memory
+	SCREE_SHARED_OPENGL, // cl_khr_gl_sharing: scree_share_opengl
+} scree_sharing;
+
+// "copied", "shared through external memory", "shared with OpenGL"
+SCREE_API const char* scree_sharing_name(scree_sharing sharing);
+
 typedef struct scree_device
 {
-	char name[128];   // what scree_world_def.device takes: "cpu", "opencl:NVIDIA H200"
-	char driver[128]; // platform and driver version; for the CPU its widest lanes
-	bool equal_bits;  // whether the promise of equal bits holds on it
-	char reason[192]; // if not, why and what to do; otherwise empty
-	int units;        // threads or compute units
-	uint64_t memory;  // bytes
+	char name[128];        // what scree_world_def.device takes: "cpu", "opencl:NVIDIA H200"
+	char driver[128];      // platform and driver version; for the CPU its widest lanes
+	bool equal_bits;       // whether the promise of equal bits holds on it
+	char reason[192];      // if not, why and what to do; otherwise empty
+	int units;             // threads or compute units
+	uint64_t memory;       // bytes
+	scree_sharing sharing; // the best way that its driver offers
+	uint8_t uuid[16];      // the one that OpenGL and Vulkan know it by; zeros where the driver does not say
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null when capacity
@@ -163,6 +176,19 @@ SCREE_API const char* scree_opencl_remedy(void);
 
 typedef struct scree_world scree_world;
 
+typedef enum scree_window_system
+{
+	SCREE_EGL, // EGLContext, EGLDisplay
+	SCREE_GLX, // GLXContext, Display*
+	SCREE_WGL, // HGLRC, HDC
+} scree_window_system;
+
+typedef struct scree_opengl // a context of OpenGL
+{
+	scree_window_system system;
+	void *context, *display;
+} scree_opengl;
+
 typedef struct scree_world_def
 {
 	scree_vec gravity;       // m/s^2, default (0, -10)
@@ -176,6 +202,7 @@ typedef struct scree_world_def
 	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
 	float max_speed;             // m/s, default 400
+	const scree_opengl* opengl;  // null (default), or the context of which scree_share_opengl will take buffers; lent
 	int body_capacity;           // room to begin with; everything grows. 0 (default) for a small world
 	int contact_capacity;        // the same for contacts
 	int cookie;                  // set by scree_default_world_def
@@ -539,6 +566,7 @@ typedef struct scree_contact
 {
 	scree_collidable a, b;
 	scree_vec normal; // from a to b
+	int color;        // in which the solver takes it: no two of a color share a body that can move. -1 for an overlap
 	int count;        // 1 or 2
 	scree_contact_point points[2];
 } scree_contact;
@@ -550,6 +578,50 @@ SCREE_API scree_status scree_get_contacts(scree_world* world, scree_contact* con
 // The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
 // shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
 SCREE_API scree_status scree_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Drawing
+//
+// What a renderer needs of every collidable, in one array that fits a vertex buffer: row k is the collidable of index k.
+// scree_get_shown copies the rows to the host. Where scree_world_sharing says more than SCREE_COPIED, they need not leave
+// the device: it is given memory that OpenGL draws from, and scree_show writes them there. The rows are the same, bit for
+// bit. docs/share.md has an example.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_shown // 32 bytes
+{
+	scree_pose pose;   // of the attribute's shape in the world
+	scree_vec center;  // from there to the body's center of mass, world axes, m
+	int32_t attribute; // index of its handle; -1 where there is no collidable: skip the row
+	int32_t body;      // index of its handle, -1 for none
+} scree_shown;
+
+// Writes up to capacity rows of the world as it is now, and how many there are: one more than the highest index that a
+// collidable had so far. rows may be null when capacity is 0.
+SCREE_API scree_status scree_get_shown(scree_world* world, scree_shown* rows, int capacity, int* count);
+
+// The way in which this world can share: that of its device, but SCREE_SHARED_OPENGL only when the world was made with a
+// scree_world_def.opengl that the driver took.
+SCREE_API scree_sharing scree_world_sharing(const scree_world* world);
+
+// Memory that another interface allocated on the same device (scree_device.uuid) and exported as an opaque file
+// descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The world
+// takes over the descriptor when this succeeds. bytes is the size of the allocation, at least one row.
+// The memory is shared until it is replaced by another call, scree_unshare, the world's move to another device (of itself,
+// where that is "auto"), or its end.
+SCREE_API scree_status scree_share_memory(scree_world* world, int file_descriptor, size_t bytes);
+
+// A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in scree_show; bytes
+// is the size of its storage. It must outlive the sharing, and keep its storage.
+SCREE_API scree_status scree_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
+
+// Lets go of what was shared; null and worlds that share nothing are allowed.
+SCREE_API void scree_unshare(scree_world* world);
+
+// Writes the rows of the world as it is now into the shared memory, and how many there are into count. They are there
+// when this returns. OpenGL must be done with the rows of before: wait for a fence behind the last draw. Fails with
+// SCREE_INVALID, and writes count all the same, when there are more rows than fit: share something larger.
+SCREE_API scree_status scree_show(scree_world* world, int* count);
 
 #ifdef __cplusplus
 }

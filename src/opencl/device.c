@@ -9,6 +9,9 @@
 #define MAX_PLATFORMS 16
 #define MAX_DEVICES   64
 
+// of cl_khr_device_uuid, which headers of OpenCL 1.2 do not know
+#define DEVICE_UUID 0x106a
+
 static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
 {
 	char whole[1024] = "";
@@ -30,6 +33,18 @@ static cl_ulong device_number(cl_device_id device, cl_device_info what)
 	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
 	opencl.GetDeviceInfo(device, what, sizeof number, &number, NULL);
 	return number;
+}
+
+// Ways to memory that OpenGL draws from.
+static void find_sharing(Device* d)
+{
+	char extensions[8192] = "";
+	opencl.GetDeviceInfo(d->id, CL_DEVICE_EXTENSIONS, sizeof extensions, extensions, NULL);
+	d->shares_opengl = strstr(extensions, "cl_khr_gl_sharing");
+	d->shares_memory = strstr(extensions, "cl_khr_external_memory_opaque_fd");
+	d->about.sharing = d->shares_opengl ? SCREE_SHARED_OPENGL : d->shares_memory ? SCREE_SHARED_MEMORY : SCREE_COPIED;
+	if (strstr(extensions, "cl_khr_device_uuid"))
+		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
 
 // Says in about.reason what keeps a device from equal bits, or from working at all.
@@ -95,6 +110,7 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 	d->type = device_number(id, CL_DEVICE_TYPE);
 	d->about.units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
 	d->about.memory = device_number(id, CL_DEVICE_GLOBAL_MEM_SIZE);
+	find_sharing(d);
 	judge(d);
 }
 

@@ -10,8 +10,9 @@ typedef struct
 	cl_platform_id platform;
 	cl_device_id id;
 	cl_device_type type;
-	bool correct_division; // takes -cl-fp32-correctly-rounded-divide-sqrt
-	bool usable;           // false when no option can make Scree run on it; about.reason says why
+	bool correct_division;             // takes -cl-fp32-correctly-rounded-divide-sqrt
+	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; takes memory by file descriptor
+	bool usable;                       // false when no option can make Scree run on it; about.reason says why
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions: part of the key of the program cache
 	scree_device about; // what scree_get_devices tells

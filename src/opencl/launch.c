@@ -167,7 +167,7 @@ scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group)
 	return SCREE_OK;
 }
 
-static scree_status stage_run(OpenCl* d, const Run* run)
+scree_status stage_run(OpenCl* d, const Run* run)
 {
 	Kernel* kernel = &d->stages[run->stage];
 	d->box = stage_boxes[run->stage];
@@ -188,7 +188,7 @@ static scree_status one_run(OpenCl* d, const Run* run)
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
 {
 	OpenCl* d = b->state;
-	if (d->step_version == 0 || memcmp(&d->step, step, sizeof *step) != 0)
+	if (memcmp(&d->step, step, sizeof *step) != 0)
 	{
 		d->step = *step;
 		++d->step_version;

@@ -5,6 +5,7 @@
 #include <stdatomic.h>
 
 OpenClFunctions opencl;
+static void* opened; // the library
 
 #ifdef _WIN32
 #include <windows.h>
@@ -35,7 +36,7 @@ static void* find(void* library, const char* name) { return dlsym(library, name)
 
 static bool fill_table(void)
 {
-	void* library = open_library();
+	void* library = opened = open_library();
 	if (!library)
 		return false;
 #define X(name)                                                                                                 \
@@ -66,6 +67,12 @@ bool opencl_load(void)
 	while ((seen = atomic_load(&state)) == OPENING)
 		; // another thread is at it
 	return seen == LOADED;
+}
+
+void* opencl_find(cl_platform_id platform, const char* name)
+{
+	void* function = opencl.GetExtensionFunctionAddressForPlatform(platform, name);
+	return function ? function : find(opened, name);
 }
 
 const char* opencl_error_name(cl_int code)

@@ -13,40 +13,41 @@
 #endif
 
 // every function that Scree calls, without its "cl"
-#define OPENCL_FUNCTIONS(X)       \
-	X(GetPlatformIDs)             \
-	X(GetPlatformInfo)            \
-	X(GetDeviceIDs)               \
-	X(GetDeviceInfo)              \
-	X(CreateContext)              \
-	X(ReleaseContext)             \
-	X(CreateCommandQueue)         \
-	X(ReleaseCommandQueue)        \
-	X(CreateProgramWithSource)    \
-	X(CreateProgramWithBinary)    \
-	X(BuildProgram)               \
-	X(GetProgramInfo)             \
-	X(GetProgramBuildInfo)        \
-	X(ReleaseProgram)             \
-	X(CreateKernel)               \
-	X(SetKernelArg)               \
-	X(GetKernelWorkGroupInfo)     \
-	X(ReleaseKernel)              \
-	X(CreateBuffer)               \
-	X(ReleaseMemObject)           \
-	X(EnqueueNDRangeKernel)       \
-	X(EnqueueReadBuffer)          \
-	X(EnqueueMapBuffer)           \
-	X(EnqueueUnmapMemObject)      \
-	X(WaitForEvents)              \
-	X(EnqueueWriteBuffer)         \
-	X(EnqueueCopyBuffer)          \
-	X(EnqueueFillBuffer)          \
-	X(EnqueueBarrierWithWaitList) \
-	X(GetEventInfo)               \
-	X(GetEventProfilingInfo)      \
-	X(ReleaseEvent)               \
-	X(Flush)                      \
+#define OPENCL_FUNCTIONS(X)                   \
+	X(GetPlatformIDs)                         \
+	X(GetPlatformInfo)                        \
+	X(GetDeviceIDs)                           \
+	X(GetDeviceInfo)                          \
+	X(GetExtensionFunctionAddressForPlatform) \
+	X(CreateContext)                          \
+	X(ReleaseContext)                         \
+	X(CreateCommandQueue)                     \
+	X(ReleaseCommandQueue)                    \
+	X(CreateProgramWithSource)                \
+	X(CreateProgramWithBinary)                \
+	X(BuildProgram)                           \
+	X(GetProgramInfo)                         \
+	X(GetProgramBuildInfo)                    \
+	X(ReleaseProgram)                         \
+	X(CreateKernel)                           \
+	X(SetKernelArg)                           \
+	X(GetKernelWorkGroupInfo)                 \
+	X(ReleaseKernel)                          \
+	X(CreateBuffer)                           \
+	X(ReleaseMemObject)                       \
+	X(EnqueueNDRangeKernel)                   \
+	X(EnqueueReadBuffer)                      \
+	X(EnqueueMapBuffer)                       \
+	X(EnqueueUnmapMemObject)                  \
+	X(WaitForEvents)                          \
+	X(EnqueueWriteBuffer)                     \
+	X(EnqueueCopyBuffer)                      \
+	X(EnqueueFillBuffer)                      \
+	X(EnqueueBarrierWithWaitList)             \
+	X(GetEventInfo)                           \
+	X(GetEventProfilingInfo)                  \
+	X(ReleaseEvent)                           \
+	X(Flush)                                  \
 	X(Finish)
 
 typedef struct
@@ -59,6 +60,9 @@ extern OpenClFunctions opencl; // filled by opencl_load
 
 // Opens the library once in a process, from any thread. False when there is none.
 bool opencl_load(void);
+
+// A function of an extension or of a newer OpenCL, by its whole name; null where there is none.
+void* opencl_find(cl_platform_id platform, const char* name);
 
 // "CL_OUT_OF_RESOURCES", or "unknown error"
 const char* opencl_error_name(cl_int code);

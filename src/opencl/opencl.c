@@ -28,6 +28,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		held_close(d);
+		shared_close(d);
 		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
@@ -164,15 +165,14 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
+	d->step_version = 1; // a step of zeros, which no kernel holds yet
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
 	TRY(staging_open(d, options->timings));
 
+	TRY(context_open(d, options->opengl));
 	cl_int error;
-	cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
-	d->context = opencl.CreateContext(properties, 1, &d->device.id, NULL, NULL, &error);
-	TRY(opencl_check("clCreateContext", error));
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
@@ -219,6 +219,8 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .read_end = opencl_read_end,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
+	    .share = opencl_share,
+	    .show = opencl_show,
 	    .copy_reserve = opencl_copy_reserve,
 	    .copy_release = opencl_copy_release,
 	    .copy = opencl_copy,

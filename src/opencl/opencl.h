@@ -38,6 +38,15 @@ typedef struct // a buffer that is no pool: what it holds is lost when it grows
 	size_t bytes;
 } Scratch;
 
+// hands memory over between OpenCL and others: clEnqueueAcquire... and clEnqueueRelease... have one form
+typedef cl_int(CL_API_CALL* Handover)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*, cl_event*);
+
+typedef struct // memory that OpenGL draws from
+{
+	cl_mem memory; // or null
+	Handover acquire, release;
+} Shared;
+
 typedef struct // the runs of a whole solve, to be launched in another form than one by one
 {
 	cl_int constraints, bodies, substeps, passes;
@@ -142,6 +151,9 @@ typedef struct
 	// tiles.c
 	Tiles tiles;
 
+	// share.c
+	Shared shared;
+
 	// what read_begin copies, in memory that a device can write while the host works
 	cl_mem held_buffer;
 	void* held;
@@ -171,6 +183,9 @@ static inline size_t groups_of(int items, size_t group) { return items > 0 ? ((s
 
 // Launches a kernel over so many work-items, a multiple of group.
 scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
+
+// Launches a run of a stage.
+scree_status stage_run(OpenCl* d, const Run* run);
 
 // Copies to a buffer, in order with the launches; the caller's bytes are free at once.
 scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
@@ -236,6 +251,12 @@ scree_status solve_run(OpenCl* d, const Run* runs, int count);
 
 // Takes note of the counters that have been read. Fails when a kernel gave up waiting.
 scree_status opencl_note(Backend* b, const Counters* counters);
+
+// Makes the context of a device, shared with one of OpenGL where that is not null and the driver can.
+scree_status context_open(OpenCl* d, const scree_opengl* opengl);
+void shared_close(OpenCl* d);
+scree_status opencl_share(Backend* b, const SharedMemory* memory);
+scree_status opencl_show(Backend* b, const Run* run);
 
 // a transfer from the device in two halves; src/backend.h
 scree_status held_open(OpenCl* d);

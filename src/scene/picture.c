@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // picture.c -- pictures of a world, drawn with Cairo through the public interface alone.
 #include "scene/picture.h"
+#include "scene/aim.h"
 #include "scene/sprites.h"
 
 #ifdef SCREE_HAVE_CAIRO
@@ -10,14 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BAND        36     // px: height of the caption
-#define MARGIN      12     // px around what is shown
-#define MAX_SIDE    16384  // px
-#define SMALL       1.0    // px: a shape of less reach is a blot of its area, not a path
-#define OUTLINED    3.5    // px: a shape of less reach has no outline
-#define SHOWN_SHARE 0.995f // of the bodies, from the middle, that a picture without a view must show
+#define SMALL    1.0 // px: a shape of less reach is a blot of its area, not a path
+#define OUTLINED 3.5 // px: a shape of less reach has no outline
 
-static const Color paper = {247, 245, 240}, ink = {70, 68, 64}, rim = {157, 154, 147}, glass = {67, 93, 134};
+static const Color rim = {157, 154, 147}, glass = {67, 93, 134};
 
 struct Picture
 {
@@ -26,36 +23,30 @@ struct Picture
 	bool has_view;
 	scree_box view; // m
 	Sprites sprites;
-	cairo_surface_t* surface;
-	cairo_t* cairo;
-	double scale; // px per m
-	double left, bottom;
+	Canvas canvas;
+	cairo_t* cairo; // of the canvas
+	Aim aim;
 };
 
 Picture* picture_create(const Scene* scene, scree_world* world, int width, int height, char* sentence)
 {
-	if (width < 64 || height < 64 || width > MAX_SIDE || height > MAX_SIDE)
-	{
-		snprintf(sentence, SCENE_SENTENCE, "a picture of %dx%d pixels: sides must be 64 to %d", width, height,
-		         MAX_SIDE);
+	Canvas canvas;
+	if (!canvas_open(&canvas, width, height, sentence))
 		return NULL;
-	}
 	Picture* p = calloc(1, sizeof(Picture));
-	snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");
-	if (!p)
-		return NULL;
-	p->width = width;
-	p->height = height;
-	p->has_view = scene->has_view;
-	p->view = scene->view;
-	snprintf(p->title, sizeof p->title, "%s", scene->title);
-	p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-	p->cairo = cairo_create(p->surface);
-	if (cairo_status(p->cairo) != CAIRO_STATUS_SUCCESS || !sprites_list(&p->sprites, world))
+	if (p)
+		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo};
+	if (!p || !sprites_list(&p->sprites, world))
 	{
+		snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");
+		if (!p)
+			canvas_close(&canvas);
 		picture_free(p);
 		return NULL;
 	}
+	p->has_view = scene->has_view;
+	p->view = scene->view;
+	snprintf(p->title, sizeof p->title, "%s", scene->title);
 	return p;
 }
 
@@ -63,8 +54,7 @@ void picture_free(Picture* p)
 {
 	if (!p)
 		return;
-	cairo_destroy(p->cairo);
-	cairo_surface_destroy(p->surface);
+	canvas_close(&p->canvas);
 	sprites_free(&p->sprites);
 	free(p);
 }
@@ -75,61 +65,22 @@ const scree_body* picture_bodies(const Picture* p, int* count)
 	return p->sprites.bodies;
 }
 
-static int compare_floats(const void* a, const void* b)
-{
-	float x = *(const float*)a, y = *(const float*)b;
-	return (x > y) - (x < y);
-}
-
-// The range of a coordinate without the few bodies that flew away.
-static void robust_range(float* values, int count, float* low, float* high)
-{
-	qsort(values, (size_t)count, sizeof(float), compare_floats);
-	int outside = (int)((float)count * (1 - SHOWN_SHARE) / 2);
-	*low = values[outside];
-	*high = values[count - 1 - outside];
-}
-
 // Without a view in the scene, a picture shows the bodies that move, or all when none does.
 static void fit_view(Picture* p, const scree_pose* poses)
 {
-	int first = p->sprites.first_moving < p->sprites.count ? p->sprites.first_moving : 0;
-	float* x = malloc((size_t)(p->sprites.count + 1) * 2 * sizeof(float));
+	int first = p->sprites.first_moving < p->sprites.count ? p->sprites.first_moving : 0, count = 0;
+	scree_vec* points = malloc((size_t)(p->sprites.count + 1) * sizeof(scree_vec));
 	float reach = 1;
-	int count = 0;
-	p->view = (scree_box){{-1, -1}, {1, 1}};
 	p->has_view = true;
-	if (!x || p->sprites.count == 0)
-	{
-		free(x);
-		return;
-	}
-	float* y = x + p->sprites.count;
-	for (int k = first; k < p->sprites.count; ++k, ++count)
+	for (int k = first; points && k < p->sprites.count; ++k)
 	{
 		const Sprite* s = &p->sprites.list[k];
-		scree_vec at = s->body < 0 ? s->pose.position : poses[s->body].position;
-		x[count] = at.x;
-		y[count] = at.y;
+		points[count++] = s->body < 0 ? s->pose.position : poses[s->body].position;
 		float own = p->sprites.attributes[s->attribute].shape.reach;
 		reach = own > reach && own < 50 ? own : reach;
 	}
-	robust_range(x, count, &p->view.lower.x, &p->view.upper.x);
-	robust_range(y, count, &p->view.lower.y, &p->view.upper.y);
-	p->view.lower.x -= 2 * reach;
-	p->view.lower.y -= 2 * reach;
-	p->view.upper.x += 2 * reach;
-	p->view.upper.y += 2 * reach;
-	free(x);
-}
-
-static void aim(Picture* p)
-{
-	double across = p->view.upper.x - p->view.lower.x, up = p->view.upper.y - p->view.lower.y;
-	double room_across = p->width - 2 * MARGIN, room_up = p->height - BAND - 2 * MARGIN;
-	p->scale = fmin(room_across / across, room_up / up);
-	p->left = p->view.lower.x + across / 2 - p->width / p->scale / 2;
-	p->bottom = p->view.lower.y + up / 2 - (p->height - BAND) / p->scale / 2;
+	aim_fit(points, count, reach, &p->view);
+	free(points);
 }
 
 static void set_color(cairo_t* cairo, Color color, double factor)
@@ -145,11 +96,11 @@ static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
 	for (int k = 0; k < shape->count; ++k)
 	{
 		scree_vec v = shape->vertices[k];
-		x[k] = (pose.position.x + pose.rotation.c * v.x - pose.rotation.s * v.y - p->left) * p->scale;
-		y[k] =
-		    p->height - BAND - (pose.position.y + pose.rotation.s * v.x + pose.rotation.c * v.y - p->bottom) * p->scale;
+		x[k] = (pose.position.x + pose.rotation.c * v.x - pose.rotation.s * v.y - p->aim.left) * p->aim.scale;
+		y[k] = p->height - BAND -
+		       (pose.position.y + pose.rotation.s * v.x + pose.rotation.c * v.y - p->aim.bottom) * p->aim.scale;
 	}
-	double radius = shape->radius * p->scale;
+	double radius = shape->radius * p->aim.scale;
 	cairo_new_path(p->cairo);
 	if (shape->count == 1)
 	{
@@ -176,20 +127,18 @@ static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
 // A square of the shape's area, blended pixel by pixel; the surface has been flushed.
 static void blot(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
 {
-	double side = sqrt(fmax(shape->area, 0)) * p->scale;
-	double x0 = (pose.position.x - p->left) * p->scale - side / 2, x1 = x0 + side;
-	double y0 = p->height - BAND - (pose.position.y - p->bottom) * p->scale - side / 2, y1 = y0 + side;
+	double side = sqrt(fmax(shape->area, 0)) * p->aim.scale;
+	double x0 = (pose.position.x - p->aim.left) * p->aim.scale - side / 2, x1 = x0 + side;
+	double y0 = p->height - BAND - (pose.position.y - p->aim.bottom) * p->aim.scale - side / 2, y1 = y0 + side;
 	if (!(x0 >= 0 && y0 >= 0 && x1 < p->width - 1 && y1 < p->height - 1))
 		return;
-	uint8_t* pixels = cairo_image_surface_get_data(p->surface);
-	size_t stride = (size_t)cairo_image_surface_get_stride(p->surface);
 	for (int row = (int)y0; row <= (int)y1; ++row)
 	{
 		double down = fmin(y1, row + 1) - fmax(y0, row);
 		for (int column = (int)x0; column <= (int)x1; ++column)
 		{
 			double cover = down * (fmin(x1, column + 1) - fmax(x0, column));
-			uint32_t* pixel = (uint32_t*)(pixels + (size_t)row * stride) + column;
+			uint32_t* pixel = (uint32_t*)(p->canvas.pixels + (size_t)row * p->canvas.stride) + column;
 			int share = (int)(cover * 256);
 			int r = *pixel >> 16 & 255, g = *pixel >> 8 & 255, b = *pixel & 255;
 			r += (color.r - r) * share / 256;
@@ -203,8 +152,8 @@ static void blot(Picture* p, const scree_shape* shape, scree_pose pose, Color co
 static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 {
 	const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-	double reach = shape->reach * p->scale;
-	double line = fmin(fmax(0.03 * p->scale, 0.7), 1.4);
+	double reach = shape->reach * p->aim.scale;
+	double line = fmin(fmax(0.03 * p->aim.scale, 0.7), 1.4);
 	trace(p, shape, pose);
 	cairo_set_line_width(p->cairo, line);
 	if (shape->kind == SCREE_SEGMENT || s->body < 0)
@@ -225,13 +174,13 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	{
 		// a spoke shows how it turned
 		double x = (pose.position.x + pose.rotation.c * shape->vertices[0].x - pose.rotation.s * shape->vertices[0].y -
-		            p->left) *
-		           p->scale;
+		            p->aim.left) *
+		           p->aim.scale;
 		double y = p->height - BAND -
 		           (pose.position.y + pose.rotation.s * shape->vertices[0].x + pose.rotation.c * shape->vertices[0].y -
-		            p->bottom) *
-		               p->scale;
-		double spoke = shape->radius * p->scale;
+		            p->aim.bottom) *
+		               p->aim.scale;
+		double spoke = shape->radius * p->aim.scale;
 		cairo_move_to(p->cairo, x, y);
 		cairo_line_to(p->cairo, x + spoke * pose.rotation.c, y - spoke * pose.rotation.s);
 	}
@@ -239,49 +188,21 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_stroke(p->cairo);
 }
 
-static double text_width(cairo_t* cairo, const char* text, cairo_font_weight_t weight)
-{
-	cairo_text_extents_t size;
-	cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
-	cairo_text_extents(cairo, text, &size);
-	return size.x_advance;
-}
-
-static void draw_caption(Picture* p, const char* caption)
-{
-	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL, bold = CAIRO_FONT_WEIGHT_BOLD;
-	double room = p->width - 4 * MARGIN, font = 15, baseline = p->height - BAND / 2.0 + 5;
-	set_color(p->cairo, paper, 0.97);
-	cairo_rectangle(p->cairo, 0, p->height - BAND, p->width, BAND);
-	cairo_fill(p->cairo);
-	set_color(p->cairo, ink, 1);
-	cairo_set_font_size(p->cairo, font);
-	double both = text_width(p->cairo, p->title, bold) + text_width(p->cairo, caption, thin);
-	if (both > room)
-		cairo_set_font_size(p->cairo, font * room / both);
-
-	cairo_move_to(p->cairo, p->width - MARGIN - text_width(p->cairo, caption, thin), baseline);
-	cairo_show_text(p->cairo, caption);
-	cairo_select_font_face(p->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, bold);
-	cairo_move_to(p->cairo, MARGIN, baseline);
-	cairo_show_text(p->cairo, p->title);
-}
-
 void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 {
 	if (!p->has_view)
 		fit_view(p, poses);
-	aim(p);
-	set_color(p->cairo, paper, 1);
+	p->aim = aim_at(p->view, p->width, p->height);
+	set_color(p->cairo, PAPER, 1);
 	cairo_paint(p->cairo);
 	for (int small = 0; small < 2; ++small)
 	{
-		cairo_surface_flush(p->surface);
+		cairo_surface_flush(p->canvas.surface);
 		for (int k = 0; k < p->sprites.count; ++k)
 		{
 			const Sprite* s = &p->sprites.list[k];
 			const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-			bool blotted = shape->reach * p->scale < SMALL && shape->area > 0;
+			bool blotted = shape->reach * p->aim.scale < SMALL && shape->area > 0;
 			if (blotted != small)
 				continue;
 			if (blotted)
@@ -289,31 +210,20 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 			else
 				draw_sprite(p, s, sprite_pose(s, poses));
 		}
-		cairo_surface_mark_dirty(p->surface);
+		cairo_surface_mark_dirty(p->canvas.surface);
 	}
-	draw_caption(p, caption);
-	cairo_surface_flush(p->surface);
+	canvas_caption(&p->canvas, p->title, caption);
 }
 
-const uint8_t* picture_pixels(const Picture* p) { return cairo_image_surface_get_data(p->surface); }
-
-static cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned int count)
-{
-	return fwrite(bytes, 1, count, file) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
-
-bool picture_write(Picture* p, FILE* file)
-{
-	return cairo_surface_write_to_png_stream(p->surface, write_bytes, file) == CAIRO_STATUS_SUCCESS;
-}
+Canvas* picture_canvas(Picture* p) { return &p->canvas; }
 
 #else
 
 Picture* picture_create(const Scene* scene, scree_world* world, int width, int height, char* sentence)
 {
-	(void)scene, (void)world, (void)width, (void)height;
-	snprintf(sentence, SCENE_SENTENCE,
-	         "this build draws no pictures, because Cairo was not found; install libcairo2-dev and build again");
+	(void)scene, (void)world;
+	Canvas canvas;
+	canvas_open(&canvas, width, height, sentence); // says why not
 	return NULL;
 }
 
@@ -331,16 +241,10 @@ void picture_draw(Picture* picture, const scree_pose* poses, const char* caption
 	(void)picture, (void)poses, (void)caption;
 }
 
-const uint8_t* picture_pixels(const Picture* picture)
+Canvas* picture_canvas(Picture* picture)
 {
 	(void)picture;
 	return NULL;
-}
-
-bool picture_write(Picture* picture, FILE* file)
-{
-	(void)picture, (void)file;
-	return false;
 }
 
 #endif

@@ -2,8 +2,8 @@
 // picture.h -- pictures of a world, drawn through the public interface alone.
 #ifndef PICTURE_H
 #define PICTURE_H
+#include "scene/canvas.h"
 #include "scene/scene.h"
-#include <stdint.h>
 
 typedef struct Picture Picture;
 
@@ -18,10 +18,7 @@ const scree_body* picture_bodies(const Picture* picture, int* count);
 // Draws the bodies at poses; caption stands beside the title of the scene.
 void picture_draw(Picture* picture, const scree_pose* poses, const char* caption);
 
-// width * height pixels of four bytes: blue, green, red, unused; rows from the top.
-const uint8_t* picture_pixels(const Picture* picture);
-
-// Writes the picture as PNG; false when the file does not take it.
-bool picture_write(Picture* picture, FILE* file);
+// What it is drawn on.
+Canvas* picture_canvas(Picture* picture);
 
 #endif

@@ -30,6 +30,8 @@ static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attrib
 	return def->shape.count > 0 || scree_get_attribute(world, attribute, def) == SCREE_OK;
 }
 
+Color sprite_base(int entry) { return entry < 0 ? stone : palette[entry]; }
+
 // The attribute's color, a little lighter or darker from body to body so that equal neighbors can be told apart.
 static Color sprite_color(Sprites* p, int attribute, bool moving, int body)
 {
@@ -37,7 +39,7 @@ static Color sprite_color(Sprites* p, int attribute, bool moving, int body)
 		return stone;
 	if (p->color_of[attribute] < 0)
 		p->color_of[attribute] = p->colors++ % PALETTE_SIZE;
-	Color base = palette[p->color_of[attribute]];
+	Color base = sprite_base(p->color_of[attribute]);
 	uint32_t mixed = (uint32_t)body * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
 	float shade = 0.92f + 0.16f * (float)(mixed >> 24) / 255.0f;

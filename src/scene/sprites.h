@@ -9,6 +9,10 @@ typedef struct
 	uint8_t r, g, b;
 } Color;
 
+// the background of pictures, and their writing
+#define PAPER ((Color){247, 245, 240})
+#define INK   ((Color){70, 68, 64})
+
 typedef struct // one collidable to draw
 {
 	int body;        // position in Sprites.bodies, -1 for none
@@ -32,6 +36,9 @@ typedef struct
 // Lists everything in a world; false when memory is short.
 bool sprites_list(Sprites* sprites, scree_world* world);
 void sprites_free(Sprites* sprites);
+
+// A color of the palette; -1 is stone.
+Color sprite_base(int entry);
 
 // Where a sprite is in the world, when its body is at one of poses.
 scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses);

@@ -129,4 +129,13 @@ STAGE(transform)
 	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
 }
 
+// Where a collidable is now, which the pool placed does not know: it is what the contacts of the last step go by.
+STAGE(show)
+{
+	Placed placed = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
+	if (p->collidable_kind[i] != KIND_DEAD)
+		placed = collidable_place(p, i);
+	p->shown[i] = placed;
+}
+
 #endif

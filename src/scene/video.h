@@ -11,10 +11,14 @@ typedef struct
 	FILE* pipe;
 	const char* path;
 	size_t bytes; // a frame
+	int frames;   // taken so far
 } Video;
 
 // Starts ffmpeg. Returns false after printing what is wrong.
 bool video_open(Video* video, const char* path, int width, int height);
+
+// How many frames are missing at a time in seconds after the first, 60 a second: a step may be more or less than a frame.
+int video_due(const Video* video, double seconds);
 
 // Takes one frame, width * height pixels of four bytes: blue, green, red, unused.
 bool video_frame(Video* video, const uint8_t* pixels);

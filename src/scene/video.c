@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // video.c -- frames on their way through ffmpeg into a file.
-#include "video.h"
+#include "scene/video.h"
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+
+#define RATE 60 // frames a second
 
 // Puts a path between single quotes for the shell; "./" keeps a leading dash from being an option.
 static bool quote(const char* path, char* text, size_t size)
@@ -39,9 +41,9 @@ bool video_open(Video* video, const char* path, int width, int height)
 	}
 	// h264 wants even sides
 	snprintf(command, sizeof command,
-	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate 60 -i - "
+	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate %d -i - "
 	         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s",
-	         width, height, quoted);
+	         width, height, RATE, quoted);
 	signal(SIGPIPE, SIG_IGN);
 	video->pipe = popen(command, "w");
 	if (!video->pipe)
@@ -49,8 +51,15 @@ bool video_open(Video* video, const char* path, int width, int height)
 	return video->pipe != NULL;
 }
 
+int video_due(const Video* video, double seconds)
+{
+	int due = (int)(seconds * RATE + 0.5) - video->frames;
+	return due > 0 ? due : 0;
+}
+
 bool video_frame(Video* video, const uint8_t* pixels)
 {
+	++video->frames;
 	return fwrite(pixels, 1, video->bytes, video->pipe) == video->bytes;
 }
 

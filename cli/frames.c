@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// frames.c -- scree bench frames: steps drawn a second, with rows shared with OpenGL and with rows copied.
+#include "commands.h"
+#include "simulation.h"
+#include <inttypes.h>
+#include <string.h>
+
+#ifdef SCREE_HAVE_VIEW
+#include "view/offscreen.h"
+#include "view/renderer.h"
+#include "view/shader.h"
+#include <epoxy/gl.h>
+#include <stdlib.h>
+
+// frames at the start of a run whose time does not count: buffers are made, drivers wake up
+#define WARM_UP 5
+
+typedef struct // medians of a run, ms, and hashes at its end
+{
+	scree_sharing how;
+	double step, rows, draw, frame;
+	uint64_t picture, world;
+} Frames;
+
+static int ascending(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+static double median_of(double* times, int count)
+{
+	qsort(times, (size_t)count, sizeof *times, ascending);
+	return times[count / 2];
+}
+
+// a comma in a driver's name must not make a column
+static void without_commas(const char* name, char* text, size_t size)
+{
+	snprintf(text, size, "%s", name);
+	for (; *text; ++text)
+		*text = *text == ',' ? ' ' : *text;
+}
+
+static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen, Share* share, Renderer* renderer,
+                             int steps, double* times[4])
+{
+	const Scene* scene = simulation->scene;
+	const Style style = {.detail = 1.0f};
+	Camera camera;
+	camera_fit(&camera, scene->has_view ? scene->view : renderer->look.box, offscreen->width, offscreen->height);
+	for (int k = 0; k < steps; ++k)
+	{
+		double begin = seconds_now();
+		scree_status status = scree_step(simulation->world, scene->dt, scene->substeps);
+		if (status == SCREE_OK)
+			status = scree_wait(simulation->world);
+		double stepped = seconds_now();
+		if (status == SCREE_OK)
+			status = share_update(share);
+		if (status != SCREE_OK)
+			return status;
+		double updated = seconds_now();
+		renderer_draw(renderer, share, &camera, &style);
+		glFinish();
+		double drawn = seconds_now();
+		times[0][k] = stepped - begin;
+		times[1][k] = updated - stepped;
+		times[2][k] = drawn - updated;
+		times[3][k] = drawn - begin;
+	}
+	return SCREE_OK;
+}
+
+// One run, from a world of its own.
+static int measure(const Options* options, const Scene* scene, const Offscreen* offscreen, bool copy, int steps,
+                   double* times[4], Frames* frames)
+{
+	Simulation simulation;
+	Renderer renderer;
+	char sentence[SENTENCE] = "there is no memory for the picture";
+	int code = simulation_open(options, scene, false, &simulation);
+	if (code != EXIT_GOOD)
+		return code;
+	bool opened = renderer_open(&renderer, sentence);
+	if (!opened || !renderer_look(&renderer, simulation.world))
+	{
+		fprintf(stderr, "scree bench: %s\n", sentence);
+		code = EXIT_FAILED;
+	}
+	if (code == EXIT_GOOD)
+	{
+		Share share;
+		share_open(&share, simulation.world, copy);
+		scree_status status = draw_run(&simulation, offscreen, &share, &renderer, steps, times);
+		frames->how = share.how;
+		frames->picture = offscreen_hash(offscreen);
+		if (*share.sentence)
+			fprintf(stderr, "scree bench: the rows are copied: %s\n", share.sentence);
+		if (status == SCREE_OK)
+			status = scree_world_hash(simulation.world, &frames->world);
+		code = report(status);
+		share_close(&share);
+	}
+	if (opened)
+		renderer_close(&renderer);
+	int begin = steps > 2 * WARM_UP ? WARM_UP : 0;
+	double* medians[4] = {&frames->step, &frames->rows, &frames->draw, &frames->frame};
+	for (int k = 0; k < 4 && code == EXIT_GOOD; ++k)
+		*medians[k] = 1e3 * median_of(times[k] + begin, steps - begin);
+	if (code == EXIT_GOOD)
+	{
+		char device[160], drawer[128];
+		without_commas(scree_world_device(simulation.world), device, sizeof device);
+		without_commas(offscreen->renderer, drawer, sizeof drawer);
+		printf("%s,%s,%s,%s,%dx%d,%d,%.4f,%.4f,%.4f,%.1f,%016" PRIx64 ",%016" PRIx64 "\n", scene->name, device, drawer,
+		       scree_sharing_name(frames->how), offscreen->width, offscreen->height, steps, frames->step, frames->rows,
+		       frames->draw, 1e3 / frames->frame, frames->picture, frames->world);
+		fflush(stdout);
+	}
+	simulation_close(&simulation);
+	return code;
+}
+
+int frames_command(const Options* options, const char* name)
+{
+	Scene* scene = open_scene(options, name);
+	if (!scene)
+		return EXIT_BAD;
+	int steps = options->steps > 0 ? options->steps : scene->steps;
+	Offscreen offscreen;
+	const char* trouble = offscreen_open(&offscreen, options->width, options->height);
+	scree_opengl opengl;
+	Options drawn = *options;
+	drawn.opengl = !trouble && share_context(&opengl) ? &opengl : NULL;
+	double* memory = trouble ? NULL : malloc((size_t)steps * 4 * sizeof(double));
+	if (!memory)
+		fprintf(stderr, "scree bench: %s\n", trouble ? trouble : "there is no memory for the times");
+	int code = memory ? EXIT_GOOD : EXIT_FAILED;
+	if (code == EXIT_GOOD)
+	{
+		printf("scene,device,renderer,rows,size,frames,ms_step,ms_rows,ms_draw,frames_per_second,picture,hash\n");
+		double* times[4] = {memory, memory + steps, memory + 2 * steps, memory + 3 * steps};
+		Frames best, copied;
+		code = measure(&drawn, scene, &offscreen, false, steps, times, &best);
+		if (code == EXIT_GOOD)
+			code = measure(&drawn, scene, &offscreen, true, steps, times, &copied);
+		if (code == EXIT_GOOD && (best.picture != copied.picture || best.world != copied.world))
+		{
+			fprintf(stderr, "scree bench: the pictures differ\n");
+			code = EXIT_FAILED;
+		}
+	}
+	free(memory);
+	if (!trouble)
+		offscreen_close(&offscreen);
+	scene_free(scene);
+	return code;
+}
+#else
+int frames_command(const Options* options, const char* name)
+{
+	(void)options;
+	(void)name;
+	fprintf(stderr, "scree bench: this build draws no frames: install libepoxy-dev (Debian, Ubuntu) and build again\n");
+	return EXIT_FAILED;
+}
+#endif

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// share.c -- memory that OpenGL draws from, which the kernel of the stage show writes.
+//
+// Drivers offer it by either of two extensions: cl_khr_gl_sharing takes a buffer object of OpenGL, in a context made
+// for that; cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. Both want it handed over
+// before a kernel touches it, and handed back after. So the memory is an argument of one kernel, for one launch; the
+// others keep the pool.
+#include "error.h"
+#include "opencl/opencl.h"
+
+// of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not know
+#define MEMORY_OPAQUE_FD 0x2060
+
+typedef cl_ulong MemoryProperty;
+typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
+typedef cl_mem(CL_API_CALL* CreateFromOpenGl)(cl_context, cl_mem_flags, cl_uint, cl_int*);
+
+typedef struct // of a way to share
+{
+	const char *create, *acquire, *release; // functions of OpenCL
+} Way;
+
+static Way way_of(scree_sharing how)
+{
+	if (how == SCREE_SHARED_OPENGL)
+		return (Way){"clCreateFromGLBuffer", "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"};
+	return (Way){"clCreateBufferWithProperties", "clEnqueueAcquireExternalMemObjectsKHR",
+	             "clEnqueueReleaseExternalMemObjectsKHR"};
+}
+
+static cl_mem import(OpenCl* d, void* create, const SharedMemory* memory, cl_int* error)
+{
+	if (memory->how == SCREE_SHARED_OPENGL)
+		return ((CreateFromOpenGl)create)(d->context, CL_MEM_WRITE_ONLY, memory->buffer, error);
+	MemoryProperty properties[] = {MEMORY_OPAQUE_FD, (MemoryProperty)memory->file, 0};
+	return ((CreateFromFile)create)(d->context, properties, CL_MEM_READ_WRITE, memory->bytes, NULL, error);
+}
+
+scree_status opencl_share(Backend* b, const SharedMemory* memory)
+{
+	OpenCl* d = b->state;
+	Shared made = {0};
+	if (memory)
+	{
+		Way way = way_of(memory->how);
+		void* create = opencl_find(d->device.platform, way.create);
+		made.acquire = (Handover)opencl_find(d->device.platform, way.acquire);
+		made.release = (Handover)opencl_find(d->device.platform, way.release);
+		if (!create || !made.acquire || !made.release)
+			return fail(SCREE_NOT_SUPPORTED, "%s has no %s.", b->name,
+			            !create         ? way.create
+			            : !made.acquire ? way.acquire
+			                            : way.release);
+		cl_int error = CL_SUCCESS;
+		made.memory = import(d, create, memory, &error);
+		if (error)
+			return fail(SCREE_NOT_SUPPORTED, "%s does not take the memory to share: %s says %s (%d).", b->name,
+			            way.create, opencl_error_name(error), (int)error);
+	}
+	scree_status status = finish(d);
+	if (d->shared.memory)
+		opencl.ReleaseMemObject(d->shared.memory);
+	d->shared = made;
+	return status;
+}
+
+scree_status opencl_show(Backend* b, const Run* run)
+{
+	OpenCl* d = b->state;
+	Shared* shared = &d->shared;
+	const Kernel* kernel = &d->stages[run->stage];
+	TRY(opencl_check("handing over shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[SHOWN], sizeof(cl_mem), &shared->memory));
+	TRY(stage_run(d, run));
+	TRY(kernel_bind(d, SHOWN, kernel));
+	TRY(opencl_check("handing back shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	return finish(d);
+}
+
+void shared_close(OpenCl* d)
+{
+	if (d->shared.memory)
+		opencl.ReleaseMemObject(d->shared.memory);
+}
+
+scree_status context_open(OpenCl* d, const scree_opengl* opengl)
+{
+	// a context that shares with OpenGL, where that is asked for and works; else a plain one
+	cl_int error;
+	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
+	if (opengl && d->device.shares_opengl)
+	{
+		// cl_khr_gl_sharing: CL_GL_CONTEXT_KHR, then CL_EGL_, CL_GLX_ or CL_WGL_DISPLAY_KHR (CL_WGL_HDC_KHR)
+		static const cl_context_properties displays[] = {
+		    [SCREE_EGL] = 0x2009, [SCREE_GLX] = 0x200a, [SCREE_WGL] = 0x200b};
+		cl_context_properties shared[] = {0x2008,
+		                                  (cl_context_properties)opengl->context,
+		                                  displays[opengl->system],
+		                                  (cl_context_properties)opengl->display,
+		                                  plain[0],
+		                                  plain[1],
+		                                  0};
+		d->context = opencl.CreateContext(shared, 1, &d->device.id, NULL, NULL, &error);
+		if (!error)
+		{
+			d->backend->sharing = SCREE_SHARED_OPENGL;
+			return SCREE_OK;
+		}
+	}
+	d->backend->sharing = d->device.shares_memory ? SCREE_SHARED_MEMORY : SCREE_COPIED;
+	d->context = opencl.CreateContext(plain, 1, &d->device.id, NULL, NULL, &error);
+	return opencl_check("clCreateContext", error);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// canvas.h -- the pixels of a picture, its caption and its file: what all pictures have, whoever draws the bodies.
+#ifndef CANVAS_H
+#define CANVAS_H
+#include "scene/scene.h"
+#include "scene/sprites.h"
+#include <stdio.h>
+
+typedef struct
+{
+	int width, height; // px
+	size_t stride;     // bytes from a row to the next
+	uint8_t* pixels;   // four bytes each: blue, green, red, unused; rows from the top
+	void *surface, *cairo;
+} Canvas;
+
+// Returns false and writes a sentence when there is no Cairo, no memory, or the size is out of range.
+bool canvas_open(Canvas* canvas, int width, int height, char* sentence);
+void canvas_close(Canvas* canvas);
+
+// Writes the title, bold, and a caption beside it into the band at the bottom.
+void canvas_caption(Canvas* canvas, const char* title, const char* caption);
+
+// Writes the picture as PNG; false when the file does not take it.
+bool canvas_write(Canvas* canvas, FILE* file);
+
+#endif

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: MIT
+// test_share.c -- the rows that a renderer draws: what they say, and that memory shared with it gets the same ones.
+//
+// No driver of a CPU shares memory. So PoCL is taught to: its functions are wrapped, and what it imports is a file
+// that is mapped here as well. The wrapper refuses what a driver refuses: memory that was not handed over.
+#include "opencl/loader.h"
+#include "scree/scree.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#define BODIES 40
+
+static const char* device;
+
+static scree_world* open_pile(void)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = device;
+	scree_world* world;
+	OK(scree_create_world(&def, &world));
+	add_floor(world);
+	for (int k = 0; k < BODIES; ++k)
+		add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.3f * (float)(k % 5), 0.6f + 1.1f * (float)k);
+	return world;
+}
+
+// The rows, which the caller frees.
+static scree_shown* read_rows(scree_world* world, int* count)
+{
+	OK(scree_get_shown(world, NULL, 0, count));
+	scree_shown* rows = calloc((size_t)*count + 1, sizeof *rows);
+	assert_non_null(rows);
+	OK(scree_get_shown(world, rows, *count, count));
+	return rows;
+}
+
+// Every body has one collidable, a box around its origin: its row is the body's pose, and the center is at its place.
+static void check_rows(scree_world* world)
+{
+	scree_body bodies[BODIES + 8];
+	scree_pose poses[BODIES + 8];
+	int body_count, count, alive = 0;
+	OK(scree_get_bodies(world, bodies, BODIES + 8, &body_count));
+	OK(scree_get_poses(world, bodies, poses, body_count));
+	scree_shown* rows = read_rows(world, &count);
+	for (int k = 0; k < count; ++k)
+	{
+		if (rows[k].attribute < 0)
+			continue;
+		++alive;
+		int found = -1;
+		for (int i = 0; i < body_count; ++i)
+			found = (int)bodies[i].index == rows[k].body ? i : found;
+		assert_true(found >= 0);
+		assert_memory_equal(&rows[k].pose, &poses[found], sizeof(scree_pose));
+		assert_true(rows[k].center.x == 0.0f && rows[k].center.y == 0.0f);
+	}
+	assert_int_equal(alive, body_count);
+	free(rows);
+}
+
+static void test_rows(void** state)
+{
+	(void)state;
+	scree_world* world = open_pile();
+	scree_body bodies[BODIES + 1];
+	int count;
+	check_rows(world); // before the first step
+	run_steps(world, 20);
+	check_rows(world);
+
+	// what the user changed is in the rows at once, and what died is not
+	OK(scree_get_bodies(world, bodies, BODIES + 1, &count));
+	assert_int_equal(count, BODIES + 1);
+	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_make_rot(1.0f)}));
+	OK(scree_destroy_body(world, bodies[5]));
+	check_rows(world);
+	scree_shown row;
+	OK(scree_get_shown(world, &row, 1, &count));
+	assert_int_equal(count, BODIES + 1);
+
+	// looking changes nothing
+	uint64_t hash = hash_of(world);
+	check_rows(world);
+	assert_true(hash == hash_of(world));
+	scree_destroy_world(world);
+}
+
+static void expect_refusal(scree_status status, scree_status expected, const char* part)
+{
+	assert_int_equal(status, expected);
+	if (!strstr(scree_error(), part))
+		fail_msg("\"%s\" does not say \"%s\"", scree_error(), part);
+}
+
+static void test_without_sharing(void** state)
+{
+	(void)state;
+	scree_world* world = open_pile();
+	int count = 0;
+	if (scree_world_sharing(world) == SCREE_COPIED)
+		expect_refusal(scree_share_memory(world, 0, 4096), SCREE_NOT_SUPPORTED, "are copied");
+	expect_refusal(scree_share_memory(world, -1, 4096), SCREE_INVALID, "file_descriptor is -1");
+	expect_refusal(scree_share_memory(world, 0, 31), SCREE_INVALID, "bytes is 31, must be at least 32");
+	expect_refusal(scree_share_opengl(world, 0, 4096), SCREE_INVALID, "buffer is 0");
+	expect_refusal(scree_share_opengl(world, 1, 4096), SCREE_NOT_SUPPORTED, "scree_share_opengl: the rows of a world");
+	expect_refusal(scree_show(world, &count), SCREE_INVALID, "nothing is shared");
+	expect_refusal(scree_show(world, NULL), SCREE_INVALID, "count is null");
+	scree_unshare(world);
+	scree_unshare(NULL);
+	assert_int_equal(scree_world_sharing(NULL), SCREE_COPIED);
+	scree_destroy_world(world);
+	assert_string_equal(scree_sharing_name(SCREE_COPIED), "copied");
+	assert_string_equal(scree_sharing_name(SCREE_SHARED_MEMORY), "shared through external memory");
+	assert_string_equal(scree_sharing_name(SCREE_SHARED_OPENGL), "shared with OpenGL");
+
+	scree_world_def def = scree_default_world_def();
+	def.opengl = &(scree_opengl){.display = &def};
+	expect_refusal(scree_create_world(&def, &world), SCREE_INVALID, "def.opengl has no context");
+	def.opengl = &(scree_opengl){.system = (scree_window_system)7, .context = &def, .display = &def};
+	expect_refusal(scree_create_world(&def, &world), SCREE_INVALID, "is 7, must be from 0 to 2");
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// a driver that shares
+// ---------------------------------------------------------------------------------------------------------------
+
+// by its platform, Portable Computing Language: its buffers can lie in memory that is mapped here
+#define POCL "opencl:portable"
+
+static OpenClFunctions real;
+static const char* taught; // its extension
+static bool creation_fails;
+static void* buffer_object; // of OpenGL: what buffer 5 holds
+static size_t buffer_bytes;
+static bool handed_over;
+static int handovers;
+static cl_mem imported;
+static cl_context_properties context_properties[8];
+
+static cl_int CL_API_CALL taught_info(cl_device_id id, cl_device_info what, size_t size, void* value, size_t* needed)
+{
+	cl_int error = real.GetDeviceInfo(id, what, size, value, needed);
+	if (what == CL_DEVICE_EXTENSIONS && !error && value && strlen(value) + strlen(taught) + 2 < size)
+		strcat(strcat(value, " "), taught);
+	return error;
+}
+
+static cl_context CL_API_CALL taught_context(const cl_context_properties* properties, cl_uint count,
+                                             const cl_device_id* ids,
+                                             void(CL_CALLBACK* notify)(const char*, const void*, size_t, void*),
+                                             void* user, cl_int* error)
+{
+	int k = 0;
+	for (; properties[k] && k < 6; k += 2)
+	{
+		context_properties[k] = properties[k];
+		context_properties[k + 1] = properties[k + 1];
+	}
+	context_properties[k] = 0;
+	const cl_context_properties* platform = properties + k - 2;
+	assert_int_equal(platform[0], CL_CONTEXT_PLATFORM);
+	return real.CreateContext(platform, count, ids, notify, user, error);
+}
+
+static cl_mem import(cl_context context, void* memory, size_t bytes, cl_int* error)
+{
+	if (creation_fails)
+	{
+		*error = CL_INVALID_VALUE;
+		return NULL;
+	}
+	return imported = real.CreateBuffer(context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, memory, error);
+}
+
+static cl_mem CL_API_CALL create_from_file(cl_context context, const cl_ulong* properties, cl_mem_flags flags,
+                                           size_t bytes, void* host, cl_int* error)
+{
+	assert_true(properties[0] == 0x2060 && properties[2] == 0 && flags == CL_MEM_READ_WRITE && !host);
+	void* memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, (int)properties[1], 0);
+	assert_true(memory != MAP_FAILED);
+	return import(context, memory, bytes, error);
+}
+
+static cl_mem CL_API_CALL create_from_buffer(cl_context context, cl_mem_flags flags, cl_uint buffer, cl_int* error)
+{
+	assert_true(buffer == 5 && flags == CL_MEM_WRITE_ONLY);
+	return import(context, buffer_object, buffer_bytes, error);
+}
+
+static cl_int hand(cl_command_queue queue, cl_uint count, const cl_mem* memory, bool over)
+{
+	assert_true(count == 1 && memory[0] == imported && over != handed_over);
+	handed_over = over;
+	++handovers;
+	// what a kernel left in memory of the host is there after a mapping
+	cl_int error;
+	size_t bytes = 32;
+	void* at = real.EnqueueMapBuffer(queue, memory[0], CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &error);
+	return error ? error : real.EnqueueUnmapMemObject(queue, memory[0], at, 0, NULL, NULL);
+}
+
+static cl_int CL_API_CALL acquire(cl_command_queue queue, cl_uint count, const cl_mem* memory, cl_uint waits,
+                                  const cl_event* list, cl_event* event)
+{
+	assert_true(waits == 0 && !list && !event);
+	return hand(queue, count, memory, true);
+}
+
+static cl_int CL_API_CALL release(cl_command_queue queue, cl_uint count, const cl_mem* memory, cl_uint waits,
+                                  const cl_event* list, cl_event* event)
+{
+	assert_true(waits == 0 && !list && !event);
+	return hand(queue, count, memory, false);
+}
+
+static cl_int CL_API_CALL taught_argument(cl_kernel kernel, cl_uint index, size_t size, const void* value)
+{
+	if (size == sizeof(cl_mem) && imported && memcmp(value, &imported, sizeof imported) == 0)
+		assert_true(handed_over);
+	return real.SetKernelArg(kernel, index, size, value);
+}
+
+static void* CL_API_CALL taught_address(cl_platform_id platform, const char* name)
+{
+	(void)platform;
+	static const struct
+	{
+		const char* name;
+		void (*function)(void);
+	} table[] = {
+	    {"clCreateBufferWithProperties", (void (*)(void))create_from_file},
+	    {"clCreateFromGLBuffer", (void (*)(void))create_from_buffer},
+	    {"clEnqueueAcquireExternalMemObjectsKHR", (void (*)(void))acquire},
+	    {"clEnqueueReleaseExternalMemObjectsKHR", (void (*)(void))release},
+	    {"clEnqueueAcquireGLObjects", (void (*)(void))acquire},
+	    {"clEnqueueReleaseGLObjects", (void (*)(void))release},
+	};
+	for (size_t k = 0; k < sizeof table / sizeof table[0]; ++k)
+		if (strcmp(table[k].name, name) == 0)
+			return (void*)table[k].function;
+	return NULL;
+}
+
+static bool has_pocl(void)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = POCL;
+	scree_world* world;
+	bool has = scree_create_world(&def, &world) == SCREE_OK;
+	scree_destroy_world(world);
+	return has;
+}
+
+static int teach(void** state)
+{
+	assert_true(opencl_load());
+	real = opencl;
+	taught = *state;
+	opencl.GetDeviceInfo = taught_info;
+	opencl.CreateContext = taught_context;
+	opencl.SetKernelArg = taught_argument;
+	opencl.GetExtensionFunctionAddressForPlatform = taught_address;
+	handovers = 0;
+	imported = NULL;
+	return 0;
+}
+
+static int forget(void** state)
+{
+	(void)state;
+	opencl = real;
+	return 0;
+}
+
+// a file of so many bytes that is mapped to *memory
+static int make_file(size_t bytes, void** memory)
+{
+	FILE* file = tmpfile();
+	assert_non_null(file);
+	int descriptor = dup(fileno(file));
+	fclose(file);
+	assert_int_equal(ftruncate(descriptor, (off_t)bytes), 0);
+	*memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+	assert_true(*memory != MAP_FAILED);
+	return descriptor;
+}
+
+// Steps and shows; what is in memory must be what would be copied.
+static void check_shared(scree_world* world, const void* memory)
+{
+	for (int k = 0; k < 3; ++k)
+	{
+		int count, shown = 0;
+		run_steps(world, 2);
+		OK(scree_show(world, &shown));
+		scree_shown* rows = read_rows(world, &count);
+		assert_int_equal(shown, count);
+		assert_memory_equal(memory, rows, (size_t)count * sizeof *rows);
+		assert_false(handed_over);
+		free(rows);
+	}
+}
+
+static void test_shared_memory(void** state)
+{
+	(void)state;
+	if (!has_pocl())
+		skip();
+	device = "cpu";
+	scree_world* other = open_pile();
+	device = POCL;
+	scree_world* world = open_pile();
+	assert_int_equal(scree_world_sharing(world), SCREE_SHARED_MEMORY);
+	size_t small = (BODIES + 1) * sizeof(scree_shown), large = 8192;
+	void *memory, *larger;
+	int count, file = make_file(small, &memory), larger_file = make_file(large, &larger);
+	OK(scree_share_memory(world, file, small));
+
+	// the first rows, before the first step
+	OK(scree_show(world, &count));
+	assert_int_equal(count, BODIES + 1);
+	assert_true(((scree_shown*)memory)[1].pose.position.y == 0.6f);
+	check_shared(world, memory);
+
+	// a world that has grown wants more; memory that the driver refuses leaves what there was
+	add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
+	expect_refusal(scree_show(world, &count), SCREE_INVALID, "there are 42 rows, and what is shared has room for 41");
+	assert_int_equal(count, BODIES + 2);
+	creation_fails = true;
+	expect_refusal(scree_share_memory(world, larger_file, large), SCREE_NOT_SUPPORTED, "CL_INVALID_VALUE");
+	expect_refusal(scree_show(world, &count), SCREE_INVALID, "has room for 41");
+	creation_fails = false;
+	OK(scree_share_memory(world, larger_file, large));
+	check_shared(world, larger);
+
+	scree_unshare(world);
+	expect_refusal(scree_show(world, &count), SCREE_INVALID, "nothing is shared");
+
+	// and none of it was in the way of the simulation
+	run_steps(other, 6);
+	add_box(other, SCREE_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
+	run_steps(other, 6);
+	assert_true(hash_of(world) == hash_of(other));
+	assert_int_equal(handovers, 2 * 7);
+	scree_destroy_world(world);
+	scree_destroy_world(other);
+	munmap(memory, small);
+	munmap(larger, large);
+	close(file);
+	close(larger_file);
+}
+
+static void test_shared_opengl(void** state)
+{
+	(void)state;
+	if (!has_pocl())
+		skip();
+	int context, display;
+	scree_world_def def = scree_default_world_def();
+	def.device = POCL;
+	scree_world* world;
+	OK(scree_create_world(&def, &world));
+	assert_int_equal(scree_world_sharing(world), SCREE_COPIED); // which context it is, nobody said
+	scree_destroy_world(world);
+
+	def.opengl = &(scree_opengl){.system = SCREE_EGL, .context = &context, .display = &display};
+	OK(scree_create_world(&def, &world));
+	assert_true(context_properties[0] == 0x2008 && context_properties[1] == (cl_context_properties)&context);
+	assert_true(context_properties[2] == 0x2009 && context_properties[3] == (cl_context_properties)&display);
+	assert_int_equal(scree_world_sharing(world), SCREE_SHARED_OPENGL);
+	add_floor(world);
+	add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
+	buffer_bytes = 4096;
+	buffer_object = aligned_alloc(4096, buffer_bytes);
+	assert_non_null(buffer_object);
+	OK(scree_share_opengl(world, 5, buffer_bytes));
+	check_shared(world, buffer_object);
+	scree_destroy_world(world);
+	free(buffer_object);
+}
+
+static int use_device(void** state)
+{
+	device = *state;
+	return 0;
+}
+
+static int memory_is_back(void** state)
+{
+	(void)state;
+	return scree_memory() == 0 ? 0 : -1;
+}
+
+int main(void)
+{
+	const struct CMUnitTest own[] = {
+	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_back, "cpu"),
+	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_back, "cpu"),
+	};
+	const struct CMUnitTest distant[] = {
+	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_back, "opencl"),
+	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_back, "opencl"),
+	    cmocka_unit_test_prestate_setup_teardown(test_shared_memory, teach, forget, "cl_khr_external_memory_opaque_fd"),
+	    cmocka_unit_test_prestate_setup_teardown(test_shared_opengl, teach, forget, "cl_khr_gl_sharing"),
+	};
+	int failures = cmocka_run_group_tests_name("cpu", own, NULL, NULL);
+	if (scree_opencl_remedy()[0] == '\0')
+		failures += cmocka_run_group_tests_name("opencl", distant, NULL, NULL);
+	return failures;
+}

@@ -1,0 +1,249 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# test_view.sh -- the viewer in a virtual display: scripts, keys and mouse, pictures, other devices, and what cannot be done.
+set -uo pipefail
+scree=${SCREE_BINARY:?is the path of the command line}
+build=${SCREE_BUILD:?is the build folder}
+[ -x "$scree" ] || { echo "skipped: no command line was built"; exit 77; }
+if "$scree" view 2>&1 | grep -q 'this build has no viewer'; then
+	echo "skipped: this build has no viewer: libglfw3-dev, libimgui-dev or libepoxy-dev is missing"
+	exit 77
+fi
+for tool in Xvfb twm xdotool; do
+	command -v "$tool" >/dev/null || { echo "skipped: there is no $tool"; exit 77; }
+done
+scratch=$(mktemp -d "$build/test_view.XXXXXX")
+cd "$scratch" || exit 1
+failures=0
+unset WAYLAND_DISPLAY
+# GLFW closes the driver before the end, so that no suppression could name what it leaves behind
+export ASAN_OPTIONS=detect_leaks=0
+
+# a virtual display of Mesa's software renderer, with a window manager that can minimize
+Xvfb -displayfd 3 -screen 0 1280x900x24 3>display 2>xvfb.log &
+server=$!
+trap 'kill $server 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+for _ in $(seq 100); do
+	[ -s display ] && break
+	sleep 0.1
+done
+[ -s display ] || { echo "skipped: Xvfb does not start: $(tail -n 1 xvfb.log)"; exit 77; }
+export DISPLAY=":$(cat display)" LIBGL_ALWAYS_SOFTWARE=1
+printf 'RandomPlacement\nNoTitle\n' >twmrc
+twm -f twmrc >twm.log 2>&1 &
+
+fail()
+{
+	echo "FAILED: $*"
+	sed 's/^/    | /' out err
+	failures=$((failures + 1))
+}
+
+# view CODE words...: reads the script from standard input
+view()
+{
+	local code=$1 got
+	shift
+	cat >script
+	timeout 120 "$scree" view "$@" --device cpu --size 800x600 --script script >out 2>err
+	got=$?
+	[ "$got" = "$code" ] || fail "scree view $*: exit code $got instead of $code"
+}
+
+# says TEXT: in what the last one printed
+says()
+{
+	cat out err | grep -qF -- "$1" || fail "it does not say \"$1\""
+}
+
+# nth COLUMN LINE: of the lines that "print" has left
+nth()
+{
+	sed -n "$2p" out | tr ',' '\n' | sed -n "s/^ *$1 //p"
+}
+
+# within ONE OTHER MEAN SHARE: whether two pictures differ by no more than that
+within()
+{
+	"$build/tests/difference" "$1" "$2" >out 2>err && awk -v mean="$3" -v share="$4" '{exit !($1 <= mean && $2 <= share)}' out
+}
+
+small=(pyramid --set rows=3)
+
+# what one sees is what a run computes, and what it draws without a window
+view 0 "${small[@]}" <<'END'
+frames 30
+print
+picture window.png
+key 2
+key 3
+key 4
+key 5
+key 1
+frames 2
+picture layers.png
+END
+says 'steps 30'
+[ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "another hash than scree hash"
+if [ -x "$build/tests/difference" ]; then
+	"$scree" run "${small[@]}" --device cpu --steps 30 --size 800x600 --renderer gl --picture gl.png >out 2>err ||
+		fail "run --renderer gl"
+	within window.png gl.png 0.5 0.002 || fail "window and picture are not alike"
+	"$scree" run "${small[@]}" --device cpu --steps 30 --size 800x600 --renderer cairo --picture cairo.png >out 2>err ||
+		fail "run --renderer cairo"
+	within window.png cairo.png 1.0 0.01 || fail "OpenGL and Cairo are not alike"
+	"$scree" run "${small[@]}" --device cpu --steps 32 --size 800x600 --picture layers_gl.png \
+		--layers contacts,normals,impulses,velocities,boxes >out 2>err || fail "run --layers"
+	within layers.png layers_gl.png 0.5 0.002 || fail "layers in window and picture are not alike"
+	within layers.png window.png 0.1 0 && fail "layers do not show"
+fi
+
+# scenes, restart, devices: the bits stay
+view 0 "${small[@]}" <<'END'
+frames 20
+print
+key r
+frames 20
+print
+scene billiards
+frames 5
+print
+device auto
+frames 5
+print
+END
+[ "$(nth hash 1)" = "$(nth hash 2)" ] || fail "another hash after a restart"
+says 'scene billiards, steps 5'
+[ "$(nth hash 4)" = "$("$scree" hash billiards --steps 10 --device cpu)" ] || fail "another hash on device auto"
+if "$scree" devices | grep -q '^opencl'; then
+	view 0 "${small[@]}" <<'END'
+frames 10
+device opencl
+frames 10
+print
+key h
+key d
+frames 10
+print
+END
+	[ "$(nth hash 2)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "another hash after OpenCL"
+fi
+
+# a body thrown in, single steps, slow motion, saving
+view 0 "${small[@]}" <<'END'
+cursor 400 100
+key t
+print
+key space
+frames 3
+print
+key n
+frames 3
+print
+key p
+key w
+key v
+key space
+frames 10
+key v
+frames 1
+key tab
+key F1
+key f
+key c
+key 6
+frames 2
+END
+says 'bodies 8'
+[ "$(nth steps 3)" = $(($(nth steps 2) + 1)) ] || fail "n takes not one step"
+for file in scree-1.png scree-2.png; do
+	[ "$(head -c 4 $file | tail -c 3)" = PNG ] || fail "p and w: $file is not a PNG"
+done
+command -v ffmpeg >/dev/null && [ ! -s scree-1.mp4 ] && fail "v: there is no video"
+
+# the display's own events: wheel, keys, a body in the hand, the picture in the hand
+cat >script <<'END'
+frames 2
+print
+await paused
+print
+await running
+await holding
+await free
+print
+await paused
+print
+END
+"$scree" view "${small[@]}" --device cpu --size 800x600 --script script >out 2>err &
+viewer=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+for _ in $(seq 200); do
+	[ -s out ] && break
+	sleep 0.1
+done
+moved() { xdotool mousemove --window "$window" "$@"; }
+xdotool windowfocus "$window"
+moved 400 500 click 4 click 4 click 5 key space
+for _ in $(seq 200); do
+	[ "$(wc -l <out)" = 2 ] && break
+	sleep 0.1
+done
+xdotool key f key space
+moved 400 222 mousedown 1
+sleep 0.5
+moved 500 150
+sleep 0.5
+xdotool mouseup 1
+for _ in $(seq 200); do
+	[ "$(wc -l <out)" = 3 ] && break
+	sleep 0.1
+done
+moved 700 100 mousedown 1
+moved 650 100
+xdotool mouseup 1 key space
+wait $viewer || fail "events: exit code $?"
+[ "$(nth scale 2)" = 69.000 ] || fail "events: two turns of the wheel and one back are not 1.15"
+[ "$(nth steps 3)" -gt "$(nth steps 2)" ] || fail "events: space does not go on"
+[ "$(nth hash 3)" != "$("$scree" hash "${small[@]}" --steps "$(nth steps 3)" --device cpu)" ] ||
+	fail "events: the hand has moved nothing"
+[ "$(nth middle 4)" != "$(nth middle 3)" ] || fail "events: the picture does not follow the mouse"
+
+# other sizes, also none
+view 0 "${small[@]}" <<'END'
+frames 2
+minimize
+await minimized
+frames 3
+restore
+await restored
+size 300 200
+frames 5
+picture small.png
+size 1200 800
+frames 5
+print
+END
+[ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps "$(nth steps 1)" --device cpu)" ] || fail "another hash than scree hash"
+
+# what cannot be done
+view 2 "${small[@]}" <<'END'
+frames 2
+dance
+END
+says 'script:2: "dance" cannot be done'
+view 2 nothing </dev/null
+says 'no scene is called "nothing"'
+view 1 "${small[@]}" <<<'picture nowhere/picture.png'
+says 'cannot write nowhere/picture.png'
+MESA_GL_VERSION_OVERRIDE=2.1 view 1 "${small[@]}" </dev/null
+says 'there is no OpenGL 3.3 on this display'
+DISPLAY=:9999 view 1 "${small[@]}" </dev/null
+says 'there is no display to open a window on'
+DISPLAY='' view 1 "${small[@]}" </dev/null
+says 'there is no display to open a window on'
+"$scree" view "${small[@]}" --script missing >out 2>err
+[ $? = 1 ] || fail "a missing script: exit code"
+says 'cannot read missing'
+
+echo "$failures failures"
+[ "$failures" = 0 ]

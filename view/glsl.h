@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// glsl.h -- the shaders of view/glsl, as texts; cmake/texts.cmake writes them.
+#ifndef GLSL_H
+#define GLSL_H
+
+extern const char glsl_row_glsl[];
+extern const char glsl_body_vert[], glsl_body_frag[];
+extern const char glsl_blot_vert[], glsl_blot_frag[];
+extern const char glsl_box_vert[], glsl_box_frag[];
+extern const char glsl_velocity_vert[];
+extern const char glsl_stroke_vert[], glsl_stroke_frag[];
+
+#endif

@@ -1,0 +1,69 @@
+// body.frag -- a shape by its signed distance: filled, with a thin darker rim, and a spoke in circles.
+uniform samplerBuffer table;
+uniform float scale; // px a metre
+uniform float line;  // px: width of rims
+
+flat in int texel;
+flat in vec3 color;
+flat in float reach;
+flat in int hollow;
+in vec2 local;
+out vec4 pixel;
+
+vec2 vertex(int k)
+{
+	vec4 two = texelFetch(table, texel + 3 + k / 2) * scale;
+	return (k & 1) == 0 ? two.xy : two.zw;
+}
+
+float segment_distance(vec2 p, vec2 a, vec2 b)
+{
+	vec2 ab = b - a;
+	return length(p - a - ab * clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0));
+}
+
+// From the hull of the vertices, px: negative inside, where the nearest edge decides.
+float hull_distance(vec2 p, int count)
+{
+	vec2 a = vertex(count - 1);
+	float outside = 1.0e9, inside = -1.0e9;
+	for (int k = 0; k < count; ++k)
+	{
+		vec2 b = vertex(k), edge = normalize(b - a);
+		outside = min(outside, segment_distance(p, a, b));
+		inside = max(inside, dot(p - a, vec2(edge.y, -edge.x)));
+		a = b;
+	}
+	return inside < 0.0 ? inside : outside;
+}
+
+void main()
+{
+	vec4 around = texelFetch(table, texel) * scale, sizes = texelFetch(table, texel + 1);
+	float radius = sizes.x * scale, d;
+	int form = int(texelFetch(table, texel + 2).w), count = int(sizes.y);
+	if (form == 1) // a rectangle along the axes
+	{
+		vec2 q = abs(local - around.xy) - around.zw + radius;
+		d = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
+	}
+	else if (count == 1)
+		d = length(local - vertex(0));
+	else
+		d = count == 2 ? segment_distance(local, vertex(0), vertex(1)) : hull_distance(local, count);
+	d -= radius;
+
+	float bold = max(2.0 * line, 1.5);
+	if (form == 2 || hollow == 1)
+	{
+		vec3 rim = hollow == 1 ? color : vec3(157, 154, 147) / 255.0;
+		pixel = vec4(rim, clamp(0.5 + 0.5 * bold - abs(d), 0.0, 1.0));
+		return;
+	}
+	float rim = clamp(d + line + 0.5, 0.0, 1.0);
+	vec2 q = local - vertex(0);
+	if (count == 1 && q.x > 0.0)
+		rim = max(rim, clamp(0.5 + 0.5 * line - abs(q.y), 0.0, 1.0));
+	rim *= smoothstep(2.5, 6.0, reach);
+	pixel = vec4(color * (1.0 - 0.38 * rim), clamp(0.5 - d, 0.0, 1.0));
+}

@@ -1,0 +1,54 @@
+// row.glsl -- what every shader of rows begins with: a row of the world, and what look.h says of its attribute and body.
+layout(location = 0) in vec4 pose;   // x, y (m), cosine, sine
+layout(location = 1) in vec2 center; // from there to the center of mass, m
+layout(location = 2) in ivec2 name;  // attribute, -1 where there is no collidable; body, -1 for none
+
+uniform vec4 view;   // middle of the picture (m), clip units a metre
+uniform float scale; // px a metre
+uniform int paint;   // PAINT_* of renderer.h
+
+uniform samplerBuffer table;      // attributes, 7 texels each
+uniform usamplerBuffer kinds;     // of bodies
+uniform usamplerBuffer graph;     // lowest color of a body's contacts, 255 for none
+uniform samplerBuffer velocities; // of bodies, m/s
+
+const vec3 stone = vec3(196, 192, 184) / 255.0;
+const vec3 glass = vec3(67, 93, 134) / 255.0;
+
+vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
+vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
+bool moves() { return name.y >= 0 && texelFetch(kinds, name.y).x == 2u; }
+
+// Outside of the picture by more than its reach (m).
+bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + reach * view.zw)); }
+
+// Hues a golden angle apart, so that neighbors in the list can be told apart.
+vec3 graph_color(uint color)
+{
+	vec3 hue = abs(fract(float(color) * 0.61803399 + vec3(0.02, 0.69, 0.36)) * 6.0 - 3.0) - 1.0;
+	return color == 255u ? vec3(0.86, 0.85, 0.82) : mix(vec3(0.82), clamp(hue, 0.0, 1.0), 0.62) * 0.92;
+}
+
+// Slow is blue, 3 m/s yellow, beyond red.
+vec3 speed_color(float speed)
+{
+	float t = speed / (speed + 3.0) * 2.0;
+	vec3 slow = vec3(0.33, 0.45, 0.66), middle = vec3(0.89, 0.72, 0.38), fast = vec3(0.80, 0.28, 0.22);
+	return t < 1.0 ? mix(slow, middle, t) : mix(middle, fast, t - 1.0);
+}
+
+vec3 row_color(vec3 base)
+{
+	if (name.y < 0)
+		return glass;
+	if (!moves())
+		return stone;
+	if (paint == 1)
+		return speed_color(length(texelFetch(velocities, name.y).xy));
+	if (paint == 2)
+		return graph_color(texelFetch(graph, name.y).x);
+	// a little lighter or darker from body to body
+	uint mixed = uint(name.y) * 0x9e3779b1u;
+	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
+	return min(base * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
+}

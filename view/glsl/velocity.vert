@@ -1,0 +1,23 @@
+// velocity.vert -- a line from the center of mass to where the body would be in a while.
+flat out vec2 stroke; // half a length, half a width, px
+flat out vec4 color;
+out vec2 local; // px, along the line from its middle and across
+
+void main()
+{
+	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+	stroke = vec2(0.0);
+	color = vec4(0.09, 0.35, 0.30, 0.9);
+	local = vec2(0.0);
+	if (name.x < 0 || !moves())
+		return;
+	vec2 a = pose.xy + center, along = texelFetch(velocities, name.y).xy * 0.15;
+	float stretch = length(along) * scale;
+	if (stretch < 1.0)
+		return;
+	vec2 unit = along / length(along), corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+	stroke = vec2(0.5 * stretch, 0.7);
+	local = corner * vec2(0.5 * stretch + 2.0, 2.7);
+	vec2 at = a + 0.5 * along + (unit * local.x + vec2(-unit.y, unit.x) * local.y) / scale;
+	gl_Position = vec4(clip_of(at), 0.0, 1.0);
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// marker.h -- contacts as strokes: points, normals, impulses.
+#ifndef MARKER_H
+#define MARKER_H
+#include "view/renderer.h"
+
+// Adds strokes for the contacts that are in view.
+void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera,
+                   const Style* style);
+
+#endif

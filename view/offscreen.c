@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// offscreen.c -- OpenGL without a window: a context, and a picture to draw into.
+#include "view/offscreen.h"
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define MAX_EGL_DEVICES 16
+
+// A display is one for the whole process, and others may draw on it: it is never terminated.
+static EGLContext context_of(EGLDisplay display)
+{
+	if (!eglInitialize(display, NULL, NULL))
+		return EGL_NO_CONTEXT;
+	const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+	const EGLint version[] = {
+	    EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+	    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+	EGLConfig config;
+	EGLint configs = 0;
+	EGLContext context = EGL_NO_CONTEXT;
+	if (eglChooseConfig(display, wanted, &config, 1, &configs) && configs > 0 && eglBindAPI(EGL_OPENGL_API))
+		context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+	if (context && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+		return context;
+	if (context)
+		eglDestroyContext(display, context);
+	return EGL_NO_CONTEXT;
+}
+
+static const char* make_picture(Offscreen* o)
+{
+	glGenRenderbuffers(1, &o->color);
+	glBindRenderbuffer(GL_RENDERBUFFER, o->color);
+	glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, o->width, o->height);
+	glGenFramebuffers(1, &o->frame);
+	glBindFramebuffer(GL_FRAMEBUFFER, o->frame);
+	glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, o->color);
+	glViewport(0, 0, o->width, o->height);
+	return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
+	           ? NULL
+	           : "OpenGL cannot draw a picture of this size";
+}
+
+const char* offscreen_open(Offscreen* o, int width, int height)
+{
+	*o = (Offscreen){.width = width, .height = height};
+	if (!epoxy_has_egl() || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device"))
+		return "there is no EGL that draws without a window: install libegl1 and libgl1-mesa-dri (Debian, Ubuntu)";
+	EGLDeviceEXT devices[MAX_EGL_DEVICES];
+	EGLint count = 0;
+	eglQueryDevicesEXT(MAX_EGL_DEVICES, devices, &count);
+	for (int k = 0; k < count && !o->context; ++k)
+	{
+		o->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[k], NULL);
+		o->context = context_of(o->display);
+	}
+	if (!o->context)
+		return "no device of EGL has OpenGL 3.3";
+	snprintf(o->renderer, sizeof o->renderer, "%s", (const char*)glGetString(GL_RENDERER));
+	const char* trouble = make_picture(o);
+	if (trouble)
+		offscreen_close(o);
+	return trouble;
+}
+
+void offscreen_close(Offscreen* o)
+{
+	if (!o->context)
+		return;
+	glDeleteFramebuffers(1, &o->frame);
+	glDeleteRenderbuffers(1, &o->color);
+	eglMakeCurrent(o->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+	eglDestroyContext(o->display, o->context);
+	*o = (Offscreen){0};
+}
+
+uint64_t offscreen_hash(const Offscreen* o)
+{
+	size_t bytes = (size_t)o->width * (size_t)o->height * 4;
+	uint8_t* pixels = malloc(bytes);
+	if (!pixels)
+		return 0;
+	glReadPixels(0, 0, o->width, o->height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+	uint64_t hash = 0xcbf29ce484222325u;
+	for (size_t k = 0; k < bytes; ++k)
+		hash = (hash ^ pixels[k]) * 0x100000001b3u;
+	free(pixels);
+	return hash;
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// renderer.c -- draws a world from rows in a buffer of OpenGL: bodies, and what may lie over them.
+//
+// A body under Style.detail is a blot: one vertex, and the pixels that it covers. A larger one is a rectangle whose
+// fragments know their distance from the shape. A row drops out of the pass that is not its own.
+#include "view/renderer.h"
+#include "view/glsl.h"
+#include "view/marker.h"
+#include "view/shader.h"
+#include <epoxy/gl.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool pass_open(Pass* pass, const char* vertex, const char* fragment, char* sentence)
+{
+	pass->program = shader_link(glsl_row_glsl, vertex, fragment, sentence);
+	if (!pass->program)
+		return false;
+	const char* names[] = {"view", "scale", "paint", "least", "size", "line", "coarse"};
+	int* places[] = {&pass->view, &pass->scale, &pass->paint, &pass->least, &pass->size, &pass->line, &pass->coarse};
+	for (int k = 0; k < 7; ++k)
+		*places[k] = glGetUniformLocation(pass->program, names[k]);
+	const char* samplers[] = {"table", "kinds", "velocities", "graph"};
+	glUseProgram(pass->program);
+	for (int k = 0; k < 4; ++k)
+		glUniform1i(glGetUniformLocation(pass->program, samplers[k]), k);
+	return true;
+}
+
+bool renderer_open(Renderer* r, char* sentence)
+{
+	*r = (Renderer){0};
+	const char* name = (const char*)glGetString(GL_RENDERER);
+	r->software = name && (strstr(name, "llvmpipe") || strstr(name, "softpipe") || strstr(name, "SWR"));
+	glGenVertexArrays(1, &r->one_each);
+	glGenVertexArrays(1, &r->four_each);
+	bool good = pass_open(&r->body, glsl_body_vert, glsl_body_frag, sentence) &&
+	            pass_open(&r->blot, glsl_blot_vert, glsl_blot_frag, sentence) &&
+	            pass_open(&r->box, glsl_box_vert, glsl_box_frag, sentence) &&
+	            pass_open(&r->velocity, glsl_velocity_vert, glsl_stroke_frag, sentence) &&
+	            strokes_open(&r->strokes, sentence);
+	if (!good)
+		renderer_close(r);
+	return good;
+}
+
+void renderer_close(Renderer* r)
+{
+	Pass* passes[] = {&r->body, &r->blot, &r->box, &r->velocity};
+	for (int k = 0; k < 4; ++k)
+		glDeleteProgram(passes[k]->program);
+	glDeleteVertexArrays(1, &r->one_each);
+	glDeleteVertexArrays(1, &r->four_each);
+	strokes_close(&r->strokes);
+	look_close(&r->look);
+	free(r->contacts);
+	*r = (Renderer){0};
+}
+
+bool renderer_look(Renderer* r, scree_world* world)
+{
+	r->contact_count = 0;
+	r->split = (Split){0};
+	return look_take(&r->look, world);
+}
+
+static scree_status fetch_contacts(Renderer* r)
+{
+	scree_status status = scree_get_contacts(r->look.world, r->contacts, r->contact_room, &r->contact_count);
+	if (status != SCREE_OK || r->contact_count <= r->contact_room)
+		return status;
+	int room = r->contact_count + r->contact_count / 2;
+	scree_contact* contacts = realloc(r->contacts, (size_t)room * sizeof *contacts);
+	r->contact_count = 0;
+	if (!contacts)
+		return SCREE_OK; // the picture goes without them
+	r->contacts = contacts;
+	r->contact_room = room;
+	return scree_get_contacts(r->look.world, r->contacts, room, &r->contact_count);
+}
+
+scree_status renderer_fetch(Renderer* r, const Style* style)
+{
+	scree_status status = SCREE_OK;
+	r->contact_count = 0;
+	if (style->paint == PAINT_SPEED || style->layers[LAYER_velocities])
+		status = look_velocities(&r->look);
+	if (status == SCREE_OK && (style->paint == PAINT_GRAPH || style->layers[LAYER_contacts] ||
+	                           style->layers[LAYER_normals] || style->layers[LAYER_impulses]))
+		status = fetch_contacts(r);
+	if (status == SCREE_OK && style->paint == PAINT_GRAPH)
+		look_graph(&r->look, r->contacts, r->contact_count);
+	return status;
+}
+
+// The rows from the first on, as vertices (divisor 0) or as instances (divisor 1).
+static void bind_rows(unsigned vertices, const Share* share, int first, GLuint divisor)
+{
+	const GLsizei row = sizeof(scree_shown);
+	const size_t begin = (size_t)first * sizeof(scree_shown);
+	glBindVertexArray(vertices);
+	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
+	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_shown, pose)));
+	glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_shown, center)));
+	glVertexAttribIPointer(2, 2, GL_INT, row, (void*)(begin + offsetof(scree_shown, attribute)));
+	for (GLuint k = 0; k < 3; ++k)
+	{
+		glEnableVertexAttribArray(k);
+		glVertexAttribDivisor(k, divisor);
+	}
+}
+
+static void use_pass(const Pass* pass, const Camera* camera, const Style* style)
+{
+	float line = 0.03f * camera->scale;
+	glUseProgram(pass->program);
+	glUniform4f(pass->view, camera->middle.x, camera->middle.y, 2.0f * camera->scale / (float)camera->width,
+	            2.0f * camera->scale / (float)camera->height);
+	glUniform1f(pass->scale, camera->scale);
+	glUniform1i(pass->paint, (int)style->paint);
+	glUniform1f(pass->least, style->detail);
+	glUniform1i(pass->coarse, style->detail > 1.0f);
+	glUniform2f(pass->size, (float)camera->width, (float)camera->height);
+	glUniform1f(pass->line, line < 0.7f ? 0.7f : line > 1.4f ? 1.4f : line);
+}
+
+static void bind_tables(const Look* look)
+{
+	const unsigned textures[] = {look->attribute_table.texture, look->kinds.texture, look->velocities.texture,
+	                             look->graph.texture};
+	for (int k = 0; k < 4; ++k)
+	{
+		glActiveTexture((GLenum)(GL_TEXTURE0 + k));
+		glBindTexture(GL_TEXTURE_BUFFER, textures[k]);
+	}
+	glActiveTexture(GL_TEXTURE0);
+}
+
+// A layer that has something to say of every row.
+static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
+{
+	bind_rows(r->four_each, share, 0, 1);
+	use_pass(pass, camera, style);
+	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
+}
+
+void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const Style* style)
+{
+	Color paper = PAPER;
+	glViewport(0, 0, camera->width, camera->height);
+	glDisable(GL_DEPTH_TEST);
+	glDisable(GL_CULL_FACE);
+	glDisable(GL_SCISSOR_TEST);
+	glEnable(GL_BLEND);
+	glBlendEquation(GL_FUNC_ADD);
+	glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	glEnable(GL_PROGRAM_POINT_SIZE);
+	glClearColor((float)paper.r / 255.0f, (float)paper.g / 255.0f, (float)paper.b / 255.0f, 1.0f);
+	glClear(GL_COLOR_BUFFER_BIT);
+
+	bind_tables(&r->look);
+	split_rows(&r->split, &r->look, share->count, camera->scale, style->detail);
+	use_pass(&r->body, camera, style);
+	for (int k = 0; k < r->split.shape_runs; ++k)
+	{
+		bind_rows(r->four_each, share, r->split.shapes[k].first, 1);
+		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, r->split.shapes[k].count);
+	}
+	if (r->split.blots)
+	{
+		bind_rows(r->one_each, share, 0, 0);
+		use_pass(&r->blot, camera, style);
+		glDrawArrays(GL_POINTS, 0, share->count);
+	}
+	if (style->layers[LAYER_boxes])
+		draw_over(r, &r->box, share, camera, style);
+	if (style->layers[LAYER_velocities])
+		draw_over(r, &r->velocity, share, camera, style);
+	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
+	strokes_draw(&r->strokes, camera);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// shader.c -- programs of OpenGL from the texts of glsl.h.
+#include "view/shader.h"
+#include <epoxy/gl.h>
+#include <stdio.h>
+
+static bool attach(GLuint program, GLenum kind, const char* head, const char* text, char* sentence)
+{
+	GLuint shader = glCreateShader(kind);
+	const char* texts[] = {"#version 330 core\n", head, text};
+	glShaderSource(shader, 3, texts, NULL);
+	glCompileShader(shader);
+	GLint good = 0;
+	glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+	if (!good)
+	{
+		char log[384] = "";
+		glGetShaderInfoLog(shader, sizeof log, NULL, log);
+		snprintf(sentence, SENTENCE, "OpenGL does not compile a shader: %s", log);
+	}
+	glAttachShader(program, shader);
+	glDeleteShader(shader);
+	return good;
+}
+
+unsigned shader_link(const char* head, const char* vertex, const char* fragment, char* sentence)
+{
+	GLuint program = glCreateProgram();
+	GLint linked = 0;
+	if (attach(program, GL_VERTEX_SHADER, head, vertex, sentence) &&
+	    attach(program, GL_FRAGMENT_SHADER, "", fragment, sentence))
+	{
+		glLinkProgram(program);
+		glGetProgramiv(program, GL_LINK_STATUS, &linked);
+		if (!linked)
+			snprintf(sentence, SENTENCE, "OpenGL does not link the shaders");
+	}
+	if (linked)
+		return program;
+	glDeleteProgram(program);
+	return 0;
+}

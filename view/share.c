@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// share.c -- the rows that a renderer draws, in a buffer of OpenGL: left there by the device, or copied.
+#include "view/share.h"
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool share_context(scree_opengl* opengl)
+{
+	if (!epoxy_has_egl() || eglGetCurrentContext() == EGL_NO_CONTEXT)
+		return false;
+	*opengl = (scree_opengl){SCREE_EGL, eglGetCurrentContext(), eglGetCurrentDisplay()};
+	return true;
+}
+
+// The device of a world, in the list of all; false when there is no memory.
+static bool find_device(const scree_world* world, scree_device* device)
+{
+	int count = 0;
+	scree_get_devices(NULL, 0, &count);
+	scree_device* devices = calloc((size_t)count + 1, sizeof *devices);
+	if (!devices || scree_get_devices(devices, count, &count) != SCREE_OK)
+		count = 0;
+	bool found = false;
+	for (int k = 0; k < count && !found; ++k)
+	{
+		*device = devices[k];
+		found = strcmp(device->name, scree_world_device(world)) == 0;
+	}
+	free(devices);
+	return found;
+}
+
+void share_open(Share* share, scree_world* world, bool copy)
+{
+	*share =
+	    (Share){.world = world, .how = copy ? SCREE_COPIED : scree_world_sharing(world), .exported.files = {-1, -1}};
+}
+
+static void drop_buffer(Share* share)
+{
+	scree_unshare(share->world);
+	glDeleteBuffers(1, &share->buffer);
+	if (share->memory)
+		glDeleteMemoryObjectsEXT(1, &share->memory);
+	exported_memory_drop(&share->exported);
+	share->buffer = share->memory = 0;
+	share->room = 0;
+}
+
+void share_close(Share* share)
+{
+	drop_buffer(share);
+	*share = (Share){.exported.files = {-1, -1}};
+}
+
+// A buffer in memory that Vulkan allocated: OpenGL and OpenCL each import it.
+static bool share_memory(Share* share, size_t bytes)
+{
+	char* sentence = share->sentence;
+	const size_t size = sizeof share->sentence;
+	scree_device device;
+	uint8_t uuid[16] = {0};
+	if (epoxy_has_gl_extension("GL_EXT_memory_object_fd"))
+		glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, uuid);
+	if (!find_device(share->world, &device) || memcmp(uuid, device.uuid, sizeof uuid) != 0)
+	{
+		snprintf(sentence, size, "OpenGL draws on another device, or has no GL_EXT_memory_object_fd");
+		return false;
+	}
+	ExportedMemory* memory = &share->exported;
+	if (!exported_memory_make(memory, uuid, bytes, sentence, size))
+		return false;
+	if (scree_share_memory(share->world, memory->files[0], bytes) != SCREE_OK)
+	{
+		snprintf(sentence, size, "%s", scree_error());
+		return false;
+	}
+	memory->files[0] = -1; // OpenCL's now
+	while (glGetError() != GL_NO_ERROR)
+		; // those of before are not ours
+	glCreateMemoryObjectsEXT(1, &share->memory);
+	glImportMemoryFdEXT(share->memory, memory->allocated, GL_HANDLE_TYPE_OPAQUE_FD_EXT, memory->files[1]);
+	GLenum error = glGetError();
+	if (!error)
+	{
+		memory->files[1] = -1; // OpenGL's now
+		glBufferStorageMemEXT(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, share->memory, 0);
+		error = glGetError();
+	}
+	if (error)
+		snprintf(sentence, size, "OpenGL does not take memory from outside: error 0x%x", error);
+	return !error;
+}
+
+static bool share_opengl(Share* share, size_t bytes)
+{
+	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
+	glFinish(); // OpenCL is to find it there
+	if (scree_share_opengl(share->world, share->buffer, bytes) == SCREE_OK)
+		return true;
+	snprintf(share->sentence, sizeof share->sentence, "%s", scree_error());
+	return false;
+}
+
+// A new buffer with room for count rows and half as many more. What cannot be shared is copied from then on.
+static void make_buffer(Share* share, int count)
+{
+	int room = count + count / 2 + 1024;
+	size_t bytes = (size_t)room * sizeof(scree_shown);
+	for (;;)
+	{
+		drop_buffer(share);
+		glGenBuffers(1, &share->buffer);
+		glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
+		if (share->how == SCREE_COPIED)
+			glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_STREAM_DRAW);
+		if (share->how == SCREE_COPIED || (share->how == SCREE_SHARED_OPENGL && share_opengl(share, bytes)) ||
+		    (share->how == SCREE_SHARED_MEMORY && share_memory(share, bytes)))
+			break;
+		share->how = SCREE_COPIED;
+	}
+	share->room = room;
+}
+
+// From the device straight into the buffer as the host sees it.
+static scree_status copy(Share* share)
+{
+	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
+	GLsizeiptr bytes = (GLsizeiptr)share->count * (GLsizeiptr)sizeof(scree_shown);
+	if (bytes == 0)
+		return SCREE_OK;
+	scree_shown* rows = glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+	if (!rows)
+		return SCREE_OUT_OF_MEMORY;
+	scree_status status = scree_get_shown(share->world, rows, share->count, &share->count);
+	glUnmapBuffer(GL_ARRAY_BUFFER);
+	return status;
+}
+
+scree_status share_update(Share* share)
+{
+	scree_status status = scree_get_shown(share->world, NULL, 0, &share->count);
+	if (status != SCREE_OK)
+		return status;
+	if (share->count > share->room || !share->buffer)
+		make_buffer(share, share->count);
+	if (share->how == SCREE_COPIED)
+		return copy(share);
+	glFinish(); // what was drawn from the rows is done before they change
+	return scree_show(share->world, &share->count);
+}

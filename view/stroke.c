@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// stroke.c -- lines and dots over a picture, collected and then drawn at once.
+#include "view/stroke.h"
+#include "view/glsl.h"
+#include "view/shader.h"
+#include <epoxy/gl.h>
+#include <stdlib.h>
+
+bool strokes_open(Strokes* strokes, char* sentence)
+{
+	*strokes = (Strokes){.program = shader_link("", glsl_stroke_vert, glsl_stroke_frag, sentence)};
+	if (!strokes->program)
+		return false;
+	strokes->view = glGetUniformLocation(strokes->program, "view");
+	strokes->scale = glGetUniformLocation(strokes->program, "scale");
+	glGenVertexArrays(1, &strokes->vertices);
+	glGenBuffers(1, &strokes->buffer);
+	glBindVertexArray(strokes->vertices);
+	glBindBuffer(GL_ARRAY_BUFFER, strokes->buffer);
+	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Stroke), (void*)offsetof(Stroke, a));
+	glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(Stroke), (void*)offsetof(Stroke, width));
+	glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Stroke), (void*)offsetof(Stroke, color));
+	for (GLuint k = 0; k < 3; ++k)
+	{
+		glEnableVertexAttribArray(k);
+		glVertexAttribDivisor(k, 1);
+	}
+	return true;
+}
+
+void strokes_close(Strokes* strokes)
+{
+	glDeleteVertexArrays(1, &strokes->vertices);
+	glDeleteBuffers(1, &strokes->buffer);
+	glDeleteProgram(strokes->program);
+	free(strokes->list);
+	*strokes = (Strokes){0};
+}
+
+void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity)
+{
+	if (strokes->count == strokes->capacity)
+	{
+		int capacity = strokes->capacity ? 2 * strokes->capacity : 1024;
+		Stroke* list = realloc(strokes->list, (size_t)capacity * sizeof(Stroke));
+		if (!list)
+			return;
+		strokes->list = list;
+		strokes->capacity = capacity;
+	}
+	strokes->list[strokes->count++] = (Stroke){a, b, width, {color.r, color.g, color.b, (uint8_t)opacity}};
+}
+
+void strokes_draw(Strokes* strokes, const Camera* camera)
+{
+	if (strokes->count == 0)
+		return;
+	glBindVertexArray(strokes->vertices);
+	glBindBuffer(GL_ARRAY_BUFFER, strokes->buffer);
+	glBufferData(GL_ARRAY_BUFFER, strokes->count * (GLsizeiptr)sizeof(Stroke), strokes->list, GL_STREAM_DRAW);
+	glUseProgram(strokes->program);
+	glUniform4f(strokes->view, camera->middle.x, camera->middle.y, 2.0f * camera->scale / (float)camera->width,
+	            2.0f * camera->scale / (float)camera->height);
+	glUniform1f(strokes->scale, camera->scale);
+	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, strokes->count);
+	strokes->count = 0;
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// style.c -- how bodies are painted and what lies over them, read from words.
+#include "view/renderer.h"
+#include "view/shader.h"
+#include <stdio.h>
+#include <string.h>
+
+const char* const paint_names[PAINTS] = {"attribute", "speed", "graph"};
+const char* const layer_names[LAYERS] = {
+#define X(name, help) #name,
+#include "view/layers.def"
+#undef X
+};
+
+static void list_names(const char* const* names, int count, char* text, size_t size)
+{
+	size_t length = 0;
+	*text = 0;
+	for (int k = 0; k < count && length < size; ++k)
+		length += (size_t)snprintf(text + length, size - length, "%s%s", k ? ", " : "", names[k]);
+}
+
+static int find_name(const char* const* names, int count, const char* text, size_t length)
+{
+	for (int k = 0; k < count; ++k)
+		if (strlen(names[k]) == length && strncmp(names[k], text, length) == 0)
+			return k;
+	return -1;
+}
+
+bool style_read(Style* style, const char* paint, const char* layers, char* sentence)
+{
+	char names[160];
+	*style = (Style){.detail = 1.0f};
+	int found = paint ? find_name(paint_names, PAINTS, paint, strlen(paint)) : PAINT_ATTRIBUTE;
+	if (found < 0)
+	{
+		list_names(paint_names, PAINTS, names, sizeof names);
+		snprintf(sentence, SENTENCE, "--paint %.60s: must be one of %s", paint, names);
+		return false;
+	}
+	style->paint = (Paint)found;
+	style->graph = style->paint == PAINT_GRAPH;
+	while (layers && *layers)
+	{
+		size_t length = strcspn(layers, ",");
+		found = find_name(layer_names, LAYERS, layers, length);
+		if (found < 0)
+		{
+			list_names(layer_names, LAYERS, names, sizeof names);
+			snprintf(sentence, SENTENCE, "--layers %.*s: must be some of %s, with commas between them",
+			         (int)(length < 60 ? length : 60), layers, names);
+			return false;
+		}
+		style->layers[found] = true;
+		layers += length + (layers[length] == ',');
+	}
+	return true;
+}

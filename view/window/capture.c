@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// capture.c -- what the window shows, into files: pictures, and videos frame by frame.
+#include "view/window/capture.h"
+#include "view/shader.h"
+#include "view/shot.h"
+#include <epoxy/gl.h>
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#define MOST_FILES 10000 // scree-N of one kind in a folder
+
+static void drop(Capture* c)
+{
+	glDeleteFramebuffers(1, &c->frame);
+	glDeleteRenderbuffers(1, &c->color);
+	canvas_close(&c->canvas);
+	c->frame = c->color = 0;
+}
+
+bool capture_size(Capture* c, int width, int height, char* sentence)
+{
+	if (c->frame && c->canvas.width == width && c->canvas.height == height)
+		return true;
+	drop(c);
+	if (!canvas_open(&c->canvas, width, height, sentence))
+		return false;
+	glGenRenderbuffers(1, &c->color);
+	glBindRenderbuffer(GL_RENDERBUFFER, c->color);
+	glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+	glGenFramebuffers(1, &c->frame);
+	glBindFramebuffer(GL_FRAMEBUFFER, c->frame);
+	glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, c->color);
+	bool good = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+	glBindFramebuffer(GL_FRAMEBUFFER, 0);
+	if (!good)
+	{
+		drop(c);
+		snprintf(sentence, SENTENCE, "OpenGL cannot draw a picture of %dx%d pixels", width, height);
+	}
+	return good;
+}
+
+void capture_close(Capture* c)
+{
+	char sentence[SENTENCE];
+	capture_end(c, sentence);
+	drop(c);
+}
+
+void capture_draw(Capture* c, Renderer* renderer, const Share* share, const Camera* camera, const Style* style,
+                  const char* title, const char* caption)
+{
+	glBindFramebuffer(GL_FRAMEBUFFER, c->frame);
+	renderer_draw(renderer, share, camera, style);
+	shot_read(&c->canvas);
+	glBindFramebuffer(GL_FRAMEBUFFER, 0);
+	canvas_caption(&c->canvas, title, caption);
+}
+
+void capture_window(Capture* c)
+{
+	glReadBuffer(GL_BACK);
+	shot_read(&c->canvas);
+}
+
+// The first name scree-N with this ending that no file has.
+static bool free_name(char path[64], const char* ending, char* sentence)
+{
+	for (int k = 1; k < MOST_FILES; ++k)
+	{
+		snprintf(path, 64, "scree-%d.%s", k, ending);
+		if (access(path, F_OK) != 0)
+			return true;
+	}
+	snprintf(sentence, SENTENCE, "this folder has %d files scree-N.%s already", MOST_FILES, ending);
+	return false;
+}
+
+bool capture_save(Capture* c, const char* path, char* sentence)
+{
+	char made[64];
+	if (!path && !free_name(made, "png", sentence))
+		return false;
+	path = path ? path : made;
+	errno = 0;
+	FILE* file = fopen(path, "wb");
+	bool good = file && canvas_write(&c->canvas, file);
+	good = file && fclose(file) == 0 && good;
+	if (good)
+		snprintf(sentence, SENTENCE, "the picture is %.400s", path);
+	else
+		snprintf(sentence, SENTENCE, "cannot write %.400s: %s", path, strerror(errno));
+	return good;
+}
+
+bool capture_begin(Capture* c, char* sentence)
+{
+	if (!free_name(c->path, "mp4", sentence))
+		return false;
+	c->seconds = 0;
+	if (video_open(&c->video, c->path, c->canvas.width, c->canvas.height))
+		return true;
+	snprintf(sentence, SENTENCE, "ffmpeg does not start: is it installed?");
+	return false;
+}
+
+bool capture_frame(Capture* c)
+{
+	bool good = true;
+	for (int due = video_due(&c->video, c->seconds); due > 0 && good; --due)
+		good = video_frame(&c->video, c->canvas.pixels);
+	return good;
+}
+
+bool capture_end(Capture* c, char* sentence)
+{
+	if (!c->video.pipe)
+		return true;
+	bool good = video_close(&c->video);
+	snprintf(sentence, SENTENCE, good ? "the video is %s" : "ffmpeg could not write %s", c->path);
+	return good;
+}

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// panel.cpp -- what stands beside the picture: scenes, devices, times, switches; in C++, by Dear ImGui.
+extern "C" {
+#include "view/window/viewer.h"
+}
+#include "view/window/panel.h"
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <cinttypes>
+#include <cstring>
+#include <imgui.h>
+#include <unistd.h>
+
+static const float width = 300.0f, margin = 12.0f, band = 36.0f; // px
+
+static const struct
+{
+	const char *shown, *help;
+} keys[] = {
+#define X(name, key, shown, help) {shown, help},
+#include "view/window/keys.def"
+#undef X
+};
+
+// of the layers, in their order
+static const char* const layer_helps[] = {
+#define X(name, help) help,
+#include "view/layers.def"
+#undef X
+};
+
+static void choose_font()
+{
+	const char* const files[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+	                             "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+	                             "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+	for (const char* file : files)
+		if (access(file, R_OK) == 0 && ImGui::GetIO().Fonts->AddFontFromFileTTF(file, 14.0f))
+			return;
+	ImGui::GetIO().Fonts->AddFontDefault();
+}
+
+// The colors of the pictures: paper, ink, one accent.
+static void choose_colors()
+{
+	ImGui::StyleColorsLight();
+	ImGuiStyle& style = ImGui::GetStyle();
+	style.WindowRounding = style.FrameRounding = style.GrabRounding = 3.0f;
+	style.WindowBorderSize = 1.0f;
+	style.Colors[ImGuiCol_WindowBg] = ImVec4(0.985f, 0.98f, 0.965f, 0.94f);
+	style.Colors[ImGuiCol_PopupBg] = ImVec4(0.985f, 0.98f, 0.965f, 0.98f);
+	style.Colors[ImGuiCol_Border] = ImVec4(0.77f, 0.75f, 0.72f, 0.7f);
+	style.Colors[ImGuiCol_Text] = ImVec4(0.22f, 0.21f, 0.20f, 1.0f);
+	style.Colors[ImGuiCol_FrameBg] = ImVec4(0.92f, 0.91f, 0.88f, 1.0f);
+	style.Colors[ImGuiCol_FrameBgHovered] = ImVec4(0.87f, 0.89f, 0.88f, 1.0f);
+	style.Colors[ImGuiCol_Button] = ImVec4(0.86f, 0.88f, 0.87f, 1.0f);
+	style.Colors[ImGuiCol_ButtonHovered] = ImVec4(0.76f, 0.84f, 0.83f, 1.0f);
+	style.Colors[ImGuiCol_ButtonActive] = ImVec4(0.52f, 0.70f, 0.69f, 1.0f);
+	style.Colors[ImGuiCol_Header] = ImVec4(0.82f, 0.87f, 0.86f, 1.0f);
+	style.Colors[ImGuiCol_HeaderHovered] = ImVec4(0.76f, 0.84f, 0.83f, 1.0f);
+	style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.27f, 0.55f, 0.53f, 1.0f);
+	style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.52f, 0.70f, 0.69f, 1.0f);
+	style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0.27f, 0.55f, 0.53f, 1.0f);
+	style.Colors[ImGuiCol_CheckMark] = ImVec4(0.20f, 0.45f, 0.44f, 1.0f);
+}
+
+bool panel_open(GLFWwindow* window)
+{
+	IMGUI_CHECKVERSION();
+	ImGui::CreateContext();
+	ImGui::GetIO().IniFilename = nullptr; // nothing is left behind in the user's folder
+	choose_font();
+	choose_colors();
+	return ImGui_ImplGlfw_InitForOpenGL(window, false) && ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+void panel_close()
+{
+	if (!ImGui::GetCurrentContext())
+		return;
+	ImGui_ImplOpenGL3_Shutdown();
+	ImGui_ImplGlfw_Shutdown();
+	ImGui::DestroyContext();
+}
+
+void panel_key(GLFWwindow* window, int key, int code, int event, int modifiers)
+{
+	ImGui_ImplGlfw_KeyCallback(window, key, code, event, modifiers);
+}
+
+void panel_letter(GLFWwindow* window, unsigned letter) { ImGui_ImplGlfw_CharCallback(window, letter); }
+
+void panel_button(GLFWwindow* window, int button, int event, int modifiers)
+{
+	ImGui_ImplGlfw_MouseButtonCallback(window, button, event, modifiers);
+}
+
+void panel_wheel(GLFWwindow* window, double x, double y) { ImGui_ImplGlfw_ScrollCallback(window, x, y); }
+
+bool panel_wants_keys() { return ImGui::GetIO().WantTextInput; }
+
+bool panel_wants_mouse() { return ImGui::GetIO().WantCaptureMouse; }
+
+static void draw_scene(Viewer* v)
+{
+	Play* play = &v->play;
+	ImGui::SetNextItemWidth(-1.0f);
+	if (ImGui::BeginCombo("##scene", play->scene->name, ImGuiComboFlags_HeightLarge))
+	{
+		for (int k = 0; k < play->scene_count; ++k)
+			if (ImGui::Selectable(play->scenes[k], strcmp(play->scenes[k], play->scene->name) == 0))
+				viewer_begin(v, play->scenes[k], true);
+		ImGui::EndCombo();
+	}
+	bool begin = false;
+	for (int k = 0; k < play->parameter_count; ++k)
+	{
+		Parameter* p = &play->parameters[k];
+		ImGui::SetNextItemWidth(110.0f);
+		begin = ImGui::InputText(p->name, p->value, sizeof p->value, ImGuiInputTextFlags_EnterReturnsTrue) || begin;
+	}
+	if (ImGui::Button("restart") || begin)
+		viewer_begin(v, play->name, false);
+	ImGui::SameLine();
+	if (ImGui::Button(play->paused ? "go on" : "pause"))
+		input_action(v, ACTION_pause);
+	ImGui::SameLine();
+	if (ImGui::Button("step"))
+		input_action(v, ACTION_step);
+	ImGui::SetNextItemWidth(110.0f);
+	ImGui::SliderFloat("speed", &play->rate, 1.0f / 64.0f, 1.0f, "%.3f", ImGuiSliderFlags_Logarithmic);
+}
+
+static void draw_device(Viewer* v)
+{
+	Play* play = &v->play;
+	ImGui::SetNextItemWidth(-1.0f);
+	if (ImGui::BeginCombo("##device", scree_world_device(play->world)))
+	{
+		for (int k = 0; k < play->device_count; ++k)
+			if (ImGui::Selectable(play->devices[k].name, strcmp(play->devices[k].name, play->device) == 0))
+				viewer_move(v, play->devices[k].name);
+		if (ImGui::Selectable("auto", strcmp(play->device, "auto") == 0))
+			viewer_move(v, "auto");
+		ImGui::EndCombo();
+	}
+	if (play->hashed)
+		ImGui::Text("hash %016" PRIx64, play->hash);
+	else if (ImGui::Button("hash"))
+		input_action(v, ACTION_hash);
+	ImGui::Text("rows %s", scree_sharing_name(v->share.how));
+}
+
+static void draw_bar(const char* name, float value, float whole)
+{
+	char text[32];
+	snprintf(text, sizeof text, "%.3f ms", value);
+	ImGui::Text("%s", name);
+	ImGui::SameLine(106.0f);
+	ImVec2 at = ImGui::GetCursorScreenPos();
+	float room = ImGui::GetContentRegionAvail().x, high = ImGui::GetTextLineHeight();
+	float share = whole > 0.0f ? value / whole : 0.0f;
+	ImDrawList* list = ImGui::GetWindowDrawList();
+	list->AddRectFilled(at, ImVec2(at.x + room, at.y + high), ImGui::GetColorU32(ImGuiCol_FrameBg), 2.0f);
+	list->AddRectFilled(at, ImVec2(at.x + room * (share < 1.0f ? share : 1.0f), at.y + high),
+	                    ImGui::GetColorU32(ImGuiCol_PlotHistogram, 0.55f), 2.0f);
+	list->AddText(ImVec2(at.x + room - ImGui::CalcTextSize(text).x - 4.0f, at.y), ImGui::GetColorU32(ImGuiCol_Text),
+	              text);
+	ImGui::Dummy(ImVec2(room, high));
+}
+
+static void draw_times(const Viewer* v)
+{
+	const Play* play = &v->play;
+	for (int k = 0; k < STAGES; ++k)
+		draw_bar(play_stages[k], play->stages[k], play->step);
+	draw_bar("step", play->step, play->step);
+	draw_bar("frame", v->frame_ms, 1000.0f / 60.0f);
+	const scree_counters* c = &play->counters;
+	ImGui::Text("%d bodies, %d moving", c->bodies, c->dynamic_bodies);
+	ImGui::Text("%d contacts, %d touching", c->contacts, c->touching);
+	ImGui::Text("%d colors, %d in overflow", c->colors, c->overflow);
+	ImGui::Text("%d boxes moved, %d new contacts", c->moved, c->new_contacts);
+	ImGui::Text("deepest overlap %.4f m", static_cast<double>(c->penetration));
+	ImGui::Text("%.1f MB on the device", static_cast<double>(c->device_bytes) * 1e-6);
+}
+
+static void draw_style(Viewer* v)
+{
+	for (int k = 0; k < PAINTS; ++k)
+	{
+		if (k > 0)
+			ImGui::SameLine();
+		if (ImGui::RadioButton(paint_names[k], v->style.paint == k))
+			v->style.paint = static_cast<Paint>(k);
+	}
+	for (int k = 0; k < LAYERS; ++k)
+	{
+		if (k % 2 == 1)
+			ImGui::SameLine(140.0f);
+		ImGui::Checkbox(layer_names[k], &v->style.layers[k]);
+		if (ImGui::IsItemHovered())
+			ImGui::SetTooltip("%s", layer_helps[k]);
+	}
+	ImGui::SameLine(140.0f);
+	if (ImGui::Checkbox("graph colors", &v->style.graph) && v->style.graph)
+		v->style.layers[LAYER_contacts] = true;
+}
+
+static void draw_keys(const ImVec2& size)
+{
+	ImGui::SetNextWindowPos(ImVec2(size.x - margin, margin), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::Begin("keys", nullptr,
+	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+	for (const auto& key : keys)
+	{
+		ImGui::Text("%s", key.shown);
+		ImGui::SameLine(60.0f);
+		ImGui::Text("%s", key.help);
+	}
+	ImGui::Separator();
+	ImGui::Text("left button: drag a body, or the picture; right: the picture; wheel: zoom");
+	ImGui::End();
+}
+
+// The caption of pictures, in the window: title on the left, the state on the right; or what was just done.
+static void draw_band(const Viewer* v, const ImVec2& size)
+{
+	char caption[256];
+	viewer_caption(v, caption, sizeof caption);
+	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - band));
+	ImGui::SetNextWindowSize(ImVec2(size.x, band));
+	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+	ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+	ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.94f, 0.932f, 0.913f, 0.96f));
+	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
+	ImGui::PopStyleColor();
+	ImGui::PopStyleVar(2);
+	ImGui::SetCursorPos(ImVec2(margin, 10.0f));
+	ImGui::Text("%s", *v->note ? v->note : v->play.scene->title);
+	ImGui::SetCursorPos(ImVec2(size.x - margin - ImGui::CalcTextSize(caption).x, 10.0f));
+	ImGui::Text("%s", caption);
+	ImGui::End();
+}
+
+void panel_draw(Viewer* v)
+{
+	ImGui_ImplOpenGL3_NewFrame();
+	ImGui_ImplGlfw_NewFrame();
+	ImGui::NewFrame();
+	ImVec2 size = ImGui::GetIO().DisplaySize;
+	draw_band(v, size);
+	if (v->panel)
+	{
+		ImGui::SetNextWindowPos(ImVec2(margin, margin));
+		ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+		ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, size.y - band - 2.0f * margin));
+		ImGui::Begin("panel", nullptr,
+		             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+		draw_scene(v);
+		ImGui::Separator();
+		draw_device(v);
+		ImGui::Separator();
+		draw_times(v);
+		ImGui::Separator();
+		draw_style(v);
+		ImGui::End();
+	}
+	if (v->keys)
+		draw_keys(size);
+	ImGui::Render();
+	ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// script.c -- a file of what a user would do, for tests and for pictures of the window.
+//
+// Lines are read as their time comes: all up to the next "frames N", which draws so many frames of one step each, or
+// "await STATE", which draws until a user has brought the state about.
+#include "view/window/script.h"
+#include "view/window/viewer.h"
+#include <GLFW/glfw3.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <string.h>
+
+#define PATIENCE 20.0 // s to await something
+
+static const char* const shown_keys[ACTIONS] = {
+#define X(name, key, shown, help) shown,
+#include "view/window/keys.def"
+#undef X
+};
+
+bool script_open(Script* script, const char* path, char* sentence)
+{
+	*script = (Script){.path = path};
+	if (!path)
+		return true;
+	script->file = fopen(path, "r");
+	if (!script->file)
+		snprintf(sentence, SENTENCE, "cannot read %.400s: %s", path, strerror(errno));
+	return script->file;
+}
+
+void script_close(Script* script)
+{
+	if (script->file)
+		fclose(script->file);
+	script->file = NULL;
+}
+
+static bool press_key(Viewer* v, const char* shown)
+{
+	for (int k = 0; k < ACTIONS; ++k)
+	{
+		if (strcmp(shown_keys[k], shown) != 0)
+			continue;
+		input_action(v, (Action)k);
+		return true;
+	}
+	return false;
+}
+
+static void print_state(Viewer* v)
+{
+	char sentence[SENTENCE];
+	uint64_t hash = play_hash(&v->play, sentence) ? v->play.hash : 0;
+	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64
+	       ", middle %.3f %.3f, scale %.3f, %s, %s rows, %.2f ms a frame\n",
+	       v->play.scene->name, v->play.counters.steps, v->play.counters.bodies, v->play.paused ? "paused" : "running",
+	       hash, (double)v->camera.middle.x, (double)v->camera.middle.y, (double)v->camera.scale,
+	       hand_holds(&v->hand) ? "holding" : "free", scree_sharing_name(v->share.how), (double)v->frame_ms);
+	fflush(stdout); // whoever sends events waits for it
+}
+
+// Whether the viewer is in a state; -1 for a word that names none.
+static int is_so(const Viewer* v, const char* state)
+{
+	const struct
+	{
+		const char* name;
+		bool so;
+	} states[] = {{"paused", v->play.paused},
+	              {"running", !v->play.paused},
+	              {"holding", hand_holds(&v->hand)},
+	              {"free", !hand_holds(&v->hand)},
+	              {"minimized", glfwGetWindowAttrib(v->window, GLFW_ICONIFIED)},
+	              {"restored", !glfwGetWindowAttrib(v->window, GLFW_ICONIFIED)}};
+	for (size_t k = 0; k < sizeof states / sizeof *states; ++k)
+		if (strcmp(states[k].name, state) == 0)
+			return states[k].so;
+	return -1;
+}
+
+// Ends the viewer. Returns true: the line is dealt with.
+static bool give_up(Viewer* v, const char* what, const char* why, int code)
+{
+	fprintf(stderr, "scree view: %s:%d: \"%.100s\" %s%s%s\n", v->script.path, v->script.line, what, why,
+	        *v->note ? ": " : "", v->note);
+	v->done = true;
+	v->code = code;
+	return true;
+}
+
+// One line; false when it is not understood.
+static bool obey(Viewer* v, const char* line)
+{
+	char word[256], rest = 0;
+	float x, y;
+	int n, m;
+	if (sscanf(line, "frames %d %c", &n, &rest) == 1 && n > 0)
+		v->script.frames = n;
+	else if (sscanf(line, "await %15s %c", v->script.awaited, &rest) == 1)
+	{
+		v->script.until = glfwGetTime() + PATIENCE;
+		return is_so(v, v->script.awaited) >= 0;
+	}
+	else if (sscanf(line, "key %255s %c", word, &rest) == 1)
+		return press_key(v, word);
+	else if (sscanf(line, "cursor %f %f %c", &x, &y, &rest) == 2)
+		input_cursor(v, x, y, 1.0 / 60.0);
+	else if (sscanf(line, "button %255s %c", word, &rest) == 1 &&
+	         (strcmp(word, "down") == 0 || strcmp(word, "up") == 0))
+		input_button(v, false, strcmp(word, "down") == 0);
+	else if (sscanf(line, "wheel %f %c", &x, &rest) == 1)
+		input_wheel(v, x);
+	else if (sscanf(line, "size %d %d %c", &n, &m, &rest) == 2 && n > 0 && m > 0)
+		glfwSetWindowSize(v->window, n, m);
+	else if (strcmp(line, "minimize") == 0)
+		glfwIconifyWindow(v->window);
+	else if (strcmp(line, "restore") == 0)
+		glfwRestoreWindow(v->window);
+	else if (sscanf(line, "picture %255s %c", word, &rest) == 1)
+		return viewer_save(v, word) || give_up(v, line, "cannot be done", 1);
+	else if (sscanf(line, "scene %255s %c", word, &rest) == 1)
+		return viewer_begin(v, word, true);
+	else if (sscanf(line, "device %255[^\n]", word) == 1)
+		viewer_move(v, word);
+	else if (strcmp(line, "print") == 0)
+		print_state(v);
+	else
+		return *line == 0 || *line == '#';
+	return true;
+}
+
+void script_go(Script* script, Viewer* v)
+{
+	char line[512];
+	if (!script->file)
+		return;
+	while (!v->done)
+	{
+		if (*script->awaited && is_so(v, script->awaited))
+			*script->awaited = 0;
+		if (*script->awaited && glfwGetTime() > script->until)
+			give_up(v, script->awaited, "was awaited too long", 2);
+		if (*script->awaited || script->frames-- > 0)
+			return;
+		script->frames = 0;
+		if (!fgets(line, sizeof line, script->file))
+		{
+			v->done = true;
+			return;
+		}
+		++script->line;
+		line[strcspn(line, "\r\n")] = 0;
+		if (!obey(v, line))
+			give_up(v, line, "cannot be done", 2);
+	}
+}

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// viewer.c -- a window on a world, frame by frame.
+#include "view/window/viewer.h"
+#include "view/window/panel.h"
+#include "view/window/window.h"
+#include <epoxy/gl.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#define COARSE     4.0f  // px of Style.detail, where a processor draws
+#define LONGEST    0.03  // s of steps in a frame: a world that takes longer falls behind the clock
+#define NOTE_STAYS 5.0   // s
+#define SMOOTH     0.1f  // share of the last frame in what is shown
+#define PAUSE      0.016 // s that a paused or minimized window waits for events
+
+static const Color thread = {187, 53, 44};
+
+void view_print_keys(FILE* file)
+{
+#define X(name, key, shown, help) fprintf(file, "  %-8s%s\n", shown, help);
+#include "view/window/keys.def"
+#undef X
+	fprintf(file, "  left button: drag a body, or the picture; right button: the picture; wheel: zoom\n");
+}
+
+void viewer_note(Viewer* v, const char* sentence)
+{
+	if (sentence != v->note)
+		snprintf(v->note, sizeof v->note, "%s", sentence);
+	v->noted = glfwGetTime();
+}
+
+void viewer_caption(const Viewer* v, char* text, size_t size)
+{
+	const scree_counters* c = &v->play.counters;
+	char cpu[64] = "";
+	int threads = scree_world_threads(v->play.world), lanes = scree_world_lanes(v->play.world);
+	if (threads > 0)
+		snprintf(cpu, sizeof cpu, " (%d thread%s, %d lane%s)", threads, threads == 1 ? "" : "s", lanes,
+		         lanes == 1 ? "" : "s");
+	snprintf(text, size, "%.2f s   %d bodies   %d contacts   %s%s", (double)c->steps * (double)v->play.scene->dt,
+	         c->bodies, c->contacts, scree_world_device(v->play.world), cpu);
+}
+
+// The rows come from the world as it is now, and where it is now.
+static void take_rows(Viewer* v)
+{
+	if (v->share.world)
+		share_close(&v->share);
+	share_open(&v->share, v->play.world, false);
+	snprintf(v->device, sizeof v->device, "%s", scree_world_device(v->play.world));
+	if (*v->share.sentence)
+		viewer_note(v, v->share.sentence);
+}
+
+bool viewer_look(Viewer* v)
+{
+	if (renderer_look(&v->renderer, v->play.world))
+		return scree_get_counters(v->play.world, &v->play.counters) == SCREE_OK;
+	fprintf(stderr, "scree view: out of memory for the picture\n");
+	v->code = 1;
+	return false;
+}
+
+static void fit(Viewer* v)
+{
+	const Scene* scene = v->play.scene;
+	camera_fit(&v->camera, scene->has_view ? scene->view : v->renderer.look.box, v->camera.width, v->camera.height);
+}
+
+bool viewer_begin(Viewer* v, const char* name, bool fresh)
+{
+	bool other = strcmp(name, v->play.name) != 0;
+	share_close(&v->share); // the world may be gone after this
+	bool begun = play_begin(&v->play, name, fresh, v->note);
+	if (!begun)
+		viewer_note(v, v->note);
+	take_rows(v);
+	if (!begun)
+		return false;
+	v->hand = (Hand){.world = v->play.world, .at = v->hand.at};
+	if (!viewer_look(v))
+	{
+		v->done = true;
+		return false;
+	}
+	if (other)
+		fit(v);
+	*v->note = 0;
+	return true;
+}
+
+void viewer_move(Viewer* v, const char* device)
+{
+	char sentence[SENTENCE];
+	if (!play_hash(&v->play, sentence))
+	{
+		viewer_note(v, sentence);
+		return;
+	}
+	uint64_t before = v->play.hash;
+	if (play_move(&v->play, device, sentence) && play_hash(&v->play, sentence))
+		snprintf(sentence, SENTENCE, "moved to %s: the hash %s %016" PRIx64, device,
+		         v->play.hash == before ? "stays" : "must not change, but is now", v->play.hash);
+	viewer_note(v, sentence);
+}
+
+bool viewer_save(Viewer* v, const char* path)
+{
+	char caption[256];
+	Style fine = v->style;
+	fine.detail = 1.0f;
+	if (!capture_size(&v->capture, v->camera.width, v->camera.height, v->note))
+	{
+		viewer_note(v, v->note);
+		return false;
+	}
+	viewer_caption(v, caption, sizeof caption);
+	scree_status status = share_update(&v->share);
+	if (status == SCREE_OK)
+		status = renderer_fetch(&v->renderer, &fine);
+	if (status != SCREE_OK)
+	{
+		viewer_note(v, scree_error());
+		return false;
+	}
+	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, &fine, v->play.scene->title, caption);
+	bool good = capture_save(&v->capture, path, v->note);
+	viewer_note(v, v->note);
+	return good;
+}
+
+// Steps up to where the clock is, or one a frame for a script. A world that cannot go on ends the viewer.
+static void advance(Viewer* v, double seconds)
+{
+	Play* play = &v->play;
+	char sentence[SENTENCE];
+	double begin = glfwGetTime(), dt = (double)play->scene->dt;
+	if (!play->paused)
+		play->owed += v->script.file ? dt : (seconds < 0.1 ? seconds : 0.1) * (double)play->rate;
+	while (play->owed >= dt * 0.999)
+	{
+		play->owed -= dt;
+		v->capture.seconds += dt;
+		if (hand_pull(&v->hand) != SCREE_OK)
+			hand_release(&v->hand); // its body is gone
+		if (!play_step(play, sentence))
+		{
+			fprintf(stderr, "scree view: %s\n", sentence);
+			v->code = 1;
+			v->done = true;
+			return;
+		}
+		if (glfwGetTime() - begin > LONGEST)
+			play->owed = 0;
+	}
+}
+
+static void draw_hold(Viewer* v)
+{
+	scree_vec anchor;
+	if (!hand_holds(&v->hand) || hand_anchor(&v->hand, &anchor) != SCREE_OK)
+		return;
+	strokes_add(&v->renderer.strokes, anchor, v->hand.at, 1.5f, thread, 200);
+	strokes_add(&v->renderer.strokes, anchor, anchor, 6.0f, thread, 255);
+}
+
+static void record_frame(Viewer* v)
+{
+	char caption[256];
+	if (v->capture.canvas.width != v->camera.width || v->capture.canvas.height != v->camera.height)
+	{
+		capture_end(&v->capture, v->note);
+		viewer_note(v, v->note);
+		return;
+	}
+	Style fine = v->style;
+	fine.detail = 1.0f;
+	viewer_caption(v, caption, sizeof caption);
+	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, &fine, v->play.scene->title, caption);
+	if (!capture_frame(&v->capture))
+	{
+		capture_end(&v->capture, v->note);
+		viewer_note(v, v->note);
+	}
+}
+
+static void draw(Viewer* v)
+{
+	if (strcmp(v->device, scree_world_device(v->play.world)) != 0)
+		take_rows(v);
+	scree_status status = share_update(&v->share);
+	if (status == SCREE_OK)
+		status = renderer_fetch(&v->renderer, &v->style);
+	if (status != SCREE_OK)
+	{
+		fprintf(stderr, "scree view: %s\n", scree_error());
+		v->code = 1;
+		v->done = true;
+		return;
+	}
+	if (v->capture.video.pipe && video_due(&v->capture.video, v->capture.seconds) > 0)
+		record_frame(v);
+	draw_hold(v);
+	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
+	panel_draw(v);
+	if (v->save_window && capture_size(&v->capture, v->camera.width, v->camera.height, v->note))
+	{
+		capture_window(&v->capture);
+		capture_save(&v->capture, NULL, v->note);
+		viewer_note(v, v->note);
+	}
+	v->save_window = false;
+	glfwSwapBuffers(v->window);
+}
+
+static void frame(Viewer* v)
+{
+	int width, height;
+	glfwGetFramebufferSize(v->window, &width, &height);
+	bool hidden = width == 0 || height == 0 || glfwGetWindowAttrib(v->window, GLFW_ICONIFIED);
+	window_events(v, hidden || (v->play.paused && !v->script.file) ? PAUSE : 0.0);
+	double now = glfwGetTime(), seconds = now - v->frame;
+	v->frame = now;
+	float ms = 1000.0f * (float)seconds;
+	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
+	if (now - v->noted > NOTE_STAYS)
+		*v->note = 0;
+	script_go(&v->script, v);
+	if (v->done)
+		return;
+	advance(v, seconds);
+	glfwGetFramebufferSize(v->window, &width, &height);
+	if (v->done || width == 0 || height == 0)
+		return;
+	camera_resize(&v->camera, width, height);
+	draw(v);
+}
+
+static bool open(Viewer* v, char* sentence)
+{
+	const ViewOptions* o = v->options;
+	int width, height;
+	v->code = 2;
+	if (!style_read(&v->style, o->paint, o->layers, sentence))
+		return false;
+	v->code = 1;
+	if (!script_open(&v->script, o->script, sentence) || !window_open(v, sentence))
+		return false;
+	if (!renderer_open(&v->renderer, sentence))
+		return false;
+	v->style.detail = v->renderer.software ? COARSE : 1.0f;
+	v->code = 2;
+	if (!play_open(&v->play, o, window_opengl(v), sentence))
+		return false;
+	v->code = 0;
+	glfwGetFramebufferSize(v->window, &width, &height);
+	camera_resize(&v->camera, width, height);
+	v->hand.world = v->play.world;
+	v->panel = true;
+	take_rows(v);
+	if (!viewer_look(v))
+		return false;
+	fit(v);
+	v->frame = glfwGetTime();
+	return true;
+}
+
+int view_run(const ViewOptions* options)
+{
+	char sentence[SENTENCE] = "";
+	Viewer* v = calloc(1, sizeof *v);
+	if (!v)
+		return 1;
+	v->options = options;
+	bool opened = open(v, sentence);
+	if (!opened && *sentence)
+		fprintf(stderr, "scree view: %s\n", sentence);
+	while (opened && !v->done)
+		frame(v);
+	if (v->window)
+	{
+		capture_close(&v->capture);
+		if (v->share.world)
+			share_close(&v->share);
+		renderer_close(&v->renderer);
+		play_close(&v->play);
+		window_close(v);
+	}
+	script_close(&v->script);
+	int code = v->code;
+	free(v);
+	return code;
+}

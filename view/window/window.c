@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// window.c -- the window of GLFW: its context of OpenGL, and its events on their way to input.c and the panel.
+#include "view/window/window.h"
+#include "view/window/panel.h"
+#include <epoxy/gl.h>
+#include <string.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#ifdef __linux__
+#define GLFW_EXPOSE_NATIVE_X11
+#define GLFW_EXPOSE_NATIVE_GLX
+#include <GLFW/glfw3native.h>
+#endif
+
+static char trouble[256]; // what GLFW said first; its callback has no place of ours
+
+static void on_error(int code, const char* sentence)
+{
+	(void)code;
+	if (!*trouble)
+		snprintf(trouble, sizeof trouble, "%s", sentence);
+}
+
+static Viewer* viewer_of(GLFWwindow* window) { return glfwGetWindowUserPointer(window); }
+
+static void on_key(GLFWwindow* window, int key, int code, int event, int modifiers)
+{
+	static const int keys[ACTIONS] = {
+#define X(name, key, shown, help) GLFW_KEY_##key,
+#include "view/window/keys.def"
+#undef X
+	};
+	panel_key(window, key, code, event, modifiers);
+	if (event == GLFW_RELEASE || panel_wants_keys())
+		return;
+	for (int k = 0; k < ACTIONS; ++k)
+	{
+		bool repeats = k == ACTION_step || k == ACTION_launch;
+		if (keys[k] == key && (event == GLFW_PRESS || repeats))
+			input_action(viewer_of(window), (Action)k);
+	}
+}
+
+static void on_letter(GLFWwindow* window, unsigned letter) { panel_letter(window, letter); }
+
+// The window's units are not always pixels.
+static void on_cursor(GLFWwindow* window, double x, double y)
+{
+	Viewer* v = viewer_of(window);
+	int width, height;
+	glfwGetWindowSize(window, &width, &height);
+	double now = glfwGetTime();
+	if (width > 0 && height > 0)
+		input_cursor(v, (float)(x * v->camera.width / width), (float)(y * v->camera.height / height), now - v->moved);
+	v->moved = now;
+}
+
+static void on_button(GLFWwindow* window, int button, int event, int modifiers)
+{
+	panel_button(window, button, event, modifiers);
+	if (event == GLFW_RELEASE || !panel_wants_mouse())
+		input_button(viewer_of(window), button != GLFW_MOUSE_BUTTON_LEFT, event == GLFW_PRESS);
+}
+
+static void on_wheel(GLFWwindow* window, double x, double y)
+{
+	panel_wheel(window, x, y);
+	if (!panel_wants_mouse())
+		input_wheel(viewer_of(window), (float)y);
+}
+
+// As the display's own system has it, else by EGL.
+static GLFWwindow* create(const Viewer* v, const char* title)
+{
+	const int ways[] = {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API};
+	GLFWwindow* window = NULL;
+	for (int k = 0; k < 2 && !window; ++k)
+	{
+		glfwDefaultWindowHints();
+		glfwWindowHint(GLFW_CONTEXT_CREATION_API, ways[k]);
+		glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+		glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+		glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+		glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+		window = glfwCreateWindow(v->options->width, v->options->height, title, NULL, NULL);
+	}
+	return window;
+}
+
+static bool glx_context(const Viewer* v, scree_opengl* opengl)
+{
+#ifdef __linux__
+	GLXContext context = glfwGetGLXContext(v->window);
+	*opengl = (scree_opengl){SCREE_GLX, context, context ? glfwGetX11Display() : NULL};
+	return context;
+#else
+	(void)v, (void)opengl;
+	return false;
+#endif
+}
+
+const scree_opengl* window_opengl(Viewer* v)
+{
+	return glx_context(v, &v->opengl) || share_context(&v->opengl) ? &v->opengl : NULL;
+}
+
+bool window_open(Viewer* v, char* sentence)
+{
+	glfwSetErrorCallback(on_error);
+	if (!glfwInit())
+	{
+		snprintf(sentence, SENTENCE,
+		         "there is no display to open a window on (%s); scree run SCENE --picture FILE.png needs none",
+		         trouble);
+		return false;
+	}
+	v->window = create(v, "scree");
+	if (!v->window)
+	{
+		snprintf(sentence, SENTENCE, "there is no OpenGL 3.3 on this display (%s)", trouble);
+		glfwTerminate();
+		return false;
+	}
+	glfwMakeContextCurrent(v->window);
+	glfwSwapInterval(v->options->script ? 0 : 1);
+	glfwSetWindowUserPointer(v->window, v);
+	glfwSetKeyCallback(v->window, on_key);
+	glfwSetCharCallback(v->window, on_letter);
+	glfwSetCursorPosCallback(v->window, on_cursor);
+	glfwSetMouseButtonCallback(v->window, on_button);
+	glfwSetScrollCallback(v->window, on_wheel);
+	if (panel_open(v->window))
+		return true;
+	snprintf(sentence, SENTENCE, "the panel does not open");
+	window_close(v);
+	return false;
+}
+
+void window_close(Viewer* v)
+{
+	panel_close();
+	if (v->window)
+		glfwDestroyWindow(v->window);
+	glfwTerminate();
+}
+
+void window_events(Viewer* v, double seconds)
+{
+	if (seconds > 0.0)
+		glfwWaitEventsTimeout(seconds);
+	else
+		glfwPollEvents();
+	v->done = v->done || glfwWindowShouldClose(v->window);
+}
