@@ -4,6 +4,8 @@ extern "C" {
 #include "view/window/viewer.h"
 }
 #include "view/window/panel.h"
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <cinttypes>
@@ -11,7 +13,15 @@ extern "C" {
 #include <imgui.h>
 #include <unistd.h>
 
-static const float width = 300.0f, margin = 12.0f, band = 36.0f; // px
+// Sizes are written for a font of 14 pixels; displays of many pixels an inch want them larger.
+static float scale = 1.0f;
+static float sized(float pixels) { return pixels * scale; }
+
+#define WIDTH  sized(300.0f)
+#define MARGIN sized(12.0f)
+#define BAND   sized(36.0f)
+#define FIELD  sized(110.0f)
+#define COLUMN sized(140.0f)
 
 static const struct
 {
@@ -35,7 +45,7 @@ static void choose_font()
 	                             "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
 	                             "/usr/share/fonts/TTF/DejaVuSans.ttf"};
 	for (const char* file : files)
-		if (access(file, R_OK) == 0 && ImGui::GetIO().Fonts->AddFontFromFileTTF(file, 14.0f))
+		if (access(file, R_OK) == 0 && ImGui::GetIO().Fonts->AddFontFromFileTTF(file, sized(14.0f)))
 			return;
 	ImGui::GetIO().Fonts->AddFontDefault();
 }
@@ -64,13 +74,26 @@ static void choose_colors()
 	style.Colors[ImGuiCol_CheckMark] = ImVec4(0.20f, 0.45f, 0.44f, 1.0f);
 }
 
+// Where the window's units are pixels, displays of many pixels want more of them.
+static float find_scale(GLFWwindow* window)
+{
+	float wanted = 1.0f;
+	int units = 0, pixels = 0;
+	glfwGetWindowContentScale(window, &wanted, nullptr);
+	glfwGetWindowSize(window, &units, nullptr);
+	glfwGetFramebufferSize(window, &pixels, nullptr);
+	return pixels > 0 ? wanted * static_cast<float>(units) / static_cast<float>(pixels) : 1.0f;
+}
+
 bool panel_open(GLFWwindow* window)
 {
 	IMGUI_CHECKVERSION();
 	ImGui::CreateContext();
 	ImGui::GetIO().IniFilename = nullptr; // nothing is left behind in the user's folder
+	scale = find_scale(window);
 	choose_font();
 	choose_colors();
+	ImGui::GetStyle().ScaleAllSizes(scale);
 	return ImGui_ImplGlfw_InitForOpenGL(window, false) && ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -116,7 +139,7 @@ static void draw_scene(Viewer* v)
 	for (int k = 0; k < play->parameter_count; ++k)
 	{
 		Parameter* p = &play->parameters[k];
-		ImGui::SetNextItemWidth(110.0f);
+		ImGui::SetNextItemWidth(FIELD);
 		begin = ImGui::InputText(p->name, p->value, sizeof p->value, ImGuiInputTextFlags_EnterReturnsTrue) || begin;
 	}
 	if (ImGui::Button("restart") || begin)
@@ -127,7 +150,7 @@ static void draw_scene(Viewer* v)
 	ImGui::SameLine();
 	if (ImGui::Button("step"))
 		input_action(v, ACTION_step);
-	ImGui::SetNextItemWidth(110.0f);
+	ImGui::SetNextItemWidth(FIELD);
 	ImGui::SliderFloat("speed", &play->rate, 1.0f / 64.0f, 1.0f, "%.3f", ImGuiSliderFlags_Logarithmic);
 }
 
@@ -156,7 +179,7 @@ static void draw_bar(const char* name, float value, float whole)
 	char text[32];
 	snprintf(text, sizeof text, "%.3f ms", value);
 	ImGui::Text("%s", name);
-	ImGui::SameLine(106.0f);
+	ImGui::SameLine(sized(106.0f));
 	ImVec2 at = ImGui::GetCursorScreenPos();
 	float room = ImGui::GetContentRegionAvail().x, high = ImGui::GetTextLineHeight();
 	float share = whole > 0.0f ? value / whole : 0.0f;
@@ -197,25 +220,25 @@ static void draw_style(Viewer* v)
 	for (int k = 0; k < LAYERS; ++k)
 	{
 		if (k % 2 == 1)
-			ImGui::SameLine(140.0f);
+			ImGui::SameLine(COLUMN);
 		ImGui::Checkbox(layer_names[k], &v->style.layers[k]);
 		if (ImGui::IsItemHovered())
 			ImGui::SetTooltip("%s", layer_helps[k]);
 	}
-	ImGui::SameLine(140.0f);
+	ImGui::SameLine(COLUMN);
 	if (ImGui::Checkbox("graph colors", &v->style.graph) && v->style.graph)
 		v->style.layers[LAYER_contacts] = true;
 }
 
 static void draw_keys(const ImVec2& size)
 {
-	ImGui::SetNextWindowPos(ImVec2(size.x - margin, margin), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::SetNextWindowPos(ImVec2(size.x - MARGIN, MARGIN), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
 	ImGui::Begin("keys", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
 	for (const auto& key : keys)
 	{
 		ImGui::Text("%s", key.shown);
-		ImGui::SameLine(60.0f);
+		ImGui::SameLine(sized(60.0f));
 		ImGui::Text("%s", key.help);
 	}
 	ImGui::Separator();
@@ -228,17 +251,17 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 {
 	char caption[256];
 	viewer_caption(v, caption, sizeof caption);
-	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - band));
-	ImGui::SetNextWindowSize(ImVec2(size.x, band));
+	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - BAND));
+	ImGui::SetNextWindowSize(ImVec2(size.x, BAND));
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
 	ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.94f, 0.932f, 0.913f, 0.96f));
 	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
 	ImGui::PopStyleColor();
 	ImGui::PopStyleVar(2);
-	ImGui::SetCursorPos(ImVec2(margin, 10.0f));
+	ImGui::SetCursorPos(ImVec2(MARGIN, sized(10.0f)));
 	ImGui::Text("%s", *v->note ? v->note : v->play.scene->title);
-	ImGui::SetCursorPos(ImVec2(size.x - margin - ImGui::CalcTextSize(caption).x, 10.0f));
+	ImGui::SetCursorPos(ImVec2(size.x - MARGIN - ImGui::CalcTextSize(caption).x, sized(10.0f)));
 	ImGui::Text("%s", caption);
 	ImGui::End();
 }
@@ -252,9 +275,9 @@ void panel_draw(Viewer* v)
 	draw_band(v, size);
 	if (v->panel)
 	{
-		ImGui::SetNextWindowPos(ImVec2(margin, margin));
-		ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
-		ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, size.y - band - 2.0f * margin));
+		ImGui::SetNextWindowPos(ImVec2(MARGIN, MARGIN));
+		ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
+		ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - BAND - 2.0f * MARGIN));
 		ImGui::Begin("panel", nullptr,
 		             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
 		draw_scene(v);
@@ -264,6 +287,8 @@ void panel_draw(Viewer* v)
 		draw_times(v);
 		ImGui::Separator();
 		draw_style(v);
+		ImGui::Separator();
+		ImGui::TextDisabled("F1: keys and mouse; tab: without this panel");
 		ImGui::End();
 	}
 	if (v->keys)
