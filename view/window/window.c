@@ -4,14 +4,12 @@
 #include "view/window/panel.h"
 #include <epoxy/gl.h>
 #include <string.h>
+#ifdef __linux__
+#include <epoxy/glx.h>
+#endif
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#ifdef __linux__
-#define GLFW_EXPOSE_NATIVE_X11
-#define GLFW_EXPOSE_NATIVE_GLX
-#include <GLFW/glfw3native.h>
-#endif
 
 static char trouble[256]; // what GLFW said first; its callback has no place of ours
 
@@ -88,21 +86,21 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 	return window;
 }
 
-static bool glx_context(const Viewer* v, scree_opengl* opengl)
+// Of a window whose context is none of EGL: on Linux it is one of GLX.
+static bool glx_context(scree_opengl* opengl)
 {
 #ifdef __linux__
-	GLXContext context = glfwGetGLXContext(v->window);
-	*opengl = (scree_opengl){SCREE_GLX, context, context ? glfwGetX11Display() : NULL};
-	return context;
+	*opengl = (scree_opengl){SCREE_GLX, glXGetCurrentContext(), glXGetCurrentDisplay()};
+	return opengl->context && opengl->display;
 #else
-	(void)v, (void)opengl;
+	(void)opengl;
 	return false;
 #endif
 }
 
 const scree_opengl* window_opengl(Viewer* v)
 {
-	return glx_context(v, &v->opengl) || share_context(&v->opengl) ? &v->opengl : NULL;
+	return share_context(&v->opengl) || glx_context(&v->opengl) ? &v->opengl : NULL;
 }
 
 bool window_open(Viewer* v, char* sentence)
