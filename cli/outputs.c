@@ -36,7 +36,12 @@ int outputs_begin(Outputs* outputs, const Options* options, Options* drawn)
 	*outputs = (Outputs){.options = options};
 	*drawn = *options;
 	if (!options->picture && !options->video)
-		return EXIT_GOOD;
+	{
+		if (!options->renderer && !options->paint && !options->layers)
+			return EXIT_GOOD;
+		fprintf(stderr, "scree run: --renderer, --paint and --layers need --picture or --video\n");
+		return EXIT_BAD;
+	}
 	int code = EXIT_GOOD;
 	outputs->artist = artist_open(options, &code);
 	if (outputs->artist)

@@ -139,7 +139,11 @@ scree_status world_create(const scree_world_def* def, Backend* backend, scree_wo
 	made->def = *def;
 	// what the definition points to was lent for the call alone
 	made->def.device = made->device;
-	made->def.opengl = NULL;
+	if (def->opengl)
+	{
+		made->opengl = *def->opengl;
+		made->def.opengl = &made->opengl;
+	}
 	snprintf(made->device, sizeof made->device, "%s", backend->name);
 	made->backend = backend;
 	scree_status status = pipeline_open(made);

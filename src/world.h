@@ -39,6 +39,7 @@ typedef struct // what only the host knows of a collidable
 struct scree_world
 {
 	scree_world_def def;
+	scree_opengl opengl; // that def.opengl points to, where there is one
 	Backend* backend;
 	scree_status broken;       // what befell it, after which it can only be destroyed; SCREE_OK as long as all is well
 	Slots bodies, collidables; // body slot 0 is the ground: motionless, never given out

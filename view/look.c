@@ -81,7 +81,7 @@ static bool fill_attributes(Look* look)
 	return true;
 }
 
-// One byte a body: its scree_body_type. What moves stands behind first_moving in the list of sprites.
+// One byte a body: whether it is dynamic. What moves stands behind first_moving in the list of sprites.
 static bool fill_kinds(Look* look, const Sprites* sprites)
 {
 	for (int k = 0; k < look->body_count; ++k)

@@ -9,21 +9,10 @@
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, green = {30, 122, 84};
 
-// As graph_color of row.glsl, darker for small dots.
-static Color graph_color(int color)
+// Dots are small: they want more than bodies do.
+static Color darker(Color color)
 {
-	if (color < 0)
-		return slate;
-	const float phases[3] = {0.02f, 0.69f, 0.36f};
-	uint8_t channels[3];
-	for (int k = 0; k < 3; ++k)
-	{
-		float turn = (float)color * 0.61803399f + phases[k];
-		float hue = fabsf((turn - floorf(turn)) * 6.0f - 3.0f) - 1.0f;
-		hue = hue < 0.0f ? 0.0f : hue > 1.0f ? 1.0f : hue;
-		channels[k] = (uint8_t)(235.0f * (0.1f + 0.8f * hue));
-	}
-	return (Color){channels[0], channels[1], channels[2]};
+	return (Color){(uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4), (uint8_t)(color.b * 3 / 4)};
 }
 
 static bool is_inside(scree_box box, scree_vec p)
@@ -75,7 +64,7 @@ void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, c
 			}
 			if (layers[LAYER_contacts])
 			{
-				Color color = style->graph ? graph_color(c->color) : p->separation < 0.0f ? red : pale;
+				Color color = style->graph ? darker(graph_color(c->color)) : p->separation < 0.0f ? red : pale;
 				strokes_add(strokes, p->point, p->point, DOT, color, 255);
 			}
 		}

@@ -24,6 +24,15 @@ static bool pass_open(Pass* pass, const char* vertex, const char* fragment, char
 	glUseProgram(pass->program);
 	for (int k = 0; k < 4; ++k)
 		glUniform1i(glGetUniformLocation(pass->program, samplers[k]), k);
+	float palette[GRAPH_COLORS][3];
+	for (int k = 0; k < GRAPH_COLORS; ++k)
+	{
+		Color color = graph_color(k);
+		palette[k][0] = (float)color.r / 255.0f;
+		palette[k][1] = (float)color.g / 255.0f;
+		palette[k][2] = (float)color.b / 255.0f;
+	}
+	glUniform3fv(glGetUniformLocation(pass->program, "palette"), GRAPH_COLORS, palette[0]);
 	return true;
 }
 

@@ -18,6 +18,11 @@ typedef enum // what colors a body; row.glsl knows the numbers
 // "attribute", "speed", "graph"
 extern const char* const paint_names[PAINTS];
 
+#define GRAPH_COLORS 64 // of scree_contact.color
+
+// Hues a golden angle apart, so that neighbors in the list can be told apart; the overflow set is dark.
+Color graph_color(int color);
+
 typedef enum
 {
 #define X(name, help) LAYER_##name,

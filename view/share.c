@@ -35,8 +35,7 @@ static bool find_device(const scree_world* world, scree_device* device)
 
 void share_open(Share* share, scree_world* world, bool copy)
 {
-	*share =
-	    (Share){.world = world, .how = copy ? SCREE_COPIED : scree_world_sharing(world), .exported.files = {-1, -1}};
+	*share = (Share){.world = world, .copy = copy, .exported.files = {-1, -1}};
 }
 
 static void drop_buffer(Share* share)
@@ -105,10 +104,10 @@ static bool share_opengl(Share* share, size_t bytes)
 	return false;
 }
 
-// A new buffer with room for count rows and half as many more. What cannot be shared is copied from then on.
-static void make_buffer(Share* share, int count)
+// A new buffer with room for all rows and half as many more. What cannot be shared is copied from then on.
+static void make_buffer(Share* share)
 {
-	int room = count + count / 2 + 1024;
+	int room = share->count + share->count / 2 + 1024;
 	size_t bytes = (size_t)room * sizeof(scree_shown);
 	for (;;)
 	{
@@ -134,7 +133,10 @@ static scree_status copy(Share* share)
 		return SCREE_OK;
 	scree_shown* rows = glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
 	if (!rows)
+	{
+		snprintf(share->sentence, sizeof share->sentence, "OpenGL has no memory for %d rows", share->count);
 		return SCREE_OUT_OF_MEMORY;
+	}
 	scree_status status = scree_get_shown(share->world, rows, share->count, &share->count);
 	glUnmapBuffer(GL_ARRAY_BUFFER);
 	return status;
@@ -145,10 +147,26 @@ scree_status share_update(Share* share)
 	scree_status status = scree_get_shown(share->world, NULL, 0, &share->count);
 	if (status != SCREE_OK)
 		return status;
-	if (share->count > share->room || !share->buffer)
-		make_buffer(share, share->count);
+	const char* device = scree_world_device(share->world);
+	bool moved = strcmp(share->device, device) != 0;
+	if (moved)
+	{
+		snprintf(share->device, sizeof share->device, "%s", device);
+		share->how = share->copy ? SCREE_COPIED : scree_world_sharing(share->world);
+	}
+	if (moved || share->count > share->room)
+		make_buffer(share);
 	if (share->how == SCREE_COPIED)
 		return copy(share);
 	glFinish(); // what was drawn from the rows is done before they change
-	return scree_show(share->world, &share->count);
+	status = scree_show(share->world, &share->count);
+	if (status == SCREE_INVALID)
+	{
+		// the world was on another device and came back, and what it shared is forgotten
+		make_buffer(share);
+		status = share->how == SCREE_COPIED ? copy(share) : scree_show(share->world, &share->count);
+	}
+	return status;
 }
+
+const char* share_trouble(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }

@@ -16,8 +16,10 @@ typedef struct // memory of a device, for two that import it
 typedef struct
 {
 	scree_world* world;
+	bool copy;          // is wanted, also where there is a better way
+	char device[160];   // of the world, when the way was chosen
 	scree_sharing how;  // now
-	char sentence[256]; // why not better, where the device offers better; else empty
+	char sentence[256]; // why not better, where the device offers better; else empty. Whoever has told may clear it
 	unsigned buffer;    // of OpenGL, holds a scree_shown a row; another one after the world has grown
 	unsigned memory;    // object of OpenGL that the buffer lies in, 0 for none
 	ExportedMemory exported;
@@ -27,11 +29,15 @@ typedef struct
 // The current context, for scree_world_def.opengl: false when it is not one of EGL.
 bool share_context(scree_opengl* opengl);
 
-// Chooses the way; copy wants the copy even where there is a better one. Nothing is allocated yet.
+// copy wants the copy even where there is a better way. Nothing is allocated yet.
 void share_open(Share* share, scree_world* world, bool copy);
 
-// Brings the rows up to date, when everything that was drawn from them is done.
+// Brings the rows up to date, when everything that was drawn from them is done. Chooses the way anew when the world has
+// moved to another device.
 scree_status share_update(Share* share);
+
+// What was wrong when share_update has failed.
+const char* share_trouble(const Share* share);
 
 void share_close(Share* share);
 

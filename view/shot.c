@@ -96,6 +96,9 @@ bool shot_world(Shot* shot, const Scene* scene, scree_world* world, char* senten
 scree_status shot_draw(Shot* shot, const Style* style, const char* caption)
 {
 	scree_status status = share_update(&shot->share);
+	if (*shot->share.sentence)
+		fprintf(stderr, "scree: the rows are copied: %s\n", shot->share.sentence);
+	*shot->share.sentence = 0;
 	if (status == SCREE_OK)
 		status = renderer_fetch(&shot->renderer, style);
 	if (status != SCREE_OK)

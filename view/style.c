@@ -2,6 +2,7 @@
 // style.c -- how bodies are painted and what lies over them, read from words.
 #include "view/renderer.h"
 #include "view/shader.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,6 +12,22 @@ const char* const layer_names[LAYERS] = {
 #include "view/layers.def"
 #undef X
 };
+
+Color graph_color(int color)
+{
+	if (color >= GRAPH_COLORS - 1)
+		return (Color){40, 40, 44};
+	const float phases[3] = {0.02f, 0.69f, 0.36f};
+	uint8_t channels[3];
+	for (int k = 0; k < 3; ++k)
+	{
+		float turn = (float)color * 0.61803399f + phases[k];
+		float hue = fabsf((turn - floorf(turn)) * 6.0f - 3.0f) - 1.0f;
+		hue = hue < 0.0f ? 0.0f : hue > 1.0f ? 1.0f : hue;
+		channels[k] = (uint8_t)(255.0f * 0.92f * (0.82f + 0.62f * (hue - 0.82f)));
+	}
+	return (Color){channels[0], channels[1], channels[2]};
+}
 
 static void list_names(const char* const* names, int count, char* text, size_t size)
 {

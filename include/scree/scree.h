@@ -202,10 +202,11 @@ typedef struct scree_world_def
 	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
 	float max_speed;             // m/s, default 400
-	const scree_opengl* opengl;  // null (default), or the context of which scree_share_opengl will take buffers; lent
-	int body_capacity;           // room to begin with; everything grows. 0 (default) for a small world
-	int contact_capacity;        // the same for contacts
-	int cookie;                  // set by scree_default_world_def
+	const scree_opengl* opengl; // null (default), or the context of which scree_share_opengl will take buffers: copied,
+	                            // and the context itself lent until the world's end, for it may move to its device
+	int body_capacity;          // room to begin with; everything grows. 0 (default) for a small world
+	int contact_capacity;       // the same for contacts
+	int cookie;                 // set by scree_default_world_def
 } scree_world_def;
 
 SCREE_API scree_world_def scree_default_world_def(void);
@@ -566,7 +567,8 @@ typedef struct scree_contact
 {
 	scree_collidable a, b;
 	scree_vec normal; // from a to b
-	int color;        // in which the solver takes it: no two of a color share a body that can move. -1 for an overlap
+	int color;        // in which the solver takes it: no two of a color from 0 to 62 share a body that can move; 63 is
+	                  // the overflow set, of bodies with more contacts than that. -1 for an overlap
 	int count;        // 1 or 2
 	scree_contact_point points[2];
 } scree_contact;
@@ -606,13 +608,15 @@ SCREE_API scree_sharing scree_world_sharing(const scree_world* world);
 
 // Memory that another interface allocated on the same device (scree_device.uuid) and exported as an opaque file
 // descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The world
-// takes over the descriptor when this succeeds. bytes is the size of the allocation, at least one row.
+// takes over the descriptor when this succeeds. bytes is how much of the allocation is used, at least one row. Fails with
+// SCREE_NOT_SUPPORTED when scree_world_sharing does not say SCREE_SHARED_MEMORY or the driver refuses the memory.
 // The memory is shared until it is replaced by another call, scree_unshare, the world's move to another device (of itself,
 // where that is "auto"), or its end.
 SCREE_API scree_status scree_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
 // A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in scree_show; bytes
-// is the size of its storage. It must outlive the sharing, and keep its storage.
+// is the size of its storage, at least one row. It must outlive the sharing, and keep its storage. Fails with
+// SCREE_NOT_SUPPORTED when scree_world_sharing does not say SCREE_SHARED_OPENGL or the driver refuses the buffer.
 SCREE_API scree_status scree_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
 // Lets go of what was shared; null and worlds that share nothing are allowed.

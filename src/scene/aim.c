@@ -9,7 +9,7 @@
 Aim aim_at(scree_box view, int width, int height)
 {
 	double across = view.upper.x - view.lower.x, up = view.upper.y - view.lower.y;
-	double room_across = width - 2 * MARGIN, room_up = height - BAND - 2 * MARGIN;
+	double room_across = fmax(width - 2 * MARGIN, 1), room_up = fmax(height - BAND - 2 * MARGIN, 1);
 	double scale = fmin(room_across / across, room_up / up);
 	return (Aim){scale, view.lower.x + across / 2 - width / scale / 2,
 	             view.lower.y + up / 2 - (height - BAND) / scale / 2};

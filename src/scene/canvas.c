@@ -11,13 +11,14 @@
 
 bool canvas_open(Canvas* p, int width, int height, char* sentence)
 {
-	*p = (Canvas){.width = width, .height = height};
+	*p = (Canvas){0};
 	if (width < 64 || height < 64 || width > MAX_SIDE || height > MAX_SIDE)
 	{
 		snprintf(sentence, SCENE_SENTENCE, "a picture of %dx%d pixels: sides must be 64 to %d", width, height,
 		         MAX_SIDE);
 		return false;
 	}
+	*p = (Canvas){.width = width, .height = height};
 	p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
 	p->cairo = cairo_create(p->surface);
 	if (cairo_status(p->cairo) != CAIRO_STATUS_SUCCESS)
@@ -91,7 +92,8 @@ bool canvas_write(Canvas* p, FILE* file)
 
 bool canvas_open(Canvas* canvas, int width, int height, char* sentence)
 {
-	*canvas = (Canvas){.width = width, .height = height};
+	*canvas = (Canvas){0};
+	(void)width, (void)height;
 	snprintf(sentence, SCENE_SENTENCE,
 	         "this build draws no pictures, because Cairo was not found; install libcairo2-dev and build again");
 	return false;

@@ -319,6 +319,18 @@ void scene_free(Scene* scene)
 	free(scene);
 }
 
+// An expression without its blanks, which stand between parameters.
+static void append_tight(char* text, size_t size, const char* expression)
+{
+	for (; *expression && size > 1; ++expression)
+		if (*expression != ' ' && *expression != '\t')
+		{
+			*text++ = *expression;
+			--size;
+		}
+	*text = 0;
+}
+
 bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
                    char* sentence)
 {
@@ -336,7 +348,7 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 		snprintf(parameters + length, parameters_size - length, "%s%s=", length ? " " : "", text);
 		length = strlen(parameters);
 		if (json_is_string(value))
-			snprintf(parameters + length, parameters_size - length, "%s", json_string_value(value));
+			append_tight(parameters + length, parameters_size - length, json_string_value(value));
 		else
 			snprintf(parameters + length, parameters_size - length, "%.9g", json_number_value(value));
 	}

@@ -28,10 +28,10 @@ static bool quote(const char* path, char* text, size_t size)
 bool video_open(Video* video, const char* path, int width, int height)
 {
 	char quoted[2048], command[2560];
-	*video = (Video){.path = path, .bytes = (size_t)width * (size_t)height * 4};
+	*video = (Video){.path = path, .bytes = (size_t)width * (size_t)height * 4, .width = width, .height = height};
 	if (system("command -v ffmpeg >/dev/null 2>&1") != 0)
 	{
-		fprintf(stderr, "scree: --video needs ffmpeg, which was not found; install it (Debian: apt install ffmpeg)\n");
+		fprintf(stderr, "scree: a video needs ffmpeg, which was not found; install it (Debian: apt install ffmpeg)\n");
 		return false;
 	}
 	if (!quote(path, quoted, sizeof quoted))

@@ -10,8 +10,9 @@ typedef struct
 {
 	FILE* pipe;
 	const char* path;
-	size_t bytes; // a frame
-	int frames;   // taken so far
+	size_t bytes;      // a frame
+	int frames;        // taken so far
+	int width, height; // px
 } Video;
 
 // Starts ffmpeg. Returns false after printing what is wrong.

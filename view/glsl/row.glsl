@@ -6,6 +6,7 @@ layout(location = 2) in ivec2 name;  // attribute, -1 where there is no collidab
 uniform vec4 view;   // middle of the picture (m), clip units a metre
 uniform float scale; // px a metre
 uniform int paint;   // PAINT_* of renderer.h
+uniform vec3 palette[64]; // of graph colors
 
 uniform samplerBuffer table;      // attributes, 7 texels each
 uniform usamplerBuffer kinds;     // of bodies
@@ -22,12 +23,7 @@ bool moves() { return name.y >= 0 && texelFetch(kinds, name.y).x == 2u; }
 // Outside of the picture by more than its reach (m).
 bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + reach * view.zw)); }
 
-// Hues a golden angle apart, so that neighbors in the list can be told apart.
-vec3 graph_color(uint color)
-{
-	vec3 hue = abs(fract(float(color) * 0.61803399 + vec3(0.02, 0.69, 0.36)) * 6.0 - 3.0) - 1.0;
-	return color == 255u ? vec3(0.86, 0.85, 0.82) : mix(vec3(0.82), clamp(hue, 0.0, 1.0), 0.62) * 0.92;
-}
+vec3 graph_color(uint color) { return color == 255u ? vec3(0.86, 0.85, 0.82) : palette[min(color, 63u)]; }
 
 // Slow is blue, 3 m/s yellow, beyond red.
 vec3 speed_color(float speed)

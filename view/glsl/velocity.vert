@@ -9,7 +9,7 @@ void main()
 	stroke = vec2(0.0);
 	color = vec4(0.09, 0.35, 0.30, 0.9);
 	local = vec2(0.0);
-	if (name.x < 0 || !moves())
+	if (name.x < 0 || name.y < 0)
 		return;
 	vec2 a = pose.xy + center, along = texelFetch(velocities, name.y).xy * 0.15;
 	float stretch = length(along) * scale;

@@ -41,6 +41,13 @@ bool capture_size(Capture* c, int width, int height, char* sentence)
 	return good;
 }
 
+bool capture_fits(const Capture* c, int width, int height)
+{
+	const Canvas* canvas = &c->canvas;
+	return c->frame && canvas->width == width && canvas->height == height && c->video.width == width &&
+	       c->video.height == height;
+}
+
 void capture_close(Capture* c)
 {
 	char sentence[SENTENCE];

@@ -17,6 +17,9 @@ typedef struct
 
 // Makes room for a picture of this size. False leaves a sentence.
 bool capture_size(Capture* capture, int width, int height, char* sentence);
+
+// Whether a frame of this size can be added to the video.
+bool capture_fits(const Capture* capture, int width, int height);
 void capture_close(Capture* capture);
 
 // Draws a picture as scree run does.

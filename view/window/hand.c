@@ -10,6 +10,7 @@
 #define PULL    18.8f   // 1/s: 2 pi times 3 Hz
 #define DAMPING 0.9f    // of critical
 #define HARDEST 1000.0f // m/s^2
+#define FASTEST 200.0f  // m/s, thrown
 
 static scree_vec turned(scree_rot q, scree_vec v) { return (scree_vec){q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
 static scree_vec turned_back(scree_rot q, scree_vec v)
@@ -135,22 +136,30 @@ scree_status hand_pull(Hand* hand)
 	return status;
 }
 
+// A ball, a box and a capsule, half as wide as that.
+static scree_status make_thrown(Hand* hand, float half)
+{
+	scree_attribute_def defs[3] = {scree_default_attribute_def(), scree_default_attribute_def(),
+	                               scree_default_attribute_def()};
+	scree_status status = scree_make_circle((scree_vec){0, 0}, half, &defs[0].shape);
+	if (status == SCREE_OK)
+		status = scree_make_box(half, half, &defs[1].shape);
+	if (status == SCREE_OK)
+		status = scree_make_capsule((scree_vec){-half, 0}, (scree_vec){half, 0}, 0.6f * half, &defs[2].shape);
+	for (int k = 0; k < 3 && status == SCREE_OK; ++k)
+		status = scree_create_attribute(hand->world, &defs[k], &hand->thrown[k]);
+	hand->thrown_size = status == SCREE_OK ? half : 0.0f;
+	return status;
+}
+
 scree_status hand_launch(Hand* hand, float size)
 {
-	scree_attribute_def attribute = scree_default_attribute_def();
 	scree_body_def body = scree_default_body_def();
 	float half = size < 0.01f ? 0.005f : 0.5f * size;
-	scree_status status;
-	if (hand->launched % 3 == 0)
-		status = scree_make_circle((scree_vec){0, 0}, half, &attribute.shape);
-	else if (hand->launched % 3 == 1)
-		status = scree_make_box(half, half, &attribute.shape);
-	else
-		status = scree_make_capsule((scree_vec){-half, 0}, (scree_vec){half, 0}, 0.6f * half, &attribute.shape);
-	if (status == SCREE_OK)
-		status = scree_create_attribute(hand->world, &attribute, &body.attribute);
+	scree_status status = half == hand->thrown_size ? SCREE_OK : make_thrown(hand, half);
+	body.attribute = hand->thrown[hand->launched % 3];
 	body.pose.position = hand->at;
-	float speed = hypotf(hand->velocity.x, hand->velocity.y), most = speed > 200.0f ? 200.0f / speed : 1.0f;
+	float speed = hypotf(hand->velocity.x, hand->velocity.y), most = speed > FASTEST ? FASTEST / speed : 1.0f;
 	body.velocity.linear = (scree_vec){hand->velocity.x * most, hand->velocity.y * most};
 	if (status == SCREE_OK)
 		status = scree_create_body(hand->world, &body, NULL);

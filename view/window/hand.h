@@ -7,12 +7,14 @@
 typedef struct
 {
 	scree_world* world;
-	scree_body body;    // that it holds; null for none
-	scree_mass mass;    // of the body
-	scree_vec anchor;   // where it holds it, in the body's frame, m
-	scree_vec at;       // the cursor, m
-	scree_vec velocity; // of the cursor, smoothed, m/s
-	int launched;       // bodies thrown in so far
+	scree_body body;           // that it holds; null for none
+	scree_mass mass;           // of the body
+	scree_vec anchor;          // where it holds it, in the body's frame, m
+	scree_vec at;              // the cursor, m
+	scree_vec velocity;        // of the cursor, smoothed, m/s
+	int launched;              // bodies thrown in so far
+	scree_attribute thrown[3]; // what they are: made once for a size
+	float thrown_size;         // m
 } Hand;
 
 // Takes hold of the dynamic body under the cursor; false when there is none.

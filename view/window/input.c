@@ -6,19 +6,27 @@
 
 #define ZOOM        1.15f // a step of the wheel
 #define SLOWEST     (1.0f / 64.0f)
+#define STILL       6     // frames: a tenth of a second
 #define THROWN_SIZE 28.0f // px: bodies that are thrown in can be seen at any scale
 
-// Device names in a row: the CPU, every OpenCL device, and auto.
-static const char* device_after(const Viewer* v)
+// Where the world is in the list of devices, behind which stands auto.
+static int find_device(const Viewer* v)
 {
 	const Play* play = &v->play;
-	const char* now = scree_world_device(play->world);
-	if (strcmp(play->device, "auto") == 0)
-		return play->device_count > 0 ? play->devices[0].name : "cpu";
-	for (int k = 0; k < play->device_count; ++k)
-		if (strcmp(play->devices[k].name, now) == 0)
-			return k + 1 < play->device_count ? play->devices[k + 1].name : "auto";
-	return "auto";
+	const char* now = strcmp(play->device, "auto") == 0 ? play->device : scree_world_device(play->world);
+	int k = 0;
+	while (k < play->device_count && strcmp(play->devices[k].name, now) != 0)
+		++k;
+	return k;
+}
+
+// A device that refuses does not hide those behind it.
+static void move_on(Viewer* v)
+{
+	const Play* play = &v->play;
+	int next = v->next_device >= 0 ? v->next_device : (find_device(v) + 1) % (play->device_count + 1);
+	viewer_move(v, next < play->device_count ? play->devices[next].name : "auto");
+	v->next_device = (next + 1) % (play->device_count + 1);
 }
 
 static void step_once(Viewer* v)
@@ -38,12 +46,16 @@ static void record(Viewer* v)
 	viewer_note(v, sentence);
 }
 
+// The cursor stays at its pixel while the picture moves under it.
+static void place_hand(Viewer* v) { v->hand.at = camera_point(&v->camera, v->x, v->y); }
+
 static void launch(Viewer* v)
 {
+	place_hand(v);
 	if (hand_launch(&v->hand, THROWN_SIZE / v->camera.scale) != SCREE_OK)
 		viewer_note(v, scree_error());
-	else if (!viewer_look(v))
-		v->done = true;
+	else
+		viewer_look(v);
 }
 
 static void show_hash(Viewer* v)
@@ -51,12 +63,6 @@ static void show_hash(Viewer* v)
 	char sentence[SENTENCE];
 	if (!play_hash(&v->play, sentence))
 		viewer_note(v, sentence);
-}
-
-static void fit(Viewer* v)
-{
-	const Scene* scene = v->play.scene;
-	camera_fit(&v->camera, scene->has_view ? scene->view : v->renderer.look.box, v->camera.width, v->camera.height);
 }
 
 void input_action(Viewer* v, Action action)
@@ -81,7 +87,7 @@ void input_action(Viewer* v, Action action)
 		play->rate = fminf(2.0f * play->rate, 1.0f);
 		break;
 	case ACTION_device:
-		viewer_move(v, device_after(v));
+		move_on(v);
 		break;
 	case ACTION_hash:
 		show_hash(v);
@@ -90,7 +96,7 @@ void input_action(Viewer* v, Action action)
 		launch(v);
 		break;
 	case ACTION_fit:
-		fit(v);
+		viewer_fit(v);
 		break;
 	case ACTION_paint:
 		v->style.paint = (Paint)((v->style.paint + 1) % PAINTS);
@@ -133,18 +139,23 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 		camera_pan(&v->camera, x - v->x, y - v->y);
 	v->x = x;
 	v->y = y;
+	v->still = 0;
 	hand_move(&v->hand, camera_point(&v->camera, x, y), seconds);
 }
 
 void input_button(Viewer* v, bool right, bool down)
 {
+	place_hand(v);
 	v->panning = down && (right || !hand_pick(&v->hand, &v->renderer.look));
-	if (!down)
+	if (!right && !down)
 		hand_release(&v->hand);
 }
 
-void input_wheel(Viewer* v, float steps)
+void input_wheel(Viewer* v, float steps) { camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps)); }
+
+void input_rest(Viewer* v)
 {
-	camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps));
-	hand_move(&v->hand, camera_point(&v->camera, v->x, v->y), 0.0);
+	place_hand(v);
+	if (v->still++ >= STILL)
+		v->hand.velocity = (scree_vec){0, 0};
 }

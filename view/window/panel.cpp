@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // panel.cpp -- what stands beside the picture: scenes, devices, times, switches; in C++, by Dear ImGui.
 extern "C" {
+#include "scene/aim.h"
 #include "view/window/viewer.h"
 }
 #include "view/window/panel.h"
@@ -17,11 +18,11 @@ extern "C" {
 static float scale = 1.0f;
 static float sized(float pixels) { return pixels * scale; }
 
-#define WIDTH  sized(300.0f)
-#define MARGIN sized(12.0f)
-#define BAND   sized(36.0f)
-#define FIELD  sized(110.0f)
-#define COLUMN sized(140.0f)
+#define WIDTH   sized(300.0f)
+#define EDGE    sized(MARGIN)
+#define CAPTION sized(BAND)
+#define FIELD   sized(110.0f)
+#define COLUMN  sized(140.0f)
 
 static const struct
 {
@@ -136,12 +137,14 @@ static void draw_scene(Viewer* v)
 		ImGui::EndCombo();
 	}
 	bool begin = false;
+	ImGui::PushID("parameters"); // whose names are the scene's own
 	for (int k = 0; k < play->parameter_count; ++k)
 	{
 		Parameter* p = &play->parameters[k];
 		ImGui::SetNextItemWidth(FIELD);
 		begin = ImGui::InputText(p->name, p->value, sizeof p->value, ImGuiInputTextFlags_EnterReturnsTrue) || begin;
 	}
+	ImGui::PopID();
 	if (ImGui::Button("restart") || begin)
 		viewer_begin(v, play->name, false);
 	ImGui::SameLine();
@@ -182,12 +185,12 @@ static void draw_bar(const char* name, float value, float whole)
 	ImGui::SameLine(sized(106.0f));
 	ImVec2 at = ImGui::GetCursorScreenPos();
 	float room = ImGui::GetContentRegionAvail().x, high = ImGui::GetTextLineHeight();
-	float share = whole > 0.0f ? value / whole : 0.0f;
+	float part = whole > 0.0f ? value / whole : 0.0f;
 	ImDrawList* list = ImGui::GetWindowDrawList();
 	list->AddRectFilled(at, ImVec2(at.x + room, at.y + high), ImGui::GetColorU32(ImGuiCol_FrameBg), 2.0f);
-	list->AddRectFilled(at, ImVec2(at.x + room * (share < 1.0f ? share : 1.0f), at.y + high),
+	list->AddRectFilled(at, ImVec2(at.x + room * (part < 1.0f ? part : 1.0f), at.y + high),
 	                    ImGui::GetColorU32(ImGuiCol_PlotHistogram, 0.55f), 2.0f);
-	list->AddText(ImVec2(at.x + room - ImGui::CalcTextSize(text).x - 4.0f, at.y), ImGui::GetColorU32(ImGuiCol_Text),
+	list->AddText(ImVec2(at.x + room - ImGui::CalcTextSize(text).x - sized(4.0f), at.y), ImGui::GetColorU32(ImGuiCol_Text),
 	              text);
 	ImGui::Dummy(ImVec2(room, high));
 }
@@ -210,6 +213,7 @@ static void draw_times(const Viewer* v)
 
 static void draw_style(Viewer* v)
 {
+	ImGui::PushID("paints");
 	for (int k = 0; k < PAINTS; ++k)
 	{
 		if (k > 0)
@@ -217,6 +221,7 @@ static void draw_style(Viewer* v)
 		if (ImGui::RadioButton(paint_names[k], v->style.paint == k))
 			v->style.paint = static_cast<Paint>(k);
 	}
+	ImGui::PopID();
 	for (int k = 0; k < LAYERS; ++k)
 	{
 		if (k % 2 == 1)
@@ -232,7 +237,7 @@ static void draw_style(Viewer* v)
 
 static void draw_keys(const ImVec2& size)
 {
-	ImGui::SetNextWindowPos(ImVec2(size.x - MARGIN, MARGIN), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
 	ImGui::Begin("keys", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
 	for (const auto& key : keys)
@@ -251,17 +256,17 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 {
 	char caption[256];
 	viewer_caption(v, caption, sizeof caption);
-	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - BAND));
-	ImGui::SetNextWindowSize(ImVec2(size.x, BAND));
+	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - CAPTION));
+	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
 	ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.94f, 0.932f, 0.913f, 0.96f));
 	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
 	ImGui::PopStyleColor();
 	ImGui::PopStyleVar(2);
-	ImGui::SetCursorPos(ImVec2(MARGIN, sized(10.0f)));
+	ImGui::SetCursorPos(ImVec2(EDGE, sized(10.0f)));
 	ImGui::Text("%s", *v->note ? v->note : v->play.scene->title);
-	ImGui::SetCursorPos(ImVec2(size.x - MARGIN - ImGui::CalcTextSize(caption).x, sized(10.0f)));
+	ImGui::SetCursorPos(ImVec2(size.x - EDGE - ImGui::CalcTextSize(caption).x, sized(10.0f)));
 	ImGui::Text("%s", caption);
 	ImGui::End();
 }
@@ -275,9 +280,9 @@ void panel_draw(Viewer* v)
 	draw_band(v, size);
 	if (v->panel)
 	{
-		ImGui::SetNextWindowPos(ImVec2(MARGIN, MARGIN));
+		ImGui::SetNextWindowPos(ImVec2(EDGE, EDGE));
 		ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
-		ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - BAND - 2.0f * MARGIN));
+		ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - CAPTION - 2.0f * EDGE));
 		ImGui::Begin("panel", nullptr,
 		             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
 		draw_scene(v);

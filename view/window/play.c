@@ -15,10 +15,20 @@ static bool failed(char* sentence)
 	return false;
 }
 
-// Takes the parameters of a scene file, "rows=100 columns=20", and what the options set.
-static bool read_parameters(Play* play, const char* path, const Parameter* kept, int kept_count, char* sentence)
+// A copy that is whole, or none.
+static bool fits(const char* text, char* room, size_t size, const char* what, char* sentence)
 {
-	char title[160], text[256];
+	if (strlen(text) < size)
+		return strcpy(room, text);
+	snprintf(sentence, SENTENCE, "%s %.60s... has more than %zu characters, which the panel cannot hold", what, text,
+	         size - 1);
+	return false;
+}
+
+// Takes the parameters of a scene file, "rows=100 columns=20", and what the options set.
+static bool read_parameters(Play* play, const char* path, bool set, char* sentence)
+{
+	char title[160], text[MAX_PARAMETERS * 128];
 	if (!scene_heading(path, title, sizeof title, text, sizeof text, sentence))
 		return false;
 	play->parameter_count = 0;
@@ -26,15 +36,23 @@ static bool read_parameters(Play* play, const char* path, const Parameter* kept,
 	for (char* word = strtok_r(text, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
 	{
 		char* equals = strchr(word, '=');
-		if (!equals || play->parameter_count == MAX_PARAMETERS)
+		if (!equals)
 			continue;
+		if (play->parameter_count == MAX_PARAMETERS)
+		{
+			snprintf(sentence, SENTENCE, "%.400s has more than %d parameters, which the panel cannot hold", path,
+			         MAX_PARAMETERS);
+			return false;
+		}
 		*equals = 0;
 		Parameter* p = &play->parameters[play->parameter_count++];
-		snprintf(p->name, sizeof p->name, "%s", word);
-		snprintf(p->value, sizeof p->value, "%s", equals + 1);
-		for (int k = 0; k < kept_count; ++k)
-			if (strcmp(kept[k].name, p->name) == 0)
-				*p = kept[k];
+		const char* value = equals + 1;
+		for (int k = 0; k < play->options->setting_count && set; ++k)
+			if (strcmp(play->options->settings[k].name, word) == 0)
+				value = play->options->settings[k].value;
+		if (!fits(word, p->name, sizeof p->name, "the parameter", sentence) ||
+		    !fits(value, p->value, sizeof p->value, "the value", sentence))
+			return false;
 	}
 	return true;
 }
@@ -75,23 +93,18 @@ bool play_begin(Play* play, const char* name, bool fresh, char* sentence)
 	Play kept = *play;
 	char path[SCENE_PATH];
 	scree_world* world = NULL;
+	scree_counters counters;
 	if (name != play->name)
 		snprintf(play->name, sizeof play->name, "%s", name);
-	Parameter set[MAX_PARAMETERS];
-	int set_count = 0;
-	for (int k = 0; k < play->options->setting_count && k < MAX_PARAMETERS && fresh; ++k)
-	{
-		snprintf(set[k].name, sizeof set[k].name, "%s", play->options->settings[k].name);
-		snprintf(set[k].value, sizeof set[k].value, "%s", play->options->settings[k].value);
-		set_count = k + 1;
-	}
-	bool good = scene_find(play->name, play->options->executable, path, sentence);
-	if (good && fresh)
-		good =
-		    read_parameters(play, path, set, strcmp(play->name, play->options->scene) == 0 ? set_count : 0, sentence);
+	bool set = strcmp(play->name, play->options->scene) == 0;
+	bool good = scene_find(play->name, play->options->executable, path, sentence) &&
+	            (!fresh || read_parameters(play, path, set, sentence));
 	Scene* scene = good ? load(play, path, fresh, sentence) : NULL;
-	if (!scene || !build(play, scene, &world, sentence))
+	good = scene && build(play, scene, &world, sentence) &&
+	       (scree_get_counters(world, &counters) == SCREE_OK || failed(sentence));
+	if (!good)
 	{
+		scree_destroy_world(world);
 		scene_free(scene);
 		*play = kept;
 		return false;
@@ -100,11 +113,12 @@ bool play_begin(Play* play, const char* name, bool fresh, char* sentence)
 	scree_destroy_world(play->world);
 	play->scene = scene;
 	play->world = world;
+	play->counters = counters;
 	play->owed = 0;
 	play->hashed = false;
 	play->step = 0;
 	memset(play->stages, 0, sizeof play->stages);
-	return scree_get_counters(world, &play->counters) == SCREE_OK || failed(sentence);
+	return true;
 }
 
 bool play_open(Play* play, const ViewOptions* options, const scree_opengl* opengl, char* sentence)
@@ -162,6 +176,5 @@ bool play_hash(Play* play, char* sentence)
 	if (scree_world_hash(play->world, &play->hash) != SCREE_OK)
 		return failed(sentence);
 	play->hashed = true;
-	play->hash_steps = play->counters.steps;
 	return true;
 }

@@ -4,12 +4,12 @@
 #define PLAY_H
 #include "view/window/view.h"
 
-#define MAX_PARAMETERS 16
+#define MAX_PARAMETERS 32
 #define STAGES         6
 
 typedef struct // of a scene
 {
-	char name[32], value[32];
+	char name[64], value[256];
 } Parameter;
 
 typedef struct
@@ -29,9 +29,8 @@ typedef struct
 	bool paused;
 	float rate;    // seconds of the world a second of the clock, at most 1
 	double owed;   // s: of the world, that the clock is ahead
-	bool hashed;   // hash is that of hash_steps
+	bool hashed;   // since the last step
 	uint64_t hash; // of the world
-	int64_t hash_steps;
 	scree_counters counters;
 	float step;           // ms, smoothed
 	float stages[STAGES]; // ms, smoothed

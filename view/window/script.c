@@ -8,9 +8,11 @@
 #include <GLFW/glfw3.h>
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
-#define PATIENCE 20.0 // s to await something
+#define PATIENCE   20.0   // s to await something
+#define MOST_TURNS 100.0f // of the wheel
 
 static const char* const shown_keys[ACTIONS] = {
 #define X(name, key, shown, help) shown,
@@ -104,12 +106,12 @@ static bool obey(Viewer* v, const char* line)
 	}
 	else if (sscanf(line, "key %255s %c", word, &rest) == 1)
 		return press_key(v, word);
-	else if (sscanf(line, "cursor %f %f %c", &x, &y, &rest) == 2)
+	else if (sscanf(line, "cursor %f %f %c", &x, &y, &rest) == 2 && isfinite(x) && isfinite(y))
 		input_cursor(v, x, y, 1.0 / 60.0);
 	else if (sscanf(line, "button %255s %c", word, &rest) == 1 &&
 	         (strcmp(word, "down") == 0 || strcmp(word, "up") == 0))
 		input_button(v, false, strcmp(word, "down") == 0);
-	else if (sscanf(line, "wheel %f %c", &x, &rest) == 1)
+	else if (sscanf(line, "wheel %f %c", &x, &rest) == 1 && fabsf(x) <= MOST_TURNS)
 		input_wheel(v, x);
 	else if (sscanf(line, "size %d %d %c", &n, &m, &rest) == 2 && n > 0 && m > 0)
 		glfwSetWindowSize(v->window, n, m);
@@ -122,7 +124,7 @@ static bool obey(Viewer* v, const char* line)
 	else if (sscanf(line, "scene %255s %c", word, &rest) == 1)
 		return viewer_begin(v, word, true);
 	else if (sscanf(line, "device %255[^\n]", word) == 1)
-		viewer_move(v, word);
+		return viewer_move(v, word);
 	else if (strcmp(line, "print") == 0)
 		print_state(v);
 	else
@@ -151,6 +153,7 @@ void script_go(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
+		*v->note = 0;
 		if (!obey(v, line))
 			give_up(v, line, "cannot be done", 2);
 	}

@@ -46,27 +46,22 @@ void viewer_caption(const Viewer* v, char* text, size_t size)
 	         c->bodies, c->contacts, scree_world_device(v->play.world), cpu);
 }
 
-// The rows come from the world as it is now, and where it is now.
-static void take_rows(Viewer* v)
+void viewer_fail(Viewer* v, const char* sentence)
 {
-	if (v->share.world)
-		share_close(&v->share);
-	share_open(&v->share, v->play.world, false);
-	snprintf(v->device, sizeof v->device, "%s", scree_world_device(v->play.world));
-	if (*v->share.sentence)
-		viewer_note(v, v->share.sentence);
+	fprintf(stderr, "scree view: %s\n", sentence);
+	v->code = 1;
+	v->done = true;
 }
 
 bool viewer_look(Viewer* v)
 {
-	if (renderer_look(&v->renderer, v->play.world))
-		return scree_get_counters(v->play.world, &v->play.counters) == SCREE_OK;
-	fprintf(stderr, "scree view: out of memory for the picture\n");
-	v->code = 1;
-	return false;
+	bool good = renderer_look(&v->renderer, v->play.world);
+	if (!good)
+		viewer_fail(v, "the picture of the world cannot be made: memory is short, or its device failed");
+	return good;
 }
 
-static void fit(Viewer* v)
+void viewer_fit(Viewer* v)
 {
 	const Scene* scene = v->play.scene;
 	camera_fit(&v->camera, scene->has_view ? scene->view : v->renderer.look.box, v->camera.width, v->camera.height);
@@ -77,59 +72,71 @@ bool viewer_begin(Viewer* v, const char* name, bool fresh)
 	bool other = strcmp(name, v->play.name) != 0;
 	share_close(&v->share); // the world may be gone after this
 	bool begun = play_begin(&v->play, name, fresh, v->note);
+	share_open(&v->share, v->play.world, false);
 	if (!begun)
-		viewer_note(v, v->note);
-	take_rows(v);
-	if (!begun)
-		return false;
-	v->hand = (Hand){.world = v->play.world, .at = v->hand.at};
-	if (!viewer_look(v))
 	{
-		v->done = true;
+		viewer_note(v, v->note);
 		return false;
 	}
+	v->hand = (Hand){.world = v->play.world};
+	v->next_device = -1;
+	if (!viewer_look(v))
+		return false;
 	if (other)
-		fit(v);
+		viewer_fit(v);
 	*v->note = 0;
 	return true;
 }
 
-void viewer_move(Viewer* v, const char* device)
+bool viewer_move(Viewer* v, const char* device)
 {
 	char sentence[SENTENCE];
-	if (!play_hash(&v->play, sentence))
-	{
-		viewer_note(v, sentence);
-		return;
-	}
+	v->next_device = -1;
+	bool moved = play_hash(&v->play, sentence);
 	uint64_t before = v->play.hash;
-	if (play_move(&v->play, device, sentence) && play_hash(&v->play, sentence))
+	moved = moved && play_move(&v->play, device, sentence) && play_hash(&v->play, sentence);
+	if (moved)
 		snprintf(sentence, SENTENCE, "moved to %s: the hash %s %016" PRIx64, device,
 		         v->play.hash == before ? "stays" : "must not change, but is now", v->play.hash);
 	viewer_note(v, sentence);
+	return moved;
+}
+
+// Everything that a style shows of the world as it is now. A world whose device failed ends the viewer.
+static bool fetch(Viewer* v, const Style* style)
+{
+	scree_status status = share_update(&v->share);
+	if (status == SCREE_OK && *v->share.sentence)
+		viewer_note(v, v->share.sentence);
+	if (status == SCREE_OK)
+		*v->share.sentence = 0;
+	if (status == SCREE_OK)
+		status = renderer_fetch(&v->renderer, style);
+	if (status != SCREE_OK)
+		viewer_fail(v, share_trouble(&v->share));
+	return status == SCREE_OK;
+}
+
+// Draws without the panel, as scree run does.
+static void draw_picture(Viewer* v, const Style* style)
+{
+	char caption[256];
+	viewer_caption(v, caption, sizeof caption);
+	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, style, v->play.scene->title, caption);
 }
 
 bool viewer_save(Viewer* v, const char* path)
 {
-	char caption[256];
 	Style fine = v->style;
 	fine.detail = 1.0f;
-	if (!capture_size(&v->capture, v->camera.width, v->camera.height, v->note))
-	{
-		viewer_note(v, v->note);
+	bool good = capture_size(&v->capture, v->camera.width, v->camera.height, v->note);
+	if (good && !fetch(v, &fine))
 		return false;
-	}
-	viewer_caption(v, caption, sizeof caption);
-	scree_status status = share_update(&v->share);
-	if (status == SCREE_OK)
-		status = renderer_fetch(&v->renderer, &fine);
-	if (status != SCREE_OK)
+	if (good)
 	{
-		viewer_note(v, scree_error());
-		return false;
+		draw_picture(v, &fine);
+		good = capture_save(&v->capture, path, v->note);
 	}
-	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, &fine, v->play.scene->title, caption);
-	bool good = capture_save(&v->capture, path, v->note);
 	viewer_note(v, v->note);
 	return good;
 }
@@ -150,9 +157,7 @@ static void advance(Viewer* v, double seconds)
 			hand_release(&v->hand); // its body is gone
 		if (!play_step(play, sentence))
 		{
-			fprintf(stderr, "scree view: %s\n", sentence);
-			v->code = 1;
-			v->done = true;
+			viewer_fail(v, sentence);
 			return;
 		}
 		if (glfwGetTime() - begin > LONGEST)
@@ -171,50 +176,36 @@ static void draw_hold(Viewer* v)
 
 static void record_frame(Viewer* v)
 {
-	char caption[256];
-	if (v->capture.canvas.width != v->camera.width || v->capture.canvas.height != v->camera.height)
-	{
-		capture_end(&v->capture, v->note);
-		viewer_note(v, v->note);
-		return;
-	}
 	Style fine = v->style;
 	fine.detail = 1.0f;
-	viewer_caption(v, caption, sizeof caption);
-	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, &fine, v->play.scene->title, caption);
-	if (!capture_frame(&v->capture))
-	{
-		capture_end(&v->capture, v->note);
-		viewer_note(v, v->note);
-	}
+	bool same = capture_fits(&v->capture, v->camera.width, v->camera.height);
+	if (same)
+		draw_picture(v, &fine);
+	if (same && capture_frame(&v->capture))
+		return;
+	capture_end(&v->capture, v->note);
+	viewer_note(v, v->note);
 }
 
 static void draw(Viewer* v)
 {
-	if (strcmp(v->device, scree_world_device(v->play.world)) != 0)
-		take_rows(v);
-	scree_status status = share_update(&v->share);
-	if (status == SCREE_OK)
-		status = renderer_fetch(&v->renderer, &v->style);
-	if (status != SCREE_OK)
-	{
-		fprintf(stderr, "scree view: %s\n", scree_error());
-		v->code = 1;
-		v->done = true;
+	if (!fetch(v, &v->style))
 		return;
-	}
 	if (v->capture.video.pipe && video_due(&v->capture.video, v->capture.seconds) > 0)
 		record_frame(v);
 	draw_hold(v);
 	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
 	panel_draw(v);
-	if (v->save_window && capture_size(&v->capture, v->camera.width, v->camera.height, v->note))
+	if (v->save_window)
 	{
-		capture_window(&v->capture);
-		capture_save(&v->capture, NULL, v->note);
+		v->save_window = false;
+		if (capture_size(&v->capture, v->camera.width, v->camera.height, v->note))
+		{
+			capture_window(&v->capture);
+			capture_save(&v->capture, NULL, v->note);
+		}
 		viewer_note(v, v->note);
 	}
-	v->save_window = false;
 	glfwSwapBuffers(v->window);
 }
 
@@ -233,6 +224,7 @@ static void frame(Viewer* v)
 	script_go(&v->script, v);
 	if (v->done)
 		return;
+	input_rest(v);
 	advance(v, seconds);
 	glfwGetFramebufferSize(v->window, &width, &height);
 	if (v->done || width == 0 || height == 0)
@@ -262,10 +254,14 @@ static bool open(Viewer* v, char* sentence)
 	camera_resize(&v->camera, width, height);
 	v->hand.world = v->play.world;
 	v->panel = true;
-	take_rows(v);
+	v->next_device = -1;
+	v->x = 0.5f * (float)width;
+	v->y = 0.5f * (float)height;
+	share_open(&v->share, v->play.world, false);
+	*sentence = 0;
 	if (!viewer_look(v))
 		return false;
-	fit(v);
+	viewer_fit(v);
 	v->frame = glfwGetTime();
 	return true;
 }

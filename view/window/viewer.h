@@ -25,7 +25,6 @@ typedef struct Viewer
 	scree_opengl opengl; // that worlds may share with
 	Renderer renderer;
 	Share share;
-	char device[160]; // that the rows come from
 	Camera camera;
 	Style style;
 	Play play;
@@ -37,6 +36,8 @@ typedef struct Viewer
 	bool panel, keys; // shown
 	bool save_window; // when this frame is complete
 	double moved;     // s: when the cursor moved last
+	int still;        // frames since then
+	int next_device;  // that the key will ask for, in the list of all; -1: the one behind the world's
 	double frame;     // s: when the last frame began
 	float frame_ms;   // from frame to frame, smoothed
 	char note[SENTENCE];
@@ -48,11 +49,17 @@ typedef struct Viewer
 // Another world, or other bodies in it: the renderer looks again. False ends the viewer.
 bool viewer_look(Viewer* viewer);
 
+// Shows the whole scene.
+void viewer_fit(Viewer* viewer);
+
+// Ends the viewer with a sentence.
+void viewer_fail(Viewer* viewer, const char* sentence);
+
 // Begins a scene; false leaves a note.
 bool viewer_begin(Viewer* viewer, const char* name, bool fresh);
 
-// Moves the world to a device, and notes both hashes.
-void viewer_move(Viewer* viewer, const char* device);
+// Moves the world to a device, and notes whether the hash stays; false leaves a note.
+bool viewer_move(Viewer* viewer, const char* device);
 
 // Draws the picture without the panel and writes it; null for a new file.
 bool viewer_save(Viewer* viewer, const char* path);
@@ -63,10 +70,11 @@ void viewer_caption(const Viewer* viewer, char* text, size_t size);
 // Tells the user, for some seconds.
 void viewer_note(Viewer* viewer, const char* sentence);
 
-// view/input.c: what keys and mouse do, wherever they come from. Pixels are those of the picture.
+// view/window/input.c: what keys and mouse do, wherever they come from. Pixels are those of the picture.
 void input_action(Viewer* viewer, Action action);
 void input_cursor(Viewer* viewer, float x, float y, double seconds);
 void input_button(Viewer* viewer, bool right, bool down);
 void input_wheel(Viewer* viewer, float steps);
+void input_rest(Viewer* viewer); // once a frame
 
 #endif

@@ -11,6 +11,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#define LEAST_SIDE 64 // px, as of pictures
+
 static char trouble[256]; // what GLFW said first; its callback has no place of ours
 
 static void on_error(int code, const char* sentence)
@@ -120,6 +122,7 @@ bool window_open(Viewer* v, char* sentence)
 		glfwTerminate();
 		return false;
 	}
+	glfwSetWindowSizeLimits(v->window, LEAST_SIDE, LEAST_SIDE, GLFW_DONT_CARE, GLFW_DONT_CARE);
 	glfwMakeContextCurrent(v->window);
 	glfwSwapInterval(v->options->script ? 0 : 1);
 	glfwSetWindowUserPointer(v->window, v);
@@ -140,6 +143,7 @@ void window_close(Viewer* v)
 	panel_close();
 	if (v->window)
 		glfwDestroyWindow(v->window);
+	v->window = NULL;
 	glfwTerminate();
 }
 
