@@ -8,6 +8,7 @@
 #include "record.h"
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 
 // Steps at the start of each run whose time does not count: kernels are built, buffers grow, threads wake up.
 #define WARM_UP 2
@@ -194,6 +195,10 @@ static int measure_all(Bench* bench, char** names, int count)
 int bench_command(const Options* options)
 {
 	Bench bench = {.options = options};
+	if (options->argument_count == 1 && strcmp(options->arguments[0], "figure5") == 0)
+		return figure_command(options, 5);
+	if (options->argument_count == 1 && strcmp(options->arguments[0], "figure6") == 0)
+		return figure_command(options, 6);
 	if (options->argument_count > 0)
 		return measure_all(&bench, options->arguments, options->argument_count);
 	char** names;
