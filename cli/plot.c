@@ -44,16 +44,14 @@ static void script_over(FILE* to, const Plot* plot)
 // A bar a row of the CSV, its stages on top of each other as shares of their sum.
 static void script_shares(FILE* to)
 {
-	fputs("set style fill solid 0.8 border -1\nset boxwidth 0.8\nset yrange [0:100]\nset ylabel 'share of the stages, "
-	      "%'\n"
-	      "set xtics rotate by -20\nset key outside right Left reverse invert\nset grid y\n"
-	      "stats csv every ::1 using 6 nooutput\nrows = STATS_records\nset xrange [-0.6:rows - 0.4]\n"
-	      "sum6(k) = column(8) + column(10) + column(12) + column(14) + column(16) + column(18)\n"
-	      "part(k) = k == 0 ? 0 : part(k - 1) + column(6 + 2 * k)\n"
-	      "name(dummy) = strcol(1).', '.strcol(2)[1:6].', '.strcol(3)\n"
-	      "plot for [k=6:1:-1] csv every ::1 using 0:(100 * part(k) / sum6(0)):xtic(name(0)) with boxes lc k title "
-	      "word('integrate/transform transform/broad_phase detect/narrow_phase copies/color resolve/solve -/finalize', "
-	      "k)\n",
+	fputs("set style data histograms\nset style histogram rowstacked\nset style fill solid 0.8 border -1\n"
+	      "set boxwidth 0.8\nset yrange [0:100]\nset ylabel 'share of the stages, %'\nset grid y\n"
+	      "set xtics rotate by -20 noenhanced\nset key outside right Left reverse invert noenhanced\n"
+	      "set key autotitle columnheader\nset linetype 9 lc rgb '#888888'\nset linetype 10 lc rgb '#a0522d'\n"
+	      "set linetype 11 lc rgb '#c0c0ff'\n"
+	      "total(dummy) = sum [k=7:17] column(k)\n"
+	      "plot for [k=7:17] csv using (100 * column(k) / total(0)):xtic(strcol(1).', '.strcol(2)[1:6].', '.strcol(3)) "
+	      "lt k - 6\n",
 	      to);
 }
 
