@@ -34,6 +34,30 @@ void check_near(double value, double expected, double tolerance, const char* wha
 	_fail(file, line);
 }
 
+int allocations_left;
+
+static void* counting_allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	if (allocations_left == 0)
+		return NULL;
+	allocations_left -= allocations_left > 0;
+	return aligned_alloc(alignment, bytes);
+}
+
+static void plain_release(void* memory, void* context)
+{
+	(void)context;
+	free(memory);
+}
+
+void count_allocations(void)
+{
+	const scree_hooks hooks = {.allocate = counting_allocate, .release = plain_release};
+	allocations_left = -1;
+	OK(scree_set_hooks(&hooks));
+}
+
 uint64_t random_word(uint64_t* seed) // xorshift64*, George Marsaglia and Sebastiano Vigna; seed is not 0
 {
 	*seed ^= *seed >> 12;

@@ -21,6 +21,11 @@ void check_ok(scree_status status, const char* call, const char* file, int line)
 #define NEAR(value, expected, tolerance) check_near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
 void check_near(double value, double expected, double tolerance, const char* what, const char* file, int line);
 
+// From here on the library takes its memory from an allocator that fails when none is left; a negative number is as many
+// as you like, and what it is set to.
+void count_allocations(void);
+extern int allocations_left;
+
 // the same numbers for every compiler and machine
 uint64_t random_word(uint64_t* seed);
 float random_between(uint64_t* seed, float low, float high);

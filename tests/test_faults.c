@@ -240,23 +240,6 @@ static void check_broken(Scenario* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-static int allocations_left; // negative: as many as you like
-
-static void* counting_allocate(size_t bytes, size_t alignment, void* context)
-{
-	(void)context;
-	if (allocations_left == 0)
-		return NULL;
-	allocations_left -= allocations_left > 0;
-	return aligned_alloc(alignment, bytes);
-}
-
-static void plain_release(void* memory, void* context)
-{
-	(void)context;
-	free(memory);
-}
-
 // Tells the scenario with one fault. again: the failed act is tried once more; else the world just goes on. Returns
 // whether there was a fault; broken counts worlds that broke.
 static bool tell_with_little_memory(int allocations, bool again, int* broken)
@@ -307,9 +290,7 @@ static bool tell_with_little_memory(int allocations, bool again, int* broken)
 static void memory_runs_out(void** state)
 {
 	(void)state;
-	scree_hooks hooks = {.allocate = counting_allocate, .release = plain_release};
-	allocations_left = -1;
-	OK(scree_set_hooks(&hooks));
+	count_allocations();
 	expect(false);
 	int faults = 0, broken = 0;
 	while (tell_with_little_memory(faults, true, &broken))

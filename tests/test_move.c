@@ -161,30 +161,11 @@ static void bad_moves_change_nothing(void** state)
 // moves that fail half way
 // ---------------------------------------------------------------------------------------------------------------
 
-static int allocations_left; // negative: as many as you like
-
-static void* counting_allocate(size_t bytes, size_t alignment, void* context)
-{
-	(void)context;
-	if (allocations_left == 0)
-		return NULL;
-	allocations_left -= allocations_left > 0;
-	return aligned_alloc(alignment, bytes);
-}
-
-static void plain_release(void* memory, void* context)
-{
-	(void)context;
-	free(memory);
-}
-
 static void memory_runs_out(void** state)
 {
 	(void)state;
 	NEEDS_OTHER();
-	scree_hooks hooks = {.allocate = counting_allocate, .release = plain_release};
-	allocations_left = -1;
-	OK(scree_set_hooks(&hooks));
+	count_allocations();
 	scree_world* world = open_pile(other, false);
 	run_steps(world, 20);
 	uint64_t hash = hash_of(world);
