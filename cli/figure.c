@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// figure.c -- scree bench figure5 and figure6: the two figures of measurements in the paper, drawn again.
+// figure.c -- scree bench figure5 and figure6: what the paper's two figures of measurements show, measured again.
 //
 // Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines. Figure 5: processing time over the number
 // of bodies, on the CPU and on OpenCL. Figure 6: share of each stage in the time at 100 bodies. Here the paper's pipeline
-// stands beside ours, and both go on to a million bodies, as far as a step takes less than STEP_LIMIT.
+// stands beside ours, and both go on to a million bodies; where a step would take too long, the row says how long.
 //
-// The scene is pyramids of ten boxes: stacked, so that there are contacts from the first step on, as many as bodies.
+// The paper does not say what its scene was, but that many contacts, as of stacked bodies, move the bottleneck from
+// detection to resolution. So there are two: boxes that stand apart, and boxes in pyramids of ten.
+//
+// Both devices take equally many steps of a pipeline and size, and must leave the same hash.
+#include "figure.h"
 #include "commands.h"
-#include "plot.h"
 #include "record.h"
 #include <errno.h>
 #include <inttypes.h>
@@ -15,117 +18,223 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PYRAMID    10      // boxes
-#define STEPS      60      // at most, and as many as fit into
-#define TIME_LIMIT 2.0     // s, but FEWEST_STEPS
-#define STEP_LIMIT 2000.0  // ms: a curve of figure 5 ends where a step takes longer,
-#define LONG_LIMIT 30000.0 // and a bar of figure 6 is left out
-#define WARM_UP    2       // steps, unless they take so long that it makes no difference
-#define FEWEST     5
+#define STEPS      40     // whose time counts, in a run that is not cut short
+#define WARM_UP    2      // steps before them: kernels are built, buffers grow
+#define FEWEST     5      // counting steps before the time limit cuts a run short
+#define TIME_LIMIT 0.5    // s, of a run
+#define LONG_LIMIT 3.0    // s: a run that takes longer is cut short at any step, and not repeated
+#define FIGURE5_MS 1000.0 // a step may be expected to take, ms; else it is not run
+#define FIGURE6_MS 30000.0
 
-#define MAX_CURVES 4
+static const struct
+{
+	const char* base; // boxes in the lowest row of a pyramid
+	int boxes;        // of a pyramid
+} kinds[FIGURE_SCENES] = {{"1", 1}, {"4", 10}};
 
-// columns of figure 6: the paper's stages, its copies over the bus, and ours
-static const char* const stages[] = {"to_device",   "from_device",  "integrate", "transform", "detect",  "resolve",
-                                     "broad_phase", "narrow_phase", "color",     "solve",     "finalize"};
-#define STAGES ((int)(sizeof stages / sizeof *stages))
+const char* const figure_scenes[FIGURE_SCENES] = {"apart", "stacked"};
+const char* const figure_pipelines[FIGURE_PIPELINES] = {"paper", "scree"};
 
-typedef struct
+#define STAGE_NAME(name) #name,
+const char* const figure_stages[FIGURE_STAGE_COUNT] = {FIGURE_STAGES(STAGE_NAME)};
+
+typedef struct // a pipeline on a device
 {
 	PipelineChoice pipeline;
-	const char *name, *device; // of the pipeline; as for --device
-	double bodies, ms;         // of the last point
-	bool ended;
+	const char *name, *device; // as in the CSV; as for --device
+	char label[160];           // of the device, in the CSV
+	double bodies, ms;         // of its last row
+	bool ended;                // larger sizes would take too long
 } Curve;
+
+typedef struct // what both devices share at one size
+{
+	int steps; // of a run; 0 until the first has ended
+	int repeats;
+	uint64_t hash;
+	const char* device; // that left it
+} Plan;
 
 typedef struct
 {
 	const Options* options;
 	FILE* csv;
-	bool timings;
-	Plot plot;
+	int number; // 5 or 6
+	int scene;
 } Figure;
 
-// whole pyramids, side by side and on top of each other
-static void set_bodies(Options* options, int bodies, char values[2][16])
+typedef struct
 {
-	int pyramids = bodies > PYRAMID ? bodies / PYRAMID : 1;
-	int columns = (int)ceil(sqrt((double)pyramids));
-	snprintf(values[0], 16, "%d", columns);
-	snprintf(values[1], 16, "%d", (pyramids + columns - 1) / columns);
-	SceneSetting* s = options->settings + options->setting_count;
-	s[0] = (SceneSetting){"base", "4"};
-	s[1] = (SceneSetting){"columns", values[0]};
-	s[2] = (SceneSetting){"rows", values[1]};
-	options->setting_count += 3;
+	Record* records; // of counting steps, repeat after repeat
+	int count;
+	double least, most; // median step of the fastest and of the slowest repeat, ms
+	float penetration;  // of all steps, m
+	int threads;
+} Rows;
+
+// Whole pyramids in about as many columns as rows; shelves are bodies, too. Returns how many bodies there are.
+static int choose_grid(int boxes, int bodies, int* columns, int* rows)
+{
+	int square = (int)sqrt((double)bodies / boxes), least = INT32_MAX;
+	for (int r = square > 1 ? square : 1; 2 * r > square; --r)
+	{
+		int c = (bodies / r + boxes / 2 - 1) / boxes, off;
+		c = c > 1 ? c : 1;
+		off = abs(r * (boxes * c + 1) - bodies);
+		if (off < least)
+		{
+			least = off;
+			*rows = r;
+			*columns = c;
+		}
+	}
+	return *rows * (boxes * *columns + 1);
 }
 
-static void print_row(Figure* figure, Curve* curve, Simulation* simulation, const Record* records, int count,
-                      uint64_t hash)
+static void print_row(Figure* figure, Curve* curve, const Simulation* simulation, const Plan* plan, const Rows* rows)
 {
-	const SimulationFunctions* f = simulation->f;
-	char device[160];
-	snprintf(device, sizeof device, "%s", scree_world_device(simulation->world));
-	for (char* c = device; *c; ++c)
-		*c = *c == ',' ? ' ' : *c;
-	curve->ms = median(records, count, step_of, 0);
-	curve->bodies = records[count - 1].counters.bodies;
-	fprintf(figure->csv, "%s,%s,%d,%d,%.0f,%.4f", curve->name, device, records[count - 1].counters.bodies, count,
-	        median(records, count, touching_of, 0), curve->ms);
-	for (int s = 0; s < STAGES && figure->timings; ++s)
+	const scree_counters* last = &rows->records[rows->count - 1].counters;
+	snprintf(curve->label, sizeof curve->label, "%s", scree_world_device(simulation->world));
+	for (char* c = curve->label; *c; ++c)
+		*c = *c == ',' ? ' ' : *c; // must not make a column
+	curve->ms = median(rows->records, rows->count, step_of, 0);
+	curve->bodies = last->bodies;
+	fprintf(figure->csv, "%s,%s,%s,%d,%d,%.0f,%d,%d,%.4f,%.4f,%.4f", figure_scenes[figure->scene], curve->name,
+	        curve->label, rows->threads, last->bodies, median(rows->records, rows->count, touching_of, 0), plan->steps,
+	        plan->repeats, curve->ms, rows->least, rows->most);
+	for (int s = 0; s < FIGURE_STAGE_COUNT && figure->number == 6; ++s)
 	{
 		int k = 0;
-		while (k < STAGE_COLUMNS && strcmp(f->stages[k], stages[s]) != 0)
+		while (k < STAGE_COLUMNS && strcmp(simulation->f->stages[k], figure_stages[s]) != 0)
 			++k;
-		fprintf(figure->csv, ",%.4f", k < STAGE_COLUMNS ? median(records, count, stage_of, k) : 0.0);
+		fprintf(figure->csv, ",%.4f", k < STAGE_COLUMNS ? median(rows->records, rows->count, stage_of, k) : 0.0);
 	}
-	fprintf(figure->csv, ",%.5f,%016" PRIx64 "\n", (double)deepest(records, count), hash);
+	fprintf(figure->csv, ",%.5f,%016" PRIx64 "\n", (double)rows->penetration, plan->hash);
 	fflush(figure->csv);
-	fprintf(stderr, "%s on %s, %d bodies: %.3f ms a step\n", curve->name, device, records[count - 1].counters.bodies,
-	        curve->ms);
+	fprintf(stderr, "%s, %s on %s, %d bodies: %.3f ms a step\n", figure_scenes[figure->scene], curve->name,
+	        curve->label, last->bodies, curve->ms);
 }
 
-static int measure(Figure* figure, Curve* curve, int bodies)
+// A row of no steps: what a step would take, from the last size that was run. The paper tests every pair, and goes through
+// all contacts after each resolution.
+static void print_estimate(Figure* figure, const Curve* curve, int bodies, double ms)
+{
+	fprintf(figure->csv, "%s,%s,%s,,%d,,0,0,%.0f,,", figure_scenes[figure->scene], curve->name, curve->label, bodies,
+	        ms);
+	for (int s = 0; s < FIGURE_STAGE_COUNT && figure->number == 6; ++s)
+		fprintf(figure->csv, ",");
+	fprintf(figure->csv, ",,\n");
+}
+
+static double estimate(const Curve* curve, int bodies)
+{
+	double growth = curve->bodies > 0 ? bodies / curve->bodies : 0;
+	return curve->ms * (curve->pipeline == PIPELINE_PAPER ? growth * growth : growth);
+}
+
+// Takes the steps of the plan, or as many as fit into the limits, which makes the plan.
+static scree_status take_steps(Simulation* simulation, const Options* options, Plan* plan, Rows* rows)
+{
+	int most = plan->steps > 0 ? plan->steps : WARM_UP + (options->steps > 0 ? options->steps : STEPS), step = 0;
+	int before = rows->count;
+	double begin = seconds_now();
+	scree_status status = SCREE_OK;
+	for (; step < most && status == SCREE_OK; ++step)
+	{
+		double taken = seconds_now() - begin;
+		bool enough = (step >= WARM_UP + FEWEST && taken > TIME_LIMIT) || (step > 0 && taken > LONG_LIMIT);
+		if (plan->steps == 0 && enough)
+			break;
+		Record* record = &rows->records[rows->count++];
+		status = record_step(simulation, record);
+		rows->penetration = fmaxf(rows->penetration, record->counters.penetration);
+	}
+	// the first steps count only where there are no others
+	if (status == SCREE_OK && step > WARM_UP)
+	{
+		memmove(rows->records + before, rows->records + before + WARM_UP,
+		        (size_t)(step - WARM_UP) * sizeof *rows->records);
+		rows->count -= WARM_UP;
+	}
+	if (plan->steps == 0)
+	{
+		plan->steps = step;
+		plan->repeats = seconds_now() - begin > LONG_LIMIT ? 1 : options->repeats;
+	}
+	double middle = median(rows->records + before, rows->count - before, step_of, 0);
+	rows->least = before == 0 ? middle : fmin(rows->least, middle);
+	rows->most = fmax(rows->most, middle);
+	return status;
+}
+
+static int check_hash(const Figure* figure, const Curve* curve, const Simulation* simulation, Plan* plan, uint64_t hash)
+{
+	if (!plan->device)
+	{
+		plan->hash = hash;
+		plan->device = curve->device;
+	}
+	if (plan->hash == hash)
+		return EXIT_GOOD;
+	fprintf(stderr,
+	        "scree bench: %s, %s, %d steps: the hash is %016" PRIx64 " on %s, but was %016" PRIx64 " on %s before\n",
+	        figure_scenes[figure->scene], curve->name, plan->steps, hash, scree_world_device(simulation->world),
+	        plan->hash, plan->device);
+	return EXIT_FAILED;
+}
+
+static int run_once(Figure* figure, Curve* curve, const Options* options, const Scene* scene, Plan* plan, Rows* rows,
+                    int repeat)
+{
+	Simulation simulation;
+	int code = simulation_open(options, scene, figure->number == 6, &simulation);
+	if (code != EXIT_GOOD)
+		return code;
+	uint64_t hash = 0;
+	scree_status status = take_steps(&simulation, options, plan, rows);
+	if (status == SCREE_OK)
+		status = simulation.f->hash(&simulation, &hash);
+	code = report(status);
+	if (code == EXIT_GOOD)
+		code = check_hash(figure, curve, &simulation, plan, hash);
+	rows->threads = simulation.f->one_thread ? 1 : scree_world_threads(simulation.world);
+	if (code == EXIT_GOOD && repeat + 1 == plan->repeats)
+		print_row(figure, curve, &simulation, plan, rows);
+	simulation_close(&simulation);
+	return code;
+}
+
+static int measure(Figure* figure, Curve* curve, Plan* plan, int columns, int rows)
 {
 	char values[2][16];
 	Options options = *figure->options;
 	options.pipeline = curve->pipeline;
 	options.device = curve->device;
-	set_bodies(&options, bodies, values);
+	snprintf(values[0], sizeof values[0], "%d", columns);
+	snprintf(values[1], sizeof values[1], "%d", rows);
+	options.settings[0] = (SceneSetting){"base", kinds[figure->scene].base};
+	options.settings[1] = (SceneSetting){"columns", values[0]};
+	options.settings[2] = (SceneSetting){"rows", values[1]};
+	options.setting_count = 3;
 	Scene* scene = open_scene(&options, "pyramids");
 	if (!scene)
 		return EXIT_BAD;
-	Simulation simulation;
-	int code = simulation_open(&options, scene, figure->timings, &simulation);
-	if (code != EXIT_GOOD)
+	int steps = WARM_UP + (options.steps > 0 ? options.steps : STEPS), code = EXIT_GOOD;
+	Rows all = {.records = malloc((size_t)steps * (size_t)options.repeats * sizeof(Record))};
+	if (!all.records)
 	{
-		scene_free(scene);
-		return code;
+		fprintf(stderr, "scree bench: out of memory for %d steps\n", steps);
+		code = EXIT_FAILED;
 	}
-	Record records[STEPS];
-	int count = 0, steps = options.steps > 0 && options.steps < STEPS ? options.steps : STEPS;
-	uint64_t hash = 0;
-	scree_status status = SCREE_OK;
-	double begin = seconds_now();
-	for (int step = 0; count < steps && status == SCREE_OK; ++step)
-	{
-		double taken = seconds_now() - begin;
-		if ((count >= FEWEST && taken > TIME_LIMIT) || (count > 0 && taken > FEWEST * TIME_LIMIT))
-			break;
-		status = record_step(&simulation, &records[count]);
-		count += step >= WARM_UP || records[count].milliseconds > 1e3 * TIME_LIMIT;
-	}
-	if (status == SCREE_OK)
-		status = simulation.f->hash(&simulation, &hash);
-	if (status == SCREE_OK)
-		print_row(figure, curve, &simulation, records, count, hash);
-	simulation_close(&simulation);
+	for (int repeat = 0; code == EXIT_GOOD && repeat < (plan->steps > 0 ? plan->repeats : options.repeats); ++repeat)
+		code = run_once(figure, curve, &options, scene, plan, &all, repeat);
+	free(all.records);
 	scene_free(scene);
-	return report(status);
+	return code;
 }
 
 // The curve on the CPU and the one on OpenCL of both pipelines; of a device that is not there none.
-static int curves_of(const Options* options, Curve curves[MAX_CURVES])
+static int curves_of(const Options* options, Curve curves[2 * FIGURE_PIPELINES])
 {
 	scree_device devices[16];
 	int found = 0, far = 0;
@@ -137,82 +246,81 @@ static int curves_of(const Options* options, Curve curves[MAX_CURVES])
 	bool named = options->device && strncmp(options->device, "opencl", 6) == 0;
 	const char* device = named ? options->device : "opencl";
 	int count = 0;
-	for (int p = 0; p < 2; ++p)
+	for (int p = 0; p < FIGURE_PIPELINES; ++p)
 		for (int d = 0; d < 1 + (far > 0); ++d)
 			curves[count++] = (Curve){.pipeline = p ? PIPELINE_SOFT : PIPELINE_PAPER,
-			                          .name = p ? "scree" : "paper",
+			                          .name = figure_pipelines[p],
 			                          .device = d ? device : "cpu"};
 	return count;
 }
 
-// Where OpenCL becomes faster than the CPU, between two sizes: both costs are taken for powers of the number of bodies.
-static void cross(Figure* figure, const Curve* near, const Curve* far, const Curve* near_before,
-                  const Curve* far_before)
+// All curves of one scene, size by size.
+static int measure_scene(Figure* figure, const int* sizes, int size_count)
 {
-	double now = log(near->ms / far->ms), before = log(near_before->ms / far_before->ms);
-	if (near->ended || near_before->ms == 0 || before >= 0 || now < 0)
-		return;
-	double share = before / (before - now);
-	double bodies = exp(log(near_before->bodies) + share * log(near->bodies / near_before->bodies));
-	double ms = exp(log(near_before->ms) + share * log(near->ms / near_before->ms));
-	plot_mark(&figure->plot, bodies, ms, near->name);
-	printf("%s: OpenCL is faster than the CPU from %.0f bodies on\n", near->name, bodies);
-}
-
-static int measure_all(Figure* figure, const int* sizes, int size_count)
-{
-	Curve curves[MAX_CURVES], before[MAX_CURVES] = {0};
-	int count = curves_of(figure->options, curves), code = EXIT_GOOD;
+	Curve curves[2 * FIGURE_PIPELINES];
+	int count = curves_of(figure->options, curves), code = EXIT_GOOD, before = 0, columns = 1, rows = 1;
+	double limit = figure->number == 5 ? FIGURE5_MS : FIGURE6_MS;
 	for (int k = 0; k < size_count && code == EXIT_GOOD; ++k)
 	{
-		for (int c = 0; c < count && code == EXIT_GOOD; ++c)
-			if (!curves[c].ended)
-				code = measure(figure, &curves[c], sizes[k]);
-		for (int c = 0; c + 1 < count && code == EXIT_GOOD; c += 2)
-			if (count == MAX_CURVES)
-				cross(figure, &curves[c], &curves[c + 1], &before[c], &before[c + 1]);
-		memcpy(before, curves, sizeof before);
-
-		// the paper tests every pair: what the next size takes can be told from this one
-		for (int c = 0; c < count && k + 1 < size_count; ++c)
+		int bodies = choose_grid(kinds[figure->scene].boxes, sizes[k], &columns, &rows);
+		Plan plan = {0};
+		for (int c = 0; c < count && code == EXIT_GOOD && bodies > before; ++c)
 		{
-			double growth = (double)sizes[k + 1] / sizes[k];
-			double next = curves[c].ms * (curves[c].pipeline == PIPELINE_PAPER ? growth * growth : growth);
-			curves[c].ended = curves[c].ended || next > (figure->timings ? LONG_LIMIT : STEP_LIMIT);
+			if (c > 0 && curves[c].pipeline != curves[c - 1].pipeline)
+				plan = (Plan){0};
+			double expected = estimate(&curves[c], bodies);
+			curves[c].ended = curves[c].ended || expected > limit;
+			if (curves[c].ended)
+				print_estimate(figure, &curves[c], bodies, expected);
+			else
+				code = measure(figure, &curves[c], &plan, columns, rows);
 		}
+		before = bodies;
+	}
+	return code;
+}
+
+static int write_csv(const Options* options, const char* csv, int number)
+{
+	static const int over[] = {25,  50,  75,   100,  125,  150,   175,   200,   225,    240,    248,    256,    264,
+	                           272, 280, 300,  325,  350,  375,   400,   425,   450,    475,    500,    512,    528,
+	                           550, 700, 1000, 2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000};
+	static const int at[] = {100, 10000, 1000000};
+	const int* sizes = number == 5 ? over : at;
+	int count = number == 5 ? (int)(sizeof over / sizeof *over) : (int)(sizeof at / sizeof *at), code = EXIT_GOOD;
+	while (count > 1 && options->limit > 0 && sizes[count - 1] > options->limit)
+		--count;
+	Figure figure = {.options = options, .number = number, .csv = fopen(csv, "w")};
+	if (!figure.csv)
+	{
+		fprintf(stderr, "scree bench: cannot write %s: %s\n", csv, strerror(errno));
+		return EXIT_FAILED;
+	}
+	fputs("scene,pipeline,device,threads,bodies,contacts,steps,repeats,ms_step,ms_least,ms_most", figure.csv);
+	for (int k = 0; k < FIGURE_STAGE_COUNT && number == 6; ++k)
+		fprintf(figure.csv, ",ms_%s", figure_stages[k]);
+	fputs(",penetration,hash\n", figure.csv);
+	for (; figure.scene < FIGURE_SCENES && code == EXIT_GOOD; ++figure.scene)
+		code = measure_scene(&figure, sizes, count);
+	bool bad = ferror(figure.csv) != 0;
+	if ((fclose(figure.csv) != 0 || bad) && code == EXIT_GOOD)
+	{
+		fprintf(stderr, "scree bench: cannot write %s: %s\n", csv, strerror(errno));
+		code = EXIT_FAILED;
 	}
 	return code;
 }
 
 int figure_command(const Options* options, int number)
 {
-	static const int over[] = {20,   50,   100,  150,   200,   250,   300,    350,    400,    450,    500,
-	                           1000, 2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000};
-	static const int at[] = {100, 10000, 1000000};
-	char csv[32], name[16];
-	snprintf(name, sizeof name, "figure%d", number);
-	snprintf(csv, sizeof csv, "%s.csv", name);
-	if (options->setting_count + 3 > MAX_SETTINGS)
+	if (options->draw)
+		return plot_figure(options->draw, number);
+	const char* csv = number == 5 ? "figure5.csv" : "figure6.csv";
+	if (options->setting_count > 0)
 	{
-		fprintf(stderr, "scree bench: %s chooses its scenes itself: leave out --set\n", name);
+		fprintf(stderr, "scree bench: figure%d chooses its scenes itself: leave out --set\n", number);
 		return EXIT_BAD;
 	}
-	Figure figure = {.options = options, .timings = number == 6, .csv = fopen(csv, "w")};
-	if (!figure.csv)
-	{
-		fprintf(stderr, "scree bench: cannot write %s: %s\n", csv, strerror(errno));
-		return EXIT_FAILED;
-	}
-	fputs("pipeline,device,bodies,steps,contacts,ms_step", figure.csv);
-	for (int k = 0; k < STAGES && figure.timings; ++k)
-		fprintf(figure.csv, ",%s", stages[k]);
-	fputs(",penetration,hash\n", figure.csv);
-	int code = number == 5 ? measure_all(&figure, over, (int)(sizeof over / sizeof *over))
-	                       : measure_all(&figure, at, (int)(sizeof at / sizeof *at));
-	if (fclose(figure.csv) != 0 && code == EXIT_GOOD)
-	{
-		fprintf(stderr, "scree bench: cannot write %s: %s\n", csv, strerror(errno));
-		code = EXIT_FAILED;
-	}
-	return code == EXIT_GOOD ? plot_figure(&figure.plot, name) : code;
+	int code = write_csv(options, csv, number);
+	return code == EXIT_GOOD ? plot_figure(csv, number) : code;
 }

@@ -28,6 +28,8 @@ static const struct
     {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
     {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md"},
     {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench, whose hashes must come out again"},
+    {"limit", 'm', "N", BENCH, "most bodies of figure5 and figure6, a million without it"},
+    {"draw", 'D', "FILE.csv", BENCH, "with figure5 or figure6: draw what an earlier bench measured"},
     {"names", 'N', NULL, SCENES, "names alone, one a line"},
     {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH, "this text"},
 };
@@ -45,6 +47,7 @@ static const struct
     {SCENES, "scenes", "", "list the scenes with their parameters"},
     {DEVICES, "devices", "", "list the devices and whether they keep the promise of equal bits"},
     {BENCH, "bench", "[SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
+    {BENCH, "bench", "figure5|figure6", "measure and draw the paper's figures: docs/paper.md"},
 };
 #define COMMAND_COUNT (int)(sizeof commands / sizeof commands[0])
 
@@ -71,7 +74,8 @@ void print_help(FILE* file)
 		snprintf(usage, sizeof usage, "--%s %s", table[k].name, table[k].value ? table[k].value : "");
 		for (int n = 0; n < COMMAND_COUNT; ++n)
 		{
-			if (table[k].commands & commands[n].command)
+			bool again = n > 0 && commands[n].command == commands[n - 1].command; // another form
+			if ((table[k].commands & commands[n].command) && !again)
 				snprintf(users + strlen(users), sizeof users - strlen(users), "%s%s", users[0] ? ", " : "",
 				         commands[n].name);
 		}
@@ -198,6 +202,11 @@ static bool read_option(Options* options, char letter, char* value)
 		return true;
 	case 'c':
 		options->csv = value;
+		return true;
+	case 'm':
+		return read_int(options, "limit", value, 1, 1000000000, &options->limit);
+	case 'D':
+		options->draw = value;
 		return true;
 	case 'k':
 		options->known = value;

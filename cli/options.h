@@ -39,6 +39,8 @@ typedef struct
 	const char *picture, *video, *csv; // null: none
 	int width, height;                 // px
 	int repeats;
+	int limit;         // of bodies in a figure; 0: as far as it goes
+	const char* draw;  // CSV of a figure; null: measure
 	const char* known; // null: no hash is known
 	bool names, whole;
 	SceneSetting settings[MAX_SETTINGS];
