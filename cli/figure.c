@@ -5,8 +5,9 @@
 // of bodies, on the CPU and on OpenCL. Figure 6: share of each stage in the time at 100 bodies. Here the paper's pipeline
 // stands beside ours, and both go on to a million bodies; where a step would take too long, the row says how long.
 //
-// The paper does not say what its scene was, but that many contacts, as of stacked bodies, move the bottleneck from
-// detection to resolution. So there are two: boxes that stand apart, and boxes in pyramids of ten.
+// The paper does not say what its scene was, but that detection took most of the time "under normal conditions", and that many
+// contacts, as of stacked bodies, move the bottleneck to resolution. So there are two scenes: boxes that drift, with
+// few contacts, and pyramids of ten boxes.
 //
 // Both devices take equally many steps of a pipeline and size, and must leave the same hash.
 #include "figure.h"
@@ -19,20 +20,14 @@
 #include <string.h>
 
 #define STEPS      40     // whose time counts, in a run that is not cut short
-#define WARM_UP    2      // steps before them: kernels are built, buffers grow
-#define FEWEST     5      // counting steps before the time limit cuts a run short
-#define TIME_LIMIT 0.5    // s, of a run
-#define LONG_LIMIT 3.0    // s: a run that takes longer is cut short at any step, and not repeated
+#define WARM_UP    4      // steps before them: kernels are built, buffers grow, boxes come to touch
+#define FEWEST     3      // counting steps
+#define TIME_LIMIT 0.5    // s, after which a run ends with fewer steps
+#define LONG_LIMIT 3.0    // s: a run that takes longer is not repeated
 #define FIGURE5_MS 1000.0 // a step may be expected to take, ms; else it is not run
 #define FIGURE6_MS 30000.0
 
-static const struct
-{
-	const char* base; // boxes in the lowest row of a pyramid
-	int boxes;        // of a pyramid
-} kinds[FIGURE_SCENES] = {{"1", 1}, {"4", 10}};
-
-const char* const figure_scenes[FIGURE_SCENES] = {"apart", "stacked"};
+const char* const figure_scenes[FIGURE_SCENES] = {"drift", "pyramids"};
 const char* const figure_pipelines[FIGURE_PIPELINES] = {"paper", "scree"};
 
 #define STAGE_NAME(name) #name,
@@ -61,6 +56,7 @@ typedef struct
 	FILE* csv;
 	int number; // 5 or 6
 	int scene;
+	char settings[64]; // of the scene, as in the CSV
 } Figure;
 
 typedef struct
@@ -72,23 +68,29 @@ typedef struct
 	int threads;
 } Rows;
 
-// Whole pyramids in about as many columns as rows; shelves are bodies, too. Returns how many bodies there are.
-static int choose_grid(int boxes, int bodies, int* columns, int* rows)
+typedef struct // settings that give a scene its size
 {
-	int square = (int)sqrt((double)bodies / boxes), least = INT32_MAX;
-	for (int r = square > 1 ? square : 1; 2 * r > square; --r)
-	{
-		int c = (bodies / r + boxes / 2 - 1) / boxes, off;
-		c = c > 1 ? c : 1;
-		off = abs(r * (boxes * c + 1) - bodies);
-		if (off < least)
-		{
-			least = off;
-			*rows = r;
-			*columns = c;
-		}
-	}
-	return *rows * (boxes * *columns + 1);
+	const char* names[3];
+	int values[3];
+	int count, bodies; // walls and shelves are bodies, too
+} Size;
+
+// As near to a number of bodies as the scene can be; pyramids in about as many columns as rows.
+static Size choose_size(int scene, int bodies)
+{
+	if (scene == 0)
+		return (Size){{"boxes"}, {bodies - 4}, 1, bodies};
+	Size best = {{"base", "columns", "rows"}, {4, 1, 1}, 3, 11};
+	int square = (int)sqrt(bodies / 10.0);
+	for (int rows = square; 2 * rows > square; --rows)
+		for (int columns = rows; columns <= 2 * square + 10; ++columns)
+			if (abs(rows * (10 * columns + 1) - bodies) < abs(best.bodies - bodies))
+			{
+				best.values[1] = columns;
+				best.values[2] = rows;
+				best.bodies = rows * (10 * columns + 1);
+			}
+	return best;
 }
 
 static void print_row(Figure* figure, Curve* curve, const Simulation* simulation, const Plan* plan, const Rows* rows)
@@ -99,9 +101,9 @@ static void print_row(Figure* figure, Curve* curve, const Simulation* simulation
 		*c = *c == ',' ? ' ' : *c; // must not make a column
 	curve->ms = median(rows->records, rows->count, step_of, 0);
 	curve->bodies = last->bodies;
-	fprintf(figure->csv, "%s,%s,%s,%d,%d,%.0f,%d,%d,%.4f,%.4f,%.4f", figure_scenes[figure->scene], curve->name,
-	        curve->label, rows->threads, last->bodies, median(rows->records, rows->count, touching_of, 0), plan->steps,
-	        plan->repeats, curve->ms, rows->least, rows->most);
+	fprintf(figure->csv, "%s,%s,%s,%s,%d,%d,%.0f,%d,%d,%.4f,%.4f,%.4f", figure_scenes[figure->scene], figure->settings,
+	        curve->name, curve->label, rows->threads, last->bodies, median(rows->records, rows->count, touching_of, 0),
+	        plan->steps, plan->repeats, curve->ms, rows->least, rows->most);
 	for (int s = 0; s < FIGURE_STAGE_COUNT && figure->number == 6; ++s)
 	{
 		int k = 0;
@@ -119,8 +121,8 @@ static void print_row(Figure* figure, Curve* curve, const Simulation* simulation
 // all contacts after each resolution.
 static void print_estimate(Figure* figure, const Curve* curve, int bodies, double ms)
 {
-	fprintf(figure->csv, "%s,%s,%s,,%d,,0,0,%.0f,,", figure_scenes[figure->scene], curve->name, curve->label, bodies,
-	        ms);
+	fprintf(figure->csv, "%s,%s,%s,%s,,%d,,0,0,%.0f,,", figure_scenes[figure->scene], figure->settings, curve->name,
+	        curve->label, bodies, ms);
 	for (int s = 0; s < FIGURE_STAGE_COUNT && figure->number == 6; ++s)
 		fprintf(figure->csv, ",");
 	fprintf(figure->csv, ",,\n");
@@ -141,21 +143,15 @@ static scree_status take_steps(Simulation* simulation, const Options* options, P
 	scree_status status = SCREE_OK;
 	for (; step < most && status == SCREE_OK; ++step)
 	{
-		double taken = seconds_now() - begin;
-		bool enough = (step >= WARM_UP + FEWEST && taken > TIME_LIMIT) || (step > 0 && taken > LONG_LIMIT);
-		if (plan->steps == 0 && enough)
+		if (plan->steps == 0 && step >= WARM_UP + FEWEST && seconds_now() - begin > TIME_LIMIT)
 			break;
 		Record* record = &rows->records[rows->count++];
 		status = record_step(simulation, record);
 		rows->penetration = fmaxf(rows->penetration, record->counters.penetration);
 	}
-	// the first steps count only where there are no others
-	if (status == SCREE_OK && step > WARM_UP)
-	{
-		memmove(rows->records + before, rows->records + before + WARM_UP,
-		        (size_t)(step - WARM_UP) * sizeof *rows->records);
-		rows->count -= WARM_UP;
-	}
+	rows->count -= step < WARM_UP ? step : WARM_UP;
+	memmove(rows->records + before, rows->records + before + WARM_UP,
+	        (size_t)(rows->count - before) * sizeof *rows->records);
 	if (plan->steps == 0)
 	{
 		plan->steps = step;
@@ -204,19 +200,18 @@ static int run_once(Figure* figure, Curve* curve, const Options* options, const 
 	return code;
 }
 
-static int measure(Figure* figure, Curve* curve, Plan* plan, int columns, int rows)
+static int measure(Figure* figure, Curve* curve, Plan* plan, const Size* size)
 {
-	char values[2][16];
+	char values[3][16];
 	Options options = *figure->options;
 	options.pipeline = curve->pipeline;
 	options.device = curve->device;
-	snprintf(values[0], sizeof values[0], "%d", columns);
-	snprintf(values[1], sizeof values[1], "%d", rows);
-	options.settings[0] = (SceneSetting){"base", kinds[figure->scene].base};
-	options.settings[1] = (SceneSetting){"columns", values[0]};
-	options.settings[2] = (SceneSetting){"rows", values[1]};
-	options.setting_count = 3;
-	Scene* scene = open_scene(&options, "pyramids");
+	for (int k = 0; k < size->count; ++k)
+	{
+		snprintf(values[k], sizeof values[k], "%d", size->values[k]);
+		options.settings[options.setting_count++] = (SceneSetting){size->names[k], values[k]};
+	}
+	Scene* scene = open_scene(&options, figure_scenes[figure->scene]);
 	if (!scene)
 		return EXIT_BAD;
 	int steps = WARM_UP + (options.steps > 0 ? options.steps : STEPS), code = EXIT_GOOD;
@@ -258,24 +253,28 @@ static int curves_of(const Options* options, Curve curves[2 * FIGURE_PIPELINES])
 static int measure_scene(Figure* figure, const int* sizes, int size_count)
 {
 	Curve curves[2 * FIGURE_PIPELINES];
-	int count = curves_of(figure->options, curves), code = EXIT_GOOD, before = 0, columns = 1, rows = 1;
+	int count = curves_of(figure->options, curves), code = EXIT_GOOD, before = 0;
 	double limit = figure->number == 5 ? FIGURE5_MS : FIGURE6_MS;
 	for (int k = 0; k < size_count && code == EXIT_GOOD; ++k)
 	{
-		int bodies = choose_grid(kinds[figure->scene].boxes, sizes[k], &columns, &rows);
+		Size size = choose_size(figure->scene, sizes[k]);
 		Plan plan = {0};
-		for (int c = 0; c < count && code == EXIT_GOOD && bodies > before; ++c)
+		figure->settings[0] = 0;
+		for (int n = 0; n < size.count; ++n)
+			snprintf(figure->settings + strlen(figure->settings), sizeof figure->settings - strlen(figure->settings),
+			         "%s%s=%d", n > 0 ? " " : "", size.names[n], size.values[n]);
+		for (int c = 0; c < count && code == EXIT_GOOD && size.bodies > before; ++c)
 		{
 			if (c > 0 && curves[c].pipeline != curves[c - 1].pipeline)
 				plan = (Plan){0};
-			double expected = estimate(&curves[c], bodies);
+			double expected = estimate(&curves[c], size.bodies);
 			curves[c].ended = curves[c].ended || expected > limit;
 			if (curves[c].ended)
-				print_estimate(figure, &curves[c], bodies, expected);
+				print_estimate(figure, &curves[c], size.bodies, expected);
 			else
-				code = measure(figure, &curves[c], &plan, columns, rows);
+				code = measure(figure, &curves[c], &plan, &size);
 		}
-		before = bodies;
+		before = size.bodies;
 	}
 	return code;
 }
@@ -296,7 +295,7 @@ static int write_csv(const Options* options, const char* csv, int number)
 		fprintf(stderr, "scree bench: cannot write %s: %s\n", csv, strerror(errno));
 		return EXIT_FAILED;
 	}
-	fputs("scene,pipeline,device,threads,bodies,contacts,steps,repeats,ms_step,ms_least,ms_most", figure.csv);
+	fputs("scene,settings,pipeline,device,threads,bodies,contacts,steps,repeats,ms_step,ms_least,ms_most", figure.csv);
 	for (int k = 0; k < FIGURE_STAGE_COUNT && number == 6; ++k)
 		fprintf(figure.csv, ",ms_%s", figure_stages[k]);
 	fputs(",penetration,hash\n", figure.csv);

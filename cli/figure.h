@@ -28,7 +28,7 @@ extern const char* const figure_stages[FIGURE_STAGE_COUNT];
 // Scenes and pipelines in the order in which they are measured and drawn.
 #define FIGURE_SCENES    2
 #define FIGURE_PIPELINES 2
-extern const char* const figure_scenes[FIGURE_SCENES];       // apart, stacked
+extern const char* const figure_scenes[FIGURE_SCENES];       // drift, pyramids
 extern const char* const figure_pipelines[FIGURE_PIPELINES]; // paper, scree
 
 // Draws a CSV that figure_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the crossovers of figure 5.
