@@ -2,6 +2,7 @@
 // plot.c -- the figures of scree bench, drawn by gnuplot (Debian: gnuplot-nox) from nothing but their CSV.
 #include "options.h"
 #include "table.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,8 @@ static void duration(double ms, char text[32])
 	double number = ms / units[k].ms;
 	snprintf(text, 32, number < 10 ? "%.2g %s" : "%.0f %s", number, units[k].name);
 }
+
+#define AXIS 560 // bodies at the end of the left axis, a little more than the paper's 500
 
 static const char* const titles[] = {"paper", "Scree"};
 static const char* const scenes[] = {"boxes that drift", "pyramids of ten boxes"};
@@ -49,53 +52,69 @@ static void put_curves(FILE* to, const Table* table)
 	fputs("EOD\n", to);
 }
 
-static void put_marks(FILE* to, const Table* table, int scene)
+static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	for (int p = 0; p < FIGURE_PIPELINES; ++p)
 	{
 		double ms, bodies = table_crossover(table, scene, p, &ms);
-		if (bodies > 0)
+		if (bodies > 0 && bodies < most)
 			fprintf(to, "set label '%.0f' at %g, %g point pt 8 ps 2 lc '#000000' front offset 0.8, %g\n", bodies,
-			        bodies, ms, p ? -1.0 : 1.0);
-		// the largest size is what the last estimate is of, and the one on OpenCL says enough
-		const Row *last = NULL, *row = NULL;
-		for (int far = 0; far < 2; ++far)
-			while ((row = table_next(table, row, scene, p, far)))
-				last = row;
-		char text[32];
-		if (!last || last->run)
-			continue;
-		duration(last->ms, text);
-		fprintf(to, "set label 'not run: a step would take %s' at %g, %g right front offset -1, 0\n", text,
-		        last->bodies, last->ms);
+			        bodies, ms, (p == 0) == (most == AXIS) ? -1.0 : 1.0); // where no curve is
 	}
+}
+
+static const Row* last_of(const Table* table, int scene, int pipeline, int far)
+{
+	const Row *last = NULL, *row = NULL;
+	while ((row = table_next(table, row, scene, pipeline, far)))
+		last = row;
+	return last;
+}
+
+// At the end of what was not run: how long a step would take. Where both devices would take about as long, once.
+static void put_estimates(FILE* to, const Table* table, int scene)
+{
+	double top = 0;
+	for (int p = 0; p < FIGURE_PIPELINES; ++p)
+		for (int far = 0; far < 2; ++far)
+		{
+			const Row *last = last_of(table, scene, p, far), *other = last_of(table, scene, p, !far);
+			if (last)
+				top = fmax(top, last->ms);
+			if (!last || last->run || (far && other && !other->run && other->ms < 3 * last->ms))
+				continue;
+			char text[32];
+			duration(last->ms, text);
+			fprintf(to, "set label 'up to %s' at %g, %g right front offset -1.5, 0\n", text, last->bodies, last->ms);
+		}
+	fprintf(to, "set yrange [*:%g]\n", 5 * top);
 }
 
 // Left as the paper has it, right to the end; a row a scene.
 static void put_figure5(FILE* to, const Table* table)
 {
 	put_curves(to, table);
-	fputs("set grid\nset xlabel 'bodies'\nset ylabel 'ms a step'\nset style data linespoints\n"
+	fputs("set grid\nset xlabel 'bodies'\nset ylabel 'ms a step'\nset style data linespoints\nset pointsize 0.5\n"
 	      "array color[4] = ['#d95f02', '#e6ab02', '#7570b3', '#1b9e77']\narray shape[4] = [6, 4, 7, 5]\n"
-	      "set multiplot layout 2, 2 title 'triangle: OpenCL becomes faster than the CPU; dashed: not run, what a step "
-	      "would "
-	      "take'\n",
+	      "set multiplot layout 2, 2 title 'triangle: OpenCL becomes faster than the CPU; dashed: not run, up to so "
+	      "long a step'\n",
 	      to);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
-		fprintf(to,
-		        "unset logscale\nset format x '%%g'\nset xrange [0:560]\nset yrange [0:*]\nset key left top Left "
-		        "reverse samplen 2\nset title '%s'\n"
-		        "plot for [k=0:3] $curves index %d + 2 * k using 1:2 lc rgb color[k + 1] pt shape[k + 1] ps 0.5 title "
-		        "columnheader(1)\n",
-		        scenes[s], 8 * s);
-		fputs("set logscale xy\nset xrange [20:1.5e6]\nset yrange [*:*]\nset format x '10^{%L}'\nunset key\n", to);
+		fprintf(to, "run(k) = %d + 2 * k\nset title '%s'\n", 4 * s * FIGURE_PIPELINES, scenes[s]);
+		fprintf(to, "unset logscale\nset format '%%g'\nset xrange [0:%d]\nset yrange [0:*]\n", AXIS);
+		put_crossovers(to, table, s, AXIS);
+		fputs("set key left top Left reverse samplen 2\nplot for [k=0:3] $curves index run(k) using 1:2 lc rgb "
+		      "color[k + 1] pt shape[k + 1] title columnheader(1)\nunset label\n",
+		      to);
+
 		fprintf(to, "set title '%s, to a million'\n", scenes[s]);
-		put_marks(to, table, s);
-		fprintf(to,
-		        "plot for [k=0:3] $curves index %d + 2 * k using 1:2 lc rgb color[k + 1] pt shape[k + 1] ps 0.5, "
-		        "for [k=0:3] $curves index %d + 2 * k using 1:2 with lines dt 2 lc rgb color[k + 1]\nunset label\n",
-		        8 * s, 8 * s + 1);
+		fputs("set logscale xy\nset format '10^{%L}'\nset xrange [20:1.5e6]\nunset key\n", to);
+		put_crossovers(to, table, s, INFINITY);
+		put_estimates(to, table, s);
+		fputs("plot for [k=0:3] $curves index run(k) using 1:2 lc rgb color[k + 1] pt shape[k + 1], "
+		      "for [k=0:3] $curves index run(k) + 1 using 1:2 with lines dt 2 lc rgb color[k + 1]\nunset label\n",
+		      to);
 	}
 	fputs("unset multiplot\n", to);
 }
@@ -141,7 +160,7 @@ static void put_scene(FILE* to, const Table* table, int scene)
 		if (rows[k]->run)
 			fprintf(to, "set label '%s' at %g, 101 rotate left\n", text, places[k]);
 		else
-			fprintf(to, "set label 'not run: a step would take %s' at %g, 3 rotate left\n", text, places[k]);
+			fprintf(to, "set label 'not run: up to %s a step' at %g, 3 rotate left\n", text, places[k]);
 		if (k == 0 || rows[k]->bodies != rows[k - 1]->bodies)
 			first = places[k];
 		if (k + 1 == count || rows[k]->bodies != rows[k + 1]->bodies)
@@ -187,7 +206,7 @@ static int draw(const Table* table, const char* csv, int number)
 {
 	static const char* const terminals[][2] = {
 	    {"svg", "svg size 1200,900 background 'white'"},
-	    {"png", "pngcairo size 1800,1350 fontscale 1.4 linewidth 1.6"},
+	    {"png", "pngcairo size 1600,1200 fontscale 1.25 linewidth 1.4"},
 	};
 	char paths[2][1024];
 	for (int k = 0; k < 2; ++k)
