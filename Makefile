@@ -6,7 +6,7 @@ cores := $(shell nproc 2>/dev/null || echo 2)
 
 build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
 	pocl-opencl-icd
-test_packages := git clang libclang-rt-14-dev clang-format-14 libcmocka-dev
+test_packages := git clang libclang-rt-14-dev clang-format-14 libcmocka-dev gnuplot-nox
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'

@@ -52,6 +52,14 @@ static void put_curves(FILE* to, const Table* table)
 	fputs("EOD\n", to);
 }
 
+static bool has_scene(const Table* table, int scene)
+{
+	bool found = false;
+	for (int k = 0; k < table->count; ++k)
+		found = found || table->rows[k].scene == scene;
+	return found;
+}
+
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	for (int p = 0; p < FIGURE_PIPELINES; ++p)
@@ -101,6 +109,8 @@ static void put_figure5(FILE* to, const Table* table)
 	      to);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
+		if (!has_scene(table, s))
+			continue;
 		fprintf(to, "run(k) = %d + 2 * k\nset title '%s'\n", 4 * s * FIGURE_PIPELINES, scenes[s]);
 		fprintf(to, "unset logscale\nset format '%%g'\nset xrange [0:%d]\nset yrange [0:*]\n", AXIS);
 		put_crossovers(to, table, s, AXIS);
@@ -178,6 +188,8 @@ static void put_figure6(FILE* to, const Table* table)
 	      to);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
+		if (!has_scene(table, s))
+			continue;
 		put_scene(to, table, s);
 		fprintf(to, "set title '%s'\n", scenes[s]);
 		fputs(s ? "set lmargin at screen 0.5\nset rmargin at screen 0.86\n"
