@@ -199,6 +199,11 @@ int bench_command(const Options* options)
 		return figure_command(options, 5);
 	if (options->argument_count == 1 && strcmp(options->arguments[0], "figure6") == 0)
 		return figure_command(options, 6);
+	if (options->draw || options->limit > 0)
+	{
+		fprintf(stderr, "scree bench: --draw and --limit are for figure5 and figure6, one at a time\n");
+		return EXIT_BAD;
+	}
 	if (options->argument_count > 0)
 		return measure_all(&bench, options->arguments, options->argument_count);
 	char** names;

@@ -228,15 +228,17 @@ static int measure(Figure* figure, Curve* curve, Plan* plan, const Size* size)
 	return code;
 }
 
-// The curve on the CPU and the one on OpenCL of both pipelines; of a device that is not there none.
+// The curve on the CPU and the one on OpenCL of both pipelines; of a device that is not there none. --device cpu leaves out the
+// second.
 static int curves_of(const Options* options, Curve curves[2 * FIGURE_PIPELINES])
 {
 	scree_device devices[16];
 	int found = 0, far = 0;
-	if (scree_get_devices(devices, 16, &found) == SCREE_OK)
+	bool alone = options->device && strcmp(options->device, "cpu") == 0;
+	if (!alone && scree_get_devices(devices, 16, &found) == SCREE_OK)
 		for (int k = 0; k < found && k < 16; ++k)
 			far += strncmp(devices[k].name, "opencl", 6) == 0;
-	if (far == 0)
+	if (far == 0 && !alone)
 		fprintf(stderr, "scree bench: no curves of OpenCL: %s\n", scree_opencl_remedy());
 	bool named = options->device && strncmp(options->device, "opencl", 6) == 0;
 	const char* device = named ? options->device : "opencl";
@@ -315,9 +317,11 @@ int figure_command(const Options* options, int number)
 	if (options->draw)
 		return plot_figure(options->draw, number);
 	const char* csv = number == 5 ? "figure5.csv" : "figure6.csv";
-	if (options->setting_count > 0)
+	if (options->setting_count > 0 || options->pipeline != PIPELINE_SOFT)
 	{
-		fprintf(stderr, "scree bench: figure%d chooses its scenes itself: leave out --set\n", number);
+		fprintf(stderr,
+		        "scree bench: figure%d has its own scenes, and both pipelines: leave out --set and --pipeline\n",
+		        number);
 		return EXIT_BAD;
 	}
 	int code = write_csv(options, csv, number);
