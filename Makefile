@@ -7,7 +7,8 @@ cores := $(shell nproc 2>/dev/null || echo 2)
 build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
 	pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
-test_packages := $(view_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev
+test_packages := $(view_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
+	gnuplot-nox
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'

@@ -101,8 +101,8 @@ if [ "$frames" != none ]; then
 			timeout "$limit" $scree bench frames "$scene" --device "$where" --steps 150
 		done
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/frames.csv" || differ=1
-	# the rows are shared or copied, of a CPU's world or a GPU's: a scene has one picture and one hash
-	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort -u | wc -l)
+	# the rows are shared or copied, of a CPU's world or a GPU's: a scene has four rows, of one picture and one hash
+	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort | uniq -c | grep -c '^ *4 ')
 	[ "$pictures" = "$(echo $frames | wc -w)" ] || { echo "frames.csv: pictures differ, or are missing"; differ=1; }
 fi
 if [ "${CURVES:-no}" = yes ]; then

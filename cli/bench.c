@@ -8,7 +8,6 @@
 #include "record.h"
 #include <inttypes.h>
 #include <stdlib.h>
-#include <string.h>
 
 // Steps at the start of each run whose time does not count: kernels are built, buffers grow, threads wake up.
 #define WARM_UP 2
@@ -194,8 +193,6 @@ static int measure_all(Bench* bench, char** names, int count)
 
 int bench_command(const Options* options)
 {
-	if (options->argument_count == 2 && strcmp(options->arguments[0], "frames") == 0)
-		return frames_command(options, options->arguments[1]);
 	Bench bench = {.options = options};
 	if (options->argument_count > 0)
 		return measure_all(&bench, options->arguments, options->argument_count);

@@ -9,14 +9,14 @@ int hash_command(const Options* options);
 int scenes_command(const Options* options);
 int devices_command(const Options* options);
 int bench_command(const Options* options);
+int frames_command(const Options* options);  // bench frames
+int figure5_command(const Options* options); // bench figure5
+int figure6_command(const Options* options);
 int whole_command(const Options* options, Scene** scenes, int count); // of bench
 
 int view_command(const Options* options);
 
 // The keys of the window; nothing in a build without.
 void print_view_help(FILE* file);
-
-// bench frames SCENE
-int frames_command(const Options* options, const char* scene);
 
 #endif

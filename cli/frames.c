@@ -122,9 +122,9 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	return code;
 }
 
-int frames_command(const Options* options, const char* name)
+int frames_command(const Options* options)
 {
-	Scene* scene = open_scene(options, name);
+	Scene* scene = open_scene(options, options->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
 	int steps = options->steps > 0 ? options->steps : scene->steps;
@@ -158,10 +158,9 @@ int frames_command(const Options* options, const char* name)
 	return code;
 }
 #else
-int frames_command(const Options* options, const char* name)
+int frames_command(const Options* options)
 {
 	(void)options;
-	(void)name;
 	fprintf(stderr, "scree bench: this build draws no frames: install libepoxy-dev (Debian, Ubuntu) and build again\n");
 	return EXIT_FAILED;
 }

@@ -12,9 +12,15 @@ static const struct
 	int low, high; // how many arguments it takes
 	int (*function)(const Options* options);
 } commands[] = {
-    {"run", RUN, 1, 1, run_command},          {"hash", HASH, 1, 1, hash_command},
-    {"scenes", SCENES, 0, 0, scenes_command}, {"devices", DEVICES, 0, 0, devices_command},
-    {"bench", BENCH, 0, 1000, bench_command}, {"view", VIEW, 0, 1, view_command},
+    {"run", RUN, 1, 1, run_command},
+    {"hash", HASH, 1, 1, hash_command},
+    {"scenes", SCENES, 0, 0, scenes_command},
+    {"devices", DEVICES, 0, 0, devices_command},
+    {"view", VIEW, 0, 1, view_command},
+    {"bench frames", FRAMES, 1, 1, frames_command},
+    {"bench figure5", FIGURE, 0, 0, figure5_command},
+    {"bench figure6", FIGURE, 0, 0, figure6_command},
+    {"bench", BENCH, 0, 1000, bench_command},
 };
 
 // The file that is running; scenes may lie beside it.
@@ -27,21 +33,34 @@ static const char* executable_path(const char* first_word, char* text, size_t si
 	return text;
 }
 
+// How many words, from words[1] on, are the command's name; 0 if they are not.
+static int match(const char* name, int count, char** words)
+{
+	size_t first = strcspn(name, " ");
+	if (strlen(words[1]) != first || strncmp(words[1], name, first) != 0)
+		return 0;
+	if (!name[first])
+		return 1;
+	return count > 2 && strcmp(words[2], name + first + 1) == 0 ? 2 : 0;
+}
+
 static int run_named(int count, char** words, const char* executable)
 {
 	for (size_t k = 0; k < sizeof commands / sizeof commands[0]; ++k)
 	{
-		if (strcmp(words[1], commands[k].name) != 0)
+		int named = match(commands[k].name, count, words);
+		if (named == 0)
 			continue;
-		Options options = {.executable = executable, .command = commands[k].command, .device = "auto"};
+		Options options = {.executable = executable, .command = commands[k].command, .name = commands[k].name};
+		options.device = "auto";
 		options.width = 1600;
 		options.height = 900;
 		options.repeats = 3;
-		if (!options_read(&options, count - 1, words + 1))
+		if (!options_read(&options, count - named, words + named))
 			return EXIT_BAD;
 		if (options.argument_count < commands[k].low || options.argument_count > commands[k].high)
 		{
-			fprintf(stderr, "scree %s: %d arguments, takes %s\n", words[1], options.argument_count,
+			fprintf(stderr, "scree %s: %d arguments, takes %s\n", commands[k].name, options.argument_count,
 			        commands[k].high == 0 ? "none" : "one scene");
 			return EXIT_BAD;
 		}

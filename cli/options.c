@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WORLDS (RUN | HASH | BENCH | VIEW) // commands that make worlds
+#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | FIGURE) // commands that make worlds
+#define ALL    (WORLDS | SCENES | DEVICES)
 
 static const struct
 {
@@ -17,42 +18,44 @@ static const struct
 	int commands;      // bits of Command
 	const char* help;
 } table[] = {
-    {"steps", 'n', "N", RUN | HASH | BENCH, "steps to take; without it as many as the scene says"},
+    {"steps", 'n', "N", RUN | HASH | BENCH | FRAMES | FIGURE, "steps to take; without it as many as the scene says"},
     {"device", 'd', "NAME", WORLDS, "auto, cpu, opencl, or opencl:NAME with part of a device's name"},
     {"threads", 't', "N", WORLDS, "CPU threads, 1 to 64; without it one a core"},
     {"lanes", 'l', "N", WORLDS, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is"},
     {"pipeline", 'P', "NAME", RUN | HASH | BENCH, "soft: the soft step solver; paper: the paper's, on one thread"},
     {"allow-unequal-bits", 'u', NULL, WORLDS, "use a device that cannot keep the promise of equal bits"},
-    {"set", 's', "NAME=VALUE", WORLDS, "give a parameter of the scene another value; may be repeated"},
+    {"set", 's', "NAME=VALUE", WORLDS & ~FIGURE, "give a parameter of the scene another value; may be repeated"},
     {"picture", 'p', "FILE.png", RUN, "draw the end state"},
     {"video", 'v', "FILE.mp4", RUN, "60 frames a second of the world's time, through ffmpeg"},
-    {"size", 'S', "WxH", RUN | BENCH | VIEW, "pixels of picture, video, frames and window, 1600x900 without it"},
+    {"size", 'S', "WxH", RUN | FRAMES | VIEW, "pixels of picture, video, frames and window, 1600x900 without it"},
     {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it"},
     {"paint", 'a', "NAME", RUN | VIEW, "with gl: color bodies by attribute, speed or graph (colors of the solver)"},
     {"layers", 'L', "NAME,...", RUN | VIEW, "with gl: boxes, contacts, normals, impulses, velocities over the bodies"},
     {"script", 'x', "FILE", VIEW, "what a user would do, one thing a line: docs/view.md"},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds"},
-    {"repeats", 'r', "N", BENCH, "runs of each scene, 3 without it"},
+    {"repeats", 'r', "N", BENCH | FIGURE, "runs of each scene, 3 without it"},
     {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md"},
     {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench, whose hashes must come out again"},
+    {"limit", 'm', "N", FIGURE, "most bodies, a million without it"},
+    {"draw", 'D', "FILE.csv", FIGURE, "draw what an earlier bench measured"},
     {"names", 'N', NULL, SCENES, "names alone, one a line"},
-    {"help", 'h', NULL, RUN | HASH | SCENES | DEVICES | BENCH | VIEW, "this text"},
+    {"help", 'h', NULL, ALL, "this text"},
 };
 #define OPTION_COUNT (int)(sizeof table / sizeof table[0])
 
 static const struct
 {
 	Command command;
-	const char* name;
-	const char* arguments;
-	const char* help;
+	const char *name, *usage, *help;
 } commands[] = {
-    {RUN, "run", "SCENE|FILE", "simulate, with a table of results at the end"},
-    {VIEW, "view", "[SCENE|FILE]", "open a window on a scene, pile without a name"},
-    {HASH, "hash", "SCENE|FILE --steps N", "simulate and print the world's hash, 16 digits, alone"},
-    {SCENES, "scenes", "", "list the scenes with their parameters"},
-    {DEVICES, "devices", "", "list the devices and whether they keep the promise of equal bits"},
-    {BENCH, "bench", "[SCENE|FILE]...", "measure scenes (all without a name), CSV; frames SCENE: drawn"},
+    {RUN, "run", "run SCENE|FILE", "simulate, with a table of results at the end"},
+    {VIEW, "view", "view [SCENE|FILE]", "open a window on a scene, pile without a name"},
+    {HASH, "hash", "hash SCENE|FILE --steps N", "simulate and print the world's hash, 16 digits, alone"},
+    {SCENES, "scenes", "scenes", "list the scenes with their parameters"},
+    {DEVICES, "devices", "devices", "list the devices and whether they keep the promise of equal bits"},
+    {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
+    {FRAMES, "frames", "bench frames SCENE|FILE", "measure steps that are drawn: docs/share.md"},
+    {FIGURE, "figures", "bench figure5|figure6", "measure and draw the paper's figures: docs/paper.md"},
 };
 #define COMMAND_COUNT (int)(sizeof commands / sizeof commands[0])
 
@@ -67,11 +70,7 @@ void print_help(FILE* file)
 {
 	fprintf(file, "scree %s -- 2D rigid bodies, the same bits on every device\n\n", scree_version());
 	for (int k = 0; k < COMMAND_COUNT; ++k)
-	{
-		char usage[64];
-		snprintf(usage, sizeof usage, "%s %s", commands[k].name, commands[k].arguments);
-		fprintf(file, "  scree %-28s %s\n", usage, commands[k].help);
-	}
+		fprintf(file, "  scree %-28s %s\n", commands[k].usage, commands[k].help);
 	fprintf(file, "  scree %-28s %s\n\n", "help", "this text; --version prints the version");
 	for (int k = 0; k < OPTION_COUNT; ++k)
 	{
@@ -93,16 +92,6 @@ void print_help(FILE* file)
 	        "invalid, 2 bad arguments or a bad scene.\n");
 }
 
-static const char* command_name(Command command)
-{
-	for (int k = 0; k < COMMAND_COUNT; ++k)
-	{
-		if (commands[k].command == command)
-			return commands[k].name;
-	}
-	return "";
-}
-
 static bool read_int(const Options* options, const char* name, const char* text, int low, int high, int* number)
 {
 	char* end;
@@ -112,8 +101,7 @@ static bool read_int(const Options* options, const char* name, const char* text,
 		*number = (int)value;
 		return true;
 	}
-	fprintf(stderr, "scree %s: --%s %s: must be a whole number from %d to %d\n", command_name(options->command), name,
-	        text, low, high);
+	fprintf(stderr, "scree %s: --%s %s: must be a whole number from %d to %d\n", options->name, name, text, low, high);
 	return false;
 }
 
@@ -128,7 +116,7 @@ static bool read_lanes(Options* options, const char* text)
 			return true;
 		}
 	}
-	fprintf(stderr, "scree %s: --lanes %s: must be 1, 4, 8 or 16\n", command_name(options->command), text);
+	fprintf(stderr, "scree %s: --lanes %s: must be 1, 4, 8 or 16\n", options->name, text);
 	return false;
 }
 
@@ -142,7 +130,7 @@ static bool read_pipeline(Options* options, const char* text)
 			return true;
 		}
 	}
-	fprintf(stderr, "scree %s: --pipeline %s: must be one of", command_name(options->command), text);
+	fprintf(stderr, "scree %s: --pipeline %s: must be one of", options->name, text);
 	for (int k = 0; k < PIPELINE_COUNT; ++k)
 		fprintf(stderr, " %s", pipelines[k].name);
 	fprintf(stderr, "\n");
@@ -154,12 +142,12 @@ static bool read_setting(Options* options, char* text)
 	char* equals = strchr(text, '=');
 	if (!equals || equals == text || !equals[1])
 	{
-		fprintf(stderr, "scree %s: --set %s: must be NAME=VALUE\n", command_name(options->command), text);
+		fprintf(stderr, "scree %s: --set %s: must be NAME=VALUE\n", options->name, text);
 		return false;
 	}
 	if (options->setting_count == MAX_SETTINGS)
 	{
-		fprintf(stderr, "scree %s: --set may be repeated %d times\n", command_name(options->command), MAX_SETTINGS);
+		fprintf(stderr, "scree %s: --set may be repeated %d times\n", options->name, MAX_SETTINGS);
 		return false;
 	}
 	*equals = 0;
@@ -173,7 +161,7 @@ static bool read_size(Options* options, const char* text)
 	if (sscanf(text, "%5dx%5d%c", &options->width, &options->height, &extra) == 2 && options->width >= 64 &&
 	    options->height >= 64 && options->width <= 16384 && options->height <= 16384)
 		return true;
-	fprintf(stderr, "scree %s: --size %s: must be WxH, each 64 to 16384\n", command_name(options->command), text);
+	fprintf(stderr, "scree %s: --size %s: must be WxH, each 64 to 16384\n", options->name, text);
 	return false;
 }
 
@@ -227,6 +215,11 @@ static bool read_option(Options* options, char letter, char* value)
 	case 'c':
 		options->csv = value;
 		return true;
+	case 'm':
+		return read_int(options, "limit", value, 1, 1000000000, &options->limit);
+	case 'D':
+		options->draw = value;
+		return true;
 	case 'k':
 		options->known = value;
 		return true;
@@ -259,7 +252,7 @@ bool options_read(Options* options, int count, char** words)
 	}
 	longs[OPTION_COUNT] = (struct option){0};
 
-	const char* command = command_name(options->command);
+	const char* command = options->name;
 	opterr = 0;
 	for (;;)
 	{

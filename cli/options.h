@@ -20,6 +20,8 @@ typedef enum // bits, so that an option can belong to several
 	DEVICES = 8,
 	BENCH = 16,
 	VIEW = 32,
+	FRAMES = 64,  // bench frames
+	FIGURE = 128, // bench figure5, bench figure6
 } Command;
 
 typedef enum
@@ -32,7 +34,8 @@ typedef struct
 {
 	const char* executable;
 	Command command;
-	int steps; // 0: as many as the scene says
+	const char* name; // of the command, as the user wrote it
+	int steps;        // 0: as many as the scene says
 	const char* device;
 	int threads, lanes; // 0: as many as there are
 	PipelineChoice pipeline;
@@ -43,6 +46,8 @@ typedef struct
 	const char* script;                    // null: none
 	int width, height;                     // px
 	int repeats;
+	int limit;         // of bodies in a figure; 0: as far as it goes
+	const char* draw;  // CSV of a figure; null: measure
 	const char* known; // null: no hash is known
 	bool names, whole;
 	SceneSetting settings[MAX_SETTINGS];

@@ -17,6 +17,7 @@ typedef struct
 static const SmallScene small_scenes[] = {
     {"billiards", 300, {{"rack", "10"}}},
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
+    {"drift", 160, {{"boxes", "400"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
     {"pyramid", 120, {{"rows", "24"}}},

@@ -180,5 +180,62 @@ grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
+# the paper's figures
+expect 0 'figure5|figure6' bench --help
+columns=scene,settings,pipeline,device,threads,bodies,contacts,steps,repeats,ms_step,ms_least,ms_most
+stages=,ms_to_device,ms_from_device,ms_integrate,ms_transform,ms_detect,ms_resolve
+stages+=,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
+tiny=(--steps 3 --repeats 1)
+devices=$("$scree" devices | grep -cE '^(cpu$|opencl:)')
+expect 0 '' bench figure5 "${tiny[@]}" --limit 50
+[ "$(head -n 1 figure5.csv)" = "$columns,penetration,hash" ] || fail "bench figure5: another heading"
+[ "$devices" = 1 ] || devices=2
+[ "$(grep -cE '^drift,.*,[0-9a-f]{16}$' figure5.csv)" = $((4 * devices)) ] || fail "bench figure5: not a row a curve and size"
+awk -F, '{ exit !(NF == 14) }' figure5.csv || fail "bench figure5: not a column for each name"
+if [ "$devices" = 1 ]; then
+	grep -q 'no curves of OpenCL' err || fail "bench figure5: does not say what is missing"
+	grep -qE "crossover|faster" out && fail "bench figure5: a crossover of one device"
+else
+	[ "$(grep -cE ': (no crossover|OpenCL is faster than the CPU from [0-9]+ bodies on)$' out)" = 4 ] ||
+		fail "bench figure5: not a crossover of each curve, or none"
+fi
+expect 0 '' bench figure5 "${tiny[@]}" --limit 25 --device cpu
+[ "$(grep -c '^drift,' figure5.csv)" = 2 ] || fail "bench figure5 --device cpu: other curves"
+grep -qE "crossover|faster" out && fail "bench figure5 --device cpu: a crossover"
+expect 0 '' bench figure6 "${tiny[@]}" --limit 100
+[ "$(head -n 1 figure6.csv)" = "$columns$stages,penetration,hash" ] || fail "bench figure6: another heading"
+grep -qE "crossover|faster" out && fail "bench figure6: a crossover"
+if command -v gnuplot >/dev/null; then
+	for figure in figure5 figure6; do
+		grep -q '</svg>' $figure.svg || fail "bench $figure: no SVG"
+		[ "$(head -c 4 $figure.png | tail -c 3)" = PNG ] || fail "bench $figure: not a PNG"
+	done
+fi
+mkdir empty
+env PATH="$scratch/empty" "$scree" bench figure6 --draw figure6.csv >out 2>err || fail "bench --draw without gnuplot: a failure"
+grep -q 'figure6.csv is not drawn.*gnuplot-nox' err || fail "bench --draw without gnuplot: no remedy"
+
+# drawn from rows alone: costs of 1 and 4 ms at 100 bodies, 4 and 1 at 400, cross half way on a logarithmic axis
+{
+	echo "$columns,penetration,hash"
+	for row in cpu,1,100,3,9,1,1 'opencl:A GPU,0,100,3,9,1,4' cpu,1,400,3,9,1,4 'opencl:A GPU,0,400,3,9,1,1'; do
+		echo "drift,,scree,$row,1,1,0,0123456789abcdef"
+	done
+} >cross.csv
+expect 0 'drift, scree: OpenCL is faster than the CPU from 200 bodies on' bench figure5 --draw cross.csv
+[ "$(wc -l <out)" -le 2 ] || fail "bench --draw: crossovers of curves that are not there"
+refuse 2 'cannot read nothing.csv' bench figure5 --draw nothing.csv
+printf 'scene,steps\nmoon,3\n' >cross.csv
+refuse 2 'cross.csv: line 2 is not a row of a figure' bench figure5 --draw cross.csv
+refuse 2 'scree bench figure5: takes no --set' bench figure5 --set rows=3
+refuse 2 'scree bench figure6: takes no --pipeline' bench figure6 --pipeline paper
+refuse 2 '--limit 0: must be' bench figure5 --limit 0
+refuse 2 'scree bench: takes no --draw' bench pyramid --draw figure5.csv
+refuse 2 'scree bench: takes no --size' bench pyramid --size 320x200
+refuse 2 'scree bench frames: takes no --repeats' bench frames pyramid --repeats 2
+refuse 2 'takes one scene' bench frames
+rm figure5.csv && mkdir figure5.csv
+refuse 1 'cannot write figure5.csv' bench figure5 "${tiny[@]}" --limit 25
+
 echo "$failures failures"
 [ "$failures" = 0 ]

@@ -335,6 +335,7 @@ static void test_shipped(void** state)
 	    {"pyramid", 5051, 5051}, {"pyramids", 22020, 22020}, {"pile", 2003, 2003},          {"tumbler", 2026, 2029},
 	    {"smash", 9601, 9601},   {"dominoes", 661, 661},     {"billiards", 305, 305},       {"slope", 21, 21},
 	    {"washer", 2570, 2641},  {"shapes", 140, 140},       {"million", 1000112, 1000112}, {"storm", 20457, 20513},
+	    {"drift", 2504, 2504},
 	};
 	char** names;
 	int count = scene_list(NULL, &names);

@@ -5,7 +5,7 @@ set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
 [ -x "$scree" ] || { echo "skipped: no command line was built"; exit 77; }
-if "$scree" view 2>&1 | grep -q 'this build has no viewer'; then
+if ! "$scree" view --help | grep -q 'keys of scree view'; then
 	echo "skipped: this build has no viewer: libglfw3-dev, libimgui-dev or libepoxy-dev is missing"
 	exit 77
 fi
@@ -169,44 +169,92 @@ await paused
 print
 await running
 await holding
+print
+frames 20
 await free
 print
 await paused
 print
 END
-"$scree" view "${small[@]}" --device cpu --size 800x600 --script script >out 2>err &
+timeout 120 "$scree" view "${small[@]}" --device cpu --size 800x600 --script script >out 2>err &
 viewer=$!
 window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
-for _ in $(seq 200); do
-	[ -s out ] && break
-	sleep 0.1
-done
+# printed N: waits for so many lines, and so for the frame that has seen what was done before
+printed()
+{
+	for _ in $(seq 300); do
+		[ "$(wc -l <out)" = "$1" ] && return
+		sleep 0.1
+	done
+	fail "events: line $1 is missing"
+}
 moved() { xdotool mousemove --window "$window" "$@"; }
+printed 1
 xdotool windowfocus "$window"
 moved 400 500 click 4 click 4 click 5 key space
-for _ in $(seq 200); do
-	[ "$(wc -l <out)" = 2 ] && break
-	sleep 0.1
-done
+printed 2
 xdotool key f key space
 moved 400 222 mousedown 1
-sleep 0.5
+printed 3
 moved 500 150
 sleep 0.5
 xdotool mouseup 1
-for _ in $(seq 200); do
-	[ "$(wc -l <out)" = 3 ] && break
-	sleep 0.1
-done
+printed 4
 moved 700 100 mousedown 1
 moved 650 100
 xdotool mouseup 1 key space
 wait $viewer || fail "events: exit code $?"
 [ "$(nth scale 2)" = 69.000 ] || fail "events: two turns of the wheel and one back are not 1.15"
-[ "$(nth steps 3)" -gt "$(nth steps 2)" ] || fail "events: space does not go on"
-[ "$(nth hash 3)" != "$("$scree" hash "${small[@]}" --steps "$(nth steps 3)" --device cpu)" ] ||
+[ "$(nth steps 4)" -gt "$(nth steps 2)" ] || fail "events: space does not go on"
+[ "$(nth hash 4)" != "$("$scree" hash "${small[@]}" --steps "$(nth steps 4)" --device cpu)" ] ||
 	fail "events: the hand has moved nothing"
-[ "$(nth middle 4)" != "$(nth middle 3)" ] || fail "events: the picture does not follow the mouse"
+[ "$(nth middle 5)" != "$(nth middle 4)" ] || fail "events: the picture does not follow the mouse"
+
+# the panel: a parameter and a paint of one name are two
+cat >script <<'END'
+frames 5
+print
+await paused
+print
+END
+timeout 120 "$scree" view billiards --device cpu --size 800x700 --script script >out 2>err &
+viewer=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+printed 1
+xdotool windowfocus "$window"
+moved 60 78 click --repeat 2 --delay 200 1 # the field "speed"
+xdotool key --delay 100 6 0 Return
+moved 115 480 click 1 # the paint "speed"
+moved 700 600 key --delay 100 space
+wait $viewer || fail "panel: exit code $?"
+says 'painted by speed'
+
+# a video ends when the window changes its size, and a tiny window spoils no camera
+if command -v ffmpeg >/dev/null; then
+	rm -f scree-*
+	view 0 "${small[@]}" <<'END'
+frames 2
+key v
+frames 10
+key space
+size 200 150
+frames 5
+key p
+key space
+frames 10
+size 10 10
+frames 5
+key f
+frames 2
+size 800 600
+frames 5
+key f
+print
+END
+	[ -s scree-1.mp4 ] || fail "a video in a window that changes its size is lost"
+	[ -s err ] && fail "a video in a window that changes its size: a complaint"
+	[ "$(nth scale 1)" = 60.000 ] || fail "a tiny window spoils the camera"
+fi
 
 # other sizes, also none
 view 0 "${small[@]}" <<'END'
@@ -231,6 +279,10 @@ frames 2
 dance
 END
 says 'script:2: "dance" cannot be done'
+view 2 "${small[@]}" <<<'device nothing'
+says '"device nothing" cannot be done: '
+view 2 "${small[@]}" <<<'wheel nan'
+view 2 "${small[@]}" <<<'cursor inf 0'
 view 2 nothing </dev/null
 says 'no scene is called "nothing"'
 view 1 "${small[@]}" <<<'picture nowhere/picture.png'

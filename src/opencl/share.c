@@ -58,9 +58,11 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory)
 			            way.create, opencl_error_name(error), (int)error);
 	}
 	scree_status status = finish(d);
-	if (d->shared.memory)
-		opencl.ReleaseMemObject(d->shared.memory);
-	d->shared = made;
+	cl_mem left = status == SCREE_OK ? d->shared.memory : made.memory;
+	if (left)
+		opencl.ReleaseMemObject(left);
+	if (status == SCREE_OK)
+		d->shared = made;
 	return status;
 }
 

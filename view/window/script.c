@@ -55,10 +55,10 @@ static void print_state(Viewer* v)
 	char sentence[SENTENCE];
 	uint64_t hash = play_hash(&v->play, sentence) ? v->play.hash : 0;
 	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64
-	       ", middle %.3f %.3f, scale %.3f, %s, %s rows, %.2f ms a frame\n",
+	       ", middle %.3f %.3f, scale %.3f, %s, painted by %s, %s rows, %.2f ms a frame\n",
 	       v->play.scene->name, v->play.counters.steps, v->play.counters.bodies, v->play.paused ? "paused" : "running",
 	       hash, (double)v->camera.middle.x, (double)v->camera.middle.y, (double)v->camera.scale,
-	       hand_holds(&v->hand) ? "holding" : "free", scree_sharing_name(v->share.how), (double)v->frame_ms);
+	       hand_holds(&v->hand) ? "holding" : "free", paint_names[v->style.paint], scree_sharing_name(v->share.how), (double)v->frame_ms);
 	fflush(stdout); // whoever sends events waits for it
 }
 

@@ -12,6 +12,7 @@
 #include <GLFW/glfw3.h>
 
 #define COARSE     4.0f  // px of Style.detail, where a processor draws
+#define MANY       5000  // rows
 #define LONGEST    0.03  // s of steps in a frame: a world that takes longer falls behind the clock
 #define NOTE_STAYS 5.0   // s
 #define SMOOTH     0.1f  // share of the last frame in what is shown
@@ -191,6 +192,7 @@ static void draw(Viewer* v)
 {
 	if (!fetch(v, &v->style))
 		return;
+	v->style.detail = v->renderer.software && v->share.count > MANY ? COARSE : 1.0f;
 	if (v->capture.video.pipe && video_due(&v->capture.video, v->capture.seconds) > 0)
 		record_frame(v);
 	draw_hold(v);
@@ -245,7 +247,6 @@ static bool open(Viewer* v, char* sentence)
 		return false;
 	if (!renderer_open(&v->renderer, sentence))
 		return false;
-	v->style.detail = v->renderer.software ? COARSE : 1.0f;
 	v->code = 2;
 	if (!play_open(&v->play, o, window_opengl(v), sentence))
 		return false;
