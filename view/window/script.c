@@ -58,7 +58,8 @@ static void print_state(Viewer* v)
 	       ", middle %.3f %.3f, scale %.3f, %s, painted by %s, %s rows, %.2f ms a frame\n",
 	       v->play.scene->name, v->play.counters.steps, v->play.counters.bodies, v->play.paused ? "paused" : "running",
 	       hash, (double)v->camera.middle.x, (double)v->camera.middle.y, (double)v->camera.scale,
-	       hand_holds(&v->hand) ? "holding" : "free", paint_names[v->style.paint], scree_sharing_name(v->share.how), (double)v->frame_ms);
+	       hand_holds(&v->hand) ? "holding" : "free", paint_names[v->style.paint], scree_sharing_name(v->share.how),
+	       (double)v->frame_ms);
 	fflush(stdout); // whoever sends events waits for it
 }
 
