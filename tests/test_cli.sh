@@ -24,7 +24,7 @@ expect()
 	"$scree" "$@" >out 2>err </dev/null
 	got=$?
 	[ "$got" = "$code" ] || fail "scree $*: exit code $got instead of $code"
-	cat out err | grep -qF -- "$text" || fail "scree $*: does not say \"$text\""
+	grep -qF -- "$text" out err || fail "scree $*: does not say \"$text\""
 }
 
 # refuse CODE TEXT words...: the same, and nothing stands on standard output

@@ -5,7 +5,7 @@ set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
 [ -x "$scree" ] || { echo "skipped: no command line was built"; exit 77; }
-if ! "$scree" view --help | grep -q 'keys of scree view'; then
+if ! grep -q 'keys of scree view' <<<"$("$scree" view --help)"; then
 	echo "skipped: this build has no viewer: libglfw3-dev, libimgui-dev or libepoxy-dev is missing"
 	exit 77
 fi
@@ -53,7 +53,7 @@ view()
 # says TEXT: in what the last one printed
 says()
 {
-	cat out err | grep -qF -- "$1" || fail "it does not say \"$1\""
+	grep -qF -- "$1" out err || fail "it does not say \"$1\""
 }
 
 # nth COLUMN LINE: of the lines that "print" has left
@@ -115,7 +115,7 @@ END
 [ "$(nth hash 1)" = "$(nth hash 2)" ] || fail "another hash after a restart"
 says 'scene billiards, steps 5'
 [ "$(nth hash 4)" = "$("$scree" hash billiards --steps 10 --device cpu)" ] || fail "another hash on device auto"
-if "$scree" devices | grep -q '^opencl'; then
+if grep -q '^opencl' <<<"$("$scree" devices)"; then
 	view 0 "${small[@]}" <<'END'
 frames 10
 device opencl
