@@ -31,7 +31,7 @@ extern const char* const figure_stages[FIGURE_STAGE_COUNT];
 extern const char* const figure_scenes[FIGURE_SCENES];       // drift, pyramids
 extern const char* const figure_pipelines[FIGURE_PIPELINES]; // paper, scree
 
-// Draws a CSV that figure_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the crossovers of figure 5.
+// Draws a CSV that figure5_command or figure6_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the crossovers of figure 5.
 // Returns an exit code; without gnuplot it says that nothing is drawn, and all is well.
 int plot_figure(const char* csv, int number);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // outputs.c -- what a run leaves beside its table: a picture, a video, a CSV file.
 #include "outputs.h"
+#include "scene/caption.h"
 #include <errno.h>
 #include <string.h>
 
@@ -70,14 +71,12 @@ int outputs_open(Outputs* outputs, Simulation* simulation)
 
 static int draw(Outputs* outputs, Simulation* simulation)
 {
-	char caption[256], device[192];
+	char caption[256];
 	scree_counters counters;
 	scree_status status = simulation->f->counters(simulation, &counters);
-	device_text(simulation, device, sizeof device);
 	if (status == SCREE_OK)
 	{
-		snprintf(caption, sizeof caption, "%.2f s   %d bodies   %d contacts   %s",
-		         (double)counters.steps * (double)simulation->scene->dt, counters.bodies, counters.contacts, device);
+		caption_text(simulation->scene, simulation->world, &counters, caption, sizeof caption);
 		status = artist_draw(outputs->artist, simulation, caption);
 	}
 	return report(status);

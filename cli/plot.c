@@ -3,6 +3,7 @@
 #include "options.h"
 #include "table.h"
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -221,6 +222,7 @@ static int draw(const Table* table, const char* csv, int number)
 	    {"png", "pngcairo size 1600,1200 fontscale 1.25 linewidth 1.4"},
 	};
 	char paths[2][1024];
+	signal(SIGPIPE, SIG_IGN); // gnuplot may end before it has read all
 	for (int k = 0; k < 2; ++k)
 	{
 		path_of(csv, terminals[k][0], paths[k], sizeof paths[k]);

@@ -2,6 +2,7 @@
 // run.c -- the commands that simulate one scene: run, with its table, and hash, with its 16 digits.
 #include "commands.h"
 #include "outputs.h"
+#include "scene/caption.h"
 #include <inttypes.h>
 #include <unistd.h>
 
@@ -63,7 +64,7 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 {
 	char device[192];
 	const scree_counters* c = &totals->last.counters;
-	device_text(simulation, device, sizeof device);
+	device_text(simulation->world, device, sizeof device);
 	printf("%-14s %s: %s\n", "scene", simulation->scene->name, simulation->scene->title);
 	printf("%-14s %s\n", "device", device);
 	printf("%-14s %d\n", "bodies", c->bodies);

@@ -108,17 +108,6 @@ void simulation_close(Simulation* simulation)
 	*simulation = (Simulation){0};
 }
 
-void device_text(const Simulation* simulation, char* text, size_t size)
-{
-	const char* name = scree_world_device(simulation->world);
-	int threads = scree_world_threads(simulation->world), lanes = scree_world_lanes(simulation->world);
-	if (threads > 0)
-		snprintf(text, size, "%s (%d thread%s, %d lane%s)", name, threads, threads == 1 ? "" : "s", lanes,
-		         lanes == 1 ? "" : "s");
-	else
-		snprintf(text, size, "%s", name);
-}
-
 double seconds_now(void)
 {
 	struct timespec now;

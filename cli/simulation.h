@@ -46,9 +46,6 @@ void simulation_close(Simulation* simulation);
 // Prints scree_error() and returns the exit code of a status.
 int report(scree_status status);
 
-// The device with its threads and lanes, "cpu (2 threads, 8 lanes)".
-void device_text(const Simulation* simulation, char* text, size_t size);
-
 // Seconds on a clock that only moves forward.
 double seconds_now(void);
 

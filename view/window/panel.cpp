@@ -2,6 +2,7 @@
 // panel.cpp -- what stands beside the picture: scenes, devices, times, switches; in C++, by Dear ImGui.
 extern "C" {
 #include "scene/aim.h"
+#include "scene/caption.h"
 #include "view/window/viewer.h"
 }
 #include "view/window/panel.h"
@@ -255,7 +256,7 @@ static void draw_keys(const ImVec2& size)
 static void draw_band(const Viewer* v, const ImVec2& size)
 {
 	char caption[256];
-	viewer_caption(v, caption, sizeof caption);
+	caption_text(v->play.scene, v->play.world, &v->play.counters, caption, sizeof caption);
 	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - CAPTION));
 	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);

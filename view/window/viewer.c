@@ -11,14 +11,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define COARSE     4.0f  // px of Style.detail, where a processor draws
-#define MANY       5000  // rows
 #define LONGEST    0.03  // s of steps in a frame: a world that takes longer falls behind the clock
 #define NOTE_STAYS 5.0   // s
 #define SMOOTH     0.1f  // share of the last frame in what is shown
 #define PAUSE      0.016 // s that a paused or minimized window waits for events
-
-static const Color thread = {187, 53, 44};
 
 void view_print_keys(FILE* file)
 {
@@ -33,18 +29,6 @@ void viewer_note(Viewer* v, const char* sentence)
 	if (sentence != v->note)
 		snprintf(v->note, sizeof v->note, "%s", sentence);
 	v->noted = glfwGetTime();
-}
-
-void viewer_caption(const Viewer* v, char* text, size_t size)
-{
-	const scree_counters* c = &v->play.counters;
-	char cpu[64] = "";
-	int threads = scree_world_threads(v->play.world), lanes = scree_world_lanes(v->play.world);
-	if (threads > 0)
-		snprintf(cpu, sizeof cpu, " (%d thread%s, %d lane%s)", threads, threads == 1 ? "" : "s", lanes,
-		         lanes == 1 ? "" : "s");
-	snprintf(text, size, "%.2f s   %d bodies   %d contacts   %s%s", (double)c->steps * (double)v->play.scene->dt,
-	         c->bodies, c->contacts, scree_world_device(v->play.world), cpu);
 }
 
 void viewer_fail(Viewer* v, const char* sentence)
@@ -103,45 +87,6 @@ bool viewer_move(Viewer* v, const char* device)
 	return moved;
 }
 
-// Everything that a style shows of the world as it is now. A world whose device failed ends the viewer.
-static bool fetch(Viewer* v, const Style* style)
-{
-	scree_status status = share_update(&v->share);
-	if (status == SCREE_OK && *v->share.sentence)
-		viewer_note(v, v->share.sentence);
-	if (status == SCREE_OK)
-		*v->share.sentence = 0;
-	if (status == SCREE_OK)
-		status = renderer_fetch(&v->renderer, style);
-	if (status != SCREE_OK)
-		viewer_fail(v, share_trouble(&v->share));
-	return status == SCREE_OK;
-}
-
-// Draws without the panel, as scree run does.
-static void draw_picture(Viewer* v, const Style* style)
-{
-	char caption[256];
-	viewer_caption(v, caption, sizeof caption);
-	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, style, v->play.scene->title, caption);
-}
-
-bool viewer_save(Viewer* v, const char* path)
-{
-	Style fine = v->style;
-	fine.detail = 1.0f;
-	bool good = capture_size(&v->capture, v->camera.width, v->camera.height, v->note);
-	if (good && !fetch(v, &fine))
-		return false;
-	if (good)
-	{
-		draw_picture(v, &fine);
-		good = capture_save(&v->capture, path, v->note);
-	}
-	viewer_note(v, v->note);
-	return good;
-}
-
 // Steps up to where the clock is, or one a frame for a script. A world that cannot go on ends the viewer.
 static void advance(Viewer* v, double seconds)
 {
@@ -166,51 +111,6 @@ static void advance(Viewer* v, double seconds)
 	}
 }
 
-static void draw_hold(Viewer* v)
-{
-	scree_vec anchor;
-	if (!hand_holds(&v->hand) || hand_anchor(&v->hand, &anchor) != SCREE_OK)
-		return;
-	strokes_add(&v->renderer.strokes, anchor, v->hand.at, 1.5f, thread, 200);
-	strokes_add(&v->renderer.strokes, anchor, anchor, 6.0f, thread, 255);
-}
-
-static void record_frame(Viewer* v)
-{
-	Style fine = v->style;
-	fine.detail = 1.0f;
-	bool same = capture_fits(&v->capture, v->camera.width, v->camera.height);
-	if (same)
-		draw_picture(v, &fine);
-	if (same && capture_frame(&v->capture))
-		return;
-	capture_end(&v->capture, v->note);
-	viewer_note(v, v->note);
-}
-
-static void draw(Viewer* v)
-{
-	if (!fetch(v, &v->style))
-		return;
-	v->style.detail = v->renderer.software && v->share.count > MANY ? COARSE : 1.0f;
-	if (v->capture.video.pipe && video_due(&v->capture.video, v->capture.seconds) > 0)
-		record_frame(v);
-	draw_hold(v);
-	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
-	panel_draw(v);
-	if (v->save_window)
-	{
-		v->save_window = false;
-		if (capture_size(&v->capture, v->camera.width, v->camera.height, v->note))
-		{
-			capture_window(&v->capture);
-			capture_save(&v->capture, NULL, v->note);
-		}
-		viewer_note(v, v->note);
-	}
-	glfwSwapBuffers(v->window);
-}
-
 static void frame(Viewer* v)
 {
 	int width, height;
@@ -232,7 +132,7 @@ static void frame(Viewer* v)
 	if (v->done || width == 0 || height == 0)
 		return;
 	camera_resize(&v->camera, width, height);
-	draw(v);
+	viewer_draw(v);
 }
 
 static bool open(Viewer* v, char* sentence)

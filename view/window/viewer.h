@@ -64,8 +64,8 @@ bool viewer_move(Viewer* viewer, const char* device);
 // Draws the picture without the panel and writes it; null for a new file.
 bool viewer_save(Viewer* viewer, const char* path);
 
-// Time, bodies, contacts, device: beside the title of a picture.
-void viewer_caption(const Viewer* viewer, char* text, size_t size);
+// view/window/draw.c: draws a frame. A world whose device failed ends the viewer.
+void viewer_draw(Viewer* viewer);
 
 // Tells the user, for some seconds.
 void viewer_note(Viewer* viewer, const char* sentence);

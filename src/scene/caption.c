@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// caption.c -- what is written beside the title of a picture.
+#include "scene/caption.h"
+
+void device_text(const scree_world* world, char* text, size_t size)
+{
+	const char* name = scree_world_device(world);
+	int threads = scree_world_threads(world), lanes = scree_world_lanes(world);
+	if (threads > 0)
+		snprintf(text, size, "%s (%d thread%s, %d lane%s)", name, threads, threads == 1 ? "" : "s", lanes,
+		         lanes == 1 ? "" : "s");
+	else
+		snprintf(text, size, "%s", name);
+}
+
+void caption_text(const Scene* scene, const scree_world* world, const scree_counters* counters, char* text, size_t size)
+{
+	char device[192];
+	device_text(world, device, sizeof device);
+	snprintf(text, size, "%.2f s   %d bodies   %d contacts   %s", (double)counters->steps * (double)scene->dt,
+	         counters->bodies, counters->contacts, device);
+}
