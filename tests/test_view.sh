@@ -30,7 +30,8 @@ done
 [ -s display ] || { echo "skipped: Xvfb does not start: $(tail -n 1 xvfb.log)"; exit 77; }
 export DISPLAY=":$(cat display)" LIBGL_ALWAYS_SOFTWARE=1
 printf 'RandomPlacement\nNoTitle\n' >twmrc
-twm -f twmrc >twm.log 2>&1 &
+LC_ALL=C twm -f twmrc >twm.log 2>&1 & # in other locales it wants fonts that a server may not have
+manager=$!
 
 fail()
 {
@@ -257,6 +258,7 @@ END
 fi
 
 # other sizes, also none
+kill -0 $manager || { cat twm.log; failures=$((failures + 1)); }
 view 0 "${small[@]}" <<'END'
 frames 2
 minimize
