@@ -80,6 +80,8 @@ expect 0 'pyramid' scenes --names
 expect 0 'equal bits' devices
 expect 0 'drawing     copied' devices
 head -n 1 out | grep -qx 'cpu' || fail "devices: the CPU is not the first"
+# where tests are to run on OpenCL, its absence must not pass for success
+[[ " ${SCREE_EXPECT:-} " != *" opencl "* ]] || grep -q '^opencl:' out || fail "devices: no OpenCL, which tests are to run on"
 mkdir own
 printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a"}]}' >own/ball.json
 SCREE_SCENES=own expect 0 'ball' scenes --names

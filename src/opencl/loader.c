@@ -13,6 +13,26 @@ static void* open_library(void) { return (void*)LoadLibraryA("OpenCL.dll"); }
 static void* find(void* library, const char* name) { return (void*)GetProcAddress((HMODULE)library, name); }
 #else
 #include <dlfcn.h>
+#ifdef __linux__
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+// PoCL asks hwloc for the machine's memory, and ends the process when hwloc has found none, as it does where no sysfs is
+// mounted: in some containers. There hwloc is told what sysconf knows.
+static void describe_machine(void)
+{
+	char text[96];
+	if (access("/sys/devices/system/cpu", F_OK) == 0)
+		return;
+	snprintf(text, sizeof text, "numa:1(memory=%lld) pu:%ld",
+	         (long long)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE), sysconf(_SC_NPROCESSORS_ONLN));
+	setenv("HWLOC_SYNTHETIC", text, 0);
+}
+#else
+static void describe_machine(void) {}
+#endif
+
 static void* open_library(void)
 {
 	static const char* const names[] = {
@@ -23,6 +43,7 @@ static void* open_library(void)
 	    "libOpenCL.so",
 #endif
 	};
+	describe_machine();
 	for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
 	{
 		void* library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
