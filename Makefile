@@ -23,9 +23,8 @@ run: build ## drop a pile of mixed shapes and make a picture of where they rest
 	@build/scree run pile --picture build/pile.png
 	@echo 'The picture is build/pile.png'
 
-view: ## open a window on a scene (SCENE=pile)
-	@tools/packages.sh $(view_packages)
-	@$(MAKE) --no-print-directory build
+view: build_packages += $(view_packages)
+view: build ## open a window on a scene (SCENE=pile)
 	@build/scree view $(or $(SCENE),pile)
 
 clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)

@@ -4,6 +4,7 @@
 // A GPU's clocks between kernels cost time themselves. So the repeats run without them and give ms_step; one more run,
 // with them, gives the stages. Its hash must be the same.
 #include "commands.h"
+#include "csv.h"
 #include "known.h"
 #include "record.h"
 #include <inttypes.h>
@@ -126,9 +127,7 @@ static void print_heading(const SimulationFunctions* f)
 
 static void print_row(const Bench* bench, const Scene* scene, Measurement* m, int steps, bool valid)
 {
-	// a comma in a driver's name must not make a column
-	for (char* c = m->device; *c; ++c)
-		*c = *c == ',' ? ' ' : *c;
+	csv_cell(m->device);
 	int count = m->count - m->staged;
 	const Record* staged = m->records + count;
 	const scree_counters* last = &m->records[count - 1].counters;

@@ -12,6 +12,7 @@
 // Both devices take equally many steps of a pipeline and size, and must leave the same hash.
 #include "figure.h"
 #include "commands.h"
+#include "csv.h"
 #include "record.h"
 #include <errno.h>
 #include <inttypes.h>
@@ -93,12 +94,23 @@ static Size choose_size(int scene, int bodies)
 	return best;
 }
 
+// The options with the settings of a size, whose values lie in text.
+static Options with_size(const Options* options, const Size* size, char text[3][16])
+{
+	Options sized = *options;
+	for (int k = 0; k < size->count; ++k)
+	{
+		snprintf(text[k], sizeof text[k], "%d", size->values[k]);
+		sized.settings[sized.setting_count++] = (SceneSetting){size->names[k], text[k]};
+	}
+	return sized;
+}
+
 static void print_row(Figure* figure, Curve* curve, const Simulation* simulation, const Plan* plan, const Rows* rows)
 {
 	const scree_counters* last = &rows->records[rows->count - 1].counters;
 	snprintf(curve->label, sizeof curve->label, "%s", scree_world_device(simulation->world));
-	for (char* c = curve->label; *c; ++c)
-		*c = *c == ',' ? ' ' : *c; // must not make a column
+	csv_cell(curve->label);
 	curve->ms = median(rows->records, rows->count, step_of, 0);
 	curve->bodies = last->bodies;
 	fprintf(figure->csv, "%s,%s,%s,%s,%d,%d,%.0f,%d,%d,%.4f,%.4f,%.4f", figure_scenes[figure->scene], figure->settings,
@@ -200,17 +212,11 @@ static int run_once(Figure* figure, Curve* curve, const Options* options, const 
 	return code;
 }
 
-static int measure(Figure* figure, Curve* curve, Plan* plan, const Size* size)
+static int measure(Figure* figure, Curve* curve, Plan* plan, const Options* sized)
 {
-	char values[3][16];
-	Options options = *figure->options;
+	Options options = *sized;
 	options.pipeline = curve->pipeline;
 	options.device = curve->device;
-	for (int k = 0; k < size->count; ++k)
-	{
-		snprintf(values[k], sizeof values[k], "%d", size->values[k]);
-		options.settings[options.setting_count++] = (SceneSetting){size->names[k], values[k]};
-	}
 	Scene* scene = open_scene(&options, figure_scenes[figure->scene]);
 	if (!scene)
 		return EXIT_BAD;
@@ -261,10 +267,9 @@ static int measure_scene(Figure* figure, const int* sizes, int size_count)
 	{
 		Size size = choose_size(figure->scene, sizes[k]);
 		Plan plan = {0};
-		figure->settings[0] = 0;
-		for (int n = 0; n < size.count; ++n)
-			snprintf(figure->settings + strlen(figure->settings), sizeof figure->settings - strlen(figure->settings),
-			         "%s%s=%d", n > 0 ? " " : "", size.names[n], size.values[n]);
+		char values[3][16];
+		Options sized = with_size(figure->options, &size, values);
+		settings_text(&sized, figure->settings, sizeof figure->settings);
 		for (int c = 0; c < count && code == EXIT_GOOD && size.bodies > before; ++c)
 		{
 			if (c > 0 && curves[c].pipeline != curves[c - 1].pipeline)
@@ -274,7 +279,7 @@ static int measure_scene(Figure* figure, const int* sizes, int size_count)
 			if (curves[c].ended)
 				print_estimate(figure, &curves[c], size.bodies, expected);
 			else
-				code = measure(figure, &curves[c], &plan, &size);
+				code = measure(figure, &curves[c], &plan, &sized);
 		}
 		before = size.bodies;
 	}

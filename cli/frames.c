@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // frames.c -- scree bench frames: steps drawn a second, with rows shared with OpenGL and with rows copied.
 #include "commands.h"
-#include "simulation.h"
+#include "record.h"
 #include <inttypes.h>
-#include <string.h>
 
 #ifdef SCREE_HAVE_VIEW
+#include "csv.h"
 #include "view/offscreen.h"
 #include "view/renderer.h"
 #include "view/shader.h"
@@ -22,33 +22,13 @@ typedef struct // medians of a run, ms, and hashes at its end
 	uint64_t picture, world;
 } Frames;
 
-static int ascending(const void* a, const void* b)
-{
-	double x = *(const double*)a, y = *(const double*)b;
-	return (x > y) - (x < y);
-}
-
-static double median_of(double* times, int count)
-{
-	qsort(times, (size_t)count, sizeof *times, ascending);
-	return times[count / 2];
-}
-
-// a comma in a driver's name must not make a column
-static void without_commas(const char* name, char* text, size_t size)
-{
-	snprintf(text, size, "%s", name);
-	for (; *text; ++text)
-		*text = *text == ',' ? ' ' : *text;
-}
-
 static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen, Share* share, Renderer* renderer,
                              int steps, double* times[4])
 {
 	const Scene* scene = simulation->scene;
 	const Style style = {.detail = 1.0f};
 	Camera camera;
-	camera_fit(&camera, scene->has_view ? scene->view : renderer->look.box, offscreen->width, offscreen->height);
+	camera_fit(&camera, look_view(&renderer->look, scene), offscreen->width, offscreen->height);
 	for (int k = 0; k < steps; ++k)
 	{
 		double begin = seconds_now();
@@ -111,8 +91,10 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	if (code == EXIT_GOOD)
 	{
 		char device[160], drawer[128];
-		without_commas(scree_world_device(simulation.world), device, sizeof device);
-		without_commas(offscreen->renderer, drawer, sizeof drawer);
+		snprintf(device, sizeof device, "%s", scree_world_device(simulation.world));
+		snprintf(drawer, sizeof drawer, "%s", offscreen->renderer);
+		csv_cell(device);
+		csv_cell(drawer);
 		printf("%s,%s,%s,%s,%dx%d,%d,%.4f,%.4f,%.4f,%.1f,%016" PRIx64 ",%016" PRIx64 "\n", scene->name, device, drawer,
 		       scree_sharing_name(frames->how), offscreen->width, offscreen->height, steps, frames->step, frames->rows,
 		       frames->draw, 1e3 / frames->frame, frames->picture, frames->world);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // known.c -- hashes that an earlier bench left, which must come out again.
 #include "known.h"
+#include "csv.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define LINE  2048 // bytes of the longest line
-#define CELLS 64   // of the longest row
 
 enum
 {
@@ -19,39 +17,26 @@ enum
 };
 static const char* const names[COLUMNS] = {"scene", "settings", "steps", "hash"};
 
-// Cuts a line at its commas. Cells behind the last that there is are empty.
-static void cut(char* line, char* cells[CELLS])
-{
-	line[strcspn(line, "\r\n")] = 0;
-	for (int k = 0; k < CELLS; ++k)
-	{
-		cells[k] = line;
-		line += strcspn(line, ",");
-		if (*line)
-			*line++ = 0;
-	}
-}
-
 static bool find_columns(char* line, int columns[COLUMNS])
 {
-	char* cells[CELLS];
+	char* cells[CSV_CELLS];
 	int found = 0;
-	cut(line, cells);
+	csv_cut(line, cells);
 	for (int column = 0; column < COLUMNS; ++column)
 	{
 		int k = 0;
-		while (k < CELLS && strcmp(cells[k], names[column]) != 0)
+		while (k < CSV_CELLS && strcmp(cells[k], names[column]) != 0)
 			++k;
 		columns[column] = k;
-		found += k < CELLS;
+		found += k < CSV_CELLS;
 	}
 	return found == COLUMNS;
 }
 
 static bool read_row(char* line, const int columns[COLUMNS], KnownRow* row)
 {
-	char *cells[CELLS], extra;
-	cut(line, cells);
+	char *cells[CSV_CELLS], extra;
+	csv_cut(line, cells);
 	const char *scene = cells[columns[COLUMN_SCENE]], *settings = cells[columns[COLUMN_SETTINGS]];
 	if (strlen(scene) >= sizeof row->scene || strlen(settings) >= sizeof row->settings)
 		return false;
@@ -63,7 +48,7 @@ static bool read_row(char* line, const int columns[COLUMNS], KnownRow* row)
 
 static int read_rows(FILE* file, const char* path, Known* known)
 {
-	char line[LINE];
+	char line[CSV_LINE];
 	int columns[COLUMNS];
 	if (!fgets(line, sizeof line, file) || !find_columns(line, columns))
 	{
@@ -124,14 +109,4 @@ bool known_find(const Known* known, const char* scene, const char* settings, int
 		}
 	}
 	return false;
-}
-
-void settings_text(const Options* options, char* text, size_t size)
-{
-	text[0] = 0;
-	for (int k = 0; k < options->setting_count; ++k)
-		snprintf(text + strlen(text), size - strlen(text), "%s%s=%s", k > 0 ? " " : "", options->settings[k].name,
-		         options->settings[k].value);
-	for (char* c = text; *c; ++c)
-		*c = *c == ',' ? ' ' : *c;
 }

@@ -25,7 +25,4 @@ void known_close(Known* known);
 // The hash of a scene with these settings after so many steps. Returns false when it is not known.
 bool known_find(const Known* known, const char* scene, const char* settings, int steps, uint64_t* hash);
 
-// What --set gave, "columns=2 rows=3"; fit for a column.
-void settings_text(const Options* options, char* text, size_t size);
-
 #endif

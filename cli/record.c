@@ -39,6 +39,12 @@ static int compare_doubles(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
+double median_of(double* values, int count)
+{
+	qsort(values, (size_t)count, sizeof(double), compare_doubles);
+	return (values[(count - 1) / 2] + values[count / 2]) / 2;
+}
+
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument)
 {
 	double* values = malloc((size_t)count * sizeof(double));
@@ -49,8 +55,7 @@ double median(const Record* records, int count, double (*value)(const Record* re
 	}
 	for (int k = 0; k < count; ++k)
 		values[k] = value(&records[k], argument);
-	qsort(values, (size_t)count, sizeof(double), compare_doubles);
-	double middle = (values[(count - 1) / 2] + values[count / 2]) / 2;
+	double middle = median_of(values, count);
 	free(values);
 	return middle;
 }

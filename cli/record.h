@@ -19,6 +19,9 @@ scree_status record_step(Simulation* simulation, Record* record);
 // The deepest overlap of all records, m.
 float deepest(const Record* records, int count);
 
+// The median of at least one value, which it puts in order.
+double median_of(double* values, int count);
+
 // The median of a value over records.
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
 

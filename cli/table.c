@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // table.c -- the rows of a figure's CSV, and where its curves cross.
 #include "table.h"
-#include "options.h"
+#include "csv.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define LINE  2048 // bytes of the longest line
-#define CELLS 64   // of the longest row
 
 static int place_of(const char* name, const char* const* names, int count)
 {
@@ -19,22 +16,7 @@ static int place_of(const char* name, const char* const* names, int count)
 	return k < count ? k : -1;
 }
 
-// Cuts a line at its commas and returns how many cells there are.
-static int cut(char* line, const char* cells[CELLS])
-{
-	int count = 0;
-	line[strcspn(line, "\r\n")] = 0;
-	for (bool more = true; more && count < CELLS; ++count)
-	{
-		cells[count] = line;
-		line += strcspn(line, ",");
-		more = *line != 0;
-		*line++ = 0;
-	}
-	return count;
-}
-
-static bool read_row(const char* const* heads, const char* const* cells, int count, Row* row)
+static bool read_row(char* const* heads, char* const* cells, int count, Row* row)
 {
 	const char* threads = "";
 	*row = (Row){.scene = -1, .pipeline = -1};
@@ -69,18 +51,18 @@ static bool read_row(const char* const* heads, const char* const* cells, int cou
 
 int table_read(const char* csv, Table* table)
 {
-	char head_line[LINE], line[LINE];
-	const char *heads[CELLS], *cells[CELLS];
+	char head_line[CSV_LINE], line[CSV_LINE];
+	char *heads[CSV_CELLS], *cells[CSV_CELLS];
 	FILE* file = fopen(csv, "r");
 	if (!file)
 	{
 		fprintf(stderr, "scree bench: cannot read %s: %s\n", csv, strerror(errno));
 		return EXIT_BAD;
 	}
-	int columns = fgets(head_line, sizeof head_line, file) ? cut(head_line, heads) : 0, code = EXIT_GOOD;
+	int columns = fgets(head_line, sizeof head_line, file) ? csv_cut(head_line, heads) : 0, code = EXIT_GOOD;
 	for (int number = 2; code == EXIT_GOOD && fgets(line, sizeof line, file); ++number)
 	{
-		if (table->count < MAX_ROWS && cut(line, cells) == columns &&
+		if (table->count < MAX_ROWS && csv_cut(line, cells) == columns &&
 		    read_row(heads, cells, columns, &table->rows[table->count]))
 			++table->count;
 		else

@@ -196,6 +196,8 @@ bool look_graph(Look* look, const scree_contact* contacts, int count)
 	return true;
 }
 
+scree_box look_view(const Look* look, const Scene* scene) { return scene->has_view ? scene->view : look->box; }
+
 void look_close(Look* look)
 {
 	table_drop(&look->attribute_table);

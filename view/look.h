@@ -2,6 +2,7 @@
 // look.h -- what a renderer must know of a world besides the rows: shapes and colors of attributes, kinds of bodies.
 #ifndef LOOK_H
 #define LOOK_H
+#include "scene/scene.h"
 #include "scene/sprites.h"
 
 typedef struct // a texture of OpenGL that a shader reads as an array
@@ -32,6 +33,9 @@ scree_status look_velocities(Look* look);
 
 // Fills the table of graph colors: the lowest of each body's contacts.
 bool look_graph(Look* look, const scree_contact* contacts, int count);
+
+// What a picture of all of a scene shows, m: what the scene wants, or else what moves.
+scree_box look_view(const Look* look, const Scene* scene);
 
 void look_close(Look* look);
 

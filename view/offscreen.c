@@ -29,20 +29,6 @@ static EGLContext context_of(EGLDisplay display)
 	return EGL_NO_CONTEXT;
 }
 
-static const char* make_picture(Offscreen* o)
-{
-	glGenRenderbuffers(1, &o->color);
-	glBindRenderbuffer(GL_RENDERBUFFER, o->color);
-	glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, o->width, o->height);
-	glGenFramebuffers(1, &o->frame);
-	glBindFramebuffer(GL_FRAMEBUFFER, o->frame);
-	glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, o->color);
-	glViewport(0, 0, o->width, o->height);
-	return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
-	           ? NULL
-	           : "OpenGL cannot draw a picture of this size";
-}
-
 const char* offscreen_open(Offscreen* o, int width, int height)
 {
 	*o = (Offscreen){.width = width, .height = height};
@@ -59,18 +45,17 @@ const char* offscreen_open(Offscreen* o, int width, int height)
 	if (!o->context)
 		return "no device of EGL has OpenGL 3.3";
 	snprintf(o->renderer, sizeof o->renderer, "%s", (const char*)glGetString(GL_RENDERER));
-	const char* trouble = make_picture(o);
-	if (trouble)
-		offscreen_close(o);
-	return trouble;
+	if (frame_open(&o->frame, width, height))
+		return NULL;
+	offscreen_close(o);
+	return "OpenGL cannot draw a picture of this size";
 }
 
 void offscreen_close(Offscreen* o)
 {
 	if (!o->context)
 		return;
-	glDeleteFramebuffers(1, &o->frame);
-	glDeleteRenderbuffers(1, &o->color);
+	frame_close(&o->frame);
 	eglMakeCurrent(o->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 	eglDestroyContext(o->display, o->context);
 	*o = (Offscreen){0};

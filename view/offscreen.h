@@ -2,15 +2,15 @@
 // offscreen.h -- OpenGL without a window: a context, and a picture to draw into.
 #ifndef OFFSCREEN_H
 #define OFFSCREEN_H
-#include <stdbool.h>
+#include "view/frame.h"
 #include <stdint.h>
 
 typedef struct
 {
 	void *display, *context; // of EGL
-	unsigned frame, color;   // framebuffer and renderbuffer of OpenGL
-	int width, height;       // px
-	char renderer[128];      // what OpenGL says of itself
+	Frame frame;
+	int width, height;  // px
+	char renderer[128]; // what OpenGL says of itself
 } Offscreen;
 
 // Opens a context of OpenGL 3.3 and makes it current, on the first device of EGL that has one: GPUs come before

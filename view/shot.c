@@ -88,8 +88,7 @@ bool shot_world(Shot* shot, const Scene* scene, scree_world* world, char* senten
 	}
 	share_open(&shot->share, world, false);
 	snprintf(shot->title, sizeof shot->title, "%s", scene->title);
-	camera_fit(&shot->camera, scene->has_view ? scene->view : shot->renderer.look.box, shot->canvas.width,
-	           shot->canvas.height);
+	camera_fit(&shot->camera, look_view(&shot->renderer.look, scene), shot->canvas.width, shot->canvas.height);
 	return true;
 }
 

@@ -12,26 +12,18 @@
 
 static void drop(Capture* c)
 {
-	glDeleteFramebuffers(1, &c->frame);
-	glDeleteRenderbuffers(1, &c->color);
+	frame_close(&c->frame);
 	canvas_close(&c->canvas);
-	c->frame = c->color = 0;
 }
 
 bool capture_size(Capture* c, int width, int height, char* sentence)
 {
-	if (c->frame && c->canvas.width == width && c->canvas.height == height)
+	if (c->frame.frame && c->canvas.width == width && c->canvas.height == height)
 		return true;
 	drop(c);
 	if (!canvas_open(&c->canvas, width, height, sentence))
 		return false;
-	glGenRenderbuffers(1, &c->color);
-	glBindRenderbuffer(GL_RENDERBUFFER, c->color);
-	glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-	glGenFramebuffers(1, &c->frame);
-	glBindFramebuffer(GL_FRAMEBUFFER, c->frame);
-	glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, c->color);
-	bool good = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+	bool good = frame_open(&c->frame, width, height);
 	glBindFramebuffer(GL_FRAMEBUFFER, 0);
 	if (!good)
 	{
@@ -44,7 +36,7 @@ bool capture_size(Capture* c, int width, int height, char* sentence)
 bool capture_fits(const Capture* c, int width, int height)
 {
 	const Canvas* canvas = &c->canvas;
-	return c->frame && canvas->width == width && canvas->height == height && c->video.width == width &&
+	return c->frame.frame && canvas->width == width && canvas->height == height && c->video.width == width &&
 	       c->video.height == height;
 }
 
@@ -58,7 +50,7 @@ void capture_close(Capture* c)
 void capture_draw(Capture* c, Renderer* renderer, const Share* share, const Camera* camera, const Style* style,
                   const char* title, const char* caption)
 {
-	glBindFramebuffer(GL_FRAMEBUFFER, c->frame);
+	glBindFramebuffer(GL_FRAMEBUFFER, c->frame.frame);
 	renderer_draw(renderer, share, camera, style);
 	shot_read(&c->canvas);
 	glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -4,11 +4,12 @@
 #define CAPTURE_H
 #include "scene/canvas.h"
 #include "scene/video.h"
+#include "view/frame.h"
 #include "view/renderer.h"
 
 typedef struct
 {
-	unsigned frame, color; // framebuffer and renderbuffer of OpenGL, of the canvas' size
+	Frame frame; // of the canvas' size
 	Canvas canvas;
 	Video video;    // pipe: null when none is made
 	double seconds; // of the world, since the video began

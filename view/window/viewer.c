@@ -48,8 +48,7 @@ bool viewer_look(Viewer* v)
 
 void viewer_fit(Viewer* v)
 {
-	const Scene* scene = v->play.scene;
-	camera_fit(&v->camera, scene->has_view ? scene->view : v->renderer.look.box, v->camera.width, v->camera.height);
+	camera_fit(&v->camera, look_view(&v->renderer.look, v->play.scene), v->camera.width, v->camera.height);
 }
 
 bool viewer_begin(Viewer* v, const char* name, bool fresh)

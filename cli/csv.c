@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// csv.c -- rows of CSV files: cut into cells, and texts that fit into one.
+#include "csv.h"
+#include <string.h>
+
+int csv_cut(char* line, char* cells[CSV_CELLS])
+{
+	int count = 0;
+	bool more = true;
+	line[strcspn(line, "\r\n")] = 0;
+	for (int k = 0; k < CSV_CELLS; ++k)
+	{
+		count += more;
+		cells[k] = line;
+		line += strcspn(line, ",");
+		more = *line != 0;
+		if (more)
+			*line++ = 0;
+	}
+	return count;
+}
+
+void csv_cell(char* text)
+{
+	for (; *text; ++text)
+		*text = *text == ',' ? ' ' : *text;
+}
+
+void settings_text(const Options* options, char* text, size_t size)
+{
+	text[0] = 0;
+	for (int k = 0; k < options->setting_count; ++k)
+		snprintf(text + strlen(text), size - strlen(text), "%s%s=%s", k > 0 ? " " : "", options->settings[k].name,
+		         options->settings[k].value);
+	csv_cell(text);
+}
