@@ -5,8 +5,8 @@
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  where parity.csv, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
 # STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
-# BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well. Exit 1
-# when any hash or picture differs or any row is invalid.
+# BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well, and
+# FIGURES=yes the figures of docs/paper.md, six minutes. Exit 1 when any hash or picture differs or any row is invalid.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
@@ -107,5 +107,10 @@ if [ "$frames" != none ]; then
 fi
 if [ "${CURVES:-no}" = yes ]; then
 	bench/curves.sh "$folder" "opencl:$device" || differ=1
+fi
+if [ "${FIGURES:-no}" = yes ]; then
+	for figure in figure5 figure6; do
+		(cd "$folder" && timeout 300 "$OLDPWD/$scree" bench $figure --device "opencl:$device") || differ=1
+	done
 fi
 exit $differ

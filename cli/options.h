@@ -54,6 +54,9 @@ typedef struct
 	int setting_count;
 	char** arguments; // what is not an option
 	int argument_count;
+	// no options: figures set them
+	int warm_up;             // steps that the soft pipeline takes before the simulation is opened
+	const char* warm_device; // where it takes them; null: on device
 } Options;
 
 // Reads the words after the command's name. Returns false after printing what is wrong.

@@ -10,9 +10,10 @@ typedef struct Simulation Simulation;
 
 typedef struct // what a pipeline must do; all as the functions of scree.h with the same names
 {
-	const char* stages[STAGE_COLUMNS]; // that it is timed by, in the order of the step
-	int solve;                         // of stages, the one whose traffic is counted; -1 for none
-	bool one_thread;                   // on the CPU it uses one thread and one lane
+	const char* stages[STAGE_COLUMNS];                   // that it is timed by, in the order of the step
+	int solve;                                           // of stages, the one whose traffic is counted; -1 for none
+	bool one_thread;                                     // on the CPU it uses one thread and one lane
+	const char* (*device)(const Simulation* simulation); // that it runs on
 	// from the world; returns an exit code, after printing what is wrong. Closed also then
 	int (*open)(const Options* options, Simulation* simulation);
 	scree_status (*step)(Simulation* simulation, float dt, int substeps);
@@ -39,7 +40,8 @@ const SimulationFunctions* pipeline_functions(PipelineChoice choice);
 // Reads the scene named by the user. Returns null after printing what is wrong.
 Scene* open_scene(const Options* options, const char* name);
 
-// Makes a world, puts the scene into it and chooses the pipeline. Returns an exit code, after printing what is wrong.
+// Makes a world, puts the scene into it and chooses the pipeline, which takes over from the soft one after the steps of
+// warming up that the options ask for. Returns an exit code, after printing what is wrong.
 int simulation_open(const Options* options, const Scene* scene, bool timings, Simulation* simulation);
 void simulation_close(Simulation* simulation);
 
