@@ -6,7 +6,7 @@
 #   FOLDER  where parity.csv, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
 # STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
 # BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well, and
-# FIGURES=yes the figures of docs/paper.md, six minutes. Exit 1 when any hash or picture differs or any row is invalid.
+# FIGURES=yes the figures of docs/paper.md. Exit 1 when any hash or picture differs or any row is invalid.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}

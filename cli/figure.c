@@ -10,8 +10,8 @@
 // few contacts, and pyramids of ten boxes.
 //
 // Every run begins with one second of the world's time that is not measured, for all sizes, pipelines and devices the same:
-// before that, bodies that drift have not met. It is simulated by our own pipeline, because the paper's would need hours for
-// it. All devices of a pipeline must have the same hash after the same steps.
+// before that, bodies that drift have not met. It is simulated by our own pipeline, because the paper's would need
+// minutes for it where a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
 #include "figure.h"
 #include "commands.h"
 #include "csv.h"
@@ -22,14 +22,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WARM_UP    1.0 // s of the world's time; contacts a body in drift stay within 3 % from here on (docs/paper.md)
-#define WARM_LIMIT 1.0 // s that the CPU may take for it; beyond, the GPU does it and the world moves
-#define SETTLE     2   // steps of the pipeline itself before those that count: kernels are built, buffers grow
-#define STEPS      40  // that count, in a run that is not cut short
-#define FEWEST     3   // counting steps, but one is enough where a run takes longer than LONG_LIMIT
-#define TIME_LIMIT 0.3 // s of counting steps, after which a run ends
-#define LONG_LIMIT 3.0 // s
-#define ROW_LIMIT  0.5 // s: a size that took longer on a device is not repeated there
+#define WARM_UP    1.0    // s of the world's time; contacts a body in drift are steady from here on (docs/paper.md)
+#define WARM_LIMIT 1.0    // s that the CPU may take for it; beyond, the GPU does it and the world moves
+#define SETTLE     2      // steps of the pipeline itself before those that count: kernels are built, buffers grow
+#define STEPS      40     // that count, in a run that is not cut short
+#define FEWEST     3      // counting steps, but one is enough where a run takes longer than LONG_LIMIT
+#define TIME_LIMIT 0.3    // s of counting steps, after which a run ends
+#define LONG_LIMIT 3.0    // s
+#define ROW_LIMIT  0.5    // s: a size that took longer on a device is not repeated there
 #define FIGURE5_MS 1000.0 // a step may be expected to take, ms; else it is not run
 #define FIGURE6_MS 30000.0
 
