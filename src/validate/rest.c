@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// rest.c -- what lies still stays there: circles on a floor, capsules, rounded boxes, heaps of mixed bodies.
+#include "props.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define ENERGY 1.0e-6 // J a body, at most
+#define SPEED  1.0    // mm/s, the fastest
+#define CREEP  1.0    // mm in a minute
+
+#define SIZES 7
+
+// Bodies of one kind and seven sizes side by side, from one start position; adds to the worst of all so far.
+typedef struct
+{
+	double moved, speed; // mm, mm/s
+	int start, body;
+} Worst;
+
+static const float sizes[SIZES] = {0.05f, 0.1f, 0.2f, 0.5f, 1.0f, 2.0f, 5.0f};
+static const float starts[] = {0.0f, 0.1f, 0.37f, 1.23f, 10.1f, 100.3f, -33.7f};
+
+static scree_attribute_def shape_of(int kind, float size)
+{
+	return kind == 0   ? circle_of((double)size)
+	       : kind == 1 ? capsule_of((double)size, (double)size)
+	       : kind == 2 ? rounded_of((double)size, (double)size, 0.2 * (double)size)
+	                   : box_of((double)size, (double)size);
+}
+
+static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
+{
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	int first = add_floor(lab, 400.0) + 1;
+	for (int k = 0; k < SIZES; ++k)
+	{
+		scree_attribute_def surface = shape_of(kind, sizes[k]);
+		lab_put(lab, SCREE_DYNAMIC, &surface, starts[start] + 15.0f * (float)k, sizes[k], 0.0f);
+	}
+	for (int done = 0; done < steps; done += 60)
+	{
+		lab_step(lab, 60);
+		lab_read(lab);
+		for (int k = 0; k < SIZES; ++k)
+		{
+			double moved = 1e3 * fabs((double)lab->poses[first + k].position.x -
+			                          (double)lab->bodies[first + k].def.pose.position.x);
+			double speed = done + 60 >= steps ? 1e3 * lab_speed(lab, first + k) : 0.0;
+			worst->speed = fmax(worst->speed, speed);
+			if (!(moved <= worst->moved))
+			{
+				worst->moved = moved;
+				worst->start = start;
+				worst->body = k;
+			}
+		}
+	}
+	lab_close(lab);
+}
+
+static void single(Validation* v, const char* name, int kind)
+{
+	Worst worst = {0};
+	begin(v, "%s", name);
+	for (int start = 0; start < (v->quick ? 3 : 7); ++start)
+		lie(v, kind, start, v->quick ? 1200 : 3600, &worst);
+	where(v, "size %g m from x = %g m", (double)sizes[worst.body], (double)starts[worst.start] + 15.0 * worst.body);
+	row(v, "moved", worst.moved, "mm", AT_MOST, CREEP);
+	row(v, "fastest at the end", worst.speed, "mm/s", AT_MOST, SPEED);
+}
+
+typedef struct
+{
+	double energy, speed; // J a body, m/s: most of the last second
+	int fastest;
+} Calm;
+
+static Calm calm_of(Lab* lab, int first)
+{
+	Calm calm = {0};
+	for (int k = 0; k < 60; ++k)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		double energy = 0.0;
+		for (int n = first; n < lab->count; ++n)
+			energy += lab_kinetic(lab, n);
+		calm.energy = fmax(calm.energy, energy / (lab->count - first));
+		int body = calm.fastest;
+		double speed = lab_fastest(lab, &body);
+		if (speed > calm.speed)
+		{
+			calm.speed = speed;
+			calm.fastest = body;
+		}
+	}
+	return calm;
+}
+
+static void print_calm(Validation* v, const Lab* lab, Calm calm, const char* energy, const char* fastest)
+{
+	static const char* const kinds[6] = {"box", "circle", "capsule", "rounded box", "pentagon", "triangle"};
+	row(v, energy, calm.energy, "J", AT_MOST, ENERGY);
+	where(v, "%s at %.2f %.2f", kinds[(calm.fastest + 3) % 6], (double)lab->poses[calm.fastest].position.x,
+	      (double)lab->poses[calm.fastest].position.y);
+	row(v, fastest, 1e3 * calm.speed, "mm/s", AT_MOST, SPEED);
+}
+
+// How far bodies went in a minute that stayed within a quarter of their size, the farthest of them.
+static double creep_of(Lab* lab, int first, int steps)
+{
+	scree_pose* before = malloc((size_t)lab->count * sizeof *before);
+	double most = 0.0;
+	for (int k = 0; before && k < lab->count; ++k)
+		before[k] = lab->poses[k];
+	lab_step(lab, steps);
+	lab_read(lab);
+	for (int k = first; before && k < lab->count; ++k)
+	{
+		double moved = hypot((double)(lab->poses[k].position.x - before[k].position.x),
+		                     (double)(lab->poses[k].position.y - before[k].position.y));
+		if (moved < 0.25 * (double)lab->parts[lab->bodies[k].first].surface.shape.reach)
+			most = fmax(most, moved);
+	}
+	free(before);
+	return most * 3600.0 / steps;
+}
+
+static void heap(Validation* v, int count, int steps, int last)
+{
+	begin(v, "heap of %d", count);
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	int first = add_heap(lab, count, 7);
+	lab_step(lab, steps - 60);
+	Calm calm = calm_of(lab, first);
+	print_calm(v, lab, calm, "kinetic energy a body", "fastest");
+	double creep = creep_of(lab, first, v->quick ? 600 : 3600);
+	row(v, "creep a minute", 1e3 * creep, "mm", AT_MOST, CREEP);
+	if (last > v->steps)
+	{
+		lab_step(lab, last - 60 - (int)v->steps);
+		calm = calm_of(lab, first);
+		print_calm(v, lab, calm, "kinetic energy a body at the end", "fastest at the end");
+	}
+	row(v, "deepest overlap", 1e3 * lab_overlap(lab, NULL), "mm", SHOWN, 0.0);
+	lab_close(lab);
+}
+
+void rest_experiment(Validation* v)
+{
+	single(v, "circles", 0);
+	single(v, "capsules", 1);
+	single(v, "rounded boxes", 2);
+	single(v, "boxes", 3);
+	if (v->quick)
+	{
+		heap(v, 60, 1800, 0);
+		return;
+	}
+	heap(v, 400, 3600, 20000);
+	heap(v, 600, 3600, 20000);
+	heap(v, 2000, 3600, 20000);
+}
