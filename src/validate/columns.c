@@ -94,24 +94,23 @@ static void card_house(Validation* v, int levels)
 	int first;
 	begin(v, "card house of %d levels", levels);
 	Lab* lab = open_with(v, LAB_SUBSTEPS, &first);
-	const double half = 0.2, thick = 0.002, angle = 25.0 * 3.14159265 / 180.0, pitch = 0.355;
+	const double half = 0.2, thick = 0.001, pitch = 0.175;
+	const float angle = 0.436332313f; // 25 degrees
 	scree_attribute_def card = box_of(thick, half);
 	card.friction = 0.7f;
 	lab->parts[lab->bodies[0].first].surface.friction = 0.7f;
-	double y = half - 0.02;
-	for (int level = levels; level > 0; --level)
+	for (int level = 0; level < levels; ++level)
 	{
-		double x = -0.5 * pitch * level;
-		for (int k = 0; k < level; ++k, x += pitch)
+		double x = pitch * level, y = half - 0.02 + (2.0 * half - 0.03) * level;
+		for (int k = 0; k < levels - level; ++k, x += 2.0 * pitch)
 		{
-			if (k > 0)
-				lab_put(lab, SCREE_DYNAMIC, &card, (float)x, (float)(y + half - 0.015), 1.57079633f);
-			lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + 0.0875), (float)y, (float)angle);
-			lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + 0.2625), (float)y, (float)-angle);
+			if (k < levels - level - 1)
+				lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + 0.25), (float)(y + half - 0.015), 1.57079633f);
+			lab_put(lab, SCREE_DYNAMIC, &card, (float)x, (float)y, -angle);
+			lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + pitch), (float)y, angle);
 		}
-		y += 2.0 * half - 0.03;
 	}
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.02, 0.02);
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.05, 0.05);
 }
 
 // Wedge-shaped stones between two half circles, without mortar, the lowest two on the floor.

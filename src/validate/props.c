@@ -93,8 +93,9 @@ static scree_attribute_def mixed(int kind, double size)
 	}
 }
 
-int add_heap(Lab* lab, int count, uint64_t seed)
+int add_heap(Lab* lab, int count, bool all)
 {
+	uint64_t seed = 7;
 	int columns = (int)ceil(sqrt(2.0 * count));
 	double half = 0.4 * columns, high = 0.8 * ceil((double)count / columns) + 2.0;
 	scree_attribute_def wall = box_of(0.5, high);
@@ -104,9 +105,22 @@ int add_heap(Lab* lab, int count, uint64_t seed)
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_attribute_def surface = mixed(k % 6, random_between(&seed, 0.2, 0.36));
+		scree_attribute_def surface = mixed(k % (all ? 6 : 2), random_between(&seed, 0.2, 0.36));
 		lab_put(lab, SCREE_DYNAMIC, &surface, (float)(0.8 * (k % columns - 0.5 * (columns - 1))),
 		        (float)(0.5 + 0.8 * (k / columns)), (float)random_between(&seed, -3.0, 3.0));
+	}
+	return first;
+}
+
+int add_jumble(Lab* lab, int count, double small, double large, scree_box place, uint64_t* seed)
+{
+	int first = lab->count;
+	for (int k = 0; k < count; ++k)
+	{
+		scree_attribute_def surface = mixed(k % 6, 0.5 * random_between(seed, small, large));
+		double x = random_between(seed, (double)place.lower.x, (double)place.upper.x);
+		double y = random_between(seed, (double)place.lower.y, (double)place.upper.y);
+		lab_put(lab, SCREE_DYNAMIC, &surface, (float)x, (float)y, (float)random_between(seed, -3.0, 3.0));
 	}
 	return first;
 }

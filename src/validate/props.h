@@ -18,7 +18,11 @@ int add_floor(Lab* lab, double half_width);
 // Boxes of half a meter's half size, one on the other, from the floor.
 int add_column(Lab* lab, int count, double x, double jitter);
 
-// Mixed bodies of 0.2 to 0.6 m in a bin with a floor and walls, in rows above it, at random angles; circles count times.
-int add_heap(Lab* lab, int count, uint64_t seed);
+// Mixed bodies, or boxes and circles alone, of 0.4 to 0.7 m across in a bin with a floor and walls, in rows above it, at
+// random angles.
+int add_heap(Lab* lab, int count, bool mixed);
+
+// Mixed bodies of some sizes at random places and angles of a rectangle, whatever else is there.
+int add_jumble(Lab* lab, int count, double small, double large, scree_box place, uint64_t* seed);
 
 #endif

@@ -6,7 +6,8 @@
 #include "props.h"
 #include <math.h>
 
-#define APART 12.0 // m between tracks
+#define APART  12.0 // m between tracks
+#define HEIGHT 14.0 // m, of a wall; so there is no gap between two
 
 typedef enum
 {
@@ -33,7 +34,7 @@ static scree_attribute_def body_of(Kind kind, double size)
 	}
 }
 
-static scree_attribute_def wall(bool thick) { return thick ? box_of(0.01, 5.0) : wall_of(10.0); }
+static scree_attribute_def wall(bool thick) { return thick ? box_of(0.01, 0.5 * HEIGHT) : wall_of(HEIGHT); }
 
 static Lab* open_empty(Validation* v)
 {
@@ -42,7 +43,17 @@ static Lab* open_empty(Validation* v)
 	return lab_open(v, &def);
 }
 
-// How many bodies from first on, one a track, are behind x = 0 or beside their wall, and which is the first.
+// Walls above and below those of the tracks, so that nothing goes around.
+static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
+{
+	for (int k = 1; k <= 20; ++k)
+	{
+		lab_put(lab, SCREE_STATIC, barrier, 0.0f, (float)(APART * (-runs / 2 - k)), 0.0f);
+		lab_put(lab, SCREE_STATIC, barrier, 0.0f, (float)(APART * (runs - runs / 2 - 1 + k)), 0.0f);
+	}
+}
+
+// How many bodies, one or two a track, are behind the wall, and which is the first.
 static int crossed(Lab* lab, const int* bodies, int count, double speed)
 {
 	int through = 0;
@@ -74,6 +85,7 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 		bodies[2 * k] = lab_put(lab, SCREE_DYNAMIC, &light, (float)-gap, y, 0.0f);
 		bodies[2 * k + 1] = lab_throw(lab, &heavy, -1.5f, y, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
+	close_off(lab, &barrier, runs);
 	lab_step(lab, 30);
 	int through = crossed(lab, bodies, 2 * runs, speed);
 	row(v, "through the wall", through, "", AT_MOST, 0.0);
@@ -99,6 +111,7 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 			bodies[k] =
 			    lab_throw(lab, &body, (float)x, y, angle, (scree_velocity){{(float)speeds[s], 0.0f}, (float)spin});
 		}
+		close_off(lab, &barrier, runs);
 		lab_step(lab, 30);
 		through += crossed(lab, bodies, runs, speeds[s]);
 		all += runs;
@@ -109,48 +122,53 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 	row(v, "through the wall", through, "", AT_MOST, 0.0);
 }
 
-// A box of 30 cm shot into the corner of two walls that close in on it.
-static void wedge(Validation* v, double speed, int runs)
+// Half of the angle that the walls of a run enclose.
+static double opening(int run, int runs) { return 0.1 + 0.4 * run / runs; }
+
+// A box of 30 cm shot into the corner of two walls that close in on it, at rising angles.
+static void wedge(Validation* v, bool thick, double speed, int runs)
 {
-	begin(v, "box of 30 cm shot into a wedge at %g m/s", speed);
+	begin(v, "box of 30 cm shot at %g m/s into a wedge of %s", speed, thick ? "boxes of 2 cm" : "segments");
 	Lab* lab = open_empty(v);
-	scree_attribute_def side = box_of(2.0, 0.05), box = box_of(0.15, 0.15);
-	int bodies[512], first_out = -1, out = 0;
+	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0), box = box_of(0.15, 0.15);
+	int bodies[512], out = 0, fastest_run = 0;
 	uint64_t seed = 5;
 	double fastest = 0.0;
 	for (int k = 0; k < runs; ++k)
 	{
-		double y = APART * (k - runs / 2), half = 0.1 + 0.4 * k / runs; // rad, half of what the walls enclose
+		// upright walls turned until they enclose an angle and meet at x = 0
+		double y = APART * (k - runs / 2), half = opening(k, runs);
 		for (int s = -1; s <= 1; s += 2)
-			lab_put(lab, SCREE_STATIC, &side, (float)(-2.0 * cos(half)),
-			        (float)(y + s * 2.0 * sin(half) + s * 0.05 * cos(half)), (float)(-s * half));
+			lab_put(lab, SCREE_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
+			        (float)(s * (1.57079633 - half)));
 		bodies[k] = lab_throw(lab, &box, -3.5f, (float)(y + random_between(&seed, -0.05, 0.05)),
 		                      (float)random_between(&seed, -0.8, 0.8), (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
+	bool crossed_once[512] = {false};
 	for (int step = 0; step < 60; ++step)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		int body = -1;
-		double most = lab_fastest(lab, &body);
-		if (most > fastest)
+		for (int k = 0; k < runs; ++k)
 		{
-			fastest = most;
-			where(v, "half angle %.2f rad", 0.1 + 0.4 * (body / 3) / runs);
+			scree_vec p = lab->poses[bodies[k]].position;
+			double y = fabs((double)p.y - APART * (k - runs / 2)), x = -(double)p.x, half = opening(k, runs);
+			if (lab_speed(lab, bodies[k]) > fastest)
+				fastest_run = k;
+			fastest = fmax(fastest, lab_speed(lab, bodies[k]));
+			// in front of the wedge it may be anywhere, in it only between the walls
+			crossed_once[k] = crossed_once[k] || (x < 4.0 * cos(half) - 0.3 && y > x * tan(half) + 0.01);
 		}
 	}
+	where(v, "half angle %.3f rad", opening(fastest_run, runs));
 	row(v, "fastest", fastest, "m/s", AT_MOST, 1.01 * speed);
-	for (int k = 0; k < runs; ++k)
+	for (int k = runs - 1; k >= 0; --k)
 	{
-		scree_vec p = lab->poses[bodies[k]].position;
-		double y = (double)p.y - APART * (k - runs / 2), half = 0.1 + 0.4 * k / runs;
-		// inside, or back out in front of the wedge; walls are 10 cm thick
-		bool inside = (double)p.x < -4.0 * cos(half) || fabs(y) < -(double)p.x * tan(half) + 0.1;
-		out += !inside;
-		first_out = inside || first_out >= 0 ? first_out : k;
+		if (!crossed_once[k])
+			continue;
+		++out;
+		where(v, "half angle %.3f rad of %d", opening(k, runs), runs);
 	}
-	if (out)
-		where(v, "run %d of %d", first_out, runs);
 	row(v, "through the walls", out, "", AT_MOST, 0.0);
 	lab_close(lab);
 }
@@ -158,6 +176,7 @@ static void wedge(Validation* v, double speed, int runs)
 void walls_experiment(Validation* v)
 {
 	static const double speeds[] = {60.0, 30.0, 120.0, 240.0, 400.0};
+	static const double rushes[] = {40.0, 60.0, 100.0, 200.0};
 	int runs = v->quick ? 40 : 256;
 	for (int s = 0; s < (v->quick ? 1 : 5); ++s)
 		for (int thick = 0; thick < 2; ++thick)
@@ -169,7 +188,7 @@ void walls_experiment(Validation* v)
 			if (!v->quick)
 				throw_at(v, kind, 0.4, thick, runs);
 		}
-	wedge(v, 40.0, v->quick ? 60 : 200);
-	if (!v->quick)
-		wedge(v, 100.0, 200);
+	for (int s = 0; s < (v->quick ? 1 : 4); ++s)
+		for (int thick = 0; thick < 2; ++thick)
+			wedge(v, thick, rushes[s], v->quick ? 60 : 200);
 }
