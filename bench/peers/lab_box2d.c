@@ -15,11 +15,15 @@ typedef struct
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
 
+// Rows of results stand on standard output.
+static void print_log(const char* message) { fprintf(stderr, "Box2D: %s\n", message); }
+
 static void* open(const LabOptions* options, const LabDef* lab)
 {
 	State* state = calloc(1, sizeof(State));
 	if (!state)
 		return NULL;
+	b2SetLogFcn(print_log);
 	b2WorldDef def = b2DefaultWorldDef();
 	def.gravity = vec(lab->gravity);
 	def.maximumLinearSpeed = lab->max_speed;

@@ -93,52 +93,95 @@ static void crowd_moves(Validation* v, int count, int teleported, int replaced, 
 	row(v, "time over that without", busy / calm, "", AT_MOST, 3.0);
 }
 
-// All bodies spread out, then at one place for some steps, then spread out again: the memory returns.
+typedef struct
+{
+	Lab* lab;
+	int count, *bodies;
+	scree_pose *spread, *heaped;
+} Crowd;
+
+// Boxes without gravity that can be put to places of their own, or all to one.
+static Crowd gather(Validation* v, int count)
+{
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	Crowd c = {.lab = lab_open(v, &def), .count = count};
+	scree_attribute_def box = box_of(0.5, 0.5);
+	size_t room = (size_t)count;
+	c.bodies = malloc(room * sizeof *c.bodies);
+	c.spread = malloc(room * sizeof *c.spread);
+	c.heaped = malloc(room * sizeof *c.heaped);
+	v->broken = v->broken || !c.bodies || !c.spread || !c.heaped;
+	int side = (int)ceil(sqrt(count));
+	for (int k = 0; k < count && !v->broken; ++k)
+	{
+		float x = 2.0f * (float)(k % side), y = 2.0f * (float)(k / side);
+		c.bodies[k] = lab_put(c.lab, SCREE_DYNAMIC, &box, x, y, 0.0f);
+		c.spread[k] = (scree_pose){{x, y}, {1.0f, 0.0f}};
+		c.heaped[k] = (scree_pose){{0.0005f * x, 0.0005f * y}, {1.0f, 0.0f}};
+	}
+	return c;
+}
+
+static void disperse(Crowd* c)
+{
+	lab_teleport(c->lab, c->bodies, c->spread, c->count);
+	for (int k = 0; k < c->count; ++k)
+		lab_set_velocity(c->lab, c->bodies[k], (scree_velocity){{0.0f, 0.0f}, 0.0f});
+}
+
+static void dismiss(Crowd* c)
+{
+	free(c->bodies);
+	free(c->spread);
+	free(c->heaped);
+	lab_close(c->lab);
+}
+
+// At one place for some steps, then spread out again: the memory returns.
 static void burst(Validation* v, int count)
 {
 	begin(v, "%d boxes at one place for three steps", count);
-	LabDef def = lab_def();
-	def.gravity = (scree_vec){0.0f, 0.0f};
-	Lab* lab = lab_open(v, &def);
-	scree_attribute_def box = box_of(0.5, 0.5);
-	int* bodies = malloc((size_t)count * sizeof *bodies);
-	scree_pose* spread = malloc((size_t)count * sizeof *spread);
-	scree_pose* heaped = malloc((size_t)count * sizeof *heaped);
-	int side = (int)ceil(sqrt(count));
-	for (int k = 0; k < count && bodies && spread && heaped; ++k)
-	{
-		bodies[k] = lab_put(lab, SCREE_DYNAMIC, &box, 2.0f * (float)(k % side), 2.0f * (float)(k / side), 0.0f);
-		spread[k] = (scree_pose){{2.0f * (float)(k % side), 2.0f * (float)(k / side)}, {1.0f, 0.0f}};
-		heaped[k] = (scree_pose){{0.001f * (float)(k % side), 0.001f * (float)(k / side)}, {1.0f, 0.0f}};
-	}
-	lab_step(lab, 10);
-	double before = lab_bytes(lab), most = 0.0;
-	lab_teleport(lab, bodies, heaped, count);
+	Crowd c = gather(v, count);
+	lab_step(c.lab, 10);
+	double before = lab_bytes(c.lab), most = 0.0;
+	lab_teleport(c.lab, c.bodies, c.heaped, count);
 	for (int step = 0; step < 3; ++step)
 	{
-		lab_step(lab, 1);
-		most = fmax(most, lab_bytes(lab));
+		lab_step(c.lab, 1);
+		most = fmax(most, lab_bytes(c.lab));
 	}
-	lab_teleport(lab, bodies, spread, count);
-	for (int k = 0; k < count; ++k)
-		lab_set_velocity(lab, bodies[k], (scree_velocity){{0.0f, 0.0f}, 0.0f});
-	lab_step(lab, 300);
+	disperse(&c);
+	lab_step(c.lab, 300);
 	row(v, "most memory", 1e-6 * most, "MB", SHOWN, 0.0);
-	row(v, "memory after it over that before", lab_bytes(lab) / before, "", AT_MOST, 3.0);
-	free(bodies);
-	free(spread);
-	free(heaped);
-	lab_close(lab);
+	row(v, "memory after it over that before", lab_bytes(c.lab) / before, "", AT_MOST, 3.0);
+	dismiss(&c);
+}
+
+// More at one place than anyone wants: refused with a sentence or not, the memory stays, and the world goes on.
+static void crowd(Validation* v, int count)
+{
+	begin(v, "%d boxes at one place", count);
+	Crowd c = gather(v, count);
+	lab_step(c.lab, 10);
+	lab_teleport(c.lab, c.bodies, c.heaped, count);
+	bool taken = lab_try(c.lab);
+	where(v, "the step was %s", taken ? "taken" : "refused");
+	row(v, "memory", 1e-6 * lab_bytes(c.lab), "MB", AT_MOST, 1000.0);
+	disperse(&c);
+	row(v, "steps that it goes on", lab_try(c.lab) + lab_try(c.lab), "", AT_LEAST, 2.0);
+	dismiss(&c);
 }
 
 void churn_experiment(Validation* v)
 {
 	if (v->quick)
 	{
-		crowd_moves(v, 5000, 100, 400, 20);
+		crowd_moves(v, 20000, 400, 1600, 20);
 		burst(v, 300);
 		return;
 	}
 	crowd_moves(v, 50000, 1000, 4000, 20);
-	burst(v, 2000);
+	burst(v, 1200);
+	crowd(v, 2500);
 }

@@ -9,7 +9,8 @@ typedef struct
 	scree_world* world;
 	scree_body* bodies; // by their index in the lab
 	int count;
-	scree_body* some; // handles of a batch
+	scree_body* some;     // handles of a batch
+	scree_body_def* defs; // of a batch
 	int room;
 } State;
 
@@ -44,27 +45,74 @@ static void close(void* context)
 	scree_destroy_world(state->world);
 	free(state->bodies);
 	free(state->some);
+	free(state->defs);
 	free(state);
 }
 
-static bool create_one(State* state, const Lab* lab, int index)
+// Room for a batch: handles, and definitions.
+static bool reserve(State* state, int count)
+{
+	if (count <= state->room)
+		return true;
+	scree_body* some = realloc(state->some, (size_t)count * sizeof *some);
+	state->some = some ? some : state->some;
+	scree_body_def* defs = realloc(state->defs, (size_t)count * sizeof *defs);
+	state->defs = defs ? defs : state->defs;
+	if (some && defs)
+		state->room = count;
+	return some && defs;
+}
+
+static bool gather(State* state, const int* bodies, int count)
+{
+	if (!reserve(state, count))
+		return false;
+	for (int k = 0; k < count; ++k)
+		state->some[k] = state->bodies[bodies[k]];
+	return true;
+}
+
+// The collidables of a body behind its first one. Its velocity is that of the center of mass, wherever that is then.
+static bool add_others(State* state, const Lab* lab, int index)
 {
 	const LabBody* body = &lab->bodies[index];
-	scree_body_def def = body->def;
-	if (!report(scree_create_body(state->world, &def, &state->bodies[index])))
-		return false;
-	for (int k = 0; k < body->count; ++k)
+	for (int k = 1; k < body->count; ++k)
 	{
 		const LabPart* part = &lab->parts[body->first + k];
-		scree_collidable_def collidable = scree_default_collidable_def();
-		collidable.body = state->bodies[index];
-		collidable.filter = part->filter;
-		if (!report(scree_create_attribute(state->world, &part->surface, &collidable.attribute)) ||
-		    !report(scree_create_collidable(state->world, &collidable, NULL)))
+		scree_collidable_def def = scree_default_collidable_def();
+		def.body = state->bodies[index];
+		def.filter = part->filter;
+		if (!report(scree_create_attribute(state->world, &part->surface, &def.attribute)) ||
+		    !report(scree_create_collidable(state->world, &def, NULL)))
 			return false;
 	}
-	// the velocity of the center of mass, wherever that is now
-	return report(scree_body_set_velocity(state->world, state->bodies[index], def.velocity));
+	return body->count < 2 || report(scree_body_set_velocity(state->world, state->bodies[index], body->def.velocity));
+}
+
+// Creates these bodies, or those from first on where bodies is null, in one batch.
+static bool create_some(State* state, const Lab* lab, const int* bodies, int first, int count)
+{
+	if (!reserve(state, count))
+		return false;
+	for (int k = 0; k < count; ++k)
+	{
+		const LabBody* body = &lab->bodies[bodies ? bodies[k] : first + k];
+		const LabPart* part = &lab->parts[body->first];
+		state->defs[k] = body->def;
+		state->defs[k].filter = part->filter;
+		if (body->count > 0 && !report(scree_create_attribute(state->world, &part->surface, &state->defs[k].attribute)))
+			return false;
+	}
+	if (!report(scree_create_bodies(state->world, state->defs, count, state->some)))
+		return false;
+	for (int k = 0; k < count; ++k)
+	{
+		int index = bodies ? bodies[k] : first + k;
+		state->bodies[index] = state->some[k];
+		if (!add_others(state, lab, index))
+			return false;
+	}
+	return true;
 }
 
 static bool create(void* context, const Lab* lab, int first, int count)
@@ -75,36 +123,14 @@ static bool create(void* context, const Lab* lab, int first, int count)
 		return false;
 	state->bodies = bodies;
 	state->count = first + count;
-	for (int k = first; k < first + count; ++k)
-	{
-		if (!create_one(state, lab, k))
-			return false;
-	}
-	return true;
-}
-
-static bool gather(State* state, const int* bodies, int count)
-{
-	if (count > state->room)
-	{
-		scree_body* some = realloc(state->some, (size_t)count * sizeof *some);
-		if (!some)
-			return false;
-		state->some = some;
-		state->room = count;
-	}
-	for (int k = 0; k < count; ++k)
-		state->some[k] = state->bodies[bodies[k]];
-	return true;
+	return create_some(state, lab, NULL, first, count);
 }
 
 static bool replace(void* context, const Lab* lab, const int* bodies, int count)
 {
 	State* state = context;
-	bool good = gather(state, bodies, count) && report(scree_destroy_bodies(state->world, state->some, count));
-	for (int k = 0; k < count && good; ++k)
-		good = create_one(state, lab, bodies[k]);
-	return good;
+	return gather(state, bodies, count) && report(scree_destroy_bodies(state->world, state->some, count)) &&
+	       create_some(state, lab, bodies, 0, count);
 }
 
 static bool set_poses(void* context, const int* bodies, const scree_pose* poses, int count)

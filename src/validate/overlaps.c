@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // overlaps.c -- the six scenes of the benchmarks: how deep bodies overlap, and how far stacks sink.
 //
-// Limits are what f723e87 did and a twentieth more, so that what was good stays; the one of smash is what Box2D v3
+// Limits are what f723e87 did and some more, so that what was good stays: a twentieth where bodies hardly move, and as much
+// as the order of creation alone changed elsewhere, a seventh of the deepest overlap. The one of smash is what Box2D v3
 // (617d32a, sleep off) does, which was better there.
 #include "lab_scene.h"
 #include "validate.h"
@@ -10,17 +11,19 @@
 typedef struct
 {
 	const char* name;
-	double deepest, mean; // mm, at most: of all steps looked at, and mean of the deepest of each
-	double sank;          // mm, the body that sank most; 0: not a stack
+	int every;            // steps from one look to the next; each costs as much as some steps
+	double deepest, mean; // mm, at most: of all looks, and mean of the deepest of each
+	double sank;          // mm, at most, the body that sank most; 0: not a stack
 } Known;
 
 static const Known scenes[] = {
-    {"pyramid", 0.0, 0.0, 0.0}, {"pyramids", 0.0, 0.0, 0.0}, {"pile", 0.0, 0.0, 0.0},
-    {"tumbler", 0.0, 0.0, 0.0}, {"smash", 0.0, 0.0, 0.0},    {"washer", 0.0, 0.0, 0.0},
+    {"pyramid", 4, 18.4, 8.63, 300.0}, {"pyramids", 10, 1.05, 0.77, 3.27}, {"pile", 1, 210.0, 46.0, 0.0},
+    {"tumbler", 1, 160.0, 64.0, 0.0},  {"smash", 1, 191.0, 52.0, 0.0},     {"washer", 1, 145.0, 35.0, 0.0},
 };
 
-static void watch(Validation* v, const Known* known, int steps, int every)
+static void watch(Validation* v, const Known* known, int steps)
 {
+	int every = known->every;
 	begin(v, "%s", known->name);
 	Lab* lab = lab_scene(v, known->name);
 	double deepest = 0.0, sum = 0.0, sank = 0.0;
@@ -39,9 +42,9 @@ static void watch(Validation* v, const Known* known, int steps, int every)
 	bool judged = !v->quick;
 	where(v, "step %d", deepest_step);
 	row(v, "deepest overlap", 1e3 * deepest, "mm", judged ? AT_MOST : SHOWN, known->deepest);
-	row(v, "mean of the deepest of each step", 1e3 * sum, "mm", judged ? AT_MOST : SHOWN, known->mean);
+	row(v, "mean of the deepest at each look", 1e3 * sum, "mm", judged ? AT_MOST : SHOWN, known->mean);
 	if (known->sank > 0.0)
-		row(v, "sank", 1e3 * sank, "mm", AT_MOST, known->sank);
+		row(v, "sank", 1e3 * sank, "mm", judged ? AT_MOST : SHOWN, known->sank);
 	row(v, "bodies frozen", lab->frozen, "", AT_MOST, 0.0);
 	lab_close(lab);
 }
@@ -51,6 +54,6 @@ void overlaps_experiment(Validation* v)
 	for (int k = 0; k < 6; ++k)
 	{
 		if (!v->quick || k == 2)
-			watch(v, &scenes[k], v->quick ? 60 : 600, v->quick ? 10 : 4);
+			watch(v, &scenes[k], v->quick ? 60 : 600);
 	}
 }
