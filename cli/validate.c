@@ -2,12 +2,27 @@
 // validate.c -- scree validate: experiments that say whether what must hold does.
 #include "validate/validate.h"
 #include "commands.h"
+#include "simulation.h"
 
 static int list_experiments(void)
 {
 	for (int k = 0; k < validate_count; ++k)
 		printf("%s\n", validate_experiments[k].name);
 	return EXIT_GOOD;
+}
+
+// Whether worlds can be made as the options say; else nothing is printed on standard output.
+static int try_device(const Options* options)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	scree_world* world;
+	int code = report(scree_create_world(&def, &world));
+	scree_destroy_world(world);
+	return code;
 }
 
 int validate_command(const Options* options)
@@ -23,6 +38,9 @@ int validate_command(const Options* options)
 			return EXIT_BAD;
 		}
 	}
+	int code = try_device(options);
+	if (code != EXIT_GOOD)
+		return code;
 	Validation v = {.engine = &scree_lab,
 	                .executable = options->executable,
 	                .quick = options->quick,

@@ -75,8 +75,7 @@ static void strike(Validation* v, int crates, double speed)
 	begin(v, "plate strikes %d crates at %g m/s", crates, speed);
 	Lab* lab = open_with(v, 0.0);
 	int body = add_plate(lab, crates, 1.0, 0.0);
-	if (!v->broken)
-		lab->bodies[body].def.velocity.linear.y = (float)speed;
+	lab->bodies[body].def.velocity.linear.y = (float)speed;
 	add_crates(lab, crates, 1.0);
 	double before = 0.5 * (double)lab->bodies[body].mass * speed * speed, most = 0.0, deepest = 0.0;
 	double start = (double)lab->bodies[body].mass * speed, drift = 0.0;

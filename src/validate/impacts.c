@@ -107,12 +107,17 @@ static Momentum momentum_of(Lab* lab)
 	return sum;
 }
 
-// Mixed bodies that rush together from all sides and turn about the middle; every second bounces if asked to.
-static void pile_up(Validation* v, int across, double rush, double restitution)
+// Mixed bodies that rush together from all sides and turn about the middle; every second bounces if asked to. Within a step,
+// points of action stay where it found them and bodies move on: so angular momentum drifts less with shorter steps.
+static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
 {
 	uint64_t seed = 3;
-	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g", across * across, rush * 0.8 * across, restitution);
-	Lab* lab = open_empty(v);
+	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,
+	      restitution, rate);
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	def.dt = 1.0f / (float)rate;
+	Lab* lab = lab_open(v, &def);
 	scree_vec corners[3] = {{-0.5f, -0.3f}, {0.6f, -0.4f}, {0.1f, 0.7f}};
 	scree_attribute_def kinds[3] = {box_of(0.4, 0.6), circle_of(0.5), polygon_of(corners, 3)};
 	for (int k = 0; k < across * across; ++k)
@@ -128,7 +133,7 @@ static void pile_up(Validation* v, int across, double rush, double restitution)
 	}
 	Momentum before = momentum_of(lab);
 	double linear = 0.0, angular = 0.0, energy = 0.0;
-	for (int step = 0; step < 120; ++step)
+	for (int step = 0; step < 2 * rate; ++step)
 	{
 		lab_step(lab, 1);
 		Momentum now = momentum_of(lab);
@@ -137,7 +142,7 @@ static void pile_up(Validation* v, int across, double rush, double restitution)
 		energy = fmax(energy, now.energy / before.energy);
 	}
 	row(v, "drift of momentum over sum of m v", linear, "", AT_MOST, 1e-5);
-	row(v, "drift of angular momentum over sum of m v", angular, "m", AT_MOST, 1e-3);
+	row(v, "drift of angular momentum over sum of m v", angular, "m", AT_MOST, drift);
 	row(v, "most energy of what it was", 100.0 * energy, "%", AT_MOST, 100.1);
 	lab_close(lab);
 }
@@ -149,9 +154,10 @@ void impacts_experiment(Validation* v)
 	struck(v, 100.0);
 	if (!v->quick)
 		struck(v, 10000.0);
-	pile_up(v, 7, 1.5, 0.4);
+	pile_up(v, 7, 1.5, 0.4, 60, 0.009);
+	pile_up(v, 7, 1.5, 0.4, 240, 0.0024);
 	if (v->quick)
 		return;
-	pile_up(v, 7, 1.5, 0.0);
-	pile_up(v, 15, 2.5, 0.4);
+	pile_up(v, 7, 1.5, 0.0, 60, 0.007);
+	pile_up(v, 15, 2.5, 0.4, 60, 0.037);
 }

@@ -8,22 +8,20 @@
 
 static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
 
-static bool no_memory(void)
+// Experiments count on their lab and on the bodies in it.
+static void* demand(void* memory)
 {
+	if (memory)
+		return memory;
 	fprintf(stderr, "scree validate: out of memory\n");
-	return false;
+	exit(1);
 }
 
 LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f}; }
 
 Lab* lab_open(Validation* v, const LabDef* def)
 {
-	Lab* lab = calloc(1, sizeof(Lab));
-	if (!lab)
-	{
-		no_memory();
-		exit(1);
-	}
+	Lab* lab = demand(calloc(1, sizeof(Lab)));
 	lab->validation = v;
 	lab->def = *def;
 	if (!v->broken)
@@ -62,31 +60,21 @@ void lab_close(Lab* lab)
 	free(lab);
 }
 
-static bool grow(Lab* lab, int parts)
+static void grow(Lab* lab, int parts)
 {
 	if (lab->count == lab->capacity)
 	{
-		int capacity = lab->capacity ? 2 * lab->capacity : 64;
-		LabBody* bodies = realloc(lab->bodies, (size_t)capacity * sizeof *bodies);
-		lab->bodies = bodies ? bodies : lab->bodies;
-		scree_pose* poses = realloc(lab->poses, (size_t)capacity * sizeof *poses);
-		lab->poses = poses ? poses : lab->poses;
-		scree_velocity* velocities = realloc(lab->velocities, (size_t)capacity * sizeof *velocities);
-		lab->velocities = velocities ? velocities : lab->velocities;
-		if (!bodies || !poses || !velocities)
-			return no_memory();
-		lab->capacity = capacity;
+		size_t capacity = lab->capacity ? 2 * (size_t)lab->capacity : 64;
+		lab->bodies = demand(realloc(lab->bodies, capacity * sizeof *lab->bodies));
+		lab->poses = demand(realloc(lab->poses, capacity * sizeof *lab->poses));
+		lab->velocities = demand(realloc(lab->velocities, capacity * sizeof *lab->velocities));
+		lab->capacity = (int)capacity;
 	}
 	if (lab->part_count + parts > lab->part_capacity)
 	{
-		int capacity = 2 * lab->part_capacity + parts;
-		LabPart* grown = realloc(lab->parts, (size_t)capacity * sizeof *grown);
-		if (!grown)
-			return no_memory();
-		lab->parts = grown;
-		lab->part_capacity = capacity;
+		lab->part_capacity = 2 * lab->part_capacity + parts;
+		lab->parts = demand(realloc(lab->parts, (size_t)lab->part_capacity * sizeof *lab->parts));
 	}
-	return true;
 }
 
 // Mass and inertia by the parallel axes theorem.
@@ -112,11 +100,7 @@ static void weigh(LabBody* body, const LabPart* parts)
 
 int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count)
 {
-	if (lab->validation->broken || !grow(lab, count))
-	{
-		check(lab, false);
-		return 0;
-	}
+	grow(lab, count);
 	LabBody* body = &lab->bodies[lab->count];
 	*body = (LabBody){.def = *def, .first = lab->part_count, .count = count};
 	for (int k = 0; k < count; ++k)
@@ -139,8 +123,7 @@ int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, 
 int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity)
 {
 	int body = lab_put(lab, SCREE_DYNAMIC, surface, x, y, angle);
-	if (!lab->validation->broken)
-		lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
+	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
 	return body;
 }
 
@@ -247,16 +230,16 @@ double lab_overlap(Lab* lab, int* touching)
 	// the same bodies, where they are now
 	Lab still = *lab;
 	still.def.gravity = (scree_vec){0.0f, 0.0f};
-	still.bodies = malloc(((size_t)lab->count + 1) * sizeof(LabBody));
-	LabOptions options = {.device = "cpu", .threads = 1};
-	void* state = still.bodies ? scree_lab.open(&options, &still.def) : NULL;
-	scree_counters counters = {0};
-	for (int k = 0; state && k < lab->count; ++k)
+	still.bodies = demand(malloc(((size_t)lab->count + 1) * sizeof(LabBody)));
+	for (int k = 0; k < lab->count; ++k)
 	{
 		still.bodies[k] = lab->bodies[k];
 		still.bodies[k].def.pose = lab->poses[k];
 		still.bodies[k].def.velocity = (scree_velocity){{0.0f, 0.0f}, 0.0f};
 	}
+	LabOptions options = {.device = "cpu", .threads = 1};
+	void* state = scree_lab.open(&options, &still.def);
+	scree_counters counters = {0};
 	check(lab, state && measure(&still, state, &counters));
 	if (state)
 		scree_lab.close(state);

@@ -72,10 +72,11 @@ typedef struct
 } Extremes;
 
 // Bodies of 0.1 to 1 m on top of each other in a small place, at rest; movers are kinematic and go to and fro.
-static void burst(Validation* v, int count, int movers, double max_speed, int run, Extremes* extremes)
+static void burst(Validation* v, int count, double width, int movers, double max_speed, int run, Extremes* extremes)
 {
 	Lab* lab = open_with(v, 10.0, max_speed);
 	uint64_t seed = (uint64_t)(100 + run);
+	float half = 0.5f * (float)width;
 	add_floor(lab, 30.0);
 	scree_attribute_def bar = box_of(1.0, 0.2);
 	int first = lab->count;
@@ -87,7 +88,7 @@ static void burst(Validation* v, int count, int movers, double max_speed, int ru
 		                     0.0f, velocity);
 		lab->bodies[body].def.type = SCREE_KINEMATIC;
 	}
-	add_jumble(lab, count, 0.1, 1.0, (scree_box){{-4.0f, 1.0f}, {4.0f, 8.0f}}, &seed);
+	add_jumble(lab, count, 0.1, 1.0, (scree_box){{-half, 1.0f}, {half, 1.0f + 2.0f * half}}, &seed);
 	for (int step = 0; step < 120; ++step)
 	{
 		for (int k = 0; k < movers && step % 10 == 9; ++k)
@@ -109,12 +110,12 @@ static void burst(Validation* v, int count, int movers, double max_speed, int ru
 	lab_close(lab);
 }
 
-static void bursts(Validation* v, int count, int movers, double max_speed, int runs)
+static void bursts(Validation* v, int count, double width, int movers, double max_speed, int runs)
 {
 	Extremes extremes = {0};
-	begin(v, "%d overlapping bodies and %d movers, limit %g m/s", count, movers, max_speed);
+	begin(v, "%d bodies on %g x %g m with %d movers and a limit of %g m/s", count, width, width, movers, max_speed);
 	for (int run = 0; run < runs; ++run)
-		burst(v, count, movers, max_speed, run, &extremes);
+		burst(v, count, width, movers, max_speed, run, &extremes);
 	where(v, "run %d of %d", extremes.run, runs);
 	row(v, "fastest", extremes.speed, "m/s", AT_MOST, 1.0001 * fmin(max_speed, 100.0));
 	row(v, "most turn a step", extremes.turn, "rad", AT_MOST, 1.0001 * MAX_TURN);
@@ -146,9 +147,12 @@ void limits_experiment(Validation* v)
 	chips(v, 400.0, v->quick ? 250 : 1000);
 	spinner(v, SCREE_DYNAMIC, 60.0, v->quick ? 1 : 20);
 	spinner(v, SCREE_KINEMATIC, 30.0, v->quick ? 1 : 20);
-	bursts(v, 300, 0, 400.0, runs);
-	bursts(v, 300, 6, 400.0, runs);
-	bursts(v, 300, 6, 20.0, runs);
+	bursts(v, 300, 8.0, 0, 400.0, runs);
+	bursts(v, 300, 2.0, 0, 400.0, runs);
+	bursts(v, 300, 0.0, 0, 400.0, runs);
+	bursts(v, 300, 8.0, 6, 400.0, runs);
+	bursts(v, 300, 2.0, 6, 400.0, runs);
+	bursts(v, 300, 8.0, 6, 20.0, runs);
 	force(v, 1e5);
 	force(v, 1e22);
 	force(v, 1e38);

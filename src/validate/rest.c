@@ -131,7 +131,7 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 // After so many steps: energy and the fastest body in the last second, and the way of the slow ones in the time behind.
 static void judge(Validation* v, Lab* lab, int first, const char* name, int count, int until, int behind)
 {
-	begin(v, "%s of %d, %d steps", name, count, until);
+	begin(v, "heap of %d %s after %d steps", count, name, until);
 	v->steps = until;
 	Calm calm = calm_of(lab, first);
 	v->steps = until;
@@ -144,7 +144,7 @@ static void judge(Validation* v, Lab* lab, int first, const char* name, int coun
 
 static void heap(Validation* v, int count, bool mixed)
 {
-	const char* name = mixed ? "heap of mixed bodies" : "heap of boxes and circles";
+	const char* name = mixed ? "mixed bodies" : "boxes and circles";
 	int half = v->quick ? 1800 : 3600, all = v->quick ? 0 : 20000, behind = v->quick ? 600 : 3600;
 	LabDef def = lab_def();
 	Lab* lab = lab_open(v, &def);
