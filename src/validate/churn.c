@@ -42,11 +42,11 @@ static double median_step(Validation* v, int count, Churn churn, int moved, int 
 		lab_throw(
 		    lab, &circle, 2.0f * (float)(k % side), 2.0f * (float)(k / side), 0.0f,
 		    (scree_velocity){{(float)random_between(&seed, -1.0, 1.0), (float)random_between(&seed, -1.0, 1.0)}, 0.0f});
-	int* bodies = malloc((size_t)moved * sizeof *bodies);
-	scree_pose* poses = malloc((size_t)moved * sizeof *poses);
-	double* times = malloc((size_t)steps * sizeof *times);
+	int* bodies = demand(malloc((size_t)moved * sizeof *bodies));
+	scree_pose* poses = demand(malloc((size_t)moved * sizeof *poses));
+	double* times = demand(malloc((size_t)steps * sizeof *times));
 	int next = 0;
-	for (int step = 0; step < WARM_UP + steps && bodies && poses && times; ++step)
+	for (int step = 0; step < WARM_UP + steps; ++step)
 	{
 		for (int k = 0; k < moved; ++k, next = (next + 7919) % count)
 		{
@@ -65,12 +65,8 @@ static double median_step(Validation* v, int count, Churn churn, int moved, int 
 		if (step >= WARM_UP)
 			times[step - WARM_UP] = seconds() - begin;
 	}
-	double median = 0.0;
-	if (times)
-	{
-		qsort(times, (size_t)steps, sizeof *times, rising);
-		median = times[steps / 2];
-	}
+	qsort(times, (size_t)steps, sizeof *times, rising);
+	double median = times[steps / 2];
 	free(bodies);
 	free(poses);
 	free(times);
@@ -108,12 +104,11 @@ static Crowd gather(Validation* v, int count)
 	Crowd c = {.lab = lab_open(v, &def), .count = count};
 	scree_attribute_def box = box_of(0.5, 0.5);
 	size_t room = (size_t)count;
-	c.bodies = malloc(room * sizeof *c.bodies);
-	c.spread = malloc(room * sizeof *c.spread);
-	c.heaped = malloc(room * sizeof *c.heaped);
-	v->broken = v->broken || !c.bodies || !c.spread || !c.heaped;
+	c.bodies = demand(malloc(room * sizeof *c.bodies));
+	c.spread = demand(malloc(room * sizeof *c.spread));
+	c.heaped = demand(malloc(room * sizeof *c.heaped));
 	int side = (int)ceil(sqrt(count));
-	for (int k = 0; k < count && !v->broken; ++k)
+	for (int k = 0; k < count; ++k)
 	{
 		float x = 2.0f * (float)(k % side), y = 2.0f * (float)(k / side);
 		c.bodies[k] = lab_put(c.lab, SCREE_DYNAMIC, &box, x, y, 0.0f);

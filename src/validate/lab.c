@@ -8,21 +8,13 @@
 
 static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
 
-// Experiments count on their lab and on the bodies in it.
-static void* demand(void* memory)
-{
-	if (memory)
-		return memory;
-	fprintf(stderr, "scree validate: out of memory\n");
-	exit(1);
-}
-
 LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f}; }
 
 Lab* lab_open(Validation* v, const LabDef* def)
 {
 	Lab* lab = demand(calloc(1, sizeof(Lab)));
 	lab->validation = v;
+	v->lab = lab;
 	lab->def = *def;
 	if (!v->broken)
 	{
@@ -44,13 +36,19 @@ static bool ready(Lab* lab)
 	return !v->broken;
 }
 
+uint64_t lab_hash(Lab* lab)
+{
+	uint64_t hash = 0;
+	if (ready(lab))
+		check(lab, lab->validation->engine->hash(lab->state, &hash));
+	return hash;
+}
+
 void lab_close(Lab* lab)
 {
 	Validation* v = lab->validation;
-	uint64_t hash = 0;
-	if (ready(lab))
-		check(lab, v->engine->hash(lab->state, &hash));
-	v->hash = v->hash * 0x100000001b3u ^ hash; // that of a single world as it is
+	v->hash = validate_hash(v);
+	v->lab = NULL;
 	if (lab->state)
 		v->engine->close(lab->state);
 	free(lab->bodies);

@@ -82,7 +82,7 @@ struct Lab
 
 LabDef lab_def(void); // gravity (0, -10), 60 Hz x 4 substeps, 400 m/s
 
-// Never null; to be closed. Closing adds the hash of the end state to the row that is printed next.
+// Never null; to be closed before the next one is opened.
 Lab* lab_open(Validation* validation, const LabDef* def);
 void lab_close(Lab* lab);
 
@@ -100,6 +100,7 @@ void lab_push(Lab* lab, int body, scree_vec force);
 void lab_teleport(Lab* lab, const int* bodies, const scree_pose* poses, int count);
 void lab_replace(Lab* lab, const int* bodies, const scree_pose* poses, int count);
 double lab_bytes(Lab* lab);
+uint64_t lab_hash(Lab* lab);
 
 // Of what lab_read read last.
 double lab_kinetic(const Lab* lab, int body); // J, 0 unless dynamic

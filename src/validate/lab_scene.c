@@ -44,9 +44,9 @@ static bool add_body(Lab* lab, scree_world* model, scree_body body)
 	int count = 0;
 	if (!read_def(model, body, &def) || !report(scree_get_collidables(model, body, NULL, 0, &count)))
 		return false;
-	scree_collidable* collidables = malloc(((size_t)count + 1) * sizeof *collidables);
-	LabPart* parts = malloc(((size_t)count + 1) * sizeof *parts);
-	bool good = collidables && parts && report(scree_get_collidables(model, body, collidables, count, &count));
+	scree_collidable* collidables = demand(malloc(((size_t)count + 1) * sizeof *collidables));
+	LabPart* parts = demand(malloc(((size_t)count + 1) * sizeof *parts));
+	bool good = report(scree_get_collidables(model, body, collidables, count, &count));
 	for (int k = 0; k < count && good; ++k)
 		good = read_part(model, collidables[k], &parts[k]);
 	if (good)
@@ -60,8 +60,8 @@ static bool add_bodies(Lab* lab, scree_world* model)
 {
 	int count = 0;
 	scree_get_bodies(model, NULL, 0, &count);
-	scree_body* bodies = malloc(((size_t)count + 1) * sizeof *bodies);
-	bool good = bodies && report(scree_get_bodies(model, bodies, count, &count));
+	scree_body* bodies = demand(malloc(((size_t)count + 1) * sizeof *bodies));
+	bool good = report(scree_get_bodies(model, bodies, count, &count));
 	for (int k = 0; k < count && good; ++k)
 		good = add_body(lab, model, bodies[k]);
 	free(bodies);

@@ -107,14 +107,14 @@ static void point_at(const Lab* lab, int body)
 // How far bodies went that stayed within a quarter of their size, the farthest of them, a minute.
 static void creep(Validation* v, Lab* lab, int first, int steps)
 {
-	scree_pose* before = malloc((size_t)lab->count * sizeof *before);
+	scree_pose* before = demand(malloc((size_t)lab->count * sizeof *before));
 	double most = 0.0;
 	int farthest = first;
-	for (int k = 0; before && k < lab->count; ++k)
+	for (int k = 0; k < lab->count; ++k)
 		before[k] = lab->poses[k];
 	lab_step(lab, steps);
 	lab_read(lab);
-	for (int k = first; before && k < lab->count; ++k)
+	for (int k = first; k < lab->count; ++k)
 	{
 		double moved = hypot((double)(lab->poses[k].position.x - before[k].position.x),
 		                     (double)(lab->poses[k].position.y - before[k].position.y));

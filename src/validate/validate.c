@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define X(name, shows) void name##_experiment(Validation* v);
@@ -69,6 +70,13 @@ void where(Validation* v, const char* format, ...)
 	cell(v->where);
 }
 
+uint64_t validate_hash(Validation* v)
+{
+	if (!v->lab)
+		return v->hash;
+	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // of a single world its own
+}
+
 void row(Validation* v, const char* quantity, double value, const char* unit, Limit limit, double bound)
 {
 	if (v->broken)
@@ -81,10 +89,18 @@ void row(Validation* v, const char* quantity, double value, const char* unit, Li
 	        limit == SHOWN ? "shown"
 	        : good         ? "pass"
 	                       : "fail",
-	        v->steps, v->hash, v->where);
+	        v->steps, validate_hash(v), v->where);
 	fflush(v->out);
 	v->failures += !good;
 	v->where[0] = 0;
+}
+
+void* demand(void* memory)
+{
+	if (memory)
+		return memory;
+	fprintf(stderr, "scree validate: out of memory\n");
+	exit(1);
 }
 
 double random_between(uint64_t* seed, double low, double high)

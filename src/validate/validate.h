@@ -29,11 +29,12 @@ struct Validation
 	bool quick;             // fewer and shorter runs, for tests
 	FILE* out;
 
+	Lab* lab;               // that is open, or null
 	const char* experiment; // that runs
 	char text[96];          // of the case
 	char where[128];        // which run gave the value, or nothing
 	int64_t steps;          // since the case began
-	uint64_t hash;          // of the end states since then
+	uint64_t hash;          // of the end states of labs closed since then
 	int failures;           // rows beyond their limits
 	bool broken;            // an engine or memory failed
 };
@@ -50,6 +51,12 @@ bool validate_run(Validation* v, const Experiment* experiment);
 void begin(Validation* v, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void where(Validation* v, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void row(Validation* v, const char* quantity, double value, const char* unit, Limit limit, double bound);
+
+// The hash of all end states of the case, the state of the open lab among them.
+uint64_t validate_hash(Validation* v);
+
+// Memory that was asked for; without it the program ends with a sentence.
+void* demand(void* memory);
 
 // The same numbers on every machine, by Sebastiano Vigna, splitmix64, 2015.
 double random_between(uint64_t* seed, double low, double high);
