@@ -58,7 +58,7 @@ static void column(Validation* v, int count, int substeps, double jitter, Limit 
 	begin(v, "%d boxes x %d substeps%s", count, substeps, jitter > 0.0 ? " set down unevenly" : "");
 	Lab* lab = open_with(v, substeps, &first);
 	add_column(lab, count, 0.0, jitter);
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, 0.25);
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, count < 100 ? 0.25 : 1.0);
 }
 
 static void weight(Validation* v, double density, Limit limit, double sink)

@@ -113,7 +113,10 @@ static void burst(Validation* v, int count, double width, int movers, double max
 static void bursts(Validation* v, int count, double width, int movers, double max_speed, int runs)
 {
 	Extremes extremes = {0};
-	begin(v, "%d bodies on %g x %g m with %d movers and a limit of %g m/s", count, width, width, movers, max_speed);
+	char place[48] = "at one point";
+	if (width > 0.0)
+		snprintf(place, sizeof place, "on %g x %g m", width, width);
+	begin(v, "%d bodies %s with %d movers and a limit of %g m/s", count, place, movers, max_speed);
 	for (int run = 0; run < runs; ++run)
 		burst(v, count, width, movers, max_speed, run, &extremes);
 	where(v, "run %d of %d", extremes.run, runs);

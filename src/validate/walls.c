@@ -34,6 +34,9 @@ static scree_attribute_def body_of(Kind kind, double size)
 	}
 }
 
+// Its longest side.
+static double length_of(Kind kind, double size) { return (kind == CAPSULE ? 3.0 : kind == ROD ? 8.0 : 2.0) * size; }
+
 static scree_attribute_def wall(bool thick) { return thick ? box_of(0.01, 0.5 * HEIGHT) : wall_of(HEIGHT); }
 
 static Lab* open_empty(Validation* v)
@@ -77,13 +80,18 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 	scree_attribute_def barrier = wall(thick), light = box_of(0.05, 0.05), heavy = box_of(0.2, 0.2);
 	heavy.density = 50.0f;
 	int bodies[2048];
+	uint64_t seed = 13;
 	for (int k = 0; k < runs; ++k)
 	{
 		float y = (float)(APART * (k - runs / 2));
 		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m, from its center to the wall
 		lab_put(lab, SCREE_STATIC, &barrier, 0.0f, y, 0.0f);
-		bodies[2 * k] = lab_put(lab, SCREE_DYNAMIC, &light, (float)-gap, y, 0.0f);
-		bodies[2 * k + 1] = lab_throw(lab, &heavy, -1.5f, y, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
+		bool plain = k % 2 == 0; // else aslant and off the middle
+		double angle = plain ? 0.0 : random_between(&seed, -1.0, 1.0),
+		       off = plain ? 0.0 : random_between(&seed, -0.2, 0.2);
+		bodies[2 * k] = lab_put(lab, SCREE_DYNAMIC, &light, (float)-gap, y, (float)angle);
+		bodies[2 * k + 1] =
+		    lab_throw(lab, &heavy, -1.5f, y + (float)off, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
 	close_off(lab, &barrier, runs);
 	lab_step(lab, 30);
@@ -98,7 +106,8 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 	static const double speeds[] = {100.0, 200.0, 400.0};
 	int through = 0, all = 0, bodies[1024];
 	uint64_t seed = 11;
-	begin(v, "%s of %g m at 100 to 400 m/s against a %s", kinds[kind], 2.0 * size, thick ? "box of 2 cm" : "segment");
+	begin(v, "%s of %g m at 100 to 400 m/s against a %s", kinds[kind], length_of(kind, size),
+	      thick ? "box of 2 cm" : "segment");
 	for (int s = 0; s < 3; ++s)
 	{
 		Lab* lab = open_empty(v);
