@@ -3,6 +3,7 @@
 #include "lab.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct
 {
@@ -94,14 +95,22 @@ static bool create_some(State* state, const Lab* lab, const int* bodies, int fir
 {
 	if (!reserve(state, count))
 		return false;
+	const LabPart* last = NULL;
+	scree_attribute attribute = {0};
 	for (int k = 0; k < count; ++k)
 	{
 		const LabBody* body = &lab->bodies[bodies ? bodies[k] : first + k];
 		const LabPart* part = &lab->parts[body->first];
 		state->defs[k] = body->def;
-		state->defs[k].filter = part->filter;
-		if (body->count > 0 && !report(scree_create_attribute(state->world, &part->surface, &state->defs[k].attribute)))
+		if (body->count == 0)
+			continue;
+		// whoever makes many alike looks their attribute up once
+		bool same = last && memcmp(&part->surface, &last->surface, sizeof part->surface) == 0;
+		if (!same && !report(scree_create_attribute(state->world, &part->surface, &attribute)))
 			return false;
+		last = part;
+		state->defs[k].attribute = attribute;
+		state->defs[k].filter = part->filter;
 	}
 	if (!report(scree_create_bodies(state->world, state->defs, count, state->some)))
 		return false;
