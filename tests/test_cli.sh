@@ -182,6 +182,16 @@ grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
+# validate: one experiment, and what it does not take; tests/test_validate.sh looks at its rows
+expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
+expect 0 'motion' validate --names
+[ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "validate --names: more than one word a line"
+expect 0 'what is right stays right' validate --help
+refuse 2 'no experiment is called "nothing"' validate motion nothing
+refuse 2 'scree validate: takes no --steps' validate --steps 3
+refuse 2 'scree bench: takes no --quick' bench --quick
+refuse 2 'gpu' validate --quick --device gpu motion
+
 # the paper's figures: both pipelines on one thread and on OpenCL, ours on all threads as well
 expect 0 'figure5|figure6' bench --help
 columns=scene,settings,pipeline,device,threads,bodies,contacts,contacts_a_body,steps,repeats,ms_step,ms_least,ms_most

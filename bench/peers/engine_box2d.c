@@ -3,8 +3,8 @@
 //
 // The scene is built into a Scree world first and read back from there, body by body, so that both engines get the same
 // numbers. Contact stiffness and the like stay at each engine's defaults; sleep is off, because Scree has none.
+#include "box2d_shape.h"
 #include "engine.h"
-#include <box2d/box2d.h>
 #include <stdlib.h>
 
 typedef struct
@@ -15,33 +15,6 @@ typedef struct
 } State;
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
-
-static bool add_shape(b2BodyId body, const b2ShapeDef* def, const scree_shape* shape)
-{
-	b2Polygon polygon = {.centroid = vec(shape->centroid), .radius = shape->radius, .count = shape->count};
-	switch (shape->kind)
-	{
-	case SCREE_CIRCLE:
-		b2CreateCircleShape(body, def, &(b2Circle){vec(shape->vertices[0]), shape->radius});
-		return true;
-	case SCREE_CAPSULE:
-		b2CreateCapsuleShape(body, def, &(b2Capsule){vec(shape->vertices[0]), vec(shape->vertices[1]), shape->radius});
-		return true;
-	case SCREE_SEGMENT:
-		b2CreateSegmentShape(body, def, &(b2Segment){vec(shape->vertices[0]), vec(shape->vertices[1])});
-		return true;
-	case SCREE_POLYGON:
-		for (int k = 0; k < shape->count; ++k)
-		{
-			polygon.vertices[k] = vec(shape->vertices[k]);
-			polygon.normals[k] = vec(shape->normals[k]);
-		}
-		b2CreatePolygonShape(body, def, &polygon);
-		return true;
-	}
-	fprintf(stderr, "scree_peers: a shape of kind %d has no counterpart in Box2D\n", (int)shape->kind);
-	return false;
-}
 
 static bool add_collidable(const scree_world* model, scree_collidable collidable, b2BodyId body)
 {
@@ -56,16 +29,7 @@ static bool add_collidable(const scree_world* model, scree_collidable collidable
 	    !report(scree_collidable_get_filter(model, collidable, &filter)) ||
 	    !report(scree_transform_shape(&surface.shape, pose, &shape)))
 		return false;
-
-	b2ShapeDef def = b2DefaultShapeDef();
-	def.density = surface.density;
-	def.material.friction = surface.friction;
-	def.material.restitution = surface.restitution;
-	def.material.rollingResistance = surface.rolling_resistance;
-	def.material.tangentSpeed = surface.tangent_speed;
-	def.filter = (b2Filter){filter.category, filter.mask, filter.group};
-	def.updateBodyMass = false; // once a body, below
-	return add_shape(body, &def, &shape);
+	return box2d_add_shape(body, &surface, &shape, filter);
 }
 
 static bool add_collidables(const scree_world* model, scree_body body, b2BodyId to)
