@@ -142,7 +142,8 @@ INLINE Runner runner_prepare(const Pools* p, int i, int cleanse)
 		return u;
 	if (cleanse)
 		cleanse_item(p, i);
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
+	                               constraint_at(p, normal_impulse2, i));
 	if (p->step.extras)
 		prepare_extras(p, i, made);
 	u = runner_make(p, i, made);

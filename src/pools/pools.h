@@ -25,6 +25,8 @@
 #define HASH_SUMS      1024
 #define OVERFLOW_CHUNK 64
 
+#define MAX_CORNERS 8 // of a core
+
 // contacts begin at this separation, so that they are in place before bodies meet: four times the slop
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f
@@ -37,8 +39,10 @@
 #define NO_POINT 1.0e6f
 
 // bits of the pool moved
-#define MOVED_BOX 1 // its box differs from old_box
-#define MOVED_FAR 2 // it may go further in this step than the speculative distance allows for
+#define MOVED_BOX  1 // its box differs from old_box
+#define MOVED_FAR  2 // it may go further in this step than the speculative distance allows for
+#define MOVED_ON   4 // it is not at rest in this step
+#define MOVED_FAST 8 // a pair of which neither is fast keeps its manifold under load
 
 // kinds of collidables
 #define KIND_DEAD      0
@@ -76,10 +80,17 @@ typedef struct // 64 bytes: the points of a contact as they were found
 	Float4
 	    normal; // x, y from a to b in the frame of a, separations of the points (m), NO_POINT for one that is not there
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
-	Float4 on_b;     // the same places in the frame of b, m
-	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin; of points found ahead, for one step only:
-	                 // NO_POINT and how far a and b have yet to turn (rad)
+	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin
+	Float4 then;     // rotation of a in the world then: cos, sin; FOUND_* bits; unused
 } Found;
+
+// Found.then.z: what a manifold does while bodies move on
+#define FOUND_AHEAD   1  // it is that of poses still to come, for one step only
+#define FOUND_ROLLS   2  // it follows its corners; otherwise it is held as it was found
+#define FOUND_CORNER1 4  // point 1 is at a corner of a, otherwise of b
+#define FOUND_CORNER2 8  // the same of point 2
+#define FOUND_TURNS_B 16 // the normal turns with b, otherwise with a
+#define FOUND_CORNERS 32 // the normal goes from a corner to a corner
 
 typedef struct // 32 bytes: one sector
 {

@@ -45,6 +45,19 @@ STAGE(contact_begin)
 	(void)i;
 }
 
+// Which of two collidables is the first of a pair: what moves before what does not, then the smaller, then the lower. The
+// manifold is found in its frame and the solver's arms are from its center, so that they are exact where it matters: far
+// from the center of a floor, a circle's arms would be off by a ten millionth of the way there, and it would roll.
+INLINE int contact_first(const Pools* p, int a, int b)
+{
+	int still_a = p->collidable_kind[a] < KIND_DYNAMIC, still_b = p->collidable_kind[b] < KIND_DYNAMIC;
+	if (still_a != still_b)
+		return still_a ? b : a;
+	float reach_a = p->attribute[p->collidable_attribute[a]].reach,
+	      reach_b = p->attribute[p->collidable_attribute[b]].reach;
+	return reach_b < reach_a ? b : a;
+}
+
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
 STAGE(contact_create)
@@ -53,6 +66,12 @@ STAGE(contact_create)
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
 	int dead = p->counters->dead;
 	int slot = i < dead ? p->free_slot[i] : p->counters->contacts + (i - dead);
+	int first = contact_first(p, a, b);
+	if (first == b)
+	{
+		b = a;
+		a = first;
+	}
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
 	const GLOBAL Attribute* sa = p->attribute + p->collidable_attribute[a];
 	const GLOBAL Attribute* sb = p->attribute + p->collidable_attribute[b];

@@ -3,7 +3,7 @@
 #ifndef SOLVE_ONE_H
 #define SOLVE_ONE_H
 #include "stages/body.h"
-#include "stages/contact_points.h"
+#include "stages/sweep.h"
 
 STAGE(solve_begin)
 {
@@ -43,19 +43,21 @@ typedef struct
 } Prepared;
 
 // what the passes need of the points of a contact
-INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
+INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot, float load1, float load2)
 {
 	Placed a = p->placed[pair.x], b = p->placed[pair.y];
-	ContactPoints points = contact_points(a, b, p->contact_found[slot]);
-
-	// anchors are from the centers of mass
-	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
-	Vec from_a = vec_add(center_a, vec_scale(0.5f, points.apart));
+	Found found = p->contact_found[slot];
+	ContactPoints points;
+	if (float_bits(found.then.z) & FOUND_ROLLS)
+		points = rolling_step(p, a, b, found, p->contact_feature[slot], load1, load2, sweep_advance(p, a.body),
+		                      sweep_advance(p, b.body));
+	else
+		points = contact_points_held(a, b, found);
 	Prepared made;
 	made.normal = points.normal;
-	made.offset = vec_add(vec_sub(center_a, center_b), points.apart);
-	made.anchor1 = vec_sub(points.point[0], from_a);
-	made.anchor2 = vec_sub(points.point[1], from_a);
+	made.offset = points.offset;
+	made.anchor1 = points.anchor[0];
+	made.anchor2 = points.anchor[1];
 	made.separation1 = points.separation[0];
 	made.separation2 = points.separation[1];
 	prepare_depth(p, points.separation[0]);
@@ -80,7 +82,8 @@ STAGE(prepare)
 	int slot = p->constraint_contact[i];
 	if (slot < 0)
 		return;
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
+	                               constraint_at(p, normal_impulse2, i));
 	constraint_at(p, normal_x, i) = made.normal.x;
 	constraint_at(p, normal_y, i) = made.normal.y;
 	constraint_at(p, offset_x, i) = made.offset.x;

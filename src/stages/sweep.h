@@ -11,6 +11,7 @@
 #ifndef SWEEP_H
 #define SWEEP_H
 #include "stages/manifold.h"
+#include "stages/rolling.h"
 
 // Looks at a pair while it draws near. Of the fast pairs of the scene tumbler 90 % need one and 1 % more than five; what
 // spins by more than a radian a step may need fifteen, and with twelve some went through a wall.
@@ -19,6 +20,13 @@
 // m: pairs meet when they overlap by this much, or else what slides over a seam between two floors would meet the side of
 // the second; looked for is twice as much
 #define SWEEP_DEPTH (0.5f * LINEAR_SLOP)
+
+// m a step: what moves less, or draws near by less, is as good as at rest
+#define SWEEP_REST (0.03f * LINEAR_SLOP)
+
+// m a step: what is under load and draws near by less keeps its manifold; faster, arms that lag behind would cost angular
+// momentum
+#define SWEEP_HOLD LINEAR_SLOP
 
 typedef struct // of a collidable and its body
 {
@@ -37,16 +45,26 @@ typedef struct // of b against a
 	Real most;  // m: how far any two points of the pair may draw near
 } Closing;
 
-INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* attribute)
+// by the velocities with which the step begins
+INLINE Advance sweep_advance(const Pools* p, int index)
 {
-	BodyState body = p->body[placed.body];
+	BodyState body = p->body[index];
 	Vec v = vec(body.vx, body.vy);
 	Real square = vec_dot(v, v), speed = p->step.max_speed, spin = p->step.max_spin;
 	if (square > speed * speed)
 		v = vec_scale(speed / root(square), v);
+	Advance advance;
+	advance.path = vec_scale(p->step.dt, v);
+	advance.turn = p->step.dt * minimum(maximum(body.w, -spin), spin);
+	return advance;
+}
+
+INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* attribute)
+{
+	Advance advance = sweep_advance(p, placed.body);
 	Sweep s;
-	s.path = vec_scale(p->step.dt, v);
-	s.turn = p->step.dt * minimum(maximum(body.w, -spin), spin);
+	s.path = advance.path;
+	s.turn = advance.turn;
 	s.center = vec(placed.center_x, placed.center_y);
 	s.reach = attribute->reach - attribute->radius + absolute(s.center.x) + absolute(s.center.y);
 	return s;
@@ -66,6 +84,16 @@ INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
 	c.swing = absolute(sb.turn - sa.turn) * minimum(sa.reach, sb.reach);
 	c.most = absolute(c.near.x) + absolute(c.near.y) + c.swing;
 	return c;
+}
+
+// At most how far any two points of the pair may draw near, by less work than sweep_closing.
+INLINE Real sweep_most(const Pools* p, Placed a, Placed b, Real reach_a, Real reach_b)
+{
+	BodyState ba = p->body[a.body], bb = p->body[b.body];
+	Real arm_a = reach_a + absolute(a.center_x) + absolute(a.center_y);
+	Real arm_b = reach_b + absolute(b.center_x) + absolute(b.center_y);
+	return p->step.dt *
+	       (absolute(bb.vx - ba.vx) + absolute(bb.vy - ba.vy) + absolute(ba.w) * arm_a + absolute(bb.w) * arm_b);
 }
 
 // how fast any two points of the pair may draw near along a normal from a to b, m

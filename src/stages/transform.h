@@ -98,33 +98,35 @@ STAGE(transform)
 	// contacts begin at the speculative distance, so half of it on either side belongs to the tight box
 	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
-	int far = 0;
+	int how = 0;
 	if (placed.body >= 0)
 	{
 		Sweep sweep = sweep_of(p, placed, attribute);
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
+		if (travel > 0.5f * SWEEP_REST)
+			how = travel > 0.5f * SWEEP_HOLD ? MOVED_ON | MOVED_FAST : MOVED_ON;
 		if (travel > 0.5f * SPECULATIVE_DISTANCE)
 		{
 			// where it will be belongs to the tight box too. What leaves its box in every step needs no margin.
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
-			far = MOVED_FAR;
+			how |= MOVED_FAR;
 		}
 	}
 	if (box_contains(box, tight))
 	{
 		if (moved & MOVED_BOX)
 			p->old_box[i] = box;
-		if (moved != far)
-			p->moved[i] = far;
+		if (moved != how)
+			p->moved[i] = how;
 		return;
 	}
 	p->old_box[i] = box;
 	p->box[i] = box_grow(tight, margin);
-	p->moved[i] = MOVED_BOX | far;
+	p->moved[i] = MOVED_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
 	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
 }
