@@ -116,6 +116,8 @@ scree_status scree_create_attribute(scree_world* world, const scree_attribute_de
 		*entry = index + 1;
 		if (plain.restitution != 0.0f || plain.rolling_resistance != 0.0f || plain.tangent_speed != 0.0f)
 			world->pipeline.extras = true;
+		if (plain.restitution != 0.0f)
+			world->pipeline.bounces = true;
 	}
 	*attribute = attribute_handle(world, *entry - 1);
 	return SCREE_OK;

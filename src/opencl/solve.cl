@@ -253,29 +253,26 @@ INLINE Runner runner_return(__global float4* notes, int n, int i)
 INLINE void runner_bias(const Step* step, Runner* u)
 {
 	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1);
+		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1, 0.0f);
 }
 
 INLINE void runner_relax(const Pools* p, int i, Runner* u)
 {
-	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f;
+	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f, rebound[2] = {0.0f, 0.0f};
+	if (p->step.bounces)
+	{
+		rebound[0] = extra_at(p, rebound1, i);
+		rebound[1] = extra_at(p, rebound2, i);
+	}
 	for (int k = 0; k < 2; ++k)
 		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
 	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0);
+		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0, rebound[k]);
 	if (p->step.extras)
 	{
 		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
-		pair_peak(p, i, u->normal[0], u->normal[1]);
+		pair_total(p, i, u->normal[0], u->normal[1]);
 	}
-}
-
-INLINE void runner_bounce(const Pools* p, int i, Runner* u)
-{
-	runner_stow(p, i, u);
-	bounce_pass(p, i, &u->c);
-	u->normal[0] = constraint_at(p, normal_impulse1, i);
-	u->normal[1] = constraint_at(p, normal_impulse2, i);
 }
 
 INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
@@ -283,7 +280,7 @@ INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
 	if (q == 0)
 		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
 	else if (q > 2 * substeps)
-		runner_bounce(p, i, u);
+		bounce_pair(p, i, &u->c, u->gap[0], u->gap[1], &u->normal[0], &u->normal[1]);
 	else if (q & 1)
 		runner_bias(&p->step, u);
 	else

@@ -127,7 +127,7 @@ INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 	else if (kind == TILE_RELAX)
 		runner_relax(p, i, &u);
 	else
-		runner_bounce(p, i, &u);
+		bounce_pair(p, i, &u.c, u.gap[0], u.gap[1], &u.normal[0], &u.normal[1]);
 	tile_scatter(tile, place_a, &u.c.a);
 	tile_scatter(tile, place_b, &u.c.b);
 	if (ends)

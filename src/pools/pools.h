@@ -108,8 +108,10 @@ typedef struct
 {
 	float restitution[MAX_LANES], rolling[MAX_LANES], tangent_speed[MAX_LANES]; // 1, m, m/s
 	float rolling_impulse[MAX_LANES];                                           // N m s; kept from step to step
-	float approach1[MAX_LANES], approach2[MAX_LANES];         // m/s: normal velocity of a point before the step
-	float peak_impulse1[MAX_LANES], peak_impulse2[MAX_LANES]; // N s: largest normal impulse of any substep
+	float fall[MAX_LANES]; // m/s^2: normal acceleration by gravity and forces
+	float rebound1[MAX_LANES],
+	    rebound2[MAX_LANES]; // m/s: speed at which a point leaves the surface, 0: it does not bounce
+	float total_impulse1[MAX_LANES], total_impulse2[MAX_LANES]; // N s: normal impulses of all substeps
 } Extras;
 
 // a component of constraint i of the pools p
@@ -179,6 +181,7 @@ typedef struct // constants of one step, by value to every stage
 	float restitution_threshold;
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
+	int bounces;          // some attribute has restitution
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int key_bits; // bits of a collidable's index in a pair's key

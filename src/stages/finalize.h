@@ -4,8 +4,11 @@
 #define FINALIZE_H
 #include "stages/body.h"
 
+// m: the edge of the world. Every product of two lengths within it is finite.
+#define FINALIZE_EDGE 1.0e8f
+
 // false for NaN too
-INLINE int finalize_bounded(float x, float limit) { return x >= -limit && x <= limit; }
+INLINE int finalize_finite(float x) { return x >= -3.4e38f && x <= 3.4e38f; }
 
 STAGE(finalize)
 {
@@ -14,11 +17,8 @@ STAGE(finalize)
 	Float4 pose = p->pose[i];
 	float vx = motion.free_x * body->vx, vy = motion.free_y * body->vy, w = body->w;
 	float x = pose.x + body->dx, y = pose.y + body->dy, da = body->da;
-
-	// the largest float is 3.4e38; a hundred million metres is as good as lost, and keeps every later product finite
-	float far = 1.0e8f;
-	if (!(finalize_bounded(x, far) && finalize_bounded(y, far) && finalize_bounded(da, 4.0f) &&
-	      finalize_bounded(vx, far) && finalize_bounded(vy, far) && finalize_bounded(w, far)))
+	if (!(finalize_finite(x) && finalize_finite(y) && finalize_finite(da) && finalize_finite(vx) &&
+	      finalize_finite(vy) && finalize_finite(w)))
 	{
 		atomic_add_int(&p->counters->nonfinite, 1);
 		atomic_min_int(&p->counters->first_nonfinite, i);
@@ -32,12 +32,20 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
+
+	// impulses of the last substep may have exceeded the limits
+	Vec scale = body_speed_scale(&p->step, vec(vx, vy));
+	x = limit_to(x, FINALIZE_EDGE);
+	y = limit_to(y, FINALIZE_EDGE);
+	vx = scale.y * (scale.x * vx);
+	vy = scale.y * (scale.x * vy);
+	w = limit_to(w, p->step.max_spin);
 	if (da != 0.0f)
 	{
 		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
-		float scale = 1.0f / square_root(vec_dot(q, q));
-		pose.z = scale * q.x;
-		pose.w = scale * q.y;
+		float unit = 1.0f / square_root(vec_dot(q, q));
+		pose.z = unit * q.x;
+		pose.w = unit * q.y;
 	}
 	p->pose[i] = make_float4(x, y, pose.z, pose.w);
 	body->vx = vx;

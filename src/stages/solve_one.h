@@ -21,12 +21,6 @@ STAGE(solve_begin)
 	}
 }
 
-// normal velocity of a point before the step
-INLINE float prepare_approach(Body a, Vec ra, Body b, Vec rb, Vec n)
-{
-	return vec_dot(vec_sub(body_velocity_at(b, rb), body_velocity_at(a, ra)), n);
-}
-
 // the deepest overlap seen, for the user's counters
 INLINE void prepare_depth(const Pools* p, float separation)
 {
@@ -63,15 +57,59 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
 	return made;
 }
 
-// what bounces starts with the speed at which it came
+// m/s^2: of a body by gravity and the user's forces. What is slower than gravity would make it within a step, and touches
+// something else, is held up by that.
+INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
+{
+	Motion motion = p->motion[body];
+	Word64 mask = p->color_mask[body];
+	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
+	float gained = p->step.dt * p->step.dt * vec_dot(gravity, gravity);
+	if (vec_dot(b.v, b.v) < gained && (mask & (mask - (Word64)1)) != 0)
+		return vec(0.0f, 0.0f);
+	return vec(motion.free_x * (motion.gravity_scale * gravity.x + b.inv_mass * motion.fx),
+	           motion.free_y * (motion.gravity_scale * gravity.y + b.inv_mass * motion.fy));
+}
+
+// Newton's law of impact: how fast a point leaves that comes with a normal velocity (negative) and has a gap to go. A body
+// that falls in substeps is at points of a parabola, on which its speed is that of a substep's middle: half of what a
+// substep adds is put to the speed before, and taken from the speed after (bounce_speed). Between, energy is kept.
+INLINE float prepare_rebound(const Step* step, float restitution, float velocity, float fall, float gap)
+{
+	float before = velocity + 0.5f * step->h * fall;
+	float square = before * before - 2.0f * fall * gap, threshold = step->restitution_threshold;
+	return before < 0.0f && square > threshold * threshold ? restitution * square_root(square) : 0.0f;
+}
+
+// what may bounce within the step, and how fast
+INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
+{
+	float e = extra_at(p, restitution, i), fall = 0.0f, rebound[2] = {0.0f, 0.0f};
+	if (e > 0.0f)
+	{
+		int ia = constraint_at(p, body_a, i), ib = constraint_at(p, body_b, i);
+		Body a = body_gather(p, ia), b = body_gather(p, ib);
+		fall = vec_dot(vec_sub(prepare_acceleration(p, ib, b), prepare_acceleration(p, ia, a)), made.normal);
+		Vec anchor[2] = {made.anchor1, made.anchor2};
+		float gap[2] = {made.separation1, made.separation2};
+		for (int k = 0; k < 2; ++k)
+		{
+			Vec velocity =
+			    vec_sub(body_velocity_at(b, vec_add(anchor[k], made.offset)), body_velocity_at(a, anchor[k]));
+			rebound[k] = prepare_rebound(&p->step, e, vec_dot(velocity, made.normal), fall, gap[k]);
+		}
+	}
+	extra_at(p, fall, i) = fall;
+	extra_at(p, rebound1, i) = rebound[0];
+	extra_at(p, rebound2, i) = rebound[1];
+}
+
 INLINE void prepare_extras(const Pools* p, int i, Prepared made)
 {
-	Body a = body_gather(p, constraint_at(p, body_a, i)), b = body_gather(p, constraint_at(p, body_b, i));
-	Vec ra1 = made.anchor1, ra2 = made.anchor2;
-	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made.offset), made.normal);
-	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made.offset), made.normal);
-	extra_at(p, peak_impulse1, i) = 0.0f;
-	extra_at(p, peak_impulse2, i) = 0.0f;
+	extra_at(p, total_impulse1, i) = 0.0f;
+	extra_at(p, total_impulse2, i) = 0.0f;
+	if (p->step.bounces)
+		prepare_bounce(p, i, made);
 }
 
 // the contact's points, where the passes stream them
