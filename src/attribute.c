@@ -177,3 +177,16 @@ void attribute_item(const scree_world* world, int index, Attribute* item)
 	item->margin = margin > LEAST_MARGIN ? margin : LEAST_MARGIN;
 	item->reach = shape->reach;
 }
+
+float attribute_thickness(const scree_world* world, int index)
+{
+	const scree_shape* shape = &world->attributes[index].shape;
+	float least = shape->count < 3 ? 0.0f : shape->reach;
+	for (int k = 0; shape->count > 2 && k < shape->count; ++k)
+	{
+		scree_vec v = shape->vertices[k], n = shape->normals[k], c = shape->centroid;
+		float side = (v.x - c.x) * n.x + (v.y - c.y) * n.y;
+		least = side < least ? side : least;
+	}
+	return least + shape->radius;
+}

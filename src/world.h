@@ -92,8 +92,9 @@ scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
 
-// src/attribute.c: its row in the pool
+// src/attribute.c: its row in the pool attribute, and in the pool thickness
 void attribute_item(const scree_world* world, int index, Attribute* item);
+float attribute_thickness(const scree_world* world, int index);
 
 // src/mass.c: mass from the collidables; a dynamic body without any is 1 kg that cannot turn, others have none.
 scree_mass mass_of_body(const scree_world* world, int body);
@@ -117,6 +118,8 @@ scree_status collidables_take(scree_world* world, int* slots, int count);
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 int collidable_kind(const scree_world* world, int index);
+// Step.reach takes in a collidable of a body that is dynamic.
+void reach_grow(scree_world* world, int collidable);
 int kind_of_type(scree_body_type type);
 // The tree in which collidables of a kind lie.
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

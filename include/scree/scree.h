@@ -266,6 +266,8 @@ typedef struct scree_counters
 	int new_contacts;            // pairs found in the last step
 	int grown;                   // times that a buffer grew since the world was created
 	int nonfinite;               // bodies frozen in the last step because their state was not finite
+	int held;                    // bodies that in the last step stopped in the surface of something static that they were
+	                             // about to go through
 	float penetration;           // deepest overlap of two cores at the start of the last step, m
 	int64_t steps;               // steps taken
 	uint64_t device_bytes;       // memory of the pools on the device

@@ -143,20 +143,23 @@ typedef struct // 32 bytes: a change that the user made between steps
 } Command;
 
 // Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
-#define COMMAND_FORCE           0  // x, y: N
-#define COMMAND_FORCE_AT        1  // force x, y, world point x, y
-#define COMMAND_TORQUE          2  // x: N m
-#define COMMAND_IMPULSE         3  // x, y: N s
-#define COMMAND_IMPULSE_AT      4  // impulse x, y, world point x, y
-#define COMMAND_ANGULAR_IMPULSE 5  // x: N m s
-#define COMMAND_VELOCITY        6  // linear x, y, angular
-#define COMMAND_POSE            7  // of the body's origin: x, y, cos, sin
-#define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
-#define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
-#define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
-#define COMMAND_PLACE           11 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      12 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
-#define COMMAND_FILTER          13 // the bits of category and mask; whole: group, kind
+#define COMMAND_FORCE           0 // x, y: N
+#define COMMAND_FORCE_AT        1 // force x, y, world point x, y
+#define COMMAND_TORQUE          2 // x: N m
+#define COMMAND_IMPULSE         3 // x, y: N s
+#define COMMAND_IMPULSE_AT      4 // impulse x, y, world point x, y
+#define COMMAND_ANGULAR_IMPULSE 5 // x: N m s
+#define COMMAND_VELOCITY        6 // linear x, y, angular
+#define COMMAND_POSE            7 // of the body's origin: x, y, cos, sin
+#define COMMAND_MASS            8 // inverse mass, inverse inertia, local center x, y: the origin stays where it is
+#define COMMAND_MOTION          9 // gravity scale, linear damping, angular damping; whole[0]: locks
+#define COMMAND_BODY \
+	10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin; whole[0] as in COMMAND_FIRST
+#define COMMAND_FIRST      11 // whole[0]: 1 + index of the first collidable, 0 for none
+#define COMMAND_PLACE      12 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE 13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_FILTER     14 // the bits of category and mask; whole: group, kind
+#define COMMAND_NEXT       15 // whole[0]: 1 + index of the body's next collidable, 0 for none
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
@@ -182,6 +185,7 @@ typedef struct // constants of one step, by value to every stage
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
 	int bounces;          // some attribute has restitution
+	float reach;          // m: no collidable of a dynamic body goes further from its center of mass
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int key_bits; // bits of a collidable's index in a pair's key
@@ -218,6 +222,7 @@ typedef struct
 	int penetration;     // bits of the deepest overlap, m
 	int nonfinite;       // bodies frozen because their state was not finite
 	int first_nonfinite; // lowest index of these
+	int held;            // bodies that stopped before something static; guard
 	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;
 

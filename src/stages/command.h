@@ -55,7 +55,7 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 }
 
 // A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose)
+INLINE void command_body(const Pools* p, int i, Float4 pose, int first)
 {
 	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
 	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
@@ -64,6 +64,7 @@ INLINE void command_body(const Pools* p, int i, Float4 pose)
 	p->pose[i] = pose;
 	p->local_center[i] = make_float2(0.0f, 0.0f);
 	p->color_mask[i] = 0;
+	p->first_collidable[i] = first;
 }
 
 // A row anew: its box is empty, so that it is found as if it had just come.
@@ -126,7 +127,10 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value);
+		command_body(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_FIRST:
+		p->first_collidable[i] = c.whole[0];
 		break;
 	case COMMAND_PLACE:
 		p->collidable_pose[i] = value;
@@ -139,6 +143,9 @@ INLINE void command_apply(const Pools* p, Command c)
 		p->filter[i].mask = command_word64(value.z, value.w);
 		p->filter[i].group = c.whole[0];
 		p->collidable_kind[i] = c.whole[1];
+		break;
+	case COMMAND_NEXT:
+		p->next_collidable[i] = c.whole[0];
 		break;
 	}
 }

@@ -2,9 +2,9 @@
 // finalize.h -- the step's motion into the poses; bodies whose state is not finite are frozen and counted.
 #ifndef FINALIZE_H
 #define FINALIZE_H
-#include "stages/body.h"
+#include "stages/guard.h"
 
-// m: the edge of the world. Every product of two lengths within it is finite.
+// m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
 #define FINALIZE_EDGE 1.0e8f
 
 // false for NaN too
@@ -15,31 +15,31 @@ STAGE(finalize)
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
 	Float4 pose = p->pose[i];
-	float vx = motion.free_x * body->vx, vy = motion.free_y * body->vy, w = body->w;
-	float x = pose.x + body->dx, y = pose.y + body->dy, da = body->da;
-	if (!(finalize_finite(x) && finalize_finite(y) && finalize_finite(da) && finalize_finite(vx) &&
-	      finalize_finite(vy) && finalize_finite(w)))
+	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
+	float w = body->w, da = body->da;
+	if (!(finalize_finite(v.x) && finalize_finite(v.y) && finalize_finite(w) && finalize_finite(d.x) &&
+	      finalize_finite(d.y) && finalize_finite(da)))
 	{
 		atomic_add_int(&p->counters->nonfinite, 1);
 		atomic_min_int(&p->counters->first_nonfinite, i);
-		x = pose.x;
-		y = pose.y;
-		da = 0.0f;
-		vx = 0.0f;
-		vy = 0.0f;
+		v = vec(0.0f, 0.0f);
+		d = vec(0.0f, 0.0f);
 		w = 0.0f;
+		da = 0.0f;
 		body->dx = 0.0f;
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
+	if (body->inv_mass > 0.0f)
+	{
+		float share = guard(p, i, d, da);
+		d = vec_scale(share, d);
+		da = share * da;
+	}
 
 	// impulses of the last substep may have exceeded the limits
-	Vec scale = body_speed_scale(&p->step, vec(vx, vy));
-	x = limit_to(x, FINALIZE_EDGE);
-	y = limit_to(y, FINALIZE_EDGE);
-	vx = scale.y * (scale.x * vx);
-	vy = scale.y * (scale.x * vy);
-	w = limit_to(w, p->step.max_spin);
+	Vec scale = body_speed_scale(&p->step, v);
+	v = vec_scale(scale.y, vec_scale(scale.x, v));
 	if (da != 0.0f)
 	{
 		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
@@ -47,10 +47,11 @@ STAGE(finalize)
 		pose.z = unit * q.x;
 		pose.w = unit * q.y;
 	}
-	p->pose[i] = make_float4(x, y, pose.z, pose.w);
-	body->vx = vx;
-	body->vy = vy;
-	body->w = w;
+	p->pose[i] =
+	    make_float4(limit_to(pose.x + d.x, FINALIZE_EDGE), limit_to(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
+	body->vx = v.x;
+	body->vy = v.y;
+	body->w = limit_to(w, p->step.max_spin);
 	if (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque))
 	{
 		p->motion[i].fx = 0.0f;

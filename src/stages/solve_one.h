@@ -17,6 +17,7 @@ STAGE(solve_begin)
 	if (i == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 }

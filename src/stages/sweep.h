@@ -50,9 +50,8 @@ INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* att
 	return s;
 }
 
-INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
+INLINE Closing sweep_between(Placed a, Sweep sa, Placed b, Sweep sb)
 {
-	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Vec arm = vec(b.x - a.x + (sb.center.x - sa.center.x), b.y - a.y + (sb.center.y - sa.center.y));
 	Vec apart = vec_sub(sb.path, sa.path);
 	Real frame = sb.reach < sa.reach ? sa.turn : sb.turn;
@@ -64,6 +63,12 @@ INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
 	c.swing = absolute(sb.turn - sa.turn) * minimum(sa.reach, sb.reach);
 	c.most = absolute(c.near.x) + absolute(c.near.y) + c.swing;
 	return c;
+}
+
+INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
+{
+	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
+	return sweep_between(a, sa, b, sb);
 }
 
 // how fast any two points of the pair may draw near along a normal from a to b, m
