@@ -273,22 +273,18 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.x = m[6] * (linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
 	v.y = m[7] * (linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = angular * w + h * (b[7] * m[2]);
+
+	// The limits hold for what the body does alone. The contacts' share must stay what their impulses make of it, or they
+	// would take back what they have not given.
+	Vec scale = body_speed_scale(step, v);
+	v = vec_scale(scale.y, vec_scale(scale.x, v));
+	w = limit_to(w, step->max_spin);
 	base[0] = v.x;
 	base[1] = v.y;
 	base[2] = w;
 	v.x = v.x + m[6] * contacts.x;
 	v.y = v.y + m[7] * contacts.y;
 	w = w + contacts_w;
-
-	// what exceeds the limits is taken from the base as well, or the next substep would take it for the contacts' doing
-	Vec scale = body_speed_scale(step, v);
-	v = vec_scale(scale.y, vec_scale(scale.x, v));
-	base[0] = scale.y * (scale.x * base[0]);
-	base[1] = scale.y * (scale.x * base[1]);
-	Real limited = limit_to(w, step->max_spin);
-	base[2] = base[2] + (limited - w);
-	w = limited;
-
 	b[0] = v.x;
 	b[1] = v.y;
 	b[2] = w;
