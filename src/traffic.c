@@ -38,7 +38,7 @@
 
 scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces)
 {
-	size_t warm_start = ENDS + ARMS + NORMALS + TANGENTS;
+	size_t warm_start = ENDS + ARMS + 2 * NORMALS + TANGENTS;
 	size_t bias = ENDS + ARMS + GAPS + 2 * NORMALS;
 	size_t relax = ENDS + ARMS + GAPS + ROW(friction) + 2 * NORMALS + 2 * TANGENTS;
 	size_t bounce = ENDS + ARMS + GAPS + EXTRA(fall) + REBOUNDS + 2 * TOTALS + 2 * NORMALS;

@@ -128,6 +128,7 @@ INLINE Runner runner_make(const Pools* p, int i, Prepared made)
 		u.c.rb[k] = vec_add(u.c.ra[k], made.offset);
 		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
 		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
+		u.normal[k] = pair_start(&p->step, u.normal[k], u.normal_mass[k]);
 	}
 	return u;
 }

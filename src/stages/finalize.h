@@ -7,8 +7,11 @@
 // m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
 #define FINALIZE_EDGE 1.0e8f
 
-// false for NaN too
-INLINE int finalize_finite(float x) { return x >= -3.4e38f && x <= 3.4e38f; }
+// zero times what is not finite is not a number
+INLINE int finalize_finite(Vec v, float w, Vec d, float da)
+{
+	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
+}
 
 STAGE(finalize)
 {
@@ -17,8 +20,7 @@ STAGE(finalize)
 	Float4 pose = p->pose[i];
 	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
 	float w = body->w, da = body->da;
-	if (!(finalize_finite(v.x) && finalize_finite(v.y) && finalize_finite(w) && finalize_finite(d.x) &&
-	      finalize_finite(d.y) && finalize_finite(da)))
+	if (!finalize_finite(v, w, d, da))
 	{
 		atomic_add_int(&p->counters->nonfinite, 1);
 		atomic_min_int(&p->counters->first_nonfinite, i);
@@ -38,8 +40,11 @@ STAGE(finalize)
 	}
 
 	// impulses of the last substep may have exceeded the limits
-	Vec scale = body_speed_scale(&p->step, v);
-	v = vec_scale(scale.y, vec_scale(scale.x, v));
+	if (!(vec_dot(v, v) <= p->step.max_speed * p->step.max_speed))
+	{
+		Vec scale = body_speed_scale(&p->step, v);
+		v = vec_scale(scale.y, vec_scale(scale.x, v));
+	}
 	if (da != 0.0f)
 	{
 		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));

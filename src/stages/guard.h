@@ -87,17 +87,21 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 	return least;
 }
 
-// How much of its way a body that can move makes.
-INLINE float guard(const Pools* p, int body, Vec path, float turn)
+// How much of its way a body makes.
+RARE float guard_body(const Pools* p, int body, Vec path, float turn)
 {
 	float least = 1.0f;
-	if (!(absolute(path.x) + absolute(path.y) + absolute(turn) * p->step.reach > GUARD_WAY) || p->tree[1].leaves == 0)
-		return least;
 	for (int k = p->first_collidable[body]; k > 0; k = p->next_collidable[k - 1])
 		least = minimum(least, guard_collidable(p, k - 1, path, turn));
 	if (least < 1.0f)
 		atomic_add_int(&p->counters->held, 1);
 	return least;
+}
+
+INLINE float guard(const Pools* p, int body, Vec path, float turn)
+{
+	float way = absolute(path.x) + absolute(path.y) + absolute(turn) * p->step.reach;
+	return way > GUARD_WAY && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
 }
 
 #endif
