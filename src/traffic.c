@@ -53,6 +53,7 @@ scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool e
 	}
 	if (bounces)
 	{
+		bias += REBOUNDS;
 		relax += REBOUNDS;
 		prepare += ENDS + EXTRA(restitution) + EXTRA(fall) + REBOUNDS;
 		prepare_bodies = 2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64));

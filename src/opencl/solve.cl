@@ -251,10 +251,14 @@ INLINE Runner runner_return(__global float4* notes, int n, int i)
 }
 
 // The passes of solve.h for what is in registers.
-INLINE void runner_bias(const Step* step, Runner* u)
+INLINE void runner_bias(const Pools* p, int i, Runner* u)
 {
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1, 0.0f);
+	pair_bias(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
+}
+
+INLINE void runner_bounce(const Pools* p, int i, Runner* u)
+{
+	pair_bounce(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
 }
 
 INLINE void runner_relax(const Pools* p, int i, Runner* u)
@@ -281,9 +285,9 @@ INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
 	if (q == 0)
 		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
 	else if (q > 2 * substeps)
-		bounce_pair(p, i, &u->c, u->gap[0], u->gap[1], &u->normal[0], &u->normal[1]);
+		runner_bounce(p, i, u);
 	else if (q & 1)
-		runner_bias(&p->step, u);
+		runner_bias(p, i, u);
 	else
 		runner_relax(p, i, u);
 }

@@ -138,6 +138,82 @@ INLINE void pair_push(const Pools* p, int i, Pair* c, Real normal1, Real normal2
 	}
 }
 
+// The impulses that give two points what they lack (m/s) at once. What one does to the other is cross; without it 1/mass
+// is what it resists. Two points that are nearly one are one.
+INLINE void pair_joint(const Pair* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1, Real* impulse2)
+{
+	Real cross = c->a.inv_mass + c->b.inv_mass +
+	             c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
+	             c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+	Real share = 1.0f - cross * mass1 * cross * mass2;
+	Int one = share < splat(0.001f);
+	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
+	*impulse2 = choose(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
+}
+
+// Two points that will bounce are slowed down at once. One after the other they would turn what lands flat, and friction
+// would make of that a speed along the surface.
+INLINE void pair_meet(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real mass1, Real mass2, Real* normal1,
+                      Real* normal2)
+{
+	Real zero = splat(0.0f), delta1, delta2;
+	Real lack1 = -(pair_approach(*c, 0, c->n) + maximum(gap1, zero) * p->step.inv_h),
+	     lack2 = -(pair_approach(*c, 1, c->n) + maximum(gap2, zero) * p->step.inv_h);
+	pair_joint(c, mass1, mass2, lack1, lack2, &delta1, &delta2);
+	Int meet = (load(&extra_at(p, rebound1, i), 0) > zero) & (load(&extra_at(p, rebound2, i), 0) > zero);
+	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
+
+	// where one pushes alone, one after the other is right
+	meet = meet & ((new1 < zero) == (new2 < zero));
+	new1 = choose(*normal1, maximum(new1, zero), meet);
+	new2 = choose(*normal2, maximum(new2, zero), meet);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(new1 - *normal1, c->n));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(new2 - *normal2, c->n));
+	*normal1 = new1;
+	*normal2 = new2;
+}
+
+INLINE void pair_bias(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real mass1, Real mass2, Real* normal1,
+                      Real* normal2)
+{
+	if (p->step.bounces)
+		pair_meet(p, i, c, gap1, gap2, mass1, mass2, normal1, normal2);
+	*normal1 = pair_normal(c, 0, gap1, mass1, *normal1, &p->step, 1, splat(0.0f));
+	*normal2 = pair_normal(c, 1, gap2, mass2, *normal2, &p->step, 1, splat(0.0f));
+}
+
+// m/s: what a point that leaves the surface at some speed has where it is, a gap above
+INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
+{
+	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
+}
+
+// Restitution of the points that were pushed. What bounces leaves, so that the next step must not begin with the impulse
+// of this one.
+INLINE void pair_bounce(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real mass1, Real mass2, Real* normal1,
+                        Real* normal2)
+{
+	Real zero = splat(0.0f), fall = load(&extra_at(p, fall, i), 0);
+	Real rebound1 = load(&extra_at(p, rebound1, i), 0), rebound2 = load(&extra_at(p, rebound2, i), 0);
+	Real total1 = load(&extra_at(p, total_impulse1, i), 0), total2 = load(&extra_at(p, total_impulse2, i), 0);
+	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
+	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
+	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
+	Real alone1 = choose(zero, maximum(mass1 * lack1, zero), hit1);
+	Real alone2 = choose(zero, maximum(mass2 * lack2, zero), hit2);
+	Real impulse1, impulse2;
+	pair_joint(c, mass1, mass2, lack1, lack2, &impulse1, &impulse2);
+	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
+	impulse1 = choose(alone1, maximum(impulse1, zero), hit1 & hit2 & push2);
+	impulse2 = choose(alone2, maximum(impulse2, zero), hit1 & hit2 & push1);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(impulse1, c->n));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
+	store(&extra_at(p, total_impulse1, i), 0, total1 + impulse1);
+	store(&extra_at(p, total_impulse2, i), 0, total2 + impulse2);
+	*normal1 = choose(*normal1, zero, hit1);
+	*normal2 = choose(*normal2, zero, hit2);
+}
+
 // Of max_speed: what an impulse of the last step may give a point alone. In a jam between bodies that do not give way
 // impulses add up from step to step, and what is let go at last would be shot out with all of them. With half of it
 // heaps among moving kinematic bodies are no faster, but what is crushed by a body of 2,000 times its mass gives way.
@@ -163,14 +239,13 @@ INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
 
 INLINE void bias_pass(const Pools* p, int i, Pair* c)
 {
+	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
 	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
-	store(&constraint_at(p, normal_impulse1, i), 0,
-	      pair_normal(c, 0, gap1, pair_mass(c, 0, c->n), load(&constraint_at(p, normal_impulse1, i), 0), &p->step, 1,
-	                  splat(0.0f)));
 	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
-	store(&constraint_at(p, normal_impulse2, i), 0,
-	      pair_normal(c, 1, gap2, pair_mass(c, 1, c->n), load(&constraint_at(p, normal_impulse2, i), 0), &p->step, 1,
-	                  splat(0.0f)));
+	pair_bias(p, i, c, gap1, gap2, pair_mass(c, 0, c->n), pair_mass(c, 1, c->n), &normal1, &normal2);
+	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
+	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 }
 
 INLINE void relax_pass(const Pools* p, int i, Pair* c)
@@ -208,51 +283,13 @@ INLINE void relax_pass(const Pools* p, int i, Pair* c)
 	}
 }
 
-// m/s: what a point that leaves the surface at some speed has where it is, a gap above
-INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
-{
-	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
-}
-
-// Restitution of the points that were pushed: both at once, or the second would take from the first. What bounces leaves,
-// so that the next step must not begin with the impulse of this one.
-INLINE void bounce_pair(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real* kept1, Real* kept2)
-{
-	Real zero = splat(0.0f), fall = load(&extra_at(p, fall, i), 0);
-	Real rebound1 = load(&extra_at(p, rebound1, i), 0), rebound2 = load(&extra_at(p, rebound2, i), 0);
-	Real total1 = load(&extra_at(p, total_impulse1, i), 0), total2 = load(&extra_at(p, total_impulse2, i), 0);
-	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
-	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
-	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
-	Real mass1 = pair_mass(c, 0, c->n), mass2 = pair_mass(c, 1, c->n);
-	Real alone1 = choose(zero, maximum(mass1 * lack1, zero), hit1);
-	Real alone2 = choose(zero, maximum(mass2 * lack2, zero), hit2);
-
-	// the impulses of |1/mass1 cross; cross 1/mass2| impulses = lacks, unless one point needs none, or both are one
-	Real cross = c->a.inv_mass + c->b.inv_mass +
-	             c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
-	             c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
-	Real share = 1.0f - cross * mass1 * cross * mass2;
-	Int two = hit1 & hit2, apart = share > splat(0.001f);
-	Real both1 = choose(alone1, mass1 * (lack1 - cross * mass2 * lack2) / share, apart);
-	Real both2 = choose(zero, mass2 * (lack2 - cross * mass1 * lack1) / share, apart);
-	Real normal1 = choose(alone1, choose(alone1, maximum(both1, zero), both2 > zero), two);
-	Real normal2 = choose(alone2, choose(alone2, maximum(both2, zero), both1 > zero), two);
-	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(normal1, c->n));
-	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(normal2, c->n));
-	store(&extra_at(p, total_impulse1, i), 0, total1 + normal1);
-	store(&extra_at(p, total_impulse2, i), 0, total2 + normal2);
-	*kept1 = choose(*kept1, zero, hit1);
-	*kept2 = choose(*kept2, zero, hit2);
-}
-
 INLINE void bounce_pass(const Pools* p, int i, Pair* c)
 {
 	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
 	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
 	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
 	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
-	bounce_pair(p, i, c, gap1, gap2, &normal1, &normal2);
+	pair_bounce(p, i, c, gap1, gap2, pair_mass(c, 0, c->n), pair_mass(c, 1, c->n), &normal1, &normal2);
 	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
 	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 }
