@@ -68,17 +68,21 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-// The device hears of a changed link: what comes after a collidable (previous), or the first of a body. A row that is on
-// its way has it already.
-static void link_changed(scree_world* world, int body, int previous)
+Guarded body_guarded(const HostBody* host) { return (Guarded){.first = host->first_collidable + 1, .way = host->way}; }
+
+// The device hears of a body's changed list: of what comes after a collidable (previous, -1 for none), and of what guard
+// needs. A row that is on its way has it already.
+static void list_changed(scree_world* world, int body, int previous)
 {
 	Float4 none = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	HostBody* owner = world->host_bodies + body;
-	HostCollidable* before = world->host_collidables + previous;
-	if (previous >= 0 && before->waiting.row == 0)
-		pending_command(world, COMMAND_NEXT, previous, none, before->next + 1);
-	if (previous < 0 && owner->waiting.row == 0)
-		pending_command(world, COMMAND_FIRST, body, none, owner->first_collidable + 1);
+	if (previous >= 0 && world->host_collidables[previous].waiting.row == 0)
+		pending_command(world, COMMAND_NEXT, previous, none, world->host_collidables[previous].next + 1);
+	if (owner->waiting.row > 0)
+		return;
+	Guarded guarded = body_guarded(owner);
+	pending_command(world, COMMAND_GUARDED, body, none, guarded.first);
+	world->pending.commands[world->pending.command_count - 1].whole[1] = float_bits(guarded.way);
 }
 
 void collidable_put(scree_world* world, int index, const HostCollidable* made)
@@ -99,7 +103,9 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 			body->first_collidable = index;
 		body->last_collidable = index;
 		++body->collidables;
-		link_changed(world, host->body, host->previous);
+		float way = GUARD_TRAVEL * attribute_thickness(world, host->attribute);
+		body->way = way < body->way ? way : body->way;
+		list_changed(world, host->body, host->previous);
 		if (body->type == SCREE_DYNAMIC)
 			reach_grow(world, index);
 	}
@@ -121,7 +127,7 @@ void collidable_remove(scree_world* world, int index)
 		else
 			body->last_collidable = host->previous;
 		--body->collidables;
-		link_changed(world, host->body, host->previous);
+		list_changed(world, host->body, host->previous);
 	}
 	tree_touch(world, tree_of_kind(collidable_kind(world, index)));
 	slots_free(&world->collidables, index);

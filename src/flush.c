@@ -83,7 +83,7 @@ static int collidable_run(const scree_world* world, int k)
 // ---------------------------------------------------------------------------------------------------------------
 
 static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_motion,
-                                    POOL_local_center, POOL_color_mask, POOL_first_collidable};
+                                    POOL_local_center, POOL_color_mask, POOL_guarded};
 
 static void body_item(const scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
@@ -110,8 +110,8 @@ static void body_item(const scree_world* world, PoolId pool, const BodyRow* row,
 	case POOL_local_center:
 		*(Float2*)item = make_float2(row->center.x, row->center.y);
 		break;
-	case POOL_first_collidable:
-		*(int*)item = world->host_bodies[row->index].first_collidable + 1;
+	case POOL_guarded:
+		*(Guarded*)item = body_guarded(world->host_bodies + row->index);
 		break;
 	default:
 		*(Word64*)item = 0;
@@ -214,9 +214,9 @@ static scree_status write_attributes(scree_world* world, char* stage)
 static int body_commands(const scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
-	to[0] = (Command){.kind = COMMAND_BODY,
-	                  .whole = {world->host_bodies[row->index].first_collidable + 1},
-	                  .value = pose_value(row->pose)};
+	Guarded guarded = body_guarded(world->host_bodies + row->index);
+	to[0] = (Command){
+	    .kind = COMMAND_BODY, .whole = {guarded.first, float_bits(guarded.way)}, .value = pose_value(row->pose)};
 	to[1] = (Command){.kind = COMMAND_MASS,
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
 	to[2] = (Command){.kind = COMMAND_MOTION,

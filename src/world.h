@@ -18,6 +18,7 @@ typedef struct // what only the host knows of a body
 	scree_mass mass;
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
+	float way;                             // Guarded.way
 	uint64_t user;
 	Waiting waiting;
 	bool marked; // within a call: named by the batch
@@ -118,6 +119,8 @@ scree_status collidables_take(scree_world* world, int* slots, int count);
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 int collidable_kind(const scree_world* world, int index);
+// what the device keeps of a body for guard
+Guarded body_guarded(const HostBody* host);
 // Step.reach takes in a collidable of a body that is dynamic.
 void reach_grow(scree_world* world, int collidable);
 int kind_of_type(scree_body_type type);

@@ -29,6 +29,9 @@
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f
 
+// of a body's thickness: how far it may go in a step before guard looks at its way
+#define GUARD_TRAVEL 0.5f
+
 // an empty box overlaps nothing
 #define EMPTY_LOW  1.0e30f
 #define EMPTY_HIGH (-1.0e30f)
@@ -64,6 +67,12 @@ typedef struct // 160 bytes
 	float margin;        // m: how much an enlarged box exceeds a tight one
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
+
+typedef struct // 8 bytes: what guard needs of a body
+{
+	int first; // 1 + index of its first collidable, 0 for none
+	float way; // m: GUARD_TRAVEL times the thickness of its thinnest collidable so far
+} Guarded;
 
 typedef struct // 24 bytes
 {
@@ -154,8 +163,8 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MASS            8 // inverse mass, inverse inertia, local center x, y: the origin stays where it is
 #define COMMAND_MOTION          9 // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_BODY \
-	10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin; whole[0] as in COMMAND_FIRST
-#define COMMAND_FIRST      11 // whole[0]: 1 + index of the first collidable, 0 for none
+	10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin; whole as in COMMAND_GUARDED
+#define COMMAND_GUARDED    11 // whole: the members of Guarded, the second one by its bits
 #define COMMAND_PLACE      12 // a collidable without a body: x, y, cos, sin
 #define COMMAND_COLLIDABLE 13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
 #define COMMAND_FILTER     14 // the bits of category and mask; whole: group, kind

@@ -40,11 +40,7 @@ STAGE(finalize)
 	}
 
 	// impulses of the last substep may have exceeded the limits
-	if (!(vec_dot(v, v) <= p->step.max_speed * p->step.max_speed))
-	{
-		Vec scale = body_speed_scale(&p->step, v);
-		v = vec_scale(scale.y, vec_scale(scale.x, v));
-	}
+	v = sweep_velocity(&p->step, v);
 	if (da != 0.0f)
 	{
 		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));

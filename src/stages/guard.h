@@ -15,11 +15,8 @@
 #include "stages/transform.h"
 #include "stages/tree.h"
 
-// m: who goes less than this in a step is not looked at
-#define GUARD_WAY SWEEP_DEPTH
-// of the thickness: how far others may go unseen; how much deeper a body may be at the end of the step than before, and
-// how deep in all, so that its middle stays outside
-#define GUARD_TRAVEL  0.5f
+// of the thickness: how much deeper a body may be at the end of the step than before, and how deep in all, so that its
+// middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
 // m: how much deeper it may be that was deeper before, and how near the target is met
@@ -91,7 +88,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 RARE float guard_body(const Pools* p, int body, Vec path, float turn)
 {
 	float least = 1.0f;
-	for (int k = p->first_collidable[body]; k > 0; k = p->next_collidable[k - 1])
+	for (int k = p->guarded[body].first; k > 0; k = p->next_collidable[k - 1])
 		least = minimum(least, guard_collidable(p, k - 1, path, turn));
 	if (least < 1.0f)
 		atomic_add_int(&p->counters->held, 1);
@@ -101,7 +98,7 @@ RARE float guard_body(const Pools* p, int body, Vec path, float turn)
 INLINE float guard(const Pools* p, int body, Vec path, float turn)
 {
 	float way = absolute(path.x) + absolute(path.y) + absolute(turn) * p->step.reach;
-	return way > GUARD_WAY && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
+	return way > p->guarded[body].way && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
 }
 
 #endif

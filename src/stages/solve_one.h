@@ -82,27 +82,33 @@ INLINE float prepare_rebound(const Step* step, float restitution, float velocity
 	return before < 0.0f && square > threshold * threshold ? restitution * square_root(square) : 0.0f;
 }
 
-// what may bounce within the step, and how fast
+// m/s: normal velocity of a point, r from the center of a
+INLINE float prepare_velocity(Body a, Body b, Vec r, Prepared made)
+{
+	Vec v = vec_sub(body_velocity_at(b, vec_add(r, made.offset)), body_velocity_at(a, r));
+	return vec_dot(v, made.normal);
+}
+
+// What may bounce within the step, and how fast. What hardly moves will not in one step.
 INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
 {
-	float e = extra_at(p, restitution, i), fall = 0.0f, rebound[2] = {0.0f, 0.0f};
+	float e = extra_at(p, restitution, i), fall = 0.0f, rebound1 = 0.0f, rebound2 = 0.0f;
 	if (e > 0.0f)
 	{
 		int ia = constraint_at(p, body_a, i), ib = constraint_at(p, body_b, i);
 		Body a = body_gather(p, ia), b = body_gather(p, ib);
-		fall = vec_dot(vec_sub(prepare_acceleration(p, ib, b), prepare_acceleration(p, ia, a)), made.normal);
-		Vec anchor[2] = {made.anchor1, made.anchor2};
-		float gap[2] = {made.separation1, made.separation2};
-		for (int k = 0; k < 2; ++k)
+		float v1 = prepare_velocity(a, b, made.anchor1, made), v2 = prepare_velocity(a, b, made.anchor2, made);
+		if (minimum(v1, v2) < -0.25f * p->step.restitution_threshold)
 		{
-			Vec velocity =
-			    vec_sub(body_velocity_at(b, vec_add(anchor[k], made.offset)), body_velocity_at(a, anchor[k]));
-			rebound[k] = prepare_rebound(&p->step, e, vec_dot(velocity, made.normal), fall, gap[k]);
+			Vec fall_a = prepare_acceleration(p, ia, a), fall_b = prepare_acceleration(p, ib, b);
+			fall = vec_dot(vec_sub(fall_b, fall_a), made.normal);
+			rebound1 = prepare_rebound(&p->step, e, v1, fall, made.separation1);
+			rebound2 = prepare_rebound(&p->step, e, v2, fall, made.separation2);
 		}
 	}
 	extra_at(p, fall, i) = fall;
-	extra_at(p, rebound1, i) = rebound[0];
-	extra_at(p, rebound2, i) = rebound[1];
+	extra_at(p, rebound1, i) = rebound1;
+	extra_at(p, rebound2, i) = rebound2;
 }
 
 INLINE void prepare_extras(const Pools* p, int i, Prepared made)

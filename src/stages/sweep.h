@@ -38,12 +38,20 @@ typedef struct // of b against a
 	Real most;  // m: how far any two points of the pair may draw near
 } Closing;
 
+// a velocity no faster than max_speed
+INLINE Vec sweep_velocity(const Step* step, Vec v)
+{
+	if (vec_dot(v, v) <= step->max_speed * step->max_speed)
+		return v;
+	Vec scale = body_speed_scale(step, v);
+	return vec_scale(scale.y, vec_scale(scale.x, v));
+}
+
 INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* attribute)
 {
 	BodyState body = p->body[placed.body];
-	Vec v = vec(body.vx, body.vy), scale = body_speed_scale(&p->step, v);
 	Sweep s;
-	s.path = vec_scale(p->step.dt, vec_scale(scale.y, vec_scale(scale.x, v)));
+	s.path = vec_scale(p->step.dt, sweep_velocity(&p->step, vec(body.vx, body.vy)));
 	s.turn = p->step.dt * limit_to(body.w, p->step.max_spin);
 	s.center = vec(placed.center_x, placed.center_y);
 	s.reach = attribute->reach - attribute->radius + absolute(s.center.x) + absolute(s.center.y);
