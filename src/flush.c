@@ -10,7 +10,7 @@
 #define LONG_RUN 16
 
 #define BODY_COMMANDS       4 // that make up one row
-#define COLLIDABLE_COMMANDS 2
+#define COLLIDABLE_COMMANDS 3
 
 static Float4 pose_value(scree_pose pose)
 {
@@ -82,9 +82,10 @@ static int collidable_run(const scree_world* world, int k)
 // long runs, pool by pool
 // ---------------------------------------------------------------------------------------------------------------
 
-static const PoolId body_pools[] = {POOL_body, POOL_pose, POOL_motion, POOL_local_center, POOL_color_mask};
+static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_motion,
+                                    POOL_local_center, POOL_color_mask, POOL_guarded};
 
-static void body_item(PoolId pool, const BodyRow* row, void* item)
+static void body_item(const scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
 	switch (pool)
@@ -109,6 +110,9 @@ static void body_item(PoolId pool, const BodyRow* row, void* item)
 	case POOL_local_center:
 		*(Float2*)item = make_float2(row->center.x, row->center.y);
 		break;
+	case POOL_guarded:
+		*(Guarded*)item = body_guarded(world->host_bodies + row->index);
+		break;
 	default:
 		*(Word64*)item = 0;
 	}
@@ -120,6 +124,7 @@ static const PoolId collidable_pools[] = {
     POOL_collidable_body, POOL_collidable_pose,
     POOL_filter,          POOL_box,
     POOL_old_box,         POOL_moved,
+    POOL_next_collidable,
 };
 
 static Filter filter_item(scree_filter filter)
@@ -140,6 +145,9 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 		break;
 	case POOL_collidable_body:
 		*(int*)item = host->body;
+		break;
+	case POOL_next_collidable:
+		*(int*)item = host->next + 1;
 		break;
 	case POOL_collidable_kind:
 		*(int*)item = collidable_kind(world, index);
@@ -164,7 +172,7 @@ static scree_status write_bodies(scree_world* world, int begin, int end, char* s
 	{
 		PoolId pool = body_pools[p];
 		for (int k = begin; k < end; ++k)
-			body_item(pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
+			body_item(world, pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
 		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
 	}
 	return SCREE_OK;
@@ -191,17 +199,24 @@ static scree_status write_attributes(scree_world* world, char* stage)
 	int first = world->pending.attributes, count = world->attribute_count - first;
 	for (int k = 0; k < count; ++k)
 		attribute_item(world, first + k, (Attribute*)stage + k);
-	return count > 0 ? b->f->write(b, POOL_attribute, first, count, stage) : SCREE_OK;
+	if (count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_attribute, first, count, stage));
+	for (int k = 0; k < count; ++k)
+		((float*)stage)[k] = attribute_thickness(world, first + k);
+	return b->f->write(b, POOL_thickness, first, count, stage);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
 // commands
 // ---------------------------------------------------------------------------------------------------------------
 
-static int body_commands(const BodyRow* row, Command* to)
+static int body_commands(const scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
-	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};
+	Guarded guarded = body_guarded(world->host_bodies + row->index);
+	to[0] = (Command){
+	    .kind = COMMAND_BODY, .whole = {guarded.first, float_bits(guarded.way)}, .value = pose_value(row->pose)};
 	to[1] = (Command){.kind = COMMAND_MASS,
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
 	to[2] = (Command){.kind = COMMAND_MOTION,
@@ -218,10 +233,13 @@ static int collidable_commands(const scree_world* world, int k, Command* to)
 	int index = world->pending.collidables[k].index, count = 0;
 	const HostCollidable* host = world->host_collidables + index;
 	if (!is_dead(world, k))
+	{
 		to[count++] = (Command){.kind = COMMAND_COLLIDABLE,
 		                        .index = index,
 		                        .whole = {host->attribute, host->body},
 		                        .value = pose_value(host->pose)};
+		to[count++] = (Command){.kind = COMMAND_NEXT, .index = index, .whole = {host->next + 1}};
+	}
 	Filter filter = filter_item(host->filter);
 	to[count] =
 	    (Command){.kind = COMMAND_FILTER, .index = index, .whole = {filter.group, collidable_kind(world, index)}};
@@ -256,7 +274,7 @@ static int collect_commands(scree_world* world, Command* to)
 	{
 		end = body_run(p, k);
 		for (int i = k; i < end && end - k < LONG_RUN; ++i)
-			count += body_commands(p->bodies + i, to + count);
+			count += body_commands(world, p->bodies + i, to + count);
 	}
 	for (int k = 0, end; k < p->collidable_count; k = end)
 	{

@@ -2,6 +2,7 @@
 // mass.c -- the mass of a body, from its collidables.
 #include "geometry.h"
 #include "world.h"
+#include <math.h>
 
 // least and most that may be set: inverses, and their products with squares of arms, stay finite
 #define LEAST_MASS    1e-15f // kg
@@ -84,6 +85,8 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 		TRY(check_real(at, ".inertia (when it is not 0)", mass.inertia, LEAST_INERTIA, MOST_MASS));
 	TRY(check_vec(at, ".center", mass.center, SCREE_HUGE));
 	TRY(pending_reserve(world, function, 0, 0, 1));
+	float reach = 3.0f * hypotf(mass.center.x, mass.center.y), *most = &world->pipeline.reach;
+	*most = reach > *most ? reach : *most;
 	mass_set(world, index, mass);
 	return SCREE_OK;
 }

@@ -198,7 +198,7 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 		add(list, STAGE_integrate_position, 0, bodies, bound, 0);
 		add_pass(list, c, bound, STAGE_relax, STAGE_overflow_relax);
 	}
-	if (step->extras)
+	if (step->bounces)
 		add_pass(list, c, bound, STAGE_bounce, STAGE_overflow_bounce);
 	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
 	return list_run(world, step, list);
@@ -325,6 +325,8 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .soft = softness(hertz, def->contact_damping_ratio, h),
 	    .stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
 	    .extras = world->pipeline.extras,
+	    .bounces = world->pipeline.bounces,
+	    .reach = world->pipeline.reach,
 	    .collidables = world->collidables.used,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],
@@ -364,7 +366,7 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	int constraints = 0;
 	for (int color = 0; color <= COLORS; ++color)
 		constraints += pipeline->counters.color_count[color];
-	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras);
+	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces);
 	pipeline->trees[0].unsorted += pipeline->counters.moved;
 	++pipeline->steps;
 	pipeline->step = step;

@@ -27,10 +27,12 @@ typedef struct
 	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
 	int member_capacity;
 	RunList list;
-	Step step;   // constants of the last step: kernels that need none keep those
-	bool begun;  // the step at work has changed something on the device
-	bool extras; // some attribute has restitution, rolling resistance or tangent speed
-	int rounds;  // coloring rounds that the last step needed
+	Step step;    // constants of the last step: kernels that need none keep those
+	bool begun;   // the step at work has changed something on the device
+	bool extras;  // some attribute has restitution, rolling resistance or tangent speed
+	bool bounces; // some attribute has restitution
+	float reach;  // Step.reach
+	int rounds;   // coloring rounds that the last step needed
 	int64_t steps;
 	int grown;               // times that a pool grew
 	double milliseconds;     // of the last step, by the wall clock

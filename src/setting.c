@@ -74,7 +74,11 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	world->dynamic_bodies += (type == SCREE_DYNAMIC) - (host->type == SCREE_DYNAMIC);
 	host->type = type;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
 		pending_collidable(world, k);
+		if (type == SCREE_DYNAMIC)
+			reach_grow(world, k);
+	}
 	if (host->collidables > 0 && old_tree != new_tree)
 		tree_touch(world, old_tree);
 	if (type == SCREE_STATIC)

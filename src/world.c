@@ -268,6 +268,7 @@ scree_status scree_get_counters(scree_world* world, scree_counters* counters)
 	                             .new_contacts = c->created,
 	                             .grown = pipeline->grown,
 	                             .nonfinite = c->nonfinite,
+	                             .held = c->held,
 	                             .penetration = bits_float(c->penetration),
 	                             .steps = pipeline->steps,
 	                             .device_bytes = world->backend->bytes};

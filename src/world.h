@@ -18,6 +18,7 @@ typedef struct // what only the host knows of a body
 	scree_mass mass;
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
+	float way;                             // Guarded.way
 	uint64_t user;
 	Waiting waiting;
 	bool marked; // within a call: named by the batch
@@ -92,8 +93,9 @@ scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
 
-// src/attribute.c: its row in the pool
+// src/attribute.c: its row in the pool attribute, and in the pool thickness
 void attribute_item(const scree_world* world, int index, Attribute* item);
+float attribute_thickness(const scree_world* world, int index);
 
 // src/mass.c: mass from the collidables; a dynamic body without any is 1 kg that cannot turn, others have none.
 scree_mass mass_of_body(const scree_world* world, int body);
@@ -117,6 +119,10 @@ scree_status collidables_take(scree_world* world, int* slots, int count);
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 int collidable_kind(const scree_world* world, int index);
+// what the device keeps of a body for guard
+Guarded body_guarded(const HostBody* host);
+// Step.reach takes in a collidable of a body that is dynamic.
+void reach_grow(scree_world* world, int collidable);
 int kind_of_type(scree_body_type type);
 // The tree in which collidables of a kind lie.
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

@@ -201,7 +201,8 @@ typedef struct scree_world_def
 	float contact_damping_ratio; // default 15
 	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
-	float max_speed;             // m/s, default 400
+	float max_speed; // m/s, default 400: no body is faster when a step ends. Nor does one turn by more than half
+	                 // a circle a step, or an eighth a substep
 	const scree_opengl* opengl; // null (default), or the context of which scree_share_opengl will take buffers: copied,
 	                            // and the context itself lent until the world's end, for it may move to its device
 	int body_capacity;          // room to begin with; everything grows. 0 (default) for a small world
@@ -265,10 +266,13 @@ typedef struct scree_counters
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // pairs found in the last step
 	int grown;                   // times that a buffer grew since the world was created
-	int nonfinite;               // bodies frozen in the last step because their state was not finite
-	float penetration;           // deepest overlap of two cores at the start of the last step, m
-	int64_t steps;               // steps taken
-	uint64_t device_bytes;       // memory of the pools on the device
+	int nonfinite;         // bodies frozen in the last step because their state was not finite: an infinite force, say;
+	                       // what is finite never is. A body that leaves 1e8 m stops there
+	int held;              // bodies that in the last step stopped in the surface of something static that they were
+	                       // about to go through
+	float penetration;     // deepest overlap of two cores at the start of the last step, m
+	int64_t steps;         // steps taken
+	uint64_t device_bytes; // memory of the pools on the device
 } scree_counters;
 
 SCREE_API scree_status scree_get_counters(scree_world* world, scree_counters* counters);

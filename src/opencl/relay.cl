@@ -202,6 +202,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	if (begin == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 	if (get_local_id(0) == 0)

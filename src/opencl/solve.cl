@@ -128,6 +128,7 @@ INLINE Runner runner_make(const Pools* p, int i, Prepared made)
 		u.c.rb[k] = vec_add(u.c.ra[k], made.offset);
 		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
 		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
+		u.normal[k] = pair_start(&p->step, u.normal[k], u.normal_mass[k]);
 	}
 	return u;
 }
@@ -251,32 +252,33 @@ INLINE Runner runner_return(__global float4* notes, int n, int i)
 }
 
 // The passes of solve.h for what is in registers.
-INLINE void runner_bias(const Step* step, Runner* u)
+INLINE void runner_bias(const Pools* p, int i, Runner* u)
 {
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1);
-}
-
-INLINE void runner_relax(const Pools* p, int i, Runner* u)
-{
-	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f;
-	for (int k = 0; k < 2; ++k)
-		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0);
-	if (p->step.extras)
-	{
-		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
-		pair_peak(p, i, u->normal[0], u->normal[1]);
-	}
+	pair_bias(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
 }
 
 INLINE void runner_bounce(const Pools* p, int i, Runner* u)
 {
-	runner_stow(p, i, u);
-	bounce_pass(p, i, &u->c);
-	u->normal[0] = constraint_at(p, normal_impulse1, i);
-	u->normal[1] = constraint_at(p, normal_impulse2, i);
+	pair_bounce(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
+}
+
+INLINE void runner_relax(const Pools* p, int i, Runner* u)
+{
+	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f, rebound[2] = {0.0f, 0.0f};
+	if (p->step.bounces)
+	{
+		rebound[0] = extra_at(p, rebound1, i);
+		rebound[1] = extra_at(p, rebound2, i);
+	}
+	for (int k = 0; k < 2; ++k)
+		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
+	for (int k = 0; k < 2; ++k)
+		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0, rebound[k]);
+	if (p->step.extras)
+	{
+		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
+		pair_total(p, i, u->normal[0], u->normal[1]);
+	}
 }
 
 INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
@@ -286,7 +288,7 @@ INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
 	else if (q > 2 * substeps)
 		runner_bounce(p, i, u);
 	else if (q & 1)
-		runner_bias(&p->step, u);
+		runner_bias(p, i, u);
 	else
 		runner_relax(p, i, u);
 }

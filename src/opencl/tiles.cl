@@ -267,6 +267,7 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 	if (j == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 	if (j >= table[(rows + 1) * TILE_COLORS])

@@ -31,6 +31,9 @@
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f
 
+// of a body's thickness: how far it may go in a step before guard looks at its way
+#define GUARD_TRAVEL 0.5f
+
 // an empty box overlaps nothing
 #define EMPTY_LOW  1.0e30f
 #define EMPTY_HIGH (-1.0e30f)
@@ -68,6 +71,12 @@ typedef struct // 160 bytes
 	float margin;        // m: how much an enlarged box exceeds a tight one
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
+
+typedef struct // 8 bytes: what guard needs of a body
+{
+	int first; // 1 + index of its first collidable, 0 for none
+	float way; // m: GUARD_TRAVEL times the thickness of its thinnest collidable so far
+} Guarded;
 
 typedef struct // 24 bytes
 {
@@ -119,8 +128,10 @@ typedef struct
 {
 	float restitution[MAX_LANES], rolling[MAX_LANES], tangent_speed[MAX_LANES]; // 1, m, m/s
 	float rolling_impulse[MAX_LANES];                                           // N m s; kept from step to step
-	float approach1[MAX_LANES], approach2[MAX_LANES];         // m/s: normal velocity of a point before the step
-	float peak_impulse1[MAX_LANES], peak_impulse2[MAX_LANES]; // N s: largest normal impulse of any substep
+	float fall[MAX_LANES]; // m/s^2: normal acceleration by gravity and forces
+	float rebound1[MAX_LANES],
+	    rebound2[MAX_LANES]; // m/s: speed at which a point leaves the surface, 0: it does not bounce
+	float total_impulse1[MAX_LANES], total_impulse2[MAX_LANES]; // N s: normal impulses of all substeps
 } Extras;
 
 // a component of constraint i of the pools p
@@ -152,20 +163,23 @@ typedef struct // 32 bytes: a change that the user made between steps
 } Command;
 
 // Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
-#define COMMAND_FORCE           0  // x, y: N
-#define COMMAND_FORCE_AT        1  // force x, y, world point x, y
-#define COMMAND_TORQUE          2  // x: N m
-#define COMMAND_IMPULSE         3  // x, y: N s
-#define COMMAND_IMPULSE_AT      4  // impulse x, y, world point x, y
-#define COMMAND_ANGULAR_IMPULSE 5  // x: N m s
-#define COMMAND_VELOCITY        6  // linear x, y, angular
-#define COMMAND_POSE            7  // of the body's origin: x, y, cos, sin
-#define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
-#define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
-#define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
-#define COMMAND_PLACE           11 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      12 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
-#define COMMAND_FILTER          13 // the bits of category and mask; whole: group, kind
+#define COMMAND_FORCE           0 // x, y: N
+#define COMMAND_FORCE_AT        1 // force x, y, world point x, y
+#define COMMAND_TORQUE          2 // x: N m
+#define COMMAND_IMPULSE         3 // x, y: N s
+#define COMMAND_IMPULSE_AT      4 // impulse x, y, world point x, y
+#define COMMAND_ANGULAR_IMPULSE 5 // x: N m s
+#define COMMAND_VELOCITY        6 // linear x, y, angular
+#define COMMAND_POSE            7 // of the body's origin: x, y, cos, sin
+#define COMMAND_MASS            8 // inverse mass, inverse inertia, local center x, y: the origin stays where it is
+#define COMMAND_MOTION          9 // gravity scale, linear damping, angular damping; whole[0]: locks
+#define COMMAND_BODY \
+	10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin; whole as in COMMAND_GUARDED
+#define COMMAND_GUARDED    11 // whole: the members of Guarded, the second one by its bits
+#define COMMAND_PLACE      12 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE 13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_FILTER     14 // the bits of category and mask; whole: group, kind
+#define COMMAND_NEXT       15 // whole[0]: 1 + index of the body's next collidable, 0 for none
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
@@ -190,6 +204,8 @@ typedef struct // constants of one step, by value to every stage
 	float restitution_threshold;
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
+	int bounces;          // some attribute has restitution
+	float reach;          // m: no collidable of a dynamic body goes further from its center of mass
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int key_bits; // bits of a collidable's index in a pair's key
@@ -226,6 +242,7 @@ typedef struct
 	int penetration;     // bits of the deepest overlap, m
 	int nonfinite;       // bodies frozen because their state was not finite
 	int first_nonfinite; // lowest index of these
+	int held;            // bodies that stopped before something static; guard
 	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;
 

@@ -25,39 +25,16 @@ INLINE void broad_phase_leaf(const Pools* p, int i, int j)
 		p->key[place] = (Word64)a << p->step.key_bits | (Word64)b;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i. masks holds, 8 bits a level, which of the eight
-// siblings on the current path are still to be visited.
+// Visits the leaves of tree t that overlap the box of collidable i.
 INLINE void broad_phase_tree(const Pools* p, int i, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
 	if (tree->leaves == 0)
 		return;
 	Float4 box = p->box[i];
-	int level = tree->top, first = 0;
-	Word64 masks = tree_hits(p, tree->begin[level], box) << (8 * level);
-	for (;;)
-	{
-		Word64 siblings = masks >> (8 * level) & (Word64)255;
-		if (siblings == 0)
-		{
-			if (level == tree->top)
-				return;
-			++level;
-			first = first / ARITY & ~(ARITY - 1);
-			continue;
-		}
-		Word64 lowest = siblings & (~siblings + (Word64)1);
-		int child = first + 63 - leading_zeros(lowest);
-		masks ^= lowest << (8 * level);
-		if (level == 0)
-			broad_phase_leaf(p, i, p->leaf[tree->leaf_begin + child]);
-		else
-		{
-			--level;
-			first = ARITY * child;
-			masks |= tree_hits(p, tree->begin[level] + first, box) << (8 * level);
-		}
-	}
+	TreeWalk walk = tree_walk(p, tree, box);
+	for (int j = tree_next(p, tree, box, &walk); j >= 0; j = tree_next(p, tree, box, &walk))
+		broad_phase_leaf(p, i, j);
 }
 
 // the search anew, after a buffer grew

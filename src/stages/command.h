@@ -54,8 +54,16 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
+INLINE Guarded command_guarded(Command c)
+{
+	Guarded guarded;
+	guarded.first = c.whole[0];
+	guarded.way = bits_float(c.whole[1]);
+	return guarded;
+}
+
 // A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose)
+INLINE void command_body(const Pools* p, int i, Float4 pose, Guarded guarded)
 {
 	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
 	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
@@ -64,6 +72,7 @@ INLINE void command_body(const Pools* p, int i, Float4 pose)
 	p->pose[i] = pose;
 	p->local_center[i] = make_float2(0.0f, 0.0f);
 	p->color_mask[i] = 0;
+	p->guarded[i] = guarded;
 }
 
 // A row anew: its box is empty, so that it is found as if it had just come.
@@ -126,7 +135,10 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value);
+		command_body(p, i, value, command_guarded(c));
+		break;
+	case COMMAND_GUARDED:
+		p->guarded[i] = command_guarded(c);
 		break;
 	case COMMAND_PLACE:
 		p->collidable_pose[i] = value;
@@ -139,6 +151,9 @@ INLINE void command_apply(const Pools* p, Command c)
 		p->filter[i].mask = command_word64(value.z, value.w);
 		p->filter[i].group = c.whole[0];
 		p->collidable_kind[i] = c.whole[1];
+		break;
+	case COMMAND_NEXT:
+		p->next_collidable[i] = c.whole[0];
 		break;
 	}
 }

@@ -17,6 +17,13 @@
 #define INLINE static inline
 #endif
 
+// What few items need and would cost the others registers. On a GPU a call costs them as well.
+#ifdef __OPENCL_C_VERSION__
+#define RARE INLINE
+#else
+#define RARE static __attribute__((noinline))
+#endif
+
 #ifdef __OPENCL_C_VERSION__
 
 #pragma OPENCL FP_CONTRACT OFF

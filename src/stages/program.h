@@ -15,5 +15,6 @@
 #include "stages/solve.h"
 #include "stages/overflow_one.h"
 #include "stages/overflow.h"
+#include "stages/guard.h"
 #include "stages/finalize.h"
 #include "stages/hash.h"

@@ -17,14 +17,9 @@ STAGE(solve_begin)
 	if (i == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
-}
-
-// normal velocity of a point before the step
-INLINE float prepare_approach(Body a, Vec ra, Body b, Vec rb, Vec n)
-{
-	return vec_dot(vec_sub(body_velocity_at(b, rb), body_velocity_at(a, ra)), n);
 }
 
 // the deepest overlap seen, for the user's counters
@@ -65,15 +60,65 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot, float load1,
 	return made;
 }
 
-// what bounces starts with the speed at which it came
+// m/s^2: of a body by gravity and the user's forces. What is slower than gravity would make it within a step, and touches
+// something else, is held up by that.
+INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
+{
+	Motion motion = p->motion[body];
+	Word64 mask = p->color_mask[body];
+	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
+	float gained = p->step.dt * p->step.dt * vec_dot(gravity, gravity);
+	if (vec_dot(b.v, b.v) < gained && (mask & (mask - (Word64)1)) != 0)
+		return vec(0.0f, 0.0f);
+	return vec(motion.free_x * (motion.gravity_scale * gravity.x + b.inv_mass * motion.fx),
+	           motion.free_y * (motion.gravity_scale * gravity.y + b.inv_mass * motion.fy));
+}
+
+// Newton's law of impact: how fast a point leaves that comes with a normal velocity (negative) and has a gap to go. A body
+// that falls in substeps is at points of a parabola, on which its speed is that of a substep's middle: half of what a
+// substep adds is put to the speed before, and taken from the speed after (bounce_speed). Between, energy is kept.
+INLINE float prepare_rebound(const Step* step, float restitution, float velocity, float fall, float gap)
+{
+	float before = velocity + 0.5f * step->h * fall;
+	float square = before * before - 2.0f * fall * gap, threshold = step->restitution_threshold;
+	return before < 0.0f && square > threshold * threshold ? restitution * square_root(square) : 0.0f;
+}
+
+// m/s: normal velocity of a point, r from the center of a
+INLINE float prepare_velocity(Body a, Body b, Vec r, Prepared made)
+{
+	Vec v = vec_sub(body_velocity_at(b, vec_add(r, made.offset)), body_velocity_at(a, r));
+	return vec_dot(v, made.normal);
+}
+
+// What may bounce within the step, and how fast. What hardly moves will not in one step.
+INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
+{
+	float e = extra_at(p, restitution, i), fall = 0.0f, rebound1 = 0.0f, rebound2 = 0.0f;
+	if (e > 0.0f)
+	{
+		int ia = constraint_at(p, body_a, i), ib = constraint_at(p, body_b, i);
+		Body a = body_gather(p, ia), b = body_gather(p, ib);
+		float v1 = prepare_velocity(a, b, made.anchor1, made), v2 = prepare_velocity(a, b, made.anchor2, made);
+		if (minimum(v1, v2) < -0.25f * p->step.restitution_threshold)
+		{
+			Vec fall_a = prepare_acceleration(p, ia, a), fall_b = prepare_acceleration(p, ib, b);
+			fall = vec_dot(vec_sub(fall_b, fall_a), made.normal);
+			rebound1 = prepare_rebound(&p->step, e, v1, fall, made.separation1);
+			rebound2 = prepare_rebound(&p->step, e, v2, fall, made.separation2);
+		}
+	}
+	extra_at(p, fall, i) = fall;
+	extra_at(p, rebound1, i) = rebound1;
+	extra_at(p, rebound2, i) = rebound2;
+}
+
 INLINE void prepare_extras(const Pools* p, int i, Prepared made)
 {
-	Body a = body_gather(p, constraint_at(p, body_a, i)), b = body_gather(p, constraint_at(p, body_b, i));
-	Vec ra1 = made.anchor1, ra2 = made.anchor2;
-	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made.offset), made.normal);
-	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made.offset), made.normal);
-	extra_at(p, peak_impulse1, i) = 0.0f;
-	extra_at(p, peak_impulse2, i) = 0.0f;
+	extra_at(p, total_impulse1, i) = 0.0f;
+	extra_at(p, total_impulse2, i) = 0.0f;
+	if (p->step.bounces)
+		prepare_bounce(p, i, made);
 }
 
 // the contact's points, where the passes stream them

@@ -10,6 +10,7 @@
 // Time is a share of the step, from 0 to 1, and so velocities are metres and radians a step.
 #ifndef SWEEP_H
 #define SWEEP_H
+#include "stages/body.h"
 #include "stages/manifold.h"
 #include "stages/rolling.h"
 
@@ -45,17 +46,22 @@ typedef struct // of b against a
 	Real most;  // m: how far any two points of the pair may draw near
 } Closing;
 
+// a velocity no faster than max_speed
+INLINE Vec sweep_velocity(const Step* step, Vec v)
+{
+	if (vec_dot(v, v) <= step->max_speed * step->max_speed)
+		return v;
+	Vec scale = body_speed_scale(step, v);
+	return vec_scale(scale.y, vec_scale(scale.x, v));
+}
+
 // by the velocities with which the step begins
 INLINE Advance sweep_advance(const Pools* p, int index)
 {
 	BodyState body = p->body[index];
-	Vec v = vec(body.vx, body.vy);
-	Real square = vec_dot(v, v), speed = p->step.max_speed, spin = p->step.max_spin;
-	if (square > speed * speed)
-		v = vec_scale(speed / root(square), v);
 	Advance advance;
-	advance.path = vec_scale(p->step.dt, v);
-	advance.turn = p->step.dt * minimum(maximum(body.w, -spin), spin);
+	advance.path = vec_scale(p->step.dt, sweep_velocity(&p->step, vec(body.vx, body.vy)));
+	advance.turn = p->step.dt * limit_to(body.w, p->step.max_spin);
 	return advance;
 }
 
@@ -70,9 +76,8 @@ INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* att
 	return s;
 }
 
-INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
+INLINE Closing sweep_between(Placed a, Sweep sa, Placed b, Sweep sb)
 {
-	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Vec arm = vec(b.x - a.x + (sb.center.x - sa.center.x), b.y - a.y + (sb.center.y - sa.center.y));
 	Vec apart = vec_sub(sb.path, sa.path);
 	Real frame = sb.reach < sa.reach ? sa.turn : sb.turn;
@@ -84,6 +89,12 @@ INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
 	c.swing = absolute(sb.turn - sa.turn) * minimum(sa.reach, sb.reach);
 	c.most = absolute(c.near.x) + absolute(c.near.y) + c.swing;
 	return c;
+}
+
+INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
+{
+	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
+	return sweep_between(a, sa, b, sb);
 }
 
 // At most how far any two points of the pair may draw near, by less work than sweep_closing.

@@ -97,4 +97,45 @@ STAGE(tree_order) { p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[
 // bit k is set when the box overlaps child k of the eight from first on
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
+typedef struct // through the leaves that overlap a box
+{
+	Word64 masks;     // 8 bits a level: which of the eight siblings on the current path are still to be visited
+	int level, first; // where it is: the first of eight siblings
+} TreeWalk;
+
+// of a tree that has leaves
+INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box)
+{
+	TreeWalk walk;
+	walk.level = tree->top;
+	walk.first = 0;
+	walk.masks = tree_hits(p, tree->begin[walk.level], box) << (8 * walk.level);
+	return walk;
+}
+
+// The next collidable whose leaf overlaps the box, -1 behind the last.
+INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)
+{
+	for (;;)
+	{
+		Word64 siblings = walk->masks >> (8 * walk->level) & (Word64)255;
+		if (siblings == 0)
+		{
+			if (walk->level == tree->top)
+				return -1;
+			++walk->level;
+			walk->first = walk->first / ARITY & ~(ARITY - 1);
+			continue;
+		}
+		Word64 lowest = siblings & (~siblings + (Word64)1);
+		int child = walk->first + 63 - leading_zeros(lowest);
+		walk->masks ^= lowest << (8 * walk->level);
+		if (walk->level == 0)
+			return p->leaf[tree->leaf_begin + child];
+		--walk->level;
+		walk->first = ARITY * child;
+		walk->masks |= tree_hits(p, tree->begin[walk->level] + walk->first, box) << (8 * walk->level);
+	}
+}
+
 #endif
