@@ -12,6 +12,7 @@
 #ifndef SOLVE_H
 #define SOLVE_H
 #include "stages/body.h"
+#include "stages/finite.h"
 
 typedef struct // the part of a constraint that all passes share
 {
@@ -88,7 +89,7 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 	}
 
 	Real change = -mass * (mass_scale * pair_approach(*c, k, c->n) + bias) - impulse_scale * old;
-	Real impulse = maximum(old + change, splat(0.0f));
+	Real impulse = push_of(old + change);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
 	return impulse;
 }
@@ -96,8 +97,7 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 // One point's friction: Coulomb's cone with the normal impulse of the pass before.
 INLINE Real pair_tangent(Pair* c, int k, Real mass, Real speed, Real limit, Real old)
 {
-	Real impulse = old - mass * (pair_approach(*c, k, c->t) + speed);
-	impulse = minimum(maximum(impulse, -limit), limit);
+	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
 	return impulse;
 }
@@ -108,8 +108,9 @@ INLINE void pair_roll(const Pools* p, int i, Pair* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
 	Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-	Real limit = load(&extra_at(p, rolling, i), 0) * weight, old = load(&extra_at(p, rolling_impulse, i), 0);
-	Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
+	Real limit = minimum(load(&extra_at(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
+	Real old = load(&extra_at(p, rolling_impulse, i), 0);
+	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
 	c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
 	c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
 	store(&extra_at(p, rolling_impulse, i), 0, impulse);
@@ -140,7 +141,7 @@ INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real pe
 {
 	Int hit = (restitution > splat(0.0f)) & (approach < splat(-threshold)) & (peak > splat(0.0f));
 	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
-	Real impulse = maximum(old - mass * (pair_approach(*c, k, c->n) + restitution * approach), splat(0.0f));
+	Real impulse = push_of(old - mass * (pair_approach(*c, k, c->n) + restitution * approach));
 	impulse = choose(old, impulse, hit);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
 	return impulse;
@@ -234,9 +235,10 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	// implicit damping, semi-implicit Euler; a lock holds by taking the velocity away
 	float h = step->h;
 	Real linear = 1.0f / (1.0f + h * m[4]), angular = 1.0f / (1.0f + h * m[5]);
-	v.x = m[6] * (linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
-	v.y = m[7] * (linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
-	w = angular * w + h * (b[7] * m[2]);
+	Real most = splat(MOST_RATE);
+	v.x = m[6] * (linear * v.x + h * within(step->gravity_x * m[3] + b[3] * m[0], most));
+	v.y = m[7] * (linear * v.y + h * within(step->gravity_y * m[3] + b[3] * m[1], most));
+	w = angular * w + h * within(b[7] * m[2], most);
 	base[0] = v.x;
 	base[1] = v.y;
 	base[2] = w;
@@ -245,9 +247,8 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	w = w + contacts_w;
 
 	// what exceeds the limits is taken from the base as well, or the next substep would take it for the contacts' doing
-	Real square = vec_dot(v, v);
-	float limit = step->max_speed, spin = step->max_spin;
-	Real scale = choose(splat(1.0f), limit / root(square), square > splat(limit * limit));
+	float spin = step->max_spin;
+	Real scale = vec_shrink(v, step->max_speed);
 	v = vec_scale(scale, v);
 	base[0] = scale * base[0];
 	base[1] = scale * base[1];

@@ -4,6 +4,7 @@
 #define SOLVE_ONE_H
 #include "stages/body.h"
 #include "stages/contact_points.h"
+#include "stages/finite.h"
 
 STAGE(solve_begin)
 {
@@ -19,6 +20,16 @@ STAGE(solve_begin)
 		p->counters->nonfinite = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
+}
+
+// A body as it comes to the step, within the limits.
+INLINE Body prepare_body(const Pools* p, int index)
+{
+	Body b = body_gather(p, index);
+	float spin = p->step.max_spin;
+	b.v = vec_scale(vec_shrink(b.v, p->step.max_speed), b.v);
+	b.w = within(b.w, spin);
+	return b;
 }
 
 // normal velocity of a point before the step
@@ -66,7 +77,7 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
 // what bounces starts with the speed at which it came
 INLINE void prepare_extras(const Pools* p, int i, Prepared made)
 {
-	Body a = body_gather(p, constraint_at(p, body_a, i)), b = body_gather(p, constraint_at(p, body_b, i));
+	Body a = prepare_body(p, constraint_at(p, body_a, i)), b = prepare_body(p, constraint_at(p, body_b, i));
 	Vec ra1 = made.anchor1, ra2 = made.anchor2;
 	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made.offset), made.normal);
 	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made.offset), made.normal);
@@ -93,19 +104,6 @@ STAGE(prepare)
 	constraint_at(p, separation2, i) = made.separation2;
 	if (p->step.extras)
 		prepare_extras(p, i, made);
-}
-
-// an impulse fit to start the step with
-INLINE float cleanse_bounded(float x) { return x >= -1.0e30f && x <= 1.0e30f ? x : 0.0f; }
-
-// of a body that went out of bounds in the last step nothing must remain in its neighbors' constraints
-STAGE(cleanse)
-{
-	constraint_at(p, normal_impulse1, i) = cleanse_bounded(constraint_at(p, normal_impulse1, i));
-	constraint_at(p, normal_impulse2, i) = cleanse_bounded(constraint_at(p, normal_impulse2, i));
-	constraint_at(p, tangent_impulse1, i) = cleanse_bounded(constraint_at(p, tangent_impulse1, i));
-	constraint_at(p, tangent_impulse2, i) = cleanse_bounded(constraint_at(p, tangent_impulse2, i));
-	extra_at(p, rolling_impulse, i) = cleanse_bounded(extra_at(p, rolling_impulse, i));
 }
 
 #endif

@@ -10,6 +10,7 @@
 // Time is a share of the step, from 0 to 1, and so velocities are metres and radians a step.
 #ifndef SWEEP_H
 #define SWEEP_H
+#include "stages/finite.h"
 #include "stages/manifold.h"
 
 // Looks at a pair while it draws near. Of the fast pairs of the scene tumbler 90 % need one and 1 % more than five; what
@@ -41,11 +42,9 @@ INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* att
 {
 	BodyState body = p->body[placed.body];
 	Vec v = vec(body.vx, body.vy);
-	Real square = vec_dot(v, v), speed = p->step.max_speed, spin = p->step.max_spin;
-	if (square > speed * speed)
-		v = vec_scale(speed / root(square), v);
+	Real spin = p->step.max_spin;
 	Sweep s;
-	s.path = vec_scale(p->step.dt, v);
+	s.path = vec_scale(p->step.dt, vec_scale(vec_shrink(v, p->step.max_speed), v));
 	s.turn = p->step.dt * minimum(maximum(body.w, -spin), spin);
 	s.center = vec(placed.center_x, placed.center_y);
 	s.reach = attribute->reach - attribute->radius + absolute(s.center.x) + absolute(s.center.y);

@@ -40,7 +40,7 @@ static const char usage[] =
     "when a status, an answer or a hash of any differs, when a process crashes or hangs, or when a state is not "
     "finite.\n"
     "  --programs N    how many (100)\n"
-    "  --seed N        of the first (1)\n"
+    "  --seed N        of the first (0)\n"
     "  --calls N       of each (200)\n"
     "  --device NAME   where they run: cpu (default), opencl, opencl:NAME; the environment chooses forms "
     "(docs/opencl.md)\n"
@@ -49,7 +49,7 @@ static const char usage[] =
     "  --life N        programs, one after the other, on the same worlds, up to 16 (1)\n"
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
-    "  --shrink S      seconds to make a program that fails shorter (20)\n"
+    "  --shrink S      seconds to make a program that fails shorter (20; 0 with --replay)\n"
     "  --limit S       seconds that a program may take (120)\n"
     "  --out FOLDER    where programs that fail are written (.)\n"
     "  --show          writes the programs, and runs none\n"
@@ -64,15 +64,8 @@ static void die(const char* format, const char* what)
 
 static Options parse(int count, char** arguments)
 {
-	Options o = {.programs = 100,
-	             .calls = 200,
-	             .jobs = 1,
-	             .life = 1,
-	             .reports = 4,
-	             .seed = 1,
-	             .shrink = 20.0,
-	             .limit = 120.0,
-	             .out = "."};
+	Options o = {
+	    .programs = 100, .calls = 200, .jobs = 1, .life = 1, .reports = 4, .shrink = -1.0, .limit = 120.0, .out = "."};
 	o.places[0] = (Place){.device = "cpu", .threads = 1, .lanes = 1};
 	o.places[1] = (Place){.device = "cpu"};
 	for (int k = 1; k < count; ++k)
@@ -312,6 +305,11 @@ static int replay(const Options* o)
 	Pair pair;
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
+	if (o->shrink > 0.0 && pair_run(&pair, &program, NULL).differs)
+	{
+		program_shrink(&program, &pair, o->shrink);
+		program_write(&program, stdout);
+	}
 	bool differs = tell(&pair, &program, o->replay, stdout);
 	if (!differs)
 		printf("%s: the same on both\n", o->replay);
@@ -327,6 +325,7 @@ int main(int count, char** arguments)
 	scree_set_hooks(&hooks);
 	if (o.replay)
 		return replay(&o);
+	o.shrink = o.shrink < 0.0 ? 20.0 : o.shrink;
 	if (!o.shown)
 		return run_all(&o);
 	Program program = {0};

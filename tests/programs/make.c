@@ -16,6 +16,7 @@ typedef struct
 	int alive;                           // bodies, about
 	float extreme;                       // share of values that are extreme
 	bool extras;                         // restitution, rolling resistance, tangent speeds
+	bool moves;                          // between devices, which takes as long as dozens of steps
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -414,7 +415,7 @@ static void put_any(Maker* m)
 	else if (k < 95)
 		put_gravity(m);
 	else if (k < 97)
-		put_alone(m, CALL_move, "back", chance(m, 0.6) ? 1.0f : 0.0f);
+		m->moves ? put_alone(m, CALL_move, "back", chance(m, 0.6) ? 1.0f : 0.0f) : put_step(m);
 	else
 		put_alone(m, CALL_read, "body", any_body(m));
 }
@@ -455,6 +456,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	put_world(&m);
 	m.seed = seed ^ 0x5851f42d4c957f2du;
 	word(&m);
+	m.moves = chance(&m, 0.05);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

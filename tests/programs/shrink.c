@@ -69,6 +69,8 @@ static void simplify(Shrink* s)
 		{
 			float x = s->best->calls[k].value[i];
 			bool count = strcmp(info->names[i], "count") == 0;
+			if (memcmp(&x, &info->values[i], sizeof x) == 0)
+				continue;
 			if (try_value(s, k, i, info->values[i]) || try_value(s, k, i, 0.0f))
 				continue;
 			while (count && x > 1.0f && try_value(s, k, i, floorf(0.5f * x)))
