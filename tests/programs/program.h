@@ -68,6 +68,8 @@ typedef struct // two worlds on which programs run one after the other
 	Call made; // with which they were made
 	struct Names* names[2];
 	bool infinite; // state that is not finite is no difference
+	bool anew;     // every program gets new worlds
+	int every;     // steps after which hashes are compared, and at a program's end; 0 is 1
 } Pair;
 
 typedef struct
@@ -79,6 +81,7 @@ typedef struct
 } Outcome;
 
 // run.c
+void program_add_empty(Program* program); // calls that leave worlds as they were made, as far as calls can
 void pair_open(Pair* pair, const Place places[2]);
 void pair_close(Pair* pair);
 // Runs a program on both worlds, which are made anew unless they are empty and were made with the same call. details gets

@@ -505,14 +505,15 @@ void pair_close(Pair* pair)
 		free(pair->names[k]);
 }
 
-static Left take_turn(Pair* pair, int k, const Call* call)
+// hashes: whether that of the world is part of what a step leaves
+static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
 	Turn turn = {call, pair->worlds[k], pair->names[k], &pair->places[k], &left};
 	left.status = run_call(&turn);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
-	if (left.status == SCREE_OK && call->kind == CALL_step)
+	if (left.status == SCREE_OK && call->kind == CALL_step && hashes)
 		left.status = scree_world_hash(pair->worlds[k], &left.word);
 	return left;
 }
@@ -531,32 +532,47 @@ static bool left_differs(const Left* a, const Left* b, Outcome* outcome)
 	return true;
 }
 
-// Both worlds as if they were new, as far as a call can make them. False when they must be made anew.
+void program_add_empty(Program* program)
+{
+	static const CallKind kinds[] = {CALL_move, CALL_clear, CALL_step, CALL_step, CALL_gravity};
+	const Call made = program->calls[0];
+	for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; ++k)
+	{
+		Call call = call_make(kinds[k]);
+		if (call.kind == CALL_move)
+			call_set(&call, "back", 1.0f);
+		if (call.kind == CALL_gravity)
+		{
+			call_set(&call, "x", call_value(&made, "gravity_x"));
+			call_set(&call, "y", call_value(&made, "gravity_y"));
+		}
+		program_add(program, call);
+	}
+}
+
+// Whether that works, and leaves both with the same bits.
 static bool pair_empty(Pair* pair)
 {
-	const Call empty[] = {call_make(CALL_move), call_make(CALL_clear), call_make(CALL_step), call_make(CALL_step)};
-	Call calls[4];
-	memcpy(calls, empty, sizeof calls);
-	call_set(&calls[0], "back", 1.0f);
+	Program program = {0};
 	Outcome outcome = {0};
-	for (int i = 0; i < 4; ++i)
+	bool same = true;
+	program_add(&program, pair->made);
+	program_add_empty(&program);
+	for (int i = 1; i < program.count && same; ++i)
 	{
 		Left left[2];
 		for (int k = 0; k < 2; ++k)
-			left[k] = take_turn(pair, k, &calls[i]);
-		if (left[0].status != SCREE_OK || left_differs(&left[0], &left[1], &outcome))
-			return false;
+			left[k] = take_turn(pair, k, &program.calls[i], true);
+		same = left[0].status == SCREE_OK && !left_differs(&left[0], &left[1], &outcome);
 	}
-	for (int k = 0; k < 2; ++k)
-		scree_set_gravity(pair->worlds[k],
-		                  (scree_vec){call_value(&pair->made, "gravity_x"), call_value(&pair->made, "gravity_y")});
-	return true;
+	program_close(&program);
+	return same;
 }
 
 static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 {
 	bool same = pair->worlds[0] && memcmp(&pair->made, made, sizeof *made) == 0;
-	if (same && pair_empty(pair))
+	if (same && !pair->anew && pair_empty(pair))
 		return true;
 	pair_forget(pair);
 	pair->made = *made;
@@ -584,12 +600,13 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 	{
 		const Call* call = &program->calls[i];
 		Left left[2];
-		for (int k = 0; k < 2; ++k)
-			left[k] = take_turn(pair, k, call);
 		outcome.call = i;
 		outcome.steps += call->kind == CALL_step;
+		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
+		for (int k = 0; k < 2; ++k)
+			left[k] = take_turn(pair, k, call, hashes);
 		bool differs = left_differs(&left[0], &left[1], &outcome);
-		if (!differs && call->kind == CALL_step && left[0].status == SCREE_OK)
+		if (!differs && call->kind == CALL_step && left[0].status == SCREE_OK && hashes)
 		{
 			outcome.frozen += state_frozen(pair->worlds[0]);
 			if (!pair->infinite)
