@@ -99,7 +99,7 @@ if [ "$programs" != 0 ]; then
 	# the environment chooses the form
 	for form in SCREE_SOLVER= SCREE_PERSISTENT=0 SCREE_SOLVER=tiles; do
 		echo "$form"
-		env "$form" build/tests/programs --device "opencl:$device" --programs "$programs" --jobs "$(nproc)" --life 16 --every 5 \
+		env "$form" build/tests/programs --device "opencl:$device" --programs "$programs" --jobs 4 --life 64 --every 5 \
 			--seconds "${SECONDS_EACH:-120}" --out "$folder/programs" || true
 	done | tee "$folder/programs.txt"
 	[ "$(grep -c ' 0 failures' "$folder/programs.txt")" = 3 ] || differ=1

@@ -18,7 +18,7 @@ static const char usage[] =
     "(docs/opencl.md)\n"
     "  --threads N, --lanes N   on a CPU (0: all)\n"
     "  --jobs N        processes (1)\n"
-    "  --life N        programs, one after the other, on the same worlds, up to 16 (1)\n"
+    "  --life N        programs, one after the other, on the same worlds, up to 64 (1)\n"
     "  --every N       steps after which hashes are compared (1)\n"
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"

@@ -456,7 +456,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	put_world(&m);
 	m.seed = seed ^ 0x5851f42d4c957f2du;
 	word(&m);
-	m.moves = chance(&m, 0.05);
+	m.moves = chance(&m, 0.02);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

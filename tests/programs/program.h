@@ -52,7 +52,7 @@ void program_write(const Program* program, FILE* file);           // a line a ca
 bool program_read(Program* program, FILE* file, char error[256]); // what program_write wrote
 
 // make.c: a program of so many calls. Programs of the same block of PROGRAM_BLOCK seeds make the same world.
-#define PROGRAM_BLOCK 16
+#define PROGRAM_BLOCK 64
 void program_make(Program* program, uint64_t seed, int calls);
 
 typedef struct // where a world runs, and the device to which the call "move" takes it; empty for none
@@ -65,6 +65,7 @@ typedef struct // two worlds on which programs run one after the other
 {
 	Place places[2]; // the first is the reference
 	scree_world* worlds[2];
+	char homes[2][160]; // devices on which they were made
 	Call made; // with which they were made
 	struct Names* names[2];
 	bool infinite; // state that is not finite is no difference

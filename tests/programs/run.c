@@ -33,6 +33,7 @@ typedef struct // a call on one of the worlds
 	scree_world* world;
 	struct Names* names;
 	const Place* place;
+	const char* home; // where the world was made
 	Left* left;
 } Turn;
 
@@ -406,7 +407,7 @@ static scree_status run_move(const Turn* t)
 {
 	if (!t->place->other[0])
 		return SCREE_OK;
-	return scree_move_world(t->world, whole(t, "back") ? t->place->device : t->place->other);
+	return scree_move_world(t->world, whole(t, "back") ? t->home : t->place->other);
 }
 
 static scree_status run_call(const Turn* t)
@@ -509,7 +510,7 @@ void pair_close(Pair* pair)
 static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
-	Turn turn = {call, pair->worlds[k], pair->names[k], &pair->places[k], &left};
+	Turn turn = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
 	left.status = run_call(&turn);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
@@ -583,6 +584,8 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 		left[k].status = create_world(&pair->places[k], made, &pair->worlds[k]);
 		if (left[k].status != SCREE_OK)
 			snprintf(left[k].error, sizeof left[k].error, "%s", scree_error());
+		// by its whole name, which costs nothing while the world is there
+		snprintf(pair->homes[k], sizeof pair->homes[k], "%s", scree_world_device(pair->worlds[k]));
 	}
 	if (left[0].status == SCREE_OK && left[1].status == SCREE_OK)
 		return true;
