@@ -8,21 +8,21 @@
 // The velocity of a body, nothing along what is locked.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
 {
-	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : within(v.x, MOST_RATE);
-	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : within(v.y, MOST_RATE);
+	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_lost(v.x);
+	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : finite_or_lost(v.y);
 }
 
 INLINE void command_spin(const Pools* p, int body, float impulse)
 {
-	p->body[body].w = within(p->body[body].w + p->body[body].inv_inertia * impulse, MOST_RATE);
+	p->body[body].w = finite_or_lost(p->body[body].w + p->body[body].inv_inertia * impulse);
 }
 
 INLINE void command_force(const Pools* p, int body, Vec force, float torque)
 {
 	GLOBAL Motion* motion = p->motion + body;
-	motion->fx = within(motion->fx + force.x, MOST_FORCE);
-	motion->fy = within(motion->fy + force.y, MOST_FORCE);
-	motion->torque = within(motion->torque + torque, MOST_FORCE);
+	motion->fx = finite_or_lost(motion->fx + force.x);
+	motion->fy = finite_or_lost(motion->fy + force.y);
+	motion->torque = finite_or_lost(motion->torque + torque);
 }
 
 INLINE void command_push(const Pools* p, int body, Vec impulse)
@@ -36,13 +36,6 @@ INLINE Vec command_arm(const Pools* p, int body, float x, float y)
 {
 	Float4 pose = p->pose[body];
 	return vec(x - pose.x, y - pose.y);
-}
-
-// What a force or an impulse turns with: first made so small that no product is infinite, for their difference might be
-// no number.
-INLINE float command_turn(Vec arm, Vec force)
-{
-	return within(1099511627776.0f * vec_cross(arm, vec_scale(9.094947e-13f, force)), MOST_FORCE); // 2^40
 }
 
 // The center of mass moves within the body; what it was doing as a rigid body goes on.
@@ -107,7 +100,7 @@ INLINE void command_apply(const Pools* p, Command c)
 	switch (c.kind)
 	{
 	case COMMAND_FORCE_AT:
-		command_force(p, i, v, command_turn(command_arm(p, i, value.z, value.w), v));
+		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
 		break;
 	case COMMAND_FORCE:
 		command_force(p, i, v, 0.0f);
@@ -116,7 +109,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_force(p, i, vec(0.0f, 0.0f), value.x);
 		break;
 	case COMMAND_IMPULSE_AT:
-		command_spin(p, i, command_turn(command_arm(p, i, value.z, value.w), v));
+		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
 		command_push(p, i, v);
 		break;
 	case COMMAND_IMPULSE:

@@ -70,9 +70,10 @@ STAGE(contact_create)
 	// rolling resistance as long as the larger radius; belts that run against each other add up
 	float lever =
 	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
-	p->contact_surface[slot] = make_float4(within(square_root(sa->friction * sb->friction), MOST_FRICTION),
-	                                       surface_larger(sa->restitution, sb->restitution), within(lever, MOST_RATE),
-	                                       within(sa->tangent_speed + sb->tangent_speed, MOST_RATE));
+	p->contact_surface[slot] =
+	    make_float4(within(square_root(sa->friction * sb->friction), MOST_FRICTION),
+	                surface_larger(sa->restitution, sb->restitution), within(lever, MOST_SURFACE),
+	                within(sa->tangent_speed + sb->tangent_speed, MOST_SURFACE));
 }
 
 STAGE(contact_end)

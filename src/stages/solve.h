@@ -235,16 +235,15 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	// implicit damping, semi-implicit Euler; a lock holds by taking the velocity away
 	float h = step->h;
 	Real linear = 1.0f / (1.0f + h * m[4]), angular = 1.0f / (1.0f + h * m[5]);
-	Real most = splat(MOST_RATE);
-	v.x = m[6] * (linear * v.x + h * within(step->gravity_x * m[3] + b[3] * m[0], most));
-	v.y = m[7] * (linear * v.y + h * within(step->gravity_y * m[3] + b[3] * m[1], most));
-	w = angular * w + h * within(b[7] * m[2], most);
+	v.x = m[6] * (linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
+	v.y = m[7] * (linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
+	w = angular * w + h * (b[7] * m[2]);
 	base[0] = v.x;
 	base[1] = v.y;
 	base[2] = w;
 	v.x = v.x + m[6] * contacts.x;
 	v.y = v.y + m[7] * contacts.y;
-	w = w + contacts_w;
+	w = no_infinity(w + contacts_w);
 
 	// what exceeds the limits is taken from the base as well, or the next substep would take it for the contacts' doing
 	float spin = step->max_spin;

@@ -42,10 +42,11 @@ INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* att
 {
 	BodyState body = p->body[placed.body];
 	Vec v = vec(body.vx, body.vy);
-	Real spin = p->step.max_spin;
+	v = vec_scale(vec_shrink(v, p->step.max_speed), v);
 	Sweep s;
-	s.path = vec_scale(p->step.dt, vec_scale(vec_shrink(v, p->step.max_speed), v));
-	s.turn = p->step.dt * minimum(maximum(body.w, -spin), spin);
+	// what is not finite will be frozen, where it is
+	s.path = vec(p->step.dt * number_of(v.x), p->step.dt * number_of(v.y));
+	s.turn = p->step.dt * number_of(within(body.w, p->step.max_spin));
 	s.center = vec(placed.center_x, placed.center_y);
 	s.reach = attribute->reach - attribute->radius + absolute(s.center.x) + absolute(s.center.y);
 	return s;
