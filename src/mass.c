@@ -8,9 +8,6 @@
 #define LEAST_INERTIA 1e-20f // kg m^2
 #define MOST_MASS     1e30f  // kg, and kg m^2
 
-// Of densities that are extreme: what could be set, too.
-static float clamped(double x, float least) { return (float)(x < least ? least : x > MOST_MASS ? MOST_MASS : x); }
-
 static scree_mass massless(scree_body_type type) { return (scree_mass){.mass = type == SCREE_DYNAMIC ? 1.0f : 0.0f}; }
 
 scree_mass mass_of_body(const scree_world* world, int body)
@@ -43,7 +40,7 @@ scree_mass mass_of_body(const scree_world* world, int body)
 		double dx = center.x - x, dy = center.y - y;
 		inertia += def->density * ((double)def->shape.inertia + def->shape.area * (dx * dx + dy * dy));
 	}
-	return (scree_mass){clamped(mass, LEAST_MASS), clamped(inertia, LEAST_INERTIA), {(float)x, (float)y}};
+	return (scree_mass){(float)mass, (float)inertia, {(float)x, (float)y}};
 }
 
 float mass_inverse(const HostBody* host) { return host->mass.mass > 0.0f ? 1.0f / host->mass.mass : 0.0f; }

@@ -70,10 +70,10 @@ STAGE(contact_create)
 	// rolling resistance as long as the larger radius; belts that run against each other add up
 	float lever =
 	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	float friction = square_root(sa->friction * sb->friction);
 	p->contact_surface[slot] =
-	    make_float4(within(square_root(sa->friction * sb->friction), MOST_FRICTION),
-	                surface_larger(sa->restitution, sb->restitution), within(lever, MOST_SURFACE),
-	                within(sa->tangent_speed + sb->tangent_speed, MOST_SURFACE));
+	    make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
+	                surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
 STAGE(contact_end)

@@ -14,8 +14,6 @@
 #define MOST_IMPULSE 1.0e35f
 // of a pair of surfaces: times the largest impulse it is still finite
 #define MOST_FRICTION 1.0e3f
-// m, m/s: of a pair of surfaces
-#define MOST_SURFACE 1.0e30f
 
 // x within bounds; NaN stays
 INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most); }

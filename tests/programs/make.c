@@ -145,13 +145,15 @@ static void put_attribute(Maker* m)
 		call_set(&call, "size", 2.0f * size);
 		call_set(&call, "radius", chance(m, 0.3) ? 0.1f * size : 0.0f);
 	}
-	call_set(&call, "density", chance(m, 0.3) ? PICK(m, 0.0f, 0.01f, 100.0f, 1e6f) : factor(m, 3.0f));
-	call_set(&call, "friction", factor(m, 1.0f));
+	call_set(&call, "density",
+	         chance(m, 0.3) ? PICK(m, 0.0f, 1e-6f, 0.01f, 100.0f, 1e6f, 1e9f) : between(m, 0.1f, 3.0f));
+	call_set(&call, "friction",
+	         chance(m, 0.1) ? PICK(m, 0.0f, 1e-45f, 10.0f, 1e3f, 1e6f, FLT_MAX) : between(m, 0.0f, 1.0f));
 	if (m->extras && chance(m, 0.6))
 	{
 		call_set(&call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f));
-		call_set(&call, "rolling", factor(m, 0.3f));
-		call_set(&call, "tangent", chance(m, 0.5) ? 0.0f : amount(m, 3.0f));
+		call_set(&call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
+		call_set(&call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
 	}
 	put(m, call);
 }
