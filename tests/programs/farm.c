@@ -93,12 +93,12 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	fclose(file);
 }
 
-// Programs from one seed to another on the same worlds.
-static void live(const Options* o, Pair* pair, int first, int end, Desk* desk, int* reports)
+// Programs from one seed to another on the same worlds, until some time.
+static void live(const Options* o, Pair* pair, int first, int end, double until, Desk* desk, int* reports)
 {
 	Program program = {0}, before = {0};
 	pair_forget(pair);
-	for (int k = first; k < end; ++k)
+	for (int k = first; k < end && clock_milliseconds() < until; ++k)
 	{
 		uint64_t seed = o->seed + (uint64_t)k;
 		desk->since = clock_milliseconds();
@@ -136,10 +136,13 @@ static void work(const Options* o, int job, Desk* desk)
 	Pair pair;
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
-	double end = o->seconds > 0.0 ? clock_milliseconds() + 1000.0 * o->seconds : INFINITY;
+	double until = o->seconds > 0.0 ? clock_milliseconds() + 1000.0 * o->seconds : INFINITY;
 	int reports = 0, stride = o->jobs * o->life;
-	for (int first = job * o->life; first < o->programs && clock_milliseconds() < end; first += stride)
-		live(o, &pair, first, first + o->life < o->programs ? first + o->life : o->programs, desk, &reports);
+	for (int first = job * o->life; first < o->programs && clock_milliseconds() < until; first += stride)
+	{
+		int end = first + o->life < o->programs ? first + o->life : o->programs;
+		live(o, &pair, first, end, until, desk, &reports);
+	}
 	pair_close(&pair);
 	desk->finished = true;
 }

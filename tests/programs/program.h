@@ -66,7 +66,7 @@ typedef struct // two worlds on which programs run one after the other
 	Place places[2]; // the first is the reference
 	scree_world* worlds[2];
 	char homes[2][160]; // devices on which they were made
-	Call made; // with which they were made
+	Call made;          // with which they were made
 	struct Names* names[2];
 	bool infinite; // state that is not finite is no difference
 	bool anew;     // every program gets new worlds
