@@ -96,13 +96,18 @@ cat "$folder/parity.csv"
 programs=${PROGRAMS:-1000}
 if [ "$programs" != 0 ]; then
 	mkdir -p "$folder/programs"
-	# the environment chooses the form
+	# the environment chooses the form; each GPU takes its share, for processes take turns on one
+	gpus=$(nvidia-smi -L 2>/dev/null | grep -c ^GPU || true)
+	[ "${gpus:-0}" -gt 0 ] || gpus=1
 	for form in SCREE_SOLVER= SCREE_PERSISTENT=0 SCREE_SOLVER=tiles; do
-		echo "$form"
-		env "$form" build/tests/programs --device "opencl:$device" --programs "$programs" --jobs 4 --life 64 --every 5 \
-			--seconds "${SECONDS_EACH:-120}" --out "$folder/programs" || true
+		for ((gpu = 0; gpu < gpus; ++gpu)); do
+			env "$form" CUDA_VISIBLE_DEVICES=$gpu build/tests/programs --device "opencl:$device" --seed $((gpu * programs)) \
+				--programs $(((programs + gpus - 1) / gpus)) --jobs 4 --life 64 --every 5 --seconds "${SECONDS_EACH:-120}" \
+				--out "$folder/programs" | sed "s/^opencl:/$form &/" &
+		done
+		wait
 	done | tee "$folder/programs.txt"
-	[ "$(grep -c ' 0 failures' "$folder/programs.txt")" = 3 ] || differ=1
+	[ "$(grep -c ' 0 failures' "$folder/programs.txt")" = $((3 * gpus)) ] || differ=1
 	rmdir "$folder/programs" 2>/dev/null || true
 fi
 

@@ -2,7 +2,6 @@
 // farm.c -- many programs by many processes, and what becomes of those that fail.
 //
 // A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
-#define _DEFAULT_SOURCE
 #include "programs/farm.h"
 #include "clock.h"
 #include <inttypes.h>

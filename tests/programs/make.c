@@ -274,7 +274,7 @@ static void put_step(Maker* m)
 	if (chance(m, 0.2))
 		call_set(&call, "dt", PICK(m, 1e-9f, 1e-6f, 1e-4f, 1e-3f, 1.0f / 240.0f, 1.0f / 30.0f, 0.1f, 0.5f, 1.0f));
 	if (chance(m, 0.2))
-		call_set(&call, "substeps", PICK(m, 1.0f, 2.0f, 3.0f, 8.0f, 16.0f));
+		call_set(&call, "substeps", PICK(m, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 5.0f, 8.0f, 16.0f));
 	put(m, call);
 }
 
@@ -398,25 +398,25 @@ static void put_alone(Maker* m, CallKind kind, const char* name, float value)
 static void put_any(Maker* m)
 {
 	int k = below(m, 100);
-	if (k < 30)
+	if (k < 20)
 		put_step(m);
-	else if (k < 55)
+	else if (k < 48)
 		put_motion(m);
-	else if (k < 65)
+	else if (k < 60)
 		put_setting(m);
-	else if (k < 73)
+	else if (k < 70)
 		put_collidable(m);
-	else if (k < 79)
+	else if (k < 77)
 		put_destroy(m);
-	else if (k < 88)
+	else if (k < 86)
 		m->alive < MOST_BODIES ? put_body(m) : put_destroy(m);
-	else if (k < 91)
+	else if (k < 89)
 		m->alive < MOST_BODIES - 20 ? put_bodies(m, 2 + below(m, 18)) : put_destroy(m);
-	else if (k < 93)
+	else if (k < 92)
 		put_attribute(m);
-	else if (k < 95)
+	else if (k < 94)
 		put_gravity(m);
-	else if (k < 97)
+	else if (k < 96)
 		m->moves ? put_alone(m, CALL_move, "back", chance(m, 0.6) ? 1.0f : 0.0f) : put_step(m);
 	else
 		put_alone(m, CALL_read, "body", any_body(m));
@@ -464,7 +464,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 		put_attribute(&m);
 	if (chance(&m, 0.85))
 		put_floor(&m);
-	if (chance(&m, 0.07))
+	if (chance(&m, 0.04))
 		put_hub(&m);
 	else
 		for (int k = below(&m, 4); k > 0; --k)
