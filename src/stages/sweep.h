@@ -42,11 +42,16 @@ INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* att
 {
 	BodyState body = p->body[placed.body];
 	Vec v = vec(body.vx, body.vy);
-	v = vec_scale(vec_shrink(v, p->step.max_speed), v);
-	Sweep s;
+	Real speed = p->step.max_speed, spin = p->step.max_spin;
 	// what is not finite will be frozen, where it is
-	s.path = vec(p->step.dt * number_of(v.x), p->step.dt * number_of(v.y));
-	s.turn = p->step.dt * number_of(within(body.w, p->step.max_spin));
+	if (!(vec_dot(v, v) <= speed * speed))
+	{
+		v = vec_scale(vec_shrink(v, speed), v);
+		v = vec(number_of(v.x), number_of(v.y));
+	}
+	Sweep s;
+	s.path = vec_scale(p->step.dt, v);
+	s.turn = p->step.dt * grip_of(body.w, spin);
 	s.center = vec(placed.center_x, placed.center_y);
 	s.reach = attribute->reach - attribute->radius + absolute(s.center.x) + absolute(s.center.y);
 	return s;
