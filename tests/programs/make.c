@@ -397,14 +397,15 @@ static void put_alone(Maker* m, CallKind kind, const char* name, float value)
 
 static void put_any(Maker* m)
 {
+	// a step costs a GPU as much as dozens of other calls
 	int k = below(m, 100);
-	if (k < 20)
+	if (k < 12)
 		put_step(m);
-	else if (k < 48)
+	else if (k < 44)
 		put_motion(m);
-	else if (k < 60)
+	else if (k < 58)
 		put_setting(m);
-	else if (k < 70)
+	else if (k < 69)
 		put_collidable(m);
 	else if (k < 77)
 		put_destroy(m);
@@ -414,10 +415,11 @@ static void put_any(Maker* m)
 		m->alive < MOST_BODIES - 20 ? put_bodies(m, 2 + below(m, 18)) : put_destroy(m);
 	else if (k < 92)
 		put_attribute(m);
-	else if (k < 94)
+	else if (k < 95)
 		put_gravity(m);
-	else if (k < 96)
-		m->moves ? put_alone(m, CALL_move, "back", chance(m, 0.6) ? 1.0f : 0.0f) : put_step(m);
+	else if (k < 97)
+		put_alone(m, m->moves ? CALL_move : CALL_step, m->moves ? "back" : "substeps",
+		          m->moves ? (float)chance(m, 0.6) : 4.0f);
 	else
 		put_alone(m, CALL_read, "body", any_body(m));
 }
@@ -458,7 +460,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	put_world(&m);
 	m.seed = seed ^ 0x5851f42d4c957f2du;
 	word(&m);
-	m.moves = chance(&m, 0.02);
+	m.moves = chance(&m, 0.01);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);
