@@ -68,9 +68,10 @@ typedef struct // two worlds on which programs run one after the other
 	char homes[2][160]; // devices on which they were made
 	Call made;          // with which they were made
 	struct Names* names[2];
-	bool infinite; // state that is not finite is no difference
-	bool anew;     // every program gets new worlds
-	int every;     // steps after which hashes are compared, and at a program's end; 0 is 1
+	struct Helper* helper; // makes the reference's steps, or null
+	bool infinite;         // state that is not finite is no difference
+	bool anew;             // every program gets new worlds
+	int every;             // steps after which hashes are compared, and at a program's end; 0 is 1
 } Pair;
 
 typedef struct
@@ -81,7 +82,7 @@ typedef struct
 	int steps, frozen;  // that were made, and bodies that were frozen in them
 } Outcome;
 
-// run.c
+// pair.c
 void program_add_empty(Program* program); // calls that leave worlds as they were made, as far as calls can
 void pair_open(Pair* pair, const Place places[2]);
 void pair_close(Pair* pair);
