@@ -214,3 +214,21 @@ bool state_finite(scree_world* world, char sentence[256])
 		free(all[k]);
 	return finite;
 }
+
+bool state_limited(scree_world* world, char sentence[256])
+{
+	// what rounding may add
+	double slack = 1.0 + 1e-5, speed = world->def.max_speed * slack, spin = world->pipeline.step.max_spin * slack;
+	BodyState* bodies = read_items(world, POOL_body, world->bodies.used);
+	bool limited = true;
+	for (int k = 0; k < world->bodies.used && limited; ++k)
+	{
+		double vx = bodies[k].vx, vy = bodies[k].vy, w = bodies[k].w;
+		limited = vx * vx + vy * vy <= speed * speed && w >= -spin && w <= spin;
+		if (!limited)
+			snprintf(sentence, 256, "body %d goes at (%g, %g) m/s and turns at %g rad/s; limits are %g and %g", k, vx,
+			         vy, w, speed, spin);
+	}
+	free(bodies);
+	return limited;
+}

@@ -135,6 +135,7 @@ static void work(const Options* o, int job, Desk* desk)
 	Pair pair;
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
+	pair.limits = o->limits;
 	double until = o->seconds > 0.0 ? clock_milliseconds() + 1000.0 * o->seconds : INFINITY;
 	int reports = 0, stride = o->jobs * o->life;
 	for (int first = job * o->life; first < o->programs && clock_milliseconds() < until; first += stride)

@@ -7,7 +7,7 @@
 typedef struct
 {
 	int programs, calls, jobs, life, reports, every;
-	bool shown, infinite;
+	bool shown, infinite, limits;
 	uint64_t seed;
 	double shrink, limit, seconds; // s
 	const char *out, *replay;

@@ -22,6 +22,7 @@ static const char usage[] =
     "  --every N       steps after which hashes are compared (1)\n"
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
+    "  --limits        a body that exceeds max_speed after a step is a failure, and one that turns too fast\n"
     "  --shrink S      seconds to make a program that fails shorter (20; 0 with --replay)\n"
     "  --seconds S     after which no more are begun (0: no end)\n"
     "  --limit S       seconds that a program may take (120)\n"
@@ -45,9 +46,13 @@ static Options parse(int count, char** arguments)
 	for (int k = 1; k < count; ++k)
 	{
 		const char* name = arguments[k];
-		if (strcmp(name, "--show") == 0 || strcmp(name, "--infinite") == 0)
+		bool* flag = strcmp(name, "--show") == 0       ? &o.shown
+		             : strcmp(name, "--infinite") == 0 ? &o.infinite
+		             : strcmp(name, "--limits") == 0   ? &o.limits
+		                                               : NULL;
+		if (flag)
 		{
-			*(name[2] == 's' ? &o.shown : &o.infinite) = true;
+			*flag = true;
 			continue;
 		}
 		if (strcmp(name, "--help") == 0)
@@ -127,6 +132,7 @@ static int replay(const Options* o)
 	Pair pair;
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
+	pair.limits = o->limits;
 	if (o->shrink > 0.0 && farm_shrink(&pair, &program, o->shrink))
 		program_write(&program, stdout);
 	bool differs = farm_tell(&pair, &program, o->replay, stdout);

@@ -70,6 +70,7 @@ typedef struct // two worlds on which programs run one after the other
 	struct Names* names[2];
 	struct Helper* helper; // makes the reference's steps, or null
 	bool infinite;         // state that is not finite is no difference
+	bool limits;           // a body beyond the limits of its world is a difference
 	bool anew;             // every program gets new worlds
 	int every;             // steps after which hashes are compared, and at a program's end; 0 is 1
 } Pair;
@@ -95,6 +96,8 @@ void pair_forget(Pair* pair); // the next program gets new worlds
 void different_print(scree_world* a, scree_world* b, FILE* file);
 // Whether all state of a world is finite; names the first that is not.
 bool state_finite(scree_world* world, char sentence[256]);
+// Whether no body is faster than max_speed, or turns by more than the last step allowed; names the first that is.
+bool state_limited(scree_world* world, char sentence[256]);
 // how many bodies the last step froze
 int state_frozen(scree_world* world);
 
