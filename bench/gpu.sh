@@ -6,8 +6,7 @@
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  where parity.csv, programs.txt, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
 # STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
-# PROGRAMS (1000) random programs run in each form of the GPU's work, SECONDS_EACH (120) at most; 0 for none. Those that fail are
-# shortened into FOLDER/programs.
+# PROGRAMS and SECONDS_EACH are those of bench/programs.sh; no programs where PROGRAMS is 0.
 # BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well. Exit 1
 # when any hash or picture differs or any row is invalid.
 set -euo pipefail
@@ -93,23 +92,7 @@ for scene in $heavy; do
 done
 cat "$folder/parity.csv"
 
-programs=${PROGRAMS:-1000}
-if [ "$programs" != 0 ]; then
-	mkdir -p "$folder/programs"
-	# the environment chooses the form; each GPU takes its share, for processes take turns on one
-	gpus=$(nvidia-smi -L 2>/dev/null | grep -c ^GPU || true)
-	[ "${gpus:-0}" -gt 0 ] || gpus=1
-	for form in SCREE_SOLVER= SCREE_PERSISTENT=0 SCREE_SOLVER=tiles; do
-		for ((gpu = 0; gpu < gpus; ++gpu)); do
-			env "$form" CUDA_VISIBLE_DEVICES=$gpu build/tests/programs --device "opencl:$device" --seed $((gpu * programs)) \
-				--programs $(((programs + gpus - 1) / gpus)) --jobs 4 --life 64 --every 5 --seconds "${SECONDS_EACH:-120}" \
-				--out "$folder/programs" | sed "s/^opencl:/$form &/" &
-		done
-		wait
-	done | tee "$folder/programs.txt"
-	[ "$(grep -c ' 0 failures' "$folder/programs.txt")" = $((3 * gpus)) ] || differ=1
-	rmdir "$folder/programs" 2>/dev/null || true
-fi
+[ "${PROGRAMS:-1000}" = 0 ] || bench/programs.sh "$device" "$folder" || differ=1
 
 scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm}
 if [ "$scenes" != none ]; then

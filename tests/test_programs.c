@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_programs.c -- random programs of calls on every device, number of lanes and of threads: equal bits, finite state.
 //
-// The formula: after each call, status(device) = status(cpu, 1 thread, 1 lane), and so with answers and hashes. bench/gpu.sh
+// The formula: after each call, status(device) = status(cpu, 1 thread, 1 lane), and so with answers and hashes. bench/programs.sh
 // runs thousands of programs on a GPU; build/tests/programs --help says how to run others, and one again.
 #include <setjmp.h>
 #include <stdarg.h>

@@ -23,7 +23,7 @@ static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
 // a thread that makes the reference's steps while a GPU makes the other's
 // ---------------------------------------------------------------------------------------------------------------
 
-struct Helper
+struct Worker
 {
 	pthread_t thread;
 	pthread_mutex_t mutex;
@@ -33,10 +33,10 @@ struct Helper
 	Left left;
 };
 
-static void* help(void* context)
+static void* work(void* context)
 {
 	Pair* pair = context;
-	struct Helper* h = pair->helper;
+	struct Worker* h = pair->worker;
 	pthread_mutex_lock(&h->mutex);
 	for (;;)
 	{
@@ -55,15 +55,15 @@ static void* help(void* context)
 	return NULL;
 }
 
-static void helper_open(Pair* pair)
+static void worker_open(Pair* pair)
 {
-	struct Helper* h = pair->helper = calloc(1, sizeof *h);
+	struct Worker* h = pair->worker = calloc(1, sizeof *h);
 	if (!h || pthread_mutex_init(&h->mutex, NULL) || pthread_cond_init(&h->changed, NULL) ||
-	    pthread_create(&h->thread, NULL, help, pair))
+	    pthread_create(&h->thread, NULL, work, pair))
 		abort();
 }
 
-static void helper_close(struct Helper* h)
+static void worker_close(struct Worker* h)
 {
 	pthread_mutex_lock(&h->mutex);
 	h->ends = true;
@@ -77,7 +77,7 @@ static void helper_close(struct Helper* h)
 
 static void take_turns(Pair* pair, const Call* call, bool hashes, Left left[2])
 {
-	struct Helper* h = call->kind == CALL_step ? pair->helper : NULL;
+	struct Worker* h = call->kind == CALL_step ? pair->worker : NULL;
 	if (!h)
 	{
 		left[0] = take_turn(pair, 0, call, hashes);
@@ -109,7 +109,7 @@ void pair_open(Pair* pair, const Place places[2])
 	if (!pair->names[0] || !pair->names[1])
 		abort();
 	if (strcmp(places[1].device, "cpu") != 0)
-		helper_open(pair);
+		worker_open(pair);
 }
 
 void pair_forget(Pair* pair)
@@ -124,8 +124,8 @@ void pair_forget(Pair* pair)
 void pair_close(Pair* pair)
 {
 	pair_forget(pair);
-	if (pair->helper)
-		helper_close(pair->helper);
+	if (pair->worker)
+		worker_close(pair->worker);
 	for (int k = 0; k < 2; ++k)
 		free(pair->names[k]);
 }

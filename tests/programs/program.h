@@ -68,7 +68,7 @@ typedef struct // two worlds on which programs run one after the other
 	char homes[2][160]; // devices on which they were made
 	Call made;          // with which they were made
 	struct Names* names[2];
-	struct Helper* helper; // makes the reference's steps, or null
+	struct Worker* worker; // makes the reference's steps, or null
 	bool infinite;         // state that is not finite is no difference
 	bool limits;           // a body beyond the limits of its world is a difference
 	bool anew;             // every program gets new worlds
