@@ -179,8 +179,6 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 		++body_bits;
 
 	add(list, STAGE_solve_begin, 0, bodies, bound, 0);
-	if (c->nonfinite > 0)
-		add(list, STAGE_cleanse, 0, constraints, bound, 0);
 	add(list, STAGE_prepare, 0, constraints, bound, 0);
 	if (overflow > 0)
 	{

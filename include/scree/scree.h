@@ -358,7 +358,7 @@ typedef struct scree_attribute_def
 {
 	scree_shape shape;
 	float density;            // kg/m^2, >= 0, default 1
-	float friction;           // >= 0, default 0.6; a pair takes the geometric mean
+	float friction;           // >= 0, default 0.6; a pair takes the geometric mean, 1000 at most
 	float restitution;        // 0 to 1, default 0; a pair takes the larger
 	float rolling_resistance; // >= 0, default 0: times the larger radius of the pair, a lever in metres
 	float tangent_speed;      // m/s, default 0: a conveyor belt along the surface, counter-clockwise around the shape

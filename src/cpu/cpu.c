@@ -31,6 +31,8 @@
 // square of how much slower it was.
 #define ALWAYS_SHARED 2048
 #define REST          64
+// beyond so many times slower, which a busy machine can feign, it is tried no more seldom
+#define MOST_SLOWER 100.0
 
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
@@ -235,6 +237,7 @@ static void run_solve(Cpu* cpu, const Run* runs, int count, double items)
 	if (tries)
 	{
 		double slower = c->cost[c->shares] / c->cost[!c->shares];
+		slower = slower < MOST_SLOWER ? slower : MOST_SLOWER;
 		c->rest = slower > 1 ? (int)(REST * slower * slower) : REST;
 	}
 }

@@ -138,7 +138,8 @@ scree_status opencl_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->last = *counters;
-	d->tiles.stale |= counters->arrange > 0;
+	// where the layout changed, a solve that was listed ahead has laid out nothing
+	d->tiles.stale |= counters->arrange > 0 || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
 	return fail(SCREE_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).", b->name);

@@ -50,7 +50,7 @@ typedef struct // memory that OpenGL draws from
 typedef struct // the runs of a whole solve, to be launched in another form than one by one
 {
 	cl_int constraints, bodies, substeps, passes;
-	cl_int cleanse, bound;
+	cl_int bound;
 	const Run* colors; // the first of a run a color
 	int color_count;
 	bool overflow;
@@ -90,6 +90,7 @@ typedef struct
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
 	bool stale; // the constraints, or what moves, may have changed since the tiles were laid out
+	int rows;   // tiles, when they were laid out
 
 	// how many constraints were on the border when the tiles were last laid out, and solves since
 	cl_event asked;  // or null

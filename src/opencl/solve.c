@@ -25,9 +25,6 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 	for (int k = 0; k < count; ++k)
 		switch (runs[k].stage)
 		{
-		case STAGE_cleanse:
-			solve->cleanse = 1;
-			break;
 		case STAGE_prepare:
 			solve->constraints = runs[k].end;
 			break;

@@ -42,10 +42,20 @@ INLINE void body_keep(const Pools* p, int body, const float row[8])
 	state->da = row[6];
 }
 
-INLINE int row_bits(const float v[3]) { return float_bits(v[0]) | float_bits(v[1]) | float_bits(v[2]); }
+// whether all are zero, with a plus
+INLINE bool all_zero(const float* values, int count)
+{
+	int bits = 0;
+	for (int k = 0; k < count; ++k)
+		bits |= float_bits(values[k]);
+	return bits == 0;
+}
 
 // The row of a body that no constraint pushes, as pass q finds it. It is worked out by whoever asks: a row in memory
 // would have to wait for its last reader.
+//
+// Most rest, and need no more than the first substep: where accelerating leads from rest to rest, it does so again, from
+// the same bits by the same function, and moving adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -54,16 +64,17 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 	base[0] = row[0];
 	base[1] = row[1];
 	base[2] = row[2];
-	int before = 1, after = row_bits(row) | row_bits(base);
-	for (int k = 1; k <= q && k <= 2 * substeps && (before | after); ++k)
+	for (int k = 1; k <= q && k <= 2 * substeps; ++k)
 	{
-		// from rest to rest: so it will stay
-		before = after;
-		if (k & 1)
-			body_accelerate(&p->step, row, m, base, k == 1);
-		else
+		if (k % 2 == 0)
+		{
 			body_move(&p->step, row, m);
-		after = row_bits(row) | row_bits(base);
+			continue;
+		}
+		bool rests = all_zero(row, 3) && all_zero(base, 3);
+		body_accelerate(&p->step, row, m, base, k == 1);
+		if (rests && all_zero(row, 3) && all_zero(base, 3))
+			return;
 	}
 }
 
@@ -134,15 +145,13 @@ INLINE Runner runner_make(const Pools* p, int i, Prepared made)
 }
 
 // Constraint i, which may be none.
-INLINE Runner runner_prepare(const Pools* p, int i, int cleanse)
+INLINE Runner runner_prepare(const Pools* p, int i)
 {
 	Runner u;
 	int slot = p->constraint_contact[i];
 	u.inert = slot < 0;
 	if (u.inert)
 		return u;
-	if (cleanse)
-		cleanse_item(p, i);
 	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
 	                               constraint_at(p, normal_impulse2, i));
 	if (p->step.extras)

@@ -50,24 +50,6 @@ INLINE void body_scatter(const Pools* p, Int index, Body b)
 	scatter_rows4of8((GLOBAL float*)p->body, index, row, b.inv_mass > splat(0.0f));
 }
 
-// x within -most and most; NaN stays NaN
-INLINE Real limit_to(Real x, float most) { return minimum(maximum(x, splat(-most)), splat(most)); }
-
-// m/s: the square of a greater speed may be more than a float holds
-#define SPEED_SQUARED 1.0e18f
-
-// Two factors that bring a velocity to max_speed where it is faster, along its direction: the first keeps its square finite.
-INLINE Vec body_speed_scale(const Step* step, Vec v)
-{
-	Real far = splat(SPEED_SQUARED);
-	Int huge = (maximum(absolute(v.x), absolute(v.y)) > far);
-	Real first = choose(splat(1.0f), 1.0f / far, huge);
-	v = vec_scale(first, v);
-	Real square = vec_dot(v, v);
-	float limit = step->max_speed;
-	return vec(first, choose(splat(1.0f), limit / root(square), (square > splat(limit * limit)) | huge));
-}
-
 // how far the point at r from the center of mass has moved since the step began
 INLINE Vec body_displacement(Body b, Vec r)
 {

@@ -4,7 +4,7 @@
 // Slots name contacts wherever an order is needed (colors' priorities, read-back), so they must not depend on the device.
 #ifndef CONTACT_H
 #define CONTACT_H
-#include "pools/pools.h"
+#include "stages/finite.h"
 
 // is there room for the pairs found?
 STAGE(contact_admit)
@@ -89,9 +89,10 @@ STAGE(contact_create)
 	// rolling resistance as long as the larger radius; belts that run against each other add up
 	float lever =
 	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	float friction = square_root(sa->friction * sb->friction);
 	p->contact_surface[slot] =
-	    make_float4(square_root(sa->friction * sb->friction), surface_larger(sa->restitution, sb->restitution), lever,
-	                sa->tangent_speed + sb->tangent_speed);
+	    make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
+	                surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
 STAGE(contact_end)

@@ -228,7 +228,8 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 #else
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
-#define splat(x)           ((Real){0} + (x))
+// a difference, for -0 + 0 is +0
+#define splat(x)           ((x) - (Real){0})
 #define load(array, i)     (*(const Real*)((array) + (i)))
 #define load_int(array, i) (*(const Int*)((array) + (i)))
 #define store(array, i, x) (*(Real*)((array) + (i)) = (x))

@@ -49,10 +49,10 @@ STAGE(finalize)
 		pose.w = unit * q.y;
 	}
 	p->pose[i] =
-	    make_float4(limit_to(pose.x + d.x, FINALIZE_EDGE), limit_to(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
+	    make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
 	body->vx = v.x;
 	body->vy = v.y;
-	body->w = limit_to(w, p->step.max_spin);
+	body->w = within(w, p->step.max_spin);
 	if (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque))
 	{
 		p->motion[i].fx = 0.0f;

@@ -4,6 +4,7 @@
 #include "stages/dialect.h"
 #include "pools/pools.h"
 #include "stages/vec.h"
+#include "stages/finite.h"
 #include "stages/command.h"
 #include "stages/transform.h"
 #include "stages/tree.h"

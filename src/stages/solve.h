@@ -12,6 +12,7 @@
 #ifndef SOLVE_H
 #define SOLVE_H
 #include "stages/body.h"
+#include "stages/finite.h"
 
 typedef struct // the part of a constraint that all passes share
 {
@@ -89,7 +90,7 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 	}
 
 	Real change = -mass * (mass_scale * pair_approach(*c, k, c->n) + bias) - impulse_scale * old;
-	Real impulse = maximum(old + change, splat(0.0f));
+	Real impulse = push_of(old + change);
 	if (step->bounces && !soft)
 		impulse = choose(impulse, splat(0.0f), apart & (rebound > splat(0.0f)) & (old == splat(0.0f)));
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
@@ -99,8 +100,7 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 // One point's friction: Coulomb's cone with the normal impulse of the pass before.
 INLINE Real pair_tangent(Pair* c, int k, Real mass, Real speed, Real limit, Real old)
 {
-	Real impulse = old - mass * (pair_approach(*c, k, c->t) + speed);
-	impulse = minimum(maximum(impulse, -limit), limit);
+	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
 	return impulse;
 }
@@ -111,8 +111,9 @@ INLINE void pair_roll(const Pools* p, int i, Pair* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
 	Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-	Real limit = load(&extra_at(p, rolling, i), 0) * weight, old = load(&extra_at(p, rolling_impulse, i), 0);
-	Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
+	Real limit = minimum(load(&extra_at(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
+	Real old = load(&extra_at(p, rolling_impulse, i), 0);
+	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
 	c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
 	c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
 	store(&extra_at(p, rolling_impulse, i), 0, impulse);
@@ -165,8 +166,8 @@ INLINE void pair_meet(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real
 
 	// where one pushes alone, one after the other is right
 	meet = meet & ((new1 < zero) == (new2 < zero));
-	new1 = choose(*normal1, maximum(new1, zero), meet);
-	new2 = choose(*normal2, maximum(new2, zero), meet);
+	new1 = choose(*normal1, push_of(new1), meet);
+	new2 = choose(*normal2, push_of(new2), meet);
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(new1 - *normal1, c->n));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(new2 - *normal2, c->n));
 	*normal1 = new1;
@@ -199,13 +200,13 @@ INLINE void pair_bounce(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Re
 	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
 	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
 	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
-	Real alone1 = choose(zero, maximum(mass1 * lack1, zero), hit1);
-	Real alone2 = choose(zero, maximum(mass2 * lack2, zero), hit2);
+	Real alone1 = choose(zero, push_of(mass1 * lack1), hit1);
+	Real alone2 = choose(zero, push_of(mass2 * lack2), hit2);
 	Real impulse1, impulse2;
 	pair_joint(c, mass1, mass2, lack1, lack2, &impulse1, &impulse2);
 	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
-	impulse1 = choose(alone1, maximum(impulse1, zero), hit1 & hit2 & push2);
-	impulse2 = choose(alone2, maximum(impulse2, zero), hit1 & hit2 & push1);
+	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
+	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(impulse1, c->n));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
 	store(&extra_at(p, total_impulse1, i), 0, total1 + impulse1);
@@ -329,9 +330,8 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 	// The limits hold for what the body does alone. The contacts' share must stay what their impulses make of it, or they
 	// would take back what they have not given.
-	Vec scale = body_speed_scale(step, v);
-	v = vec_scale(scale.y, vec_scale(scale.x, v));
-	w = limit_to(w, step->max_spin);
+	v = vec_scale(vec_shrink(v, step->max_speed), v);
+	w = within(no_infinity(w), splat(step->max_spin));
 	base[0] = v.x;
 	base[1] = v.y;
 	base[2] = w;
@@ -348,9 +348,9 @@ INLINE void body_move(const Step* step, Real* b, const Real* m)
 	// within a substep impulses may exceed the limits. No way may: a turn beyond them could not be told from the other
 	// way round, and a body would leap.
 	float h = step->h;
-	b[4] = b[4] + h * (m[6] * limit_to(b[0], step->max_speed));
-	b[5] = b[5] + h * (m[7] * limit_to(b[1], step->max_speed));
-	b[6] = b[6] + h * limit_to(b[2], step->max_spin);
+	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
+	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));
+	b[6] = b[6] + h * within(b[2], splat(step->max_spin));
 }
 
 // argument is 1 in the first substep

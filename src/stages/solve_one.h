@@ -3,6 +3,7 @@
 #ifndef SOLVE_ONE_H
 #define SOLVE_ONE_H
 #include "stages/body.h"
+#include "stages/finite.h"
 #include "stages/sweep.h"
 
 STAGE(solve_begin)
@@ -20,6 +21,15 @@ STAGE(solve_begin)
 		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
+}
+
+// A body as it comes to the step, within the limits.
+INLINE Body prepare_body(const Pools* p, int index)
+{
+	Body b = body_gather(p, index);
+	b.v = vec_scale(vec_shrink(b.v, p->step.max_speed), b.v);
+	b.w = within(b.w, p->step.max_spin);
+	return b;
 }
 
 // the deepest overlap seen, for the user's counters
@@ -98,12 +108,12 @@ INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
 	if (e > 0.0f)
 	{
 		int ia = constraint_at(p, body_a, i), ib = constraint_at(p, body_b, i);
-		Body a = body_gather(p, ia), b = body_gather(p, ib);
+		Body a = prepare_body(p, ia), b = prepare_body(p, ib);
 		float v1 = prepare_velocity(a, b, made.anchor1, made), v2 = prepare_velocity(a, b, made.anchor2, made);
 		if (minimum(v1, v2) < -0.25f * p->step.restitution_threshold)
 		{
 			Vec fall_a = prepare_acceleration(p, ia, a), fall_b = prepare_acceleration(p, ib, b);
-			fall = vec_dot(vec_sub(fall_b, fall_a), made.normal);
+			fall = number_of(vec_dot(vec_sub(fall_b, fall_a), made.normal));
 			rebound1 = prepare_rebound(&p->step, e, v1, fall, made.separation1);
 			rebound2 = prepare_rebound(&p->step, e, v2, fall, made.separation2);
 		}
@@ -141,19 +151,6 @@ STAGE(prepare)
 	constraint_at(p, separation2, i) = made.separation2;
 	if (p->step.extras)
 		prepare_extras(p, i, made);
-}
-
-// an impulse fit to start the step with
-INLINE float cleanse_bounded(float x) { return x >= -1.0e30f && x <= 1.0e30f ? x : 0.0f; }
-
-// of a body that went out of bounds in the last step nothing must remain in its neighbors' constraints
-STAGE(cleanse)
-{
-	constraint_at(p, normal_impulse1, i) = cleanse_bounded(constraint_at(p, normal_impulse1, i));
-	constraint_at(p, normal_impulse2, i) = cleanse_bounded(constraint_at(p, normal_impulse2, i));
-	constraint_at(p, tangent_impulse1, i) = cleanse_bounded(constraint_at(p, tangent_impulse1, i));
-	constraint_at(p, tangent_impulse2, i) = cleanse_bounded(constraint_at(p, tangent_impulse2, i));
-	extra_at(p, rolling_impulse, i) = cleanse_bounded(extra_at(p, rolling_impulse, i));
 }
 
 #endif

@@ -10,7 +10,7 @@
 // Time is a share of the step, from 0 to 1, and so velocities are metres and radians a step.
 #ifndef SWEEP_H
 #define SWEEP_H
-#include "stages/body.h"
+#include "stages/finite.h"
 #include "stages/manifold.h"
 #include "stages/rolling.h"
 
@@ -46,13 +46,13 @@ typedef struct // of b against a
 	Real most;  // m: how far any two points of the pair may draw near
 } Closing;
 
-// a velocity no faster than max_speed
+// a velocity no faster than max_speed; what is not finite will be frozen, where it is
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (vec_dot(v, v) <= step->max_speed * step->max_speed)
 		return v;
-	Vec scale = body_speed_scale(step, v);
-	return vec_scale(scale.y, vec_scale(scale.x, v));
+	v = vec_scale(vec_shrink(v, step->max_speed), v);
+	return vec(number_of(v.x), number_of(v.y));
 }
 
 // by the velocities with which the step begins
@@ -61,7 +61,7 @@ INLINE Advance sweep_advance(const Pools* p, int index)
 	BodyState body = p->body[index];
 	Advance advance;
 	advance.path = vec_scale(p->step.dt, sweep_velocity(&p->step, vec(body.vx, body.vy)));
-	advance.turn = p->step.dt * limit_to(body.w, p->step.max_spin);
+	advance.turn = p->step.dt * grip_of(body.w, p->step.max_spin);
 	return advance;
 }
 

@@ -14,7 +14,7 @@ STAGE(step_begin)
 	c->moved = 0;
 	c->refit = 0;
 	c->changed = 0;
-	c->kept = c->nonfinite > 0 ? 0 : 0x7fffffff;
+	c->kept = 0x7fffffff;
 	c->sort_pairs = 0;
 	c->search = 0;
 	c->live = c->contacts;
