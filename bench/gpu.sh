@@ -94,7 +94,7 @@ cat "$folder/parity.csv"
 
 [ "${PROGRAMS:-1000}" = 0 ] || bench/programs.sh "$device" "$folder" || differ=1
 
-scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm}
+scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm churn}
 if [ "$scenes" != none ]; then
 	timeout 500 $scree bench $scenes --device "opencl:$device" --steps "$steps" | tee "$folder/bench.csv" || differ=1
 fi

@@ -15,6 +15,12 @@ typedef struct
 static int paper_open(const Options* options, Simulation* simulation)
 {
 	int count;
+	if (scene_churns(simulation->scene))
+	{
+		fprintf(stderr, "scree: %s puts bodies elsewhere between steps, which the paper's pipeline cannot\n",
+		        simulation->scene->name);
+		return EXIT_BAD;
+	}
 	scree_status status = scree_get_bodies(simulation->world, NULL, 0, &count);
 	if (status != SCREE_OK)
 		return report(status);

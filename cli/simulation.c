@@ -74,6 +74,24 @@ Scene* open_scene(const Options* options, const char* name)
 	return scene;
 }
 
+scree_status simulation_change(Simulation* simulation)
+{
+	return scene_churn(simulation->scene, simulation->world, simulation->steps);
+}
+
+scree_status simulation_go(Simulation* simulation)
+{
+	const Scene* scene = simulation->scene;
+	++simulation->steps;
+	return simulation->f->step(simulation, scene->dt, scene->substeps);
+}
+
+scree_status simulation_step(Simulation* simulation)
+{
+	scree_status status = simulation_change(simulation);
+	return status == SCREE_OK ? simulation_go(simulation) : status;
+}
+
 int report(scree_status status)
 {
 	if (status != SCREE_OK)

@@ -30,6 +30,7 @@ struct Simulation
 	const SimulationFunctions* f;
 	scree_world* world;       // with the scene in it; a pipeline of its own takes bodies and attributes from here
 	double opening, building; // s: until the world was there, and until its bodies were
+	int64_t steps;            // taken
 	void* state;              // of the pipeline
 	const Scene* scene;
 };
@@ -44,6 +45,12 @@ Scene* open_scene(const Options* options, const char* name);
 // warming up that the options ask for. Returns an exit code, after printing what is wrong.
 int simulation_open(const Options* options, const Scene* scene, bool timings, Simulation* simulation);
 void simulation_close(Simulation* simulation);
+
+// Takes a step; before it, does what the scene does to its bodies between steps.
+scree_status simulation_step(Simulation* simulation);
+// The two halves: what users do between steps, and the step.
+scree_status simulation_change(Simulation* simulation);
+scree_status simulation_go(Simulation* simulation);
 
 // Prints scree_error() and returns the exit code of a status.
 int report(scree_status status);

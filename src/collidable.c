@@ -129,7 +129,7 @@ void collidable_remove(scree_world* world, int index)
 		--body->collidables;
 		list_changed(world, host->body, host->previous);
 	}
-	tree_touch(world, tree_of_kind(collidable_kind(world, index)));
+	tree_leave(world, tree_of_kind(collidable_kind(world, index)), index);
 	slots_free(&world->collidables, index);
 	pending_collidable(world, index);
 }

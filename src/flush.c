@@ -265,39 +265,72 @@ static bool is_void(scree_world* world, int k)
 	return row > 0 && k < (c->kind >= COMMAND_PLACE ? p->collidables[row - 1].since : p->bodies[row - 1].since);
 }
 
-// The commands of short runs, then the user's; returns how many.
-static int collect_commands(scree_world* world, Command* to)
+// Does anything that waits place or make a collidable, so that its box may jump?
+static bool places(const Pending* p)
+{
+	bool found = p->body_count + p->collidable_count > 0;
+	for (int k = 0; k < p->command_count && !found; ++k)
+		found = p->commands[k].kind == COMMAND_POSE || p->commands[k].kind == COMMAND_PLACE;
+	return found;
+}
+
+typedef struct // commands by item on their way to the device
+{
+	Command *from, *grouped; // as they are collected; item by item
+	int* begins;             // first command of each group, and the end
+	int collected, count, groups;
+} Groups;
+
+// A row that stands alone is a group; one with commands behind it is collected with these.
+static void add_row(Groups* g, const Waiting* waiting, int count)
+{
+	if (waiting->group > 0)
+	{
+		memcpy(g->from + g->collected, g->grouped + g->count, (size_t)count * sizeof *g->from);
+		g->collected += count;
+		return;
+	}
+	g->begins[g->groups++] = g->count;
+	g->count += count;
+}
+
+// The commands of short runs, then the user's. Those of rows without any others, which are most where bodies come and go,
+// are groups at once.
+static void collect_commands(scree_world* world, Groups* g)
 {
 	const Pending* p = &world->pending;
-	int count = 0;
+	for (int k = 0; k < p->command_count; ++k)
+		command_waiting(world, p->commands + k)->group = !is_void(world, k);
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
 		end = body_run(p, k);
 		for (int i = k; i < end && end - k < LONG_RUN; ++i)
-			count += body_commands(world, p->bodies + i, to + count);
+			add_row(g, &world->host_bodies[p->bodies[i].index].waiting,
+			        body_commands(world, p->bodies + i, g->grouped + g->count));
 	}
 	for (int k = 0, end; k < p->collidable_count; k = end)
 	{
 		end = collidable_run(world, k);
 		for (int i = k; i < end && end - k < LONG_RUN; ++i)
-			count += collidable_commands(world, i, to + count);
+			add_row(g, &world->host_collidables[p->collidables[i].index].waiting,
+			        collidable_commands(world, i, g->grouped + g->count));
 	}
 	for (int k = 0; k < p->command_count; ++k)
 	{
+		command_waiting(world, p->commands + k)->group = 0;
 		if (!is_void(world, k))
-			to[count++] = p->commands[k];
+			g->from[g->collected++] = p->commands[k];
 	}
-	return count;
 }
 
-// Commands by item, each item's in the order of the calls. begins gets the first command of each group and the end;
-// returns the number of groups.
-static int group_commands(scree_world* world, const Command* from, int count, Command* to, int* begins)
+// What was collected by item, each item's in the order of the calls.
+static void group_commands(scree_world* world, Groups* g)
 {
+	int* begins = g->begins + g->groups;
 	int groups = 0;
-	for (int k = 0; k < count; ++k)
+	for (int k = 0; k < g->collected; ++k)
 	{
-		int* group = &command_waiting(world, from + k)->group;
+		int* group = &command_waiting(world, g->from + k)->group;
 		if (*group == 0)
 		{
 			*group = ++groups;
@@ -306,32 +339,37 @@ static int group_commands(scree_world* world, const Command* from, int count, Co
 		++begins[*group];
 	}
 
-	// begins[g + 1] has counted group g; summed up it is the place of the group's next command, and at last its end
-	begins[0] = 0;
-	int sum = 0;
-	for (int g = 1; g <= groups; ++g)
+	// begins[n + 1] has counted group n; summed up it is the place of the group's next command, and at last its end
+	begins[0] = g->count;
+	int sum = g->count;
+	for (int n = 1; n <= groups; ++n)
 	{
-		int size = begins[g];
-		begins[g] = sum;
+		int size = begins[n];
+		begins[n] = sum;
 		sum += size;
 	}
-	for (int k = 0; k < count; ++k)
-		to[begins[command_waiting(world, from + k)->group]++] = from[k];
-	for (int k = 0; k < count; ++k)
-		command_waiting(world, from + k)->group = 0;
-	return groups;
+	for (int k = 0; k < g->collected; ++k)
+		g->grouped[begins[command_waiting(world, g->from + k)->group]++] = g->from[k];
+	for (int k = 0; k < g->collected; ++k)
+		command_waiting(world, g->from + k)->group = 0;
+	g->groups += groups;
+	g->count = sum;
 }
 
-static scree_status send_commands(scree_world* world, int count, char* memory)
+// memory has room for most commands, as flush reckons it.
+static scree_status send_commands(scree_world* world, int most, char* memory)
 {
 	Backend* b = world->backend;
-	Command *from = (Command*)memory, *grouped = from + count;
-	int* begins = (int*)(grouped + count);
-	int groups = group_commands(world, from, count, grouped, begins);
-	TRY(b->f->write(b, POOL_command, 0, count, grouped));
-	TRY(b->f->write(b, POOL_command_group, 0, groups + 1, begins));
+	Groups g = {.from = (Command*)memory, .grouped = (Command*)memory + most};
+	g.begins = (int*)(g.grouped + most);
+	collect_commands(world, &g);
+	group_commands(world, &g);
+	if (g.count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
+	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
 	Step step = {0};
-	Run run = {.stage = STAGE_command, .end = groups, .count = NO_COUNT};
+	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT};
 	return b->f->run(b, &step, &run, 1);
 }
 
@@ -376,6 +414,7 @@ static scree_status flush(scree_world* world)
 	if (!memory)
 		return fail(SCREE_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
 
+	world->pipeline.jumps |= places(p);
 	TRY(write_attributes(world, memory));
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
@@ -389,9 +428,7 @@ static scree_status flush(scree_world* world)
 		if (end - k >= LONG_RUN)
 			TRY(write_collidables(world, k, end, memory));
 	}
-	int count = collect_commands(world, (Command*)memory);
-	if (count > 0)
-		TRY(send_commands(world, count, memory));
+	TRY(send_commands(world, commands, memory));
 
 	for (int k = 0; k < p->body_count; ++k)
 		world->host_bodies[p->bodies[k].index].waiting.row = 0;

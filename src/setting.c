@@ -78,9 +78,9 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 		pending_collidable(world, k);
 		if (type == SCREE_DYNAMIC)
 			reach_grow(world, k);
+		if (old_tree != new_tree)
+			tree_leave(world, old_tree, k);
 	}
-	if (host->collidables > 0 && old_tree != new_tree)
-		tree_touch(world, old_tree);
 	if (type == SCREE_STATIC)
 		pending_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	mass_set(world, index, mass_of_body(world, index));

@@ -63,6 +63,7 @@ typedef enum scree_status
 	SCREE_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
 	SCREE_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
 	SCREE_NOT_SUPPORTED = 6, // the device has no way to do this; nothing changed
+	SCREE_CROWDED = 7,       // scree_step: more contacts than scree_world_def.contact_limit; nothing changed
 } scree_status;
 
 // The sentence of the last failure on this thread, or an empty string. Valid until the next failing call.
@@ -207,7 +208,9 @@ typedef struct scree_world_def
 	                            // and the context itself lent until the world's end, for it may move to its device
 	int body_capacity;          // room to begin with; everything grows. 0 (default) for a small world
 	int contact_capacity;       // the same for contacts
-	int cookie;                 // set by scree_default_world_def
+	int contact_limit; // most contacts, 300 bytes each; a step that finds more fails with SCREE_CROWDED and changes
+	                   // nothing. 0 (default) for 32 a collidable, and 2 million at least
+	int cookie;        // set by scree_default_world_def
 } scree_world_def;
 
 SCREE_API scree_world_def scree_default_world_def(void);
@@ -226,9 +229,13 @@ SCREE_API void scree_destroy_world(scree_world* world);
 // Advances a world by dt seconds (0 < dt <= 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
-// A step that breaks off in the middle, because the device failed or had no memory left for the contacts it found,
-// cannot be undone: from then on the world refuses every call that works on it with the same status, and can only be
-// destroyed.
+// Bodies that lie in one place make contacts by the square of their number. Where these are more than
+// scree_world_def.contact_limit, the step fails with SCREE_CROWDED, and the sentence names the most crowded place and how
+// many collidables are there; where there is no memory for them, it fails with SCREE_OUT_OF_MEMORY. Nothing has changed
+// then: time stands still, and when bodies have been moved apart or destroyed the world goes on.
+//
+// A step that breaks off later, because the device failed or had no memory left for what the solver needs, cannot be
+// undone: from then on the world refuses every call that works on it with the same status, and can only be destroyed.
 SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
 
 // Gravity, m/s^2, each component finite.

@@ -200,6 +200,8 @@ scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 // Gives a scratch buffer room for so many bytes, zeroed when it grows, and counts them with those of the pools.
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
 void scratch_release(Scratch* scratch);
+// Gives back all that the solver has beside the pools; it is made anew for the next solve.
+scree_status scratch_drop(OpenCl* d);
 
 // Creates a kernel that takes all pools, and finds the size of its groups: at most largest.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);

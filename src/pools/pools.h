@@ -20,7 +20,12 @@
 
 // arity of the trees: the boxes of 8 children are 128 bytes, a cache line of a GPU
 #define ARITY      8
+#define ARITY_BITS 3
 #define MAX_LEVELS 8 // 8 bits each in the 64-bit stack of the traversal: 8^8 = 16.7 million leaves
+
+// To put the leaves of a tree in order costs about as much as this many visits of nodes a leaf.
+#define ORDER_VISITS 16
+#define STRAY_UNIT   64 // of Counters.strayed: 16.7 million leaves cannot overflow it
 
 #define HASH_SUMS      1024
 #define OVERFLOW_CHUNK 64
@@ -208,7 +213,9 @@ typedef struct // constants of one step, by value to every stage
 	float reach;          // m: no collidable of a dynamic body goes further from its center of mass
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
-	int key_bits; // bits of a collidable's index in a pair's key
+	int contact_limit;       // most contacts that the world may have
+	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is spread over so many work-items
+	int key_bits;            // bits of a collidable's index in a pair's key
 } Step;
 
 // Counts that live on the device. Everything is an int so that Run.count can name one by its position.
@@ -220,12 +227,18 @@ typedef struct
 	int touching;                // contacts with a color, or in the overflow set
 	int color_begin[COLORS + 2]; // first constraint of each color; color COLORS is the overflow set
 	int color_count[COLORS + 1]; // constraints of each color, padding not counted
+	int strayed[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times STRAY_UNIT
 	// of this step
 	int moved;        // collidables whose enlarged box changed
 	int changed;      // 1 when a contact began or ended to touch, so that the constraints are laid out anew
 	int kept;         // INT_MAX where the layout is that of the last step; 0 when it changed or must not be used
 	int refit;        // tree nodes to look up again: all when some box changed, else 0
-	int pairs;        // new pairs found, also those for which there was no room
+	int jumped;       // tree nodes to look for boxes that jumped: all when some box did, else 0
+	int order[2];     // of each tree: leaves to put in order in this step, all or 0
+	int walks;        // walks that were not done by one work-item
+	int rest;         // work-items that these are spread over: all, or 0 when there are none
+	int pairs;        // new pairs found, also those for which there was no room; above the limit not all
+	int crowded;      // more contacts than a world may have: nothing after it was done
 	int sort_pairs;   // the same, or 0 when there was no room
 	int search;       // contact slots to search for free ones, and one more; 0 when no pair is new
 	int dead;         // free slots found

@@ -6,11 +6,12 @@
 #define CONTACT_H
 #include "stages/finite.h"
 
-// is there room for the pairs found?
+// Is there room for the pairs found, and may there be so many? That does not depend on capacities, and so not on devices.
 STAGE(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
-	c->stalled = c->pairs > p->step.pair_capacity;
+	c->crowded = c->alive + c->pairs > p->step.contact_limit;
+	c->stalled = c->crowded || c->pairs > p->step.pair_capacity;
 	c->sort_pairs = c->stalled ? 0 : c->pairs;
 	if (c->stalled)
 		c->kept = 0;
@@ -42,6 +43,37 @@ STAGE(contact_begin)
 		c->kept = 0;
 	}
 	c->created = c->stalled ? 0 : c->sort_pairs;
+	(void)i;
+}
+
+// Contacts from slot alive on move into the free slots before it, the first into the lowest, so that the first slots hold
+// all there are. Who moves and who is moved onto have no slot in common. All that outlives a step moves: the pool's arrays
+// but scan, free_slot, began and uncolored.
+STAGE(contact_pack)
+{
+	const GLOBAL Counters* c = p->counters;
+	int alive = c->alive - c->released;
+	if (i < alive || p->pair[i].x < 0)
+		return;
+	int to = p->free_slot[(i - alive) - (p->scan[i] - p->scan[alive])], constraint = p->contact_constraint[i];
+	p->pair[to] = p->pair[i];
+	p->contact_bodies[to] = p->contact_bodies[i];
+	p->contact_flags[to] = p->contact_flags[i];
+	p->contact_color[to] = p->contact_color[i];
+	p->contact_feature[to] = p->contact_feature[i];
+	p->contact_found[to] = p->contact_found[i];
+	p->contact_impulse[to] = p->contact_impulse[i];
+	p->contact_rolling_impulse[to] = p->contact_rolling_impulse[i];
+	p->contact_surface[to] = p->contact_surface[i];
+	p->contact_constraint[to] = constraint;
+	if (constraint >= 0)
+		p->constraint_contact[constraint] = to;
+	p->pair[i] = make_int2(-1, -1);
+}
+
+STAGE(contact_pack_end)
+{
+	p->counters->contacts = p->counters->alive - p->counters->released;
 	(void)i;
 }
 

@@ -13,13 +13,19 @@ STAGE(step_begin)
 	c->alive = c->alive - c->released;
 	c->moved = 0;
 	c->refit = 0;
+	c->jumped = 0;
+	c->order[0] = 0;
+	c->order[1] = 0;
 	c->changed = 0;
 	c->kept = 0x7fffffff;
 	c->sort_pairs = 0;
 	c->search = 0;
 	c->live = c->contacts;
 	c->arrange = 0;
+	c->walks = 0;
+	c->rest = 0;
 	c->pairs = 0;
+	c->crowded = 0;
 	c->created = 0;
 	c->stalled = 0;
 	c->needed = 0;
@@ -124,11 +130,24 @@ STAGE(transform)
 			p->moved[i] = how;
 		return;
 	}
+	Float4 grown = box_grow(tight, margin);
 	p->old_box[i] = box;
-	p->box[i] = box_grow(tight, margin);
+	p->box[i] = grown;
 	p->moved[i] = MOVED_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
+	// the way of the step belongs to a box, so that what moves by itself never parts from where it was
+	if (!box_overlap(box, grown))
+		raise_int(&p->counters->jumped, 0x7fffffff);
 	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
+}
+
+// A step that breaks off before it has found all contacts: boxes are what they were, so that the next one finds the same.
+STAGE(transform_undo)
+{
+	if (!(p->moved[i] & MOVED_BOX) || p->collidable_kind[i] == KIND_DEAD)
+		return;
+	p->box[i] = p->old_box[i];
+	p->moved[i] = 0;
 }
 
 // Where a collidable is now, which the pool placed does not know: it is what the contacts of the last step go by.

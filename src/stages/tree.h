@@ -14,6 +14,9 @@
 #define TREE_H
 #include "stages/box.h"
 
+// A node of so many times the area of its leaves counts as wide: twice that of eight in a row that is bent once.
+#define STRAY_BOXES 64.0f
+
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
 // argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
@@ -43,6 +46,53 @@ STAGE(tree_node)
 			box = box_union(box, child[k]);
 	}
 	p->node_box[tree->begin[level] + i] = box;
+}
+
+INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
+
+// A leaf that comes from nowhere or jumps makes the nodes above it wide, and walks visit these in vain. How many walks:
+// a wide node is met by as many boxes as have room in it, of all that there are. Item i is a node of level 1, argument
+// the tree. Nodes no wider than those of leaves in rows are not counted.
+STAGE(tree_stray)
+{
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	Float4 now = box_empty(), before = box_empty();
+	float area = 0.0f;
+	int leaves = 0, jumped = 0;
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
+	{
+		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
+		if (kind == KIND_DEAD || tree_of_kind(kind) != p->argument)
+			continue;
+		Float4 box = p->box[leaf], old = p->old_box[leaf];
+		jumped |= (p->moved[leaf] & MOVED_BOX) && !box_overlap(box, old);
+		now = box_union(now, box);
+		before = box_union(before, old);
+		area += box_area(box);
+		++leaves;
+	}
+	if (!jumped)
+		return;
+	float mean = area / (float)leaves, wide = box_area(now);
+	if (!(wide > STRAY_BOXES * mean))
+		return;
+	// of a jump, the upper nodes bear about as much as this one
+	wide -= box_is_empty(before) ? 0.0f : box_area(before);
+	float walks = 2.0f * wide / (mean * (float)tree->leaves);
+	int strayed = walks < 2.0f ? (int)((float)STRAY_UNIT * walks) : 2 * STRAY_UNIT;
+	if (strayed > 0)
+		atomic_add_int(&p->counters->strayed[p->argument], strayed);
+}
+
+// Are the walks of this step alone worth the order? What is less adds up from step to step; src/tree.c.
+STAGE(tree_judge)
+{
+	GLOBAL Counters* c = p->counters;
+	int t = p->argument;
+	Word64 visits = (Word64)c->moved * (Word64)c->strayed[t];
+	if (visits > (Word64)(ORDER_VISITS * STRAY_UNIT) * (Word64)p->tree[t].leaves)
+		c->order[t] = 0x7fffffff;
+	(void)i;
 }
 
 // Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
@@ -92,7 +142,12 @@ STAGE(tree_code)
 	p->key[i] = (Word64)code << 32 | (Word64)p->leaf[tree->leaf_begin + i];
 }
 
-STAGE(tree_order) { p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu); }
+STAGE(tree_order)
+{
+	p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu);
+	if (i == 0)
+		p->counters->strayed[p->argument] = 0;
+}
 
 // bit k is set when the box overlaps child k of the eight from first on
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
@@ -136,6 +191,16 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 		walk->first = ARITY * child;
 		walk->masks |= tree_hits(p, tree->begin[walk->level] + walk->first, box) << (8 * walk->level);
 	}
+}
+
+// of the eight nodes of a level from first on, those that have leaves from leaf from up to, not including, end: a bit each
+INLINE Word64 tree_span(int level, int first, int from, int end)
+{
+	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
+	if (low >= ARITY || high < 0)
+		return 0;
+	Word64 span = low > 0 ? (Word64)255 << low : (Word64)255;
+	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
 }
 
 #endif
