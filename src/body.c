@@ -53,7 +53,6 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 	                   .angular_damping = def->angular_damping,
 	                   .first_collidable = -1,
 	                   .last_collidable = -1,
-	                   .way = FLT_MAX,
 	                   .user = def->user};
 	*row = (BodyRow){.pose = def->pose, .velocity = body_velocity_allowed(host, def->velocity), .locks = def->locks};
 	*collidable = (HostCollidable){.pose.rotation.c = 1.0f, .filter = def->filter};

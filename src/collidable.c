@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // collidable.c -- collidables: made, destroyed, and what the user asks and sets of one.
 #include "world.h"
-#include <math.h>
 
 int kind_of_type(scree_body_type type)
 {
@@ -22,15 +21,6 @@ scree_collidable_def scree_default_collidable_def(void)
 {
 	return (scree_collidable_def){
 	    .pose.rotation.c = 1.0f, .filter = scree_default_filter(), .cookie = COOKIE_COLLIDABLE};
-}
-
-void reach_grow(scree_world* world, int collidable)
-{
-	// the center of mass is no further from the origin than some collidable; three times, because guard adds components
-	const HostCollidable* host = world->host_collidables + collidable;
-	float away = hypotf(host->pose.position.x, host->pose.position.y);
-	float reach = 3.0f * (away + world->attributes[host->attribute].shape.reach), *most = &world->pipeline.reach;
-	*most = reach > *most ? reach : *most;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -68,21 +58,13 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-Guarded body_guarded(const HostBody* host) { return (Guarded){.first = host->first_collidable + 1, .way = host->way}; }
-
-// The device hears of a body's changed list: of what comes after a collidable (previous, -1 for none), and of what guard
-// needs. A row that is on its way has it already.
-static void list_changed(scree_world* world, int body, int previous)
+// The device hears what comes after a collidable (-1 for none), unless its row is on its way.
+static void list_changed(scree_world* world, int previous)
 {
-	Float4 none = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	HostBody* owner = world->host_bodies + body;
-	if (previous >= 0 && world->host_collidables[previous].waiting.row == 0)
-		pending_command(world, COMMAND_NEXT, previous, none, world->host_collidables[previous].next + 1);
-	if (owner->waiting.row > 0)
+	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)
 		return;
-	Guarded guarded = body_guarded(owner);
-	pending_command(world, COMMAND_GUARDED, body, none, guarded.first);
-	world->pending.commands[world->pending.command_count - 1].whole[1] = float_bits(guarded.way);
+	int next = world->host_collidables[previous].next;
+	pending_command(world, COMMAND_NEXT, previous, make_float4(0.0f, 0.0f, 0.0f, 0.0f), next + 1);
 }
 
 void collidable_put(scree_world* world, int index, const HostCollidable* made)
@@ -103,11 +85,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 			body->first_collidable = index;
 		body->last_collidable = index;
 		++body->collidables;
-		float way = GUARD_TRAVEL * attribute_thickness(world, host->attribute);
-		body->way = way < body->way ? way : body->way;
-		list_changed(world, host->body, host->previous);
-		if (body->type == SCREE_DYNAMIC)
-			reach_grow(world, index);
+		list_changed(world, host->previous);
 	}
 	pending_collidable(world, index);
 }
@@ -127,7 +105,7 @@ void collidable_remove(scree_world* world, int index)
 		else
 			body->last_collidable = host->previous;
 		--body->collidables;
-		list_changed(world, host->body, host->previous);
+		list_changed(world, host->previous);
 	}
 	tree_leave(world, tree_of_kind(collidable_kind(world, index)), index);
 	slots_free(&world->collidables, index);

@@ -9,7 +9,7 @@
 // A shorter run of rows travels as commands: on a GPU a transfer costs as much as some hundred commands.
 #define LONG_RUN 16
 
-#define BODY_COMMANDS       4 // that make up one row
+#define BODY_COMMANDS       5 // that make up one row
 #define COLLIDABLE_COMMANDS 3
 
 static Float4 pose_value(scree_pose pose)
@@ -111,7 +111,7 @@ static void body_item(const scree_world* world, PoolId pool, const BodyRow* row,
 		*(Float2*)item = make_float2(row->center.x, row->center.y);
 		break;
 	case POOL_guarded:
-		*(Guarded*)item = body_guarded(world->host_bodies + row->index);
+		*(Guarded*)item = body_guarded(world, row->index);
 		break;
 	default:
 		*(Word64*)item = 0;
@@ -214,15 +214,14 @@ static scree_status write_attributes(scree_world* world, char* stage)
 static int body_commands(const scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
-	Guarded guarded = body_guarded(world->host_bodies + row->index);
-	to[0] = (Command){
-	    .kind = COMMAND_BODY, .whole = {guarded.first, float_bits(guarded.way)}, .value = pose_value(row->pose)};
+	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};
 	to[1] = (Command){.kind = COMMAND_MASS,
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
 	to[2] = (Command){.kind = COMMAND_MOTION,
 	                  .whole = {(int)row->locks},
 	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
 	to[3] = (Command){.kind = COMMAND_VELOCITY, .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	to[4] = guarded_command(world, row->index);
 	for (int k = 0; k < BODY_COMMANDS; ++k)
 		to[k].index = row->index;
 	return BODY_COMMANDS;

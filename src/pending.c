@@ -8,7 +8,7 @@ scree_status pending_reserve(scree_world* world, const char* function, int bodie
 	Pending* p = &world->pending;
 	TRY(GROW(function, p->bodies, p->body_capacity, p->body_count + bodies));
 	TRY(GROW(function, p->collidables, p->collidable_capacity, p->collidable_count + collidables));
-	// a collidable that comes or goes changes a link of its body's list, and what the body tells guard
+	// a collidable that comes or goes changes a link of its body's list, and what guard knows of the body
 	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables);
 }
 

@@ -359,7 +359,6 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
 	    .extras = world->pipeline.extras,
 	    .bounces = world->pipeline.bounces,
-	    .reach = world->pipeline.reach,
 	    .collidables = world->collidables.used,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],

@@ -32,14 +32,13 @@ typedef struct
 	RunList list;
 	Step step;           // constants of the last step: kernels that need none keep those
 	int used[PER_COUNT]; // most items that a kind of pool needed since idle was 0
-	int idle,
-	    sparse;  // steps since pools were last looked at for room to give back; steps with few contacts for their slots
-	bool jumps;  // the user placed or made something since the last step: boxes may jump
-	bool begun;  // the step at work has changed something on the device
-	bool extras;  // some attribute has restitution, rolling resistance or tangent speed
-	bool bounces; // some attribute has restitution
-	float reach;  // Step.reach
-	int rounds;  // coloring rounds that the last step needed
+	int idle;            // steps since pools were last looked at for room to give back
+	int sparse;          // steps with few contacts for their slots
+	bool jumps;          // the user placed or made something since the last step: boxes may jump
+	bool begun;          // the step at work has changed something on the device
+	bool extras;         // some attribute has restitution, rolling resistance or tangent speed
+	bool bounces;        // some attribute has restitution
+	int rounds;          // coloring rounds that the last step needed
 	int64_t steps;
 	int grown;               // times that a pool grew
 	double milliseconds;     // of the last step, by the wall clock

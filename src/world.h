@@ -18,7 +18,6 @@ typedef struct // what only the host knows of a body
 	scree_mass mass;
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
-	float way;                             // Guarded.way
 	uint64_t user;
 	Waiting waiting;
 	bool marked; // within a call: named by the batch
@@ -101,7 +100,10 @@ float attribute_thickness(const scree_world* world, int index);
 scree_mass mass_of_body(const scree_world* world, int body);
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
-// The mass of a body becomes this one, also on the device. There is room for a command.
+// What the device keeps of a dynamic body for guard, and the command that tells it.
+Guarded body_guarded(const scree_world* world, int body);
+Command guarded_command(const scree_world* world, int body);
+// The mass of a body becomes this one, also on the device. There is room for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 
 // src/setting.c
@@ -119,10 +121,6 @@ scree_status collidables_take(scree_world* world, int* slots, int count);
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 int collidable_kind(const scree_world* world, int index);
-// what the device keeps of a body for guard
-Guarded body_guarded(const HostBody* host);
-// Step.reach takes in a collidable of a body that is dynamic.
-void reach_grow(scree_world* world, int collidable);
 int kind_of_type(scree_body_type type);
 // The tree in which collidables of a kind lie.
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

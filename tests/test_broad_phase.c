@@ -135,7 +135,11 @@ static int check_pairs(scree_world* world, const char* name, int step)
 	uint64_t* want = malloc(sizeof(uint64_t) * (size_t)room);
 	for (int k = 0; k < slots; ++k)
 		if (pairs[k].x >= 0)
-			have[found++] = (uint64_t)pairs[k].x << 32 | (uint64_t)pairs[k].y;
+		{
+			// the first of a pair is what moves, or the smaller
+			int a = pairs[k].x < pairs[k].y ? pairs[k].x : pairs[k].y, b = pairs[k].x ^ pairs[k].y ^ a;
+			have[found++] = (uint64_t)a << 32 | (uint64_t)b;
+		}
 	qsort(have, (size_t)found, sizeof *have, compare_keys);
 	for (int a = 0; a < count; ++a)
 		for (int b = a + 1; b < count && items[a].alive; ++b)

@@ -77,10 +77,11 @@ typedef struct // 160 bytes
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
 
-typedef struct // 8 bytes: what guard needs of a body
+typedef struct // 12 bytes: what guard needs of a body that is dynamic
 {
-	int first; // 1 + index of its first collidable, 0 for none
-	float way; // m: GUARD_TRAVEL times the thickness of its thinnest collidable so far
+	int first;   // 1 + index of its first collidable, 0 for none
+	float way;   // m: GUARD_TRAVEL times the thickness of its thinnest collidable
+	float reach; // m: no point of it is further from the center of mass
 } Guarded;
 
 typedef struct // 24 bytes
@@ -168,23 +169,22 @@ typedef struct // 32 bytes: a change that the user made between steps
 } Command;
 
 // Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
-#define COMMAND_FORCE           0 // x, y: N
-#define COMMAND_FORCE_AT        1 // force x, y, world point x, y
-#define COMMAND_TORQUE          2 // x: N m
-#define COMMAND_IMPULSE         3 // x, y: N s
-#define COMMAND_IMPULSE_AT      4 // impulse x, y, world point x, y
-#define COMMAND_ANGULAR_IMPULSE 5 // x: N m s
-#define COMMAND_VELOCITY        6 // linear x, y, angular
-#define COMMAND_POSE            7 // of the body's origin: x, y, cos, sin
-#define COMMAND_MASS            8 // inverse mass, inverse inertia, local center x, y: the origin stays where it is
-#define COMMAND_MOTION          9 // gravity scale, linear damping, angular damping; whole[0]: locks
-#define COMMAND_BODY \
-	10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin; whole as in COMMAND_GUARDED
-#define COMMAND_GUARDED    11 // whole: the members of Guarded, the second one by its bits
-#define COMMAND_PLACE      12 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE 13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
-#define COMMAND_FILTER     14 // the bits of category and mask; whole: group, kind
-#define COMMAND_NEXT       15 // whole[0]: 1 + index of the body's next collidable, 0 for none
+#define COMMAND_FORCE           0  // x, y: N
+#define COMMAND_FORCE_AT        1  // force x, y, world point x, y
+#define COMMAND_TORQUE          2  // x: N m
+#define COMMAND_IMPULSE         3  // x, y: N s
+#define COMMAND_IMPULSE_AT      4  // impulse x, y, world point x, y
+#define COMMAND_ANGULAR_IMPULSE 5  // x: N m s
+#define COMMAND_VELOCITY        6  // linear x, y, angular
+#define COMMAND_POSE            7  // of the body's origin: x, y, cos, sin
+#define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
+#define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
+#define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
+#define COMMAND_GUARDED         11 // Guarded: whole[0] first, x way, y reach
+#define COMMAND_PLACE           12 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE      13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_FILTER          14 // the bits of category and mask; whole: group, kind
+#define COMMAND_NEXT            15 // whole[0]: 1 + index of the body's next collidable, 0 for none
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
@@ -210,7 +210,6 @@ typedef struct // constants of one step, by value to every stage
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
 	int bounces;          // some attribute has restitution
-	float reach;          // m: no collidable of a dynamic body goes further from its center of mass
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int contact_limit;       // most contacts that the world may have

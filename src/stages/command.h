@@ -67,16 +67,8 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
-INLINE Guarded command_guarded(Command c)
-{
-	Guarded guarded;
-	guarded.first = c.whole[0];
-	guarded.way = bits_float(c.whole[1]);
-	return guarded;
-}
-
 // A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose, Guarded guarded)
+INLINE void command_body(const Pools* p, int i, Float4 pose)
 {
 	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
 	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
@@ -85,7 +77,6 @@ INLINE void command_body(const Pools* p, int i, Float4 pose, Guarded guarded)
 	p->pose[i] = pose;
 	p->local_center[i] = make_float2(0.0f, 0.0f);
 	p->color_mask[i] = 0;
-	p->guarded[i] = guarded;
 }
 
 // A row anew: its box is empty, so that it is found as if it had just come.
@@ -145,10 +136,12 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value, command_guarded(c));
+		command_body(p, i, value);
 		break;
 	case COMMAND_GUARDED:
-		p->guarded[i] = command_guarded(c);
+		p->guarded[i].first = c.whole[0];
+		p->guarded[i].way = value.x;
+		p->guarded[i].reach = value.y;
 		break;
 	case COMMAND_PLACE:
 		p->collidable_pose[i] = value;

@@ -48,8 +48,7 @@ STAGE(finalize)
 		pose.z = unit * q.x;
 		pose.w = unit * q.y;
 	}
-	p->pose[i] =
-	    make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
+	p->pose[i] = make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
 	body->vx = v.x;
 	body->vy = v.y;
 	body->w = within(w, p->step.max_spin);

@@ -97,8 +97,9 @@ RARE float guard_body(const Pools* p, int body, Vec path, float turn)
 
 INLINE float guard(const Pools* p, int body, Vec path, float turn)
 {
-	float way = absolute(path.x) + absolute(path.y) + absolute(turn) * p->step.reach;
-	return way > p->guarded[body].way && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
+	Guarded guarded = p->guarded[body];
+	float way = absolute(path.x) + absolute(path.y) + absolute(turn) * guarded.reach;
+	return way > guarded.way && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
 }
 
 #endif
