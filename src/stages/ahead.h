@@ -7,9 +7,9 @@
 typedef struct // a manifold and the poses that it is of
 {
 	Manifold m;
-	Frame f;  // of b in the frame of a
-	Vec axes; // rotation of a in the world
-	int made; // FOUND_AHEAD, or 0 when the poses are those of now
+	Frame f;   // of b in the frame of a
+	Vec axes;  // rotation of a in the world
+	int ahead; // whether the poses are still to come
 } Ahead;
 
 // m: a plane that is off by less is right. What closes by less than SWEEP_REST is left to close: a push against it would be
@@ -41,7 +41,7 @@ INLINE Ahead ahead_past(const Pools* p, Placed a, Placed b, Closing closing, Ahe
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
-	later.made = FOUND_AHEAD;
+	later.ahead = 1;
 	return later;
 }
 
@@ -60,7 +60,7 @@ INLINE Ahead ahead_meeting(const Pools* p, Placed a, Placed b, Closing closing, 
 		Real gap = minimum(then.m.separation[0], then.m.separation[1]);
 		if (gap <= (round + 1 < SWEEP_ROUNDS ? -SWEEP_DEPTH : SPECULATIVE_DISTANCE))
 		{
-			then.made = FOUND_AHEAD;
+			then.ahead = 1;
 			return then;
 		}
 		// what the forces of a step may close is kept without a meeting, or nothing would roll or slide fast on a floor

@@ -66,14 +66,23 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// How far any point of b may have moved in the frame of a since the manifold was found: with the origin, and by at most
-// reach times the turn. The sum of the components bounds the length.
-INLINE float narrow_phase_moved(Float4 was, Frame f, float reach)
+// How far any point of b that is near a may have moved in the frame of a since the manifold was found: as far as the one
+// that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
+INLINE Real narrow_phase_moved(Vec position, Vec rotation, Frame f, Real reach)
 {
-	Vec before = vec(was.z, was.w);
-	float moved = absolute(f.position.x - was.x) + absolute(f.position.y - was.y);
-	float turned = absolute(vec_cross(before, f.rotation)) + absolute(1.0f - vec_dot(before, f.rotation));
-	return moved + reach * turned;
+	Vec turn = vec_turn_back(rotation, f.rotation);
+	Vec moved = vec_sub(f.position, vec_turn(turn, position));
+	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
+}
+
+// For how far a shift a manifold is kept, m.
+INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags)
+{
+	int count = (int)(flags & CONTACT_COUNT);
+	if (count == 0 || (flags & CONTACT_DETECTED))
+		return STAY_DISTANCE;
+	float distance = count == 2 || (flags & FOUND_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
+	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
 // Whether the bodies touch, so that the contact is none that they will pass by.
@@ -91,22 +100,13 @@ INLINE int narrow_phase_keeps(const Pools* p, int i, Word flags, Placed a, Place
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Float4 then = p->contact_found[i].then;
-	int made = float_bits(then.z), count = (int)(flags & CONTACT_COUNT);
-	if (made & FOUND_AHEAD)
-		return 0;
-	float shift = narrow_phase_moved(p->contact_found[i].relative, f, shape_b->reach);
-	if (count == 0 || (flags & CONTACT_DETECTED))
-		return shift < STAY_DISTANCE;
-	float reach = minimum(shape_a->reach, shape_b->reach);
-	Float4 was = p->contact_found[i].relative;
+	Float4 was = p->contact_found[i].relative, then = p->contact_found[i].then;
+	float shift = narrow_phase_moved(vec(was.x, was.y), vec(was.z, was.w), f, then.z);
 	Vec then_a = vec(then.x, then.y), then_b = vec_turn(then_a, vec(was.z, was.w));
-	if (vec_dot(then_a, vec(a.c, a.s)) < HOLD_COSINE || vec_dot(then_b, vec(b.c, b.s)) < HOLD_COSINE)
+	if (!(shift < then.w) || vec_dot(then_a, vec(a.c, a.s)) < HOLD_COSINE ||
+	    vec_dot(then_b, vec(b.c, b.s)) < HOLD_COSINE)
 		return 0;
-	float distance = count == 2 || (made & FOUND_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
-	if (!(shift < minimum(distance, HOLD_SHARE * reach)))
-		return 0;
-	if (!(moved & MOVED_ON))
+	if (!(moved & MOVED_ON) || (flags & CONTACT_COUNT) == 0 || (flags & CONTACT_DETECTED))
 		return 1;
 	int touches = narrow_phase_touches(p, i);
 	if (touches && !(moved & MOVED_FAST))
@@ -145,7 +145,8 @@ STAGE(narrow_phase)
 	Ahead found_at;
 	found_at.f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
 	found_at.axes = turn;
-	found_at.made = 0;
+	found_at.ahead = 0;
+	Word rolls = 0;
 	Closing closing;
 	closing.most = 0.0f;
 	if ((moved & MOVED_FAR) && !(flags & CONTACT_DETECTED))
@@ -160,8 +161,8 @@ STAGE(narrow_phase)
 		if (!(flags & CONTACT_DETECTED))
 		{
 			found_at = ahead_past(p, a, b, sweep_closing(p, a, b), found_at);
-			if (found_at.made == 0 && shape_a->radius + shape_b->radius > 0.0f)
-				found_at.made = FOUND_ROLLS | found_at.m.made;
+			if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
+				rolls = FOUND_ROLLS | (Word)found_at.m.made;
 		}
 	}
 	Manifold m = found_at.m;
@@ -195,14 +196,16 @@ STAGE(narrow_phase)
 	}
 
 	Word touching = m.count > 0 ? CONTACT_TOUCHING : 0u;
-	p->contact_flags[i] = (flags & CONTACT_DETECTED) | touching | (Word)m.count;
+	Word now = (flags & CONTACT_DETECTED) | touching | (Word)m.count | rolls;
+	p->contact_flags[i] = now;
 	p->contact_feature[i] = make_int2(feature[0], feature[1]);
 	Found found;
 	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
 	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
 	found.relative =
 	    make_float4(found_at.f.position.x, found_at.f.position.y, found_at.f.rotation.x, found_at.f.rotation.y);
-	found.then = make_float4(found_at.axes.x, found_at.axes.y, bits_float(found_at.made), 0.0f);
+	found.then = make_float4(found_at.axes.x, found_at.axes.y, shape_a->reach,
+	                         found_at.ahead ? -1.0f : narrow_phase_distance(shape_a, shape_b, now));
 	p->contact_found[i] = found;
 	if (constraint >= 0)
 	{
