@@ -120,7 +120,8 @@ static void broad_phase(RunList* list, const Step* step)
 
 static void narrow_phase(RunList* list, const Step* step)
 {
-	add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(live), 0);
+	add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
 
 // coloring rounds from one to the other, then the layout of the constraints if none is left

@@ -45,6 +45,14 @@ WIDE_INLINE Int indices(int i)
 }
 
 // lane k of the result is array[index[k]]
+WIDE_INLINE Real gather(const float* array, Int index)
+{
+	Real out;
+	for (int k = 0; k < LANES; ++k)
+		out[k] = array[index[k]];
+	return out;
+}
+
 WIDE_INLINE Int gather_int(const int* array, Int index)
 {
 	Int out;

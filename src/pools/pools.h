@@ -59,12 +59,16 @@
 #define CONTACT_FRESH    4u  // created in this step
 #define CONTACT_DETECTED 8u  // nothing answers to it: one side has no body
 #define CONTACT_TOUCHING 16u // has points
+// within the narrow phase
+#define CONTACT_LOOK 2048u // narrow_phase looks at it
+#define CONTACT_ANEW 4096u // and finds its manifold anew
 // in the same word: what the manifold does while bodies move on
-#define FOUND_ROLLS   32  // it follows its corners; otherwise it is held as it was found
-#define FOUND_CORNER1 64  // point 1 is at a corner of a, otherwise of b
-#define FOUND_CORNER2 128 // the same of point 2
-#define FOUND_TURNS_B 256 // the normal turns with b, otherwise with a
-#define FOUND_CORNERS 512 // the normal goes from a corner to a corner
+#define FOUND_ROLLS    32   // it follows its corners; otherwise it is held as it was found
+#define FOUND_CORNER1  64   // point 1 is at a corner of a, otherwise of b
+#define FOUND_CORNER2  128  // the same of point 2
+#define FOUND_TURNS_B  256  // the normal turns with b, otherwise with a
+#define FOUND_CORNERS  512  // the normal goes from a corner to a corner
+#define FOUND_OVERLAPS 1024 // some point overlapped
 
 typedef struct // 160 bytes
 {
@@ -233,6 +237,7 @@ typedef struct
 	int needed;       // contact slots that the step needs
 	int stalled;      // a buffer was too small: nothing after it was done; the host grows it and runs again
 	int live;         // contact slots that narrow phase goes over
+	int look;         // the same where it must look at some, else 0
 	int released;     // contacts whose boxes parted
 	int began, ended; // contacts that began and ceased to touch
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // narrow_phase.h -- contacts to manifolds; impulses follow their points; contacts whose boxes parted are released.
-//
-// Where a pair has hardly moved against each other, its points stay the same places on the two collidables, and nothing
-// is written (contact_points.h follows them). In a settled pile that is nearly every pair.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "stages/ahead.h"
 #include "stages/box.h"
+#include "stages/narrow_phase_keep.h"
 
 // a point farther than this from where it was, and of another feature, starts without impulse
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
@@ -16,12 +14,10 @@
 #define STAY_DISTANCE LINEAR_SLOP
 
 // A manifold is kept while no point moved farther than this against the other, m, nor than so much of the reach of the
-// smaller, and neither turned in the world by more than 3.6 degrees (cosine). With one sharp point it is kept for half of
-// that, so that a second cannot be missed. Less shakes heaps: where one small body carries many, a manifold that is found
-// anew pushes it another way.
+// smaller. With one sharp point it is kept for half of that, so that a second cannot be missed. Less shakes heaps: where
+// one small body carries many, a manifold that is found anew pushes it another way.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
-#define HOLD_COSINE   0.998f
 
 // gives the color of a contact that no longer touches back to its bodies
 INLINE void contact_uncolor(const Pools* p, int i)
@@ -66,15 +62,6 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// How far any point of b that is near a may have moved in the frame of a since the manifold was found: as far as the one
-// that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
-INLINE Real narrow_phase_moved(Vec position, Vec rotation, Frame f, Real reach)
-{
-	Vec turn = vec_turn_back(rotation, f.rotation);
-	Vec moved = vec_sub(f.position, vec_turn(turn, position));
-	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
-}
-
 // For how far a shift a manifold is kept, m.
 INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags)
 {
@@ -85,44 +72,12 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-// Whether the bodies touch, so that the contact is none that they will pass by.
-INLINE int narrow_phase_touches(const Pools* p, int i)
-{
-	Float4 normal = p->contact_found[i].normal;
-	int constraint = p->contact_constraint[i];
-	return minimum(normal.z, normal.w) < 0.0f ||
-	       (constraint >= 0 && (constraint_at(p, normal_impulse1, constraint) > 0.0f ||
-	                            constraint_at(p, normal_impulse2, constraint) > 0.0f));
-}
-
-// Whether the pair, placed at f in the frame of a, keeps what was found; moved has their MOVED_* bits.
-INLINE int narrow_phase_keeps(const Pools* p, int i, Word flags, Placed a, Placed b, Frame f, int moved)
-{
-	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
-	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Float4 was = p->contact_found[i].relative, then = p->contact_found[i].then;
-	float shift = narrow_phase_moved(vec(was.x, was.y), vec(was.z, was.w), f, then.z);
-	Vec then_a = vec(then.x, then.y), then_b = vec_turn(then_a, vec(was.z, was.w));
-	if (!(shift < then.w) || vec_dot(then_a, vec(a.c, a.s)) < HOLD_COSINE ||
-	    vec_dot(then_b, vec(b.c, b.s)) < HOLD_COSINE)
-		return 0;
-	if (!(moved & MOVED_ON) || (flags & CONTACT_COUNT) == 0 || (flags & CONTACT_DETECTED))
-		return 1;
-	int touches = narrow_phase_touches(p, i);
-	if (touches && !(moved & MOVED_FAST))
-		return 1;
-	// what cannot close the gap in the step is not pushed
-	Float4 normal = p->contact_found[i].normal;
-	float limit = maximum(touches ? SWEEP_HOLD : SWEEP_REST, (minimum(normal.z, normal.w) - shift) / ahead_time(p));
-	return sweep_most(p, a, b, shape_a->reach, shape_b->reach) < limit || sweep_closing(p, a, b).most < limit;
-}
-
 STAGE(narrow_phase)
 {
-	Int2 pair = p->pair[i];
-	if (pair.x < 0)
-		return;
 	Word flags = p->contact_flags[i];
+	if (!(flags & CONTACT_LOOK))
+		return;
+	Int2 pair = p->pair[i];
 	int moved = p->moved[pair.x] | p->moved[pair.y];
 	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX))
 	{
@@ -136,6 +91,11 @@ STAGE(narrow_phase)
 			return;
 		}
 	}
+	if (!(flags & CONTACT_ANEW))
+	{
+		p->contact_flags[i] = flags & ~CONTACT_LOOK;
+		return;
+	}
 
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Placed a = p->placed[pair.x], b = p->placed[pair.y];
@@ -147,20 +107,17 @@ STAGE(narrow_phase)
 	found_at.axes = turn;
 	found_at.ahead = 0;
 	Word rolls = 0;
-	Closing closing;
-	closing.most = 0.0f;
-	if ((moved & MOVED_FAR) && !(flags & CONTACT_DETECTED))
-		closing = sweep_closing(p, a, b);
-	if (closing.most > SPECULATIVE_DISTANCE)
-		found_at = ahead_meeting(p, a, b, closing, found_at);
+	if (flags & CONTACT_DETECTED)
+		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
 	else
 	{
-		if (!(flags & CONTACT_FRESH) && narrow_phase_keeps(p, i, flags, a, b, found_at.f, moved))
-			return;
-		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
-		if (!(flags & CONTACT_DETECTED))
+		Closing closing = sweep_closing(p, a, b);
+		if ((moved & MOVED_FAR) && closing.most > SPECULATIVE_DISTANCE)
+			found_at = ahead_meeting(p, a, b, closing, found_at);
+		else
 		{
-			found_at = ahead_past(p, a, b, sweep_closing(p, a, b), found_at);
+			found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+			found_at = ahead_past(p, a, b, closing, found_at);
 			if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
 				rolls = FOUND_ROLLS | (Word)found_at.m.made;
 		}
@@ -196,7 +153,8 @@ STAGE(narrow_phase)
 	}
 
 	Word touching = m.count > 0 ? CONTACT_TOUCHING : 0u;
-	Word now = (flags & CONTACT_DETECTED) | touching | (Word)m.count | rolls;
+	Word overlaps = minimum(m.separation[0], m.separation[1]) < 0.0f ? FOUND_OVERLAPS : 0u;
+	Word now = (flags & CONTACT_DETECTED) | touching | (Word)m.count | rolls | overlaps;
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = make_int2(feature[0], feature[1]);
 	Found found;

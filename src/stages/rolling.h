@@ -12,6 +12,7 @@
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "stages/contact_points.h"
+#include "stages/sweep_closing.h"
 
 // k dt^2 that a contact may follow; bodies have several, and their neighbors have them too
 #define ROLLING_STIFFNESS 0.3f
@@ -23,12 +24,6 @@
 
 // What is stiff is held in part, and found anew now and then, which would keep it swinging: there the lever may be longer.
 #define ROLLING_STIFF_LEVER 0.05f
-
-typedef struct // of a body until the end of the step
-{
-	Vec path;  // m
-	Real turn; // rad
-} Advance;
 
 typedef struct // of a body until the end of the step, from the origin of collidable a
 {

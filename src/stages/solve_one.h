@@ -5,6 +5,7 @@
 #include "stages/body.h"
 #include "stages/finite.h"
 #include "stages/prepare.h"
+#include "stages/rolling.h"
 #include "stages/sweep.h"
 
 STAGE(solve_begin)
