@@ -9,8 +9,8 @@
 // a point farther than this from where it was, and of another feature, starts without impulse
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 
-// a pair without points of which no point moved farther than this against the other is not looked at, m: a quarter of the
-// distance at which contacts begin, so that none can be missed
+// A pair without points of which no point moved farther than this against the other is not looked at, m: a quarter of the
+// distance at which contacts begin, so that none can be missed; and what the pair was farther apart.
 #define STAY_DISTANCE LINEAR_SLOP
 
 // A manifold is kept while no point moved farther than this against the other, m, nor than so much of the reach of the
@@ -63,10 +63,12 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 }
 
 // For how far a shift a manifold is kept, m.
-INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags)
+INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap)
 {
 	int count = (int)(flags & CONTACT_COUNT);
-	if (count == 0 || (flags & CONTACT_DETECTED))
+	if (count == 0)
+		return STAY_DISTANCE + maximum(gap - SPECULATIVE_DISTANCE, 0.0f);
+	if (flags & CONTACT_DETECTED)
 		return STAY_DISTANCE;
 	float distance = count == 2 || (flags & FOUND_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
@@ -107,16 +109,20 @@ STAGE(narrow_phase)
 	found_at.axes = turn;
 	found_at.ahead = 0;
 	Word rolls = 0;
-	if (flags & CONTACT_DETECTED)
-		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
+	Closing closing;
+	closing.most = 0.0f;
+	if (far)
+		closing = sweep_closing(p, a, b);
+	if (closing.most > SPECULATIVE_DISTANCE)
+		found_at = ahead_meeting(p, a, b, closing, found_at);
 	else
 	{
-		Closing closing = sweep_closing(p, a, b);
-		if ((moved & MOVED_FAR) && closing.most > SPECULATIVE_DISTANCE)
-			found_at = ahead_meeting(p, a, b, closing, found_at);
-		else
+		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+		if (answers && found_at.m.count > 0)
 		{
-			found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+			if (!far)
+				closing = sweep_closing(p, a, b);
 			found_at = ahead_past(p, a, b, closing, found_at);
 			if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
 				rolls = FOUND_ROLLS | (Word)found_at.m.made;
@@ -163,7 +169,7 @@ STAGE(narrow_phase)
 	found.relative =
 	    make_float4(found_at.f.position.x, found_at.f.position.y, found_at.f.rotation.x, found_at.f.rotation.y);
 	found.then = make_float4(found_at.axes.x, found_at.axes.y, shape_a->reach,
-	                         found_at.ahead ? -1.0f : narrow_phase_distance(shape_a, shape_b, now));
+	                         found_at.ahead ? -1.0f : narrow_phase_distance(shape_a, shape_b, now, m.gap));
 	p->contact_found[i] = found;
 	if (constraint >= 0)
 	{

@@ -73,23 +73,24 @@ WIDE_STAGE(narrow_phase_keep)
 	Vec turn = vec(found[2], found[3]), then_b = vec_turn(then_a, turn);
 	Real shift = narrow_phase_moved(vec(found[0], found[1]), turn, vec_turn_back(axes_a, vec(b[0] - a[0], b[1] - a[1])),
 	                                vec_turn_back(axes_a, axes_b), found[6]);
-	Word stays = lane_bits((shift < found[7]) & (vec_dot(then_a, axes_a) >= splat(HOLD_COSINE)) &
-	                       (vec_dot(then_b, axes_b) >= splat(HOLD_COSINE)) & ((flags & (int)CONTACT_FRESH) == 0));
+	Int points = (flags & (int)CONTACT_COUNT) != 0;
+	Int upright = (vec_dot(then_a, axes_a) >= splat(HOLD_COSINE)) & (vec_dot(then_b, axes_b) >= splat(HOLD_COSINE));
+	Word stays = lane_bits((shift < found[7]) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
 	Word anew = there & ~stays;
 
 	Int answers = (flags & (int)CONTACT_DETECTED) == 0, far = (moved & MOVED_FAR) != 0;
-	Int on = ((moved & MOVED_ON) != 0) & ((flags & (int)CONTACT_COUNT) != 0);
+	Int on = ((moved & MOVED_ON) != 0) & points;
 	Word wanders = there & stays & lane_bits(answers & (far | on));
 	if (wanders)
 	{
-		Real points[8];
-		gather_rows8((GLOBAL float*)p->contact_found, 2 * indices(i), points);
+		Real at[8];
+		gather_rows8((GLOBAL float*)p->contact_found, 2 * indices(i), at);
 		Closing closing = narrow_phase_closing(p, i, a, b);
 		Int touches = ((flags & (int)FOUND_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
 
 		// what cannot close the gap in the step is not pushed
 		Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
-		                     (minimum(points[2], points[3]) - shift) / splat(sweep_end(&p->step)));
+		                     (minimum(at[2], at[3]) - shift) / splat(sweep_end(&p->step)));
 		Int passes = on & ((closing.most < limit) == 0) & ((touches == 0) | ((moved & MOVED_FAST) != 0));
 		anew |= wanders & lane_bits(passes | (far & (closing.most > splat(SPECULATIVE_DISTANCE))));
 	}
