@@ -16,7 +16,8 @@ typedef struct // a manifold and the poses that it is of
 // no more of a disturbance than the lack of a push from a floor.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// A corner is looked at where the last relaxing pass looks (sweep_end); and where the pair has moved so far (m), or what sags by less at a seam would seem to meet its side.
+// A corner is looked at where the last relaxing pass looks (sweep_end); and where the pair has moved so far (m), or what
+// sags by less at a seam would seem to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
 // A manifold pushes along its normal as if both shapes were flat. Where a pair passes by a corner it says that they will

@@ -20,7 +20,7 @@
 // equal boxes in a stack must keep the names while one slides over the other's corner; otherwise by corner and edge.
 #define FACING 0.9f
 // index of a shape's first edge as a feature; smaller ones are its corners
-#define FEATURE_EDGE 8
+#define FEATURE_EDGE MAX_CORNERS
 
 typedef struct // in the frame of a
 {

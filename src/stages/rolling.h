@@ -12,6 +12,7 @@
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "stages/contact_points.h"
+#include "stages/manifold_axis.h"
 #include "stages/sweep_closing.h"
 
 // k dt^2 that a contact may follow; bodies have several, and their neighbors have them too
@@ -59,10 +60,7 @@ INLINE Vec rolling_moves(Rolling r, Vec arm)
 // A corner of a core by its name, which is more exact than where it was found. Not every feature is a corner.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shape, int name, Vec found)
 {
-	if (name >= MAX_CORNERS)
-		return found;
-	Float2 v = shape->vertices[name];
-	return vec(v.x, v.y);
+	return name < MAX_CORNERS ? shape_corner(shape, name) : found;
 }
 
 // flags of the contact
