@@ -70,7 +70,8 @@ WIDE_STAGE(narrow_phase_keep)
 	Real shift = narrow_phase_moved(vec(found[0], found[1]), turn, vec_turn_back(axes_a, vec(b[0] - a[0], b[1] - a[1])),
 	                                vec_turn_back(axes_a, axes_b), found[6]);
 	Int points = (flags & (int)CONTACT_COUNT) != 0;
-	Int upright = (vec_dot(then_a, axes_a) >= splat(HOLD_COSINE)) & (vec_dot(then_b, axes_b) >= splat(HOLD_COSINE));
+	Real cosine = minimum(vec_dot(then_a, axes_a), vec_dot(then_b, axes_b));
+	Int upright = cosine >= splat(HOLD_COSINE);
 	Word stays = lane_bits((shift < found[7]) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
 	Word anew = there & ~stays;
 
