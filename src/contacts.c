@@ -53,15 +53,24 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 {
 	Int2 pair = rows->pair[k];
 	Placed a = rows->placed[pair.x], b = rows->placed[pair.y];
-	Attribute shape_a, shape_b;
-	attribute_item(world, a.attribute, &shape_a);
-	attribute_item(world, b.attribute, &shape_b);
-	const Advance rests = {{0.0f, 0.0f}, 0.0f};
 	Word flags = rows->flags[k];
-	Found found = rows->found[k];
-	ContactPoints at = flags & FOUND_ROLLS
-	                       ? rolling_points(a, b, found, flags, rows->feature[k], &shape_a, &shape_b, rests, rests)
-	                       : rolling_held(a, b, found);
+	Int feature[2] = {rows->feature[k].x, rows->feature[k].y};
+	Real row_a[8], row_b[8], found[16];
+	gather_rows8((const float*)rows->placed, pair.x, row_a);
+	gather_rows8((const float*)rows->placed, pair.y, row_b);
+	gather_rows8((const float*)rows->found, 2 * k, found);
+	gather_rows8((const float*)rows->found, 2 * k + 1, found + 8);
+	ContactPoints at = contact_points_held(row_a, row_b, found);
+	if (flags & FOUND_ROLLS)
+	{
+		Attribute shapes[2];
+		attribute_item(world, a.attribute, shapes);
+		attribute_item(world, b.attribute, shapes + 1);
+		row_a[6] = bits_float(0);
+		row_b[6] = bits_float(1);
+		const Advance rests = {{0.0f, 0.0f}, 0.0f};
+		at = rolling_points(shapes, row_a, row_b, found, (Int)flags, feature, rests, rests);
+	}
 	int c = rows->constraint[k];
 	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 	if (c >= 0)

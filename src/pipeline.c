@@ -203,7 +203,7 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 
 	add(list, STAGE_solve_begin, 0, bodies, bound, 0);
 	add(list, STAGE_prepare, 0, constraints, bound, 0);
-	if (step->round || step->extras)
+	if (step->extras)
 		add(list, STAGE_prepare_extra, 0, constraints, bound, 0);
 	if (overflow > 0)
 	{

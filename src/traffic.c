@@ -45,15 +45,13 @@ scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool e
 	size_t prepare = sizeof(int) + sizeof(Int2) + 2 * sizeof(Placed) + sizeof(Found) + ARMS +
 	                 GAPS; // slot, collidables; what it finds
 	size_t prepare_bodies = 0;
-	if (round || extras)
-		prepare += sizeof(int); // slot again, for prepare_extra
 	if (round)
-		prepare += sizeof(Word) + GAPS; // what is round is known by its flags; the deepest overlap
+		prepare += sizeof(Word); // its flags say what is round
 	if (extras)
 	{
 		warm_start += EXTRA(rolling_impulse);
 		relax += EXTRA(tangent_speed) + EXTRA(rolling) + 2 * EXTRA(rolling_impulse) + 2 * TOTALS;
-		prepare += TOTALS;
+		prepare += sizeof(int) + TOTALS; // slot again: prepare_extra
 	}
 	if (bounces)
 	{

@@ -23,18 +23,22 @@ typedef Word Words __attribute__((vector_size(4 * LANES)));
 WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
 WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 
+#define FOUR_LANES(f, k) f(k), f(k + 1), f(k + 2), f(k + 3)
 // every second number of two quads, and of all lanes of two vectors
 #define TWO_QUADS(k) k, k + 2, k + 4, k + 6
 #if LANES == 4
 #define EACH_QUAD(a, b, c, d) a, b, c, d
 #define EVERY_SECOND(k)       TWO_QUADS(k)
+#define EACH_LANE(f)          FOUR_LANES(f, 0)
 #elif LANES == 8
 #define EACH_QUAD(a, b, c, d) a, b, c, d, a + 4, b + 4, c + 4, d + 4
 #define EVERY_SECOND(k)       TWO_QUADS(k), TWO_QUADS(k + 8)
+#define EACH_LANE(f)          FOUR_LANES(f, 0), FOUR_LANES(f, 4)
 #else
 #define EACH_QUAD(a, b, c, d) \
 	a, b, c, d, a + 4, b + 4, c + 4, d + 4, a + 8, b + 8, c + 8, d + 8, a + 12, b + 12, c + 12, d + 12
 #define EVERY_SECOND(k) TWO_QUADS(k), TWO_QUADS(k + 8), TWO_QUADS(k + 16), TWO_QUADS(k + 24)
+#define EACH_LANE(f)    FOUR_LANES(f, 0), FOUR_LANES(f, 4), FOUR_LANES(f, 8), FOUR_LANES(f, 12)
 #endif
 
 // i, i + 1, ...
@@ -44,22 +48,11 @@ WIDE_INLINE Int indices(int i)
 	return k + i;
 }
 
-// lane k of the result is array[index[k]]
-WIDE_INLINE Real gather(const float* array, Int index)
-{
-	Real out;
-	for (int k = 0; k < LANES; ++k)
-		out[k] = array[index[k]];
-	return out;
-}
-
-WIDE_INLINE Int gather_int(const int* array, Int index)
-{
-	Int out;
-	for (int k = 0; k < LANES; ++k)
-		out[k] = array[index[k]];
-	return out;
-}
+// Lane k of the result is array[index[k]]. A list of all becomes inserts; a loop over lanes, masks.
+#define NAMED(k) array[index[k]]
+WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE(NAMED)}; }
+WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }
+#undef NAMED
 
 // inside each quad, components of a as 0 to 3 and of b as LANES to LANES + 3
 #if defined(__clang__) || __GNUC__ >= 12
@@ -250,5 +243,7 @@ WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int 
 #undef SHUFFLE_ALL
 #undef TWO_QUADS
 #undef EVERY_SECOND
+#undef FOUR_LANES
+#undef EACH_LANE
 #undef WIDE_INLINE
 #endif

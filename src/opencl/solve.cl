@@ -108,7 +108,7 @@ typedef struct // a constraint in registers
 } Runner;
 
 // Of constraint i: what it is made of, but for its sides.
-INLINE Runner runner_make(const Pools* p, int i, Prepared made)
+INLINE Runner runner_make(const Pools* p, int i, ContactPoints points)
 {
 	Runner u;
 	u.inert = false;
@@ -123,20 +123,20 @@ INLINE Runner runner_make(const Pools* p, int i, Prepared made)
 	u.c.b.inv_inertia = b.inv_inertia;
 	u.c.b.d = u.c.a.d;
 	u.c.b.da = 0.0f;
-	u.c.n = made.normal;
-	u.c.t = vec(made.normal.y, -made.normal.x);
+	u.c.n = points.normal;
+	u.c.t = vec(points.normal.y, -points.normal.x);
 	u.friction = constraint_at(p, friction, i);
 	u.normal[0] = constraint_at(p, normal_impulse1, i);
 	u.normal[1] = constraint_at(p, normal_impulse2, i);
 	u.tangent[0] = constraint_at(p, tangent_impulse1, i);
 	u.tangent[1] = constraint_at(p, tangent_impulse2, i);
-	u.separation[0] = made.separation1;
-	u.separation[1] = made.separation2;
-	u.c.ra[0] = made.anchor1;
-	u.c.ra[1] = made.anchor2;
+	u.separation[0] = points.separation[0];
+	u.separation[1] = points.separation[1];
+	u.c.ra[0] = points.anchor[0];
+	u.c.ra[1] = points.anchor[1];
 	for (int k = 0; k < 2; ++k)
 	{
-		u.c.rb[k] = vec_add(u.c.ra[k], made.offset);
+		u.c.rb[k] = vec_add(u.c.ra[k], points.offset);
 		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
 		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
 		u.normal[k] = pair_start(&p->step, u.normal[k], u.normal_mass[k]);
@@ -152,10 +152,10 @@ INLINE Runner runner_prepare(const Pools* p, int i)
 	u.inert = slot < 0;
 	if (u.inert)
 		return u;
-	Prepared made = prepare_points(p, i, slot);
+	ContactPoints points = prepare_points(p, i, slot);
 	if (p->step.extras)
-		prepare_extras(p, i, made);
-	u = runner_make(p, i, made);
+		prepare_extras(p, i, points);
+	u = runner_make(p, i, points);
 	int color = p->contact_color[slot];
 	u.side[0] = side_of(p, u.c.ia, color);
 	u.side[1] = side_of(p, u.c.ib, color);

@@ -282,10 +282,10 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 		return;
 	}
 	int slot = p->constraint_contact[i], color = p->contact_color[slot];
-	Prepared made = prepare_points(p, i, slot);
+	ContactPoints points = prepare_points(p, i, slot);
 	if (p->step.extras)
-		prepare_extras(p, i, made);
-	u = runner_make(p, i, made);
+		prepare_extras(p, i, points);
+	u = runner_make(p, i, points);
 	if (on_border)
 	{
 		u.side[0] = tile_side(p, &t, u.c.ia, color);
@@ -293,5 +293,5 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 		runner_leave(&u, notes, stride, j);
 	}
 	else
-		tile_leave(&u, tile_place(p, &t, u.c.ia) | tile_place(p, &t, u.c.ib) << 16, made.offset, &t, j);
+		tile_leave(&u, tile_place(p, &t, u.c.ia) | tile_place(p, &t, u.c.ib) << 16, points.offset, &t, j);
 }

@@ -20,6 +20,20 @@ typedef struct // world axes
 	Real separation[2]; // m
 } ContactPoints;
 
+// b where c is set, else a
+INLINE ContactPoints contact_points_choose(ContactPoints a, ContactPoints b, Int c)
+{
+	a.normal = vec_choose(a.normal, b.normal, c);
+	a.offset = vec_choose(a.offset, b.offset, c);
+	for (int k = 0; k < 2; ++k)
+	{
+		a.point[k] = vec_choose(a.point[k], b.point[k], c);
+		a.anchor[k] = vec_choose(a.anchor[k], b.anchor[k], c);
+		a.separation[k] = choose(a.separation[k], b.separation[k], c);
+	}
+	return a;
+}
+
 // how far a point at an arm from the center of mass goes when its body turns
 INLINE Vec contact_points_swing(Vec turn, Vec arm) { return vec_sub(vec_turn(turn, arm), arm); }
 
@@ -59,7 +73,7 @@ INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const
 			Vec arm_a = points.anchor[k], arm_b = vec_add(arm_a, points.offset);
 			Vec less =
 			    vec_sub(parted, vec_sub(contact_points_ahead(turned_b, arm_b), contact_points_ahead(turned_a, arm_a)));
-			parted = vec(choose(parted.x, less.x, ahead), choose(parted.y, less.y, ahead));
+			parted = vec_choose(parted, less, ahead);
 		}
 		points.separation[k] = found[2 + k] + vec_dot(points.normal, parted);
 	}

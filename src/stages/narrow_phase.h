@@ -74,11 +74,8 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-STAGE(narrow_phase)
+RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 {
-	Word flags = p->contact_flags[i];
-	if (!(flags & CONTACT_LOOK))
-		return;
 	Int2 pair = p->pair[i];
 	int moved = p->moved[pair.x] | p->moved[pair.y];
 	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX))
@@ -185,6 +182,13 @@ STAGE(narrow_phase)
 		p->began[atomic_add_int(&p->counters->began, 1)] = i;
 		raise_int(&p->counters->changed, 1);
 	}
+}
+
+STAGE(narrow_phase)
+{
+	Word flags = p->contact_flags[i];
+	if (flags & CONTACT_LOOK)
+		narrow_phase_look(p, i, flags);
 }
 
 #endif

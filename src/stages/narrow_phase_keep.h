@@ -11,10 +11,6 @@
 // point moved too far against the other (narrow_phase_distance).
 #define HOLD_COSINE 0.998f
 
-// rows of 8 floats of an attribute, and the one that begins with its radius and ends with its reach
-#define SHAPE_ROWS (int)(sizeof(Attribute) / 32)
-#define SHAPE_ROW  (SHAPE_ROWS - 1)
-
 // How far any point of b that is near a may have moved in the frame of a since b was at a position and rotation: as far as
 // the one that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
@@ -29,15 +25,15 @@ INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], cons
 {
 	Int ia, ib;
 	load_int2(p->contact_bodies, i, &ia, &ib);
-	Real body_a[8], body_b[8], shape_a[8], shape_b[8];
+	Int shape_a = real_bits(a[6]), shape_b = real_bits(b[6]);
+	Real body_a[8], body_b[8];
 	gather_rows8((GLOBAL float*)p->body, ia, body_a);
 	gather_rows8((GLOBAL float*)p->body, ib, body_b);
-	gather_rows8((GLOBAL float*)p->attribute, SHAPE_ROWS * real_bits(a[6]) + SHAPE_ROW, shape_a);
-	gather_rows8((GLOBAL float*)p->attribute, SHAPE_ROWS * real_bits(b[6]) + SHAPE_ROW, shape_b);
+	const GLOBAL float *radius = &p->attribute->radius, *reach = &p->attribute->reach;
 	Sweep sweep_a = sweep_with(sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]), vec(a[4], a[5]),
-	                           shape_a[7] - shape_a[0]);
+	                           sweep_shape(reach, shape_a) - sweep_shape(radius, shape_a));
 	Sweep sweep_b = sweep_with(sweep_advance_of(&p->step, vec(body_b[0], body_b[1]), body_b[2]), vec(b[4], b[5]),
-	                           shape_b[7] - shape_b[0]);
+	                           sweep_shape(reach, shape_b) - sweep_shape(radius, shape_b));
 	return sweep_apart(vec(b[0] - a[0], b[1] - a[1]), sweep_a, sweep_b);
 }
 

@@ -2,23 +2,22 @@
 // prepare.h -- the points of contacts for the step, to where the passes stream them.
 #ifndef PREPARE_H
 #define PREPARE_H
-#include "stages/contact_points.h"
+#include "stages/rolling.h"
 
 // the deepest overlap seen, for the user's counters
 INLINE void prepare_depth(const Pools* p, Real separation)
 {
-	Word deeper = lane_bits(separation < splat(bits_float(read_shared(&p->counters->penetration)) * -1.0f));
+	Word deeper = lane_bits(separation < splat(-bits_float(read_shared(&p->counters->penetration))));
 	for (int k = 0; deeper >> k != 0; ++k)
 		if (deeper >> k & 1)
 			atomic_max_int(&p->counters->penetration, float_bits(-lane(separation, k)));
 }
 
-// As if all were held and none bounced; prepare_extra sees to those that are not or do. Padding stays inert.
-WIDE_STAGE(prepare)
+// What the passes need of the points of constraint i. Padding, which has no slot, stays inert.
+INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 {
-	Int slot = load_int(p->constraint_contact, i), ia, ib;
+	Int there = slot >= 0, ia, ib;
 	load_int2(p->constraint_pair, i, &ia, &ib);
-	Int there = slot >= 0;
 	slot = slot & ~(slot >> 31);
 	Real a[8], b[8], found[16];
 	gather_rows8((GLOBAL float*)p->placed, ia, a);
@@ -26,21 +25,46 @@ WIDE_STAGE(prepare)
 	gather_rows8((GLOBAL float*)p->contact_found, 2 * slot, found);
 	gather_rows8((GLOBAL float*)p->contact_found, 2 * slot + 1, found + 8);
 	ContactPoints points = contact_points_held(a, b, found);
-	Real zero = splat(0.0f);
-	Real separation1 = choose(splat(NO_POINT), points.separation[0], there),
-	     separation2 = choose(splat(NO_POINT), points.separation[1], there);
-	store(&constraint_at(p, normal_x, i), 0, choose(zero, points.normal.x, there));
-	store(&constraint_at(p, normal_y, i), 0, choose(zero, points.normal.y, there));
-	store(&constraint_at(p, offset_x, i), 0, choose(zero, points.offset.x, there));
-	store(&constraint_at(p, offset_y, i), 0, choose(zero, points.offset.y, there));
-	store(&constraint_at(p, anchor1_x, i), 0, choose(zero, points.anchor[0].x, there));
-	store(&constraint_at(p, anchor1_y, i), 0, choose(zero, points.anchor[0].y, there));
-	store(&constraint_at(p, anchor2_x, i), 0, choose(zero, points.anchor[1].x, there));
-	store(&constraint_at(p, anchor2_y, i), 0, choose(zero, points.anchor[1].y, there));
-	store(&constraint_at(p, separation1, i), 0, separation1);
-	store(&constraint_at(p, separation2, i), 0, separation2);
-	if (!p->step.round)
-		prepare_depth(p, minimum(separation1, separation2));
+	if (p->step.round)
+	{
+		Int flags = gather_int((const GLOBAL int*)p->contact_flags, slot);
+		Int rolls = there & ((flags & (int)FOUND_ROLLS) != 0);
+		if (lane_bits(rolls))
+		{
+			Int feature[2];
+			feature[0] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot);
+			feature[1] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot + 1);
+			ContactPoints rolling =
+			    rolling_step(p, a, b, found, flags, feature, load(&constraint_at(p, normal_impulse1, i), 0),
+			                 load(&constraint_at(p, normal_impulse2, i), 0), points);
+			points = contact_points_choose(points, rolling, rolls);
+		}
+	}
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	points.normal = vec_choose(zero, points.normal, there);
+	points.offset = vec_choose(zero, points.offset, there);
+	for (int k = 0; k < 2; ++k)
+	{
+		points.anchor[k] = vec_choose(zero, points.anchor[k], there);
+		points.separation[k] = choose(splat(NO_POINT), points.separation[k], there);
+	}
+	prepare_depth(p, minimum(points.separation[0], points.separation[1]));
+	return points;
+}
+
+WIDE_STAGE(prepare)
+{
+	ContactPoints points = prepare_points(p, i, load_int(p->constraint_contact, i));
+	store(&constraint_at(p, normal_x, i), 0, points.normal.x);
+	store(&constraint_at(p, normal_y, i), 0, points.normal.y);
+	store(&constraint_at(p, offset_x, i), 0, points.offset.x);
+	store(&constraint_at(p, offset_y, i), 0, points.offset.y);
+	store(&constraint_at(p, anchor1_x, i), 0, points.anchor[0].x);
+	store(&constraint_at(p, anchor1_y, i), 0, points.anchor[0].y);
+	store(&constraint_at(p, anchor2_x, i), 0, points.anchor[1].x);
+	store(&constraint_at(p, anchor2_y, i), 0, points.anchor[1].y);
+	store(&constraint_at(p, separation1, i), 0, points.separation[0]);
+	store(&constraint_at(p, separation2, i), 0, points.separation[1]);
 }
 
 #endif

@@ -12,7 +12,6 @@
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "stages/contact_points.h"
-#include "stages/manifold_axis.h"
 #include "stages/sweep_closing.h"
 
 // k dt^2 that a contact may follow; bodies have several, and their neighbors have them too
@@ -34,12 +33,13 @@ typedef struct // of a body until the end of the step, from the origin of collid
 	Vec origin;       // of its collidable, now, m
 } Rolling;
 
-INLINE Rolling rolling_of(Vec origin, Placed placed, Advance advance)
+// placed: a row of that pool
+INLINE Rolling rolling_of(Vec origin, const Real placed[8], Advance advance)
 {
 	Rolling r;
 	r.origin = origin;
-	r.axes = vec(placed.c, placed.s);
-	r.center = vec_add(origin, vec(placed.center_x, placed.center_y));
+	r.axes = vec(placed[2], placed[3]);
+	r.center = vec_add(origin, vec(placed[4], placed[5]));
 	r.then = vec_add(r.center, advance.path);
 	r.turn = vec_rotation(advance.turn);
 	return r;
@@ -58,58 +58,57 @@ INLINE Vec rolling_moves(Rolling r, Vec arm)
 }
 
 // A corner of a core by its name, which is more exact than where it was found. Not every feature is a corner.
-INLINE Vec rolling_corner(const GLOBAL Attribute* shape, int name, Vec found)
+INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec found, Int wanted)
 {
-	return name < MAX_CORNERS ? shape_corner(shape, name) : found;
+	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
+	const GLOBAL float* vertices = (const GLOBAL float*)shapes->vertices;
+	return vec_choose(found, vec(gather(vertices, vertex), gather(vertices, vertex + 1)),
+	                  wanted & (name < MAX_CORNERS));
 }
 
-// flags of the contact
-INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Word flags, Int2 feature,
-                                    const GLOBAL Attribute* shape_a, const GLOBAL Attribute* shape_b, Advance advance_a,
+// a, b, found, flags and feature are those of contact_points.h, and of the pools of these names.
+INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
+                                    const Real found[16], Int flags, const Int feature[2], Advance advance_a,
                                     Advance advance_b)
 {
-	Rolling ra = rolling_of(vec(0.0f, 0.0f), a, advance_a), rb = rolling_of(vec(b.x - a.x, b.y - a.y), b, advance_b);
-	Vec shift = vec(found.relative.x, found.relative.y), turn = vec(found.relative.z, found.relative.w);
-	Vec normal = vec(found.normal.x, found.normal.y), place[2];
-	float separation[2] = {found.normal.z, found.normal.w};
-	place[0] = vec(found.on_a.x, found.on_a.y);
-	place[1] = vec(found.on_a.z, found.on_a.w);
+	Int shape_a = real_bits(a[6]), shape_b = real_bits(b[6]);
+	Real radius_a = sweep_shape(&shapes->radius, shape_a), radius_b = sweep_shape(&shapes->radius, shape_b);
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	Rolling ra = rolling_of(zero, a, advance_a), rb = rolling_of(vec(b[0] - a[0], b[1] - a[1]), b, advance_b);
+	Vec normal = vec(found[0], found[1]), shift = vec(found[8], found[9]), turn = vec(found[10], found[11]);
+	Int corners = (flags & (int)FOUND_CORNERS) != 0, turns_b = (flags & (int)FOUND_TURNS_B) != 0;
 	ContactPoints points;
-	points.normal = vec_turn(ra.turn, vec_turn(ra.axes, normal));
-	if (flags & FOUND_TURNS_B)
-		points.normal = vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal)));
+	points.normal = vec_choose(vec_turn(ra.turn, vec_turn(ra.axes, normal)),
+	                           vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
 	for (int k = 0; k < 2; ++k)
 	{
-		int names = k ? feature.y : feature.x, corner_a = (flags & (k ? FOUND_CORNER2 : FOUND_CORNER1)) != 0;
-		float above = 0.5f * separation[k]; // the surface, m
-		Vec core_a = vec_sub(place[k], vec_scale(shape_a->radius + above, normal));
-		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place[k], vec_scale(shape_b->radius + above, normal)), shift));
-		if (corner_a || (flags & FOUND_CORNERS))
-			core_a = rolling_corner(shape_a, names >> 8 & 255, core_a);
-		if (!corner_a)
-			core_b = rolling_corner(shape_b, names & 255, core_b);
+		Int corner_a = (flags & (int)(k ? FOUND_CORNER2 : FOUND_CORNER1)) != 0, by_a = corner_a | corners;
+		Int missing = found[2 + k] == splat(NO_POINT);
+		Real above = 0.5f * found[2 + k]; // the surface, m
+		Vec place = vec(found[4 + 2 * k], found[5 + 2 * k]);
+		Vec core_a = vec_sub(place, vec_scale(radius_a + above, normal));
+		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place, vec_scale(radius_b + above, normal)), shift));
+		core_a = rolling_corner(shapes, shape_a, feature[k] >> 8 & 255, core_a, by_a);
+		core_b = rolling_corner(shapes, shape_b, feature[k] & 255, core_b, corner_a == 0);
 		Vec arm_a = rolling_arm(ra, core_a), arm_b = rolling_arm(rb, core_b);
 		Vec between = vec_sub(vec_sub(arm_b, arm_a), points.offset);
-		if ((flags & FOUND_CORNERS) && k == 0)
+		if (k == 0)
 		{
 			// corners that have come to the same place have no direction
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
-			if (vec_dot(direction, points.normal) > 0.5f)
-				points.normal = direction;
+			points.normal =
+			    vec_choose(points.normal, direction, corners & (vec_dot(direction, points.normal) > splat(0.5f)));
 		}
-		float gap = vec_dot(points.normal, between) - shape_a->radius - shape_b->radius;
+		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
 		// from the center of the body that has the corner: the other may be large, and its center far away
-		if (corner_a || (flags & FOUND_CORNERS))
-			arm_a = vec_add(arm_a, vec_scale(shape_a->radius + 0.5f * gap, points.normal));
-		else
-			arm_a = vec_sub(vec_sub(arm_b, vec_scale(shape_b->radius + 0.5f * gap, points.normal)), points.offset);
-		if (separation[k] == NO_POINT)
-		{
-			gap = NO_POINT;
-			arm_a = points.anchor[0];
-		}
+		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
+		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
+		arm_a = vec_choose(from_b, from_a, by_a);
+		if (k == 1)
+			arm_a = vec_choose(arm_a, points.anchor[0], missing);
+		gap = choose(gap, splat(NO_POINT), missing);
 		points.anchor[k] = arm_a;
 		points.point[k] = vec_add(ra.then, arm_a);
 		Vec parts = vec_sub(rolling_moves(rb, vec_add(arm_a, points.offset)), rolling_moves(ra, arm_a));
@@ -118,56 +117,49 @@ INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Word flags,
 	return points;
 }
 
-// the same contact as if it were held
-INLINE ContactPoints rolling_held(Placed a, Placed b, Found found)
-{
-	float row_a[8] = {a.x, a.y, a.c, a.s, a.center_x, a.center_y, 0.0f, 0.0f};
-	float row_b[8] = {b.x, b.y, b.c, b.s, b.center_x, b.center_y, 0.0f, 0.0f};
-	float rows[16] = {found.normal.x,   found.normal.y,   found.normal.z,   found.normal.w,
-	                  found.on_a.x,     found.on_a.y,     found.on_a.z,     found.on_a.w,
-	                  found.relative.x, found.relative.y, found.relative.z, found.relative.w,
-	                  found.then.x,     found.then.y,     found.then.z,     found.then.w};
-	return contact_points_held(row_a, row_b, rows);
-}
+INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
-INLINE Vec rolling_between(Vec a, Vec b, float share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
-
-// The points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
-INLINE ContactPoints rolling_step(const Pools* p, Placed a, Placed b, Found found, Word flags, Int2 feature,
-                                  float load1, float load2, Advance advance_a, Advance advance_b)
+// The points of a contact for the step, of which held are those that it has if it is held; load1 and load2 are its normal
+// impulses of a substep, N s.
+INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real found[16], Int flags,
+                                  const Int feature[2], Real load1, Real load2, ContactPoints held)
 {
-	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
-	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	ContactPoints points = rolling_points(a, b, found, flags, feature, shape_a, shape_b, advance_a, advance_b);
-	float load = load1 + load2;
-	if (!(load > 0.0f))
+	Real body_a[8], body_b[8];
+	gather_rows8((GLOBAL float*)p->body, real_bits(a[7]), body_a);
+	gather_rows8((GLOBAL float*)p->body, real_bits(b[7]), body_b);
+	Advance advance_a = sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]),
+	        advance_b = sweep_advance_of(&p->step, vec(body_b[0], body_b[1]), body_b[2]);
+	ContactPoints points = rolling_points(p->attribute, a, b, found, flags, feature, advance_a, advance_b);
+	Real load = load1 + load2;
+	Int loaded = load > splat(0.0f);
+	if (!lane_bits(loaded))
 		return points;
 
 	// what rests on two points does not roll; with both as loaded, what is round buckles like what is sharp
-	float share = absolute(load1 - load2) / load;
-	BodyState body_a = p->body[a.body], body_b = p->body[b.body];
-	float reach = minimum(shape_a->reach, shape_b->reach);
-	float mobility = body_a.inv_mass + body_b.inv_mass + reach * reach * (body_a.inv_inertia + body_b.inv_inertia);
-	float stiffness = p->step.dt * p->step.dt * p->step.inv_h * load * mobility / reach;
-	if (stiffness > ROLLING_STIFFNESS)
-		share = share * (ROLLING_STIFFNESS / stiffness);
+	Real share = absolute(load1 - load2) / load;
+	Real reach =
+	    minimum(sweep_shape(&p->attribute->reach, real_bits(a[6])), sweep_shape(&p->attribute->reach, real_bits(b[6])));
+	Real mobility = body_a[3] + body_b[3] + reach * reach * (body_a[7] + body_b[7]);
+	Real stiffness = p->step.dt * p->step.dt * p->step.inv_h * load * mobility / reach;
+	Int stiff = stiffness > splat(ROLLING_STIFFNESS);
+	Real follows = ROLLING_STIFFNESS / stiffness;
+	share = choose(share, share * follows, stiff);
 
 	// a lever against the relative turn, along the tangent; where the contact is stiff less, or it would turn it back
-	float turn = (advance_b.turn - advance_a.turn) * (stiffness > 1.0f ? ROLLING_TURN / stiffness : ROLLING_TURN);
-	float most = ROLLING_LEVER;
-	if (stiffness > ROLLING_STIFFNESS)
-		most += ROLLING_STIFF_LEVER * (1.0f - ROLLING_STIFFNESS / stiffness);
-	float lever = -reach * minimum(maximum(turn, -most), most);
+	Real rate = choose(splat(ROLLING_TURN), ROLLING_TURN / stiffness, stiffness > splat(1.0f));
+	Real turn = (advance_b.turn - advance_a.turn) * rate;
+	Real most = choose(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
+	Real lever = -reach * minimum(maximum(turn, -most), most);
 	Vec along = vec_scale(lever, vec(points.normal.y, -points.normal.x));
-	ContactPoints held = rolling_held(a, b, found);
-	points.normal = rolling_between(held.normal, points.normal, share);
-	points.offset = rolling_between(held.offset, points.offset, share);
+	ContactPoints both = points;
+	both.normal = rolling_between(held.normal, points.normal, share);
+	both.offset = rolling_between(held.offset, points.offset, share);
 	for (int k = 0; k < 2; ++k)
 	{
-		points.anchor[k] = vec_add(rolling_between(held.anchor[k], points.anchor[k], share), along);
-		points.separation[k] = held.separation[k] + share * (points.separation[k] - held.separation[k]);
+		both.anchor[k] = vec_add(rolling_between(held.anchor[k], points.anchor[k], share), along);
+		both.separation[k] = held.separation[k] + share * (points.separation[k] - held.separation[k]);
 	}
-	return points;
+	return contact_points_choose(points, both, loaded);
 }
 
 #endif

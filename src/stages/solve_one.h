@@ -3,10 +3,7 @@
 #ifndef SOLVE_ONE_H
 #define SOLVE_ONE_H
 #include "stages/body.h"
-#include "stages/finite.h"
 #include "stages/prepare.h"
-#include "stages/rolling.h"
-#include "stages/sweep.h"
 
 STAGE(solve_begin)
 {
@@ -34,58 +31,6 @@ INLINE Body prepare_body(const Pools* p, int index)
 	return b;
 }
 
-typedef struct
-{
-	Vec normal, offset;             // from a to b; m: center of a minus center of b
-	Vec anchor1, anchor2;           // m: of the points, from the center of a
-	float separation1, separation2; // m
-} Prepared;
-
-INLINE ContactPoints prepare_rolling(const Pools* p, int i, int slot, Word flags)
-{
-	Int2 pair = p->constraint_pair[i];
-	Placed a = p->placed[pair.x], b = p->placed[pair.y];
-	return rolling_step(p, a, b, p->contact_found[slot], flags, p->contact_feature[slot],
-	                    constraint_at(p, normal_impulse1, i), constraint_at(p, normal_impulse2, i),
-	                    sweep_advance(p, a.body), sweep_advance(p, b.body));
-}
-
-// what the passes need of the points of constraint i
-INLINE Prepared prepare_points(const Pools* p, int i, int slot)
-{
-	Word flags = p->contact_flags[slot];
-	ContactPoints points;
-	if (flags & FOUND_ROLLS)
-		points = prepare_rolling(p, i, slot, flags);
-	else
-	{
-		Int2 pair = p->constraint_pair[i];
-		points = rolling_held(p->placed[pair.x], p->placed[pair.y], p->contact_found[slot]);
-	}
-	Prepared made;
-	made.normal = points.normal;
-	made.offset = points.offset;
-	made.anchor1 = points.anchor[0];
-	made.anchor2 = points.anchor[1];
-	made.separation1 = points.separation[0];
-	made.separation2 = points.separation[1];
-	prepare_depth(p, minimum(made.separation1, made.separation2));
-	return made;
-}
-
-// what prepare has left
-INLINE Prepared prepare_read(const Pools* p, int i)
-{
-	Prepared made;
-	made.normal = vec(constraint_at(p, normal_x, i), constraint_at(p, normal_y, i));
-	made.offset = vec(constraint_at(p, offset_x, i), constraint_at(p, offset_y, i));
-	made.anchor1 = vec(constraint_at(p, anchor1_x, i), constraint_at(p, anchor1_y, i));
-	made.anchor2 = vec(constraint_at(p, anchor2_x, i), constraint_at(p, anchor2_y, i));
-	made.separation1 = constraint_at(p, separation1, i);
-	made.separation2 = constraint_at(p, separation2, i);
-	return made;
-}
-
 // m/s^2: of a body by gravity and the user's forces. What is slower than gravity would make it within a step, and touches
 // something else, is held up by that.
 INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
@@ -111,27 +56,28 @@ INLINE float prepare_rebound(const Step* step, float restitution, float velocity
 }
 
 // m/s: normal velocity of a point, r from the center of a
-INLINE float prepare_velocity(Body a, Body b, Vec r, Prepared made)
+INLINE float prepare_velocity(Body a, Body b, Vec r, ContactPoints points)
 {
-	Vec v = vec_sub(body_velocity_at(b, vec_add(r, made.offset)), body_velocity_at(a, r));
-	return vec_dot(v, made.normal);
+	Vec v = vec_sub(body_velocity_at(b, vec_add(r, points.offset)), body_velocity_at(a, r));
+	return vec_dot(v, points.normal);
 }
 
 // What may bounce within the step, and how fast. What hardly moves will not in one step.
-INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
+INLINE void prepare_bounce(const Pools* p, int i, ContactPoints points)
 {
 	float e = extra_at(p, restitution, i), fall = 0.0f, rebound1 = 0.0f, rebound2 = 0.0f;
 	if (e > 0.0f)
 	{
 		int ia = constraint_at(p, body_a, i), ib = constraint_at(p, body_b, i);
 		Body a = prepare_body(p, ia), b = prepare_body(p, ib);
-		float v1 = prepare_velocity(a, b, made.anchor1, made), v2 = prepare_velocity(a, b, made.anchor2, made);
+		float v1 = prepare_velocity(a, b, points.anchor[0], points),
+		      v2 = prepare_velocity(a, b, points.anchor[1], points);
 		if (minimum(v1, v2) < -0.25f * p->step.restitution_threshold)
 		{
 			Vec fall_a = prepare_acceleration(p, ia, a), fall_b = prepare_acceleration(p, ib, b);
-			fall = number_of(vec_dot(vec_sub(fall_b, fall_a), made.normal));
-			rebound1 = prepare_rebound(&p->step, e, v1, fall, made.separation1);
-			rebound2 = prepare_rebound(&p->step, e, v2, fall, made.separation2);
+			fall = number_of(vec_dot(vec_sub(fall_b, fall_a), points.normal));
+			rebound1 = prepare_rebound(&p->step, e, v1, fall, points.separation[0]);
+			rebound2 = prepare_rebound(&p->step, e, v2, fall, points.separation[1]);
 		}
 	}
 	extra_at(p, fall, i) = fall;
@@ -139,39 +85,27 @@ INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
 	extra_at(p, rebound2, i) = rebound2;
 }
 
-INLINE void prepare_extras(const Pools* p, int i, Prepared made)
+INLINE void prepare_extras(const Pools* p, int i, ContactPoints points)
 {
 	extra_at(p, total_impulse1, i) = 0.0f;
 	extra_at(p, total_impulse2, i) = 0.0f;
 	if (p->step.bounces)
-		prepare_bounce(p, i, made);
+		prepare_bounce(p, i, points);
 }
 
-// What is round, and what may bounce.
+// what may bounce, by the points that prepare left
 STAGE(prepare_extra)
 {
-	int slot = p->constraint_contact[i];
-	if (slot < 0)
+	if (p->constraint_contact[i] < 0)
 		return;
-	Word flags = p->step.round ? p->contact_flags[slot] : 0u;
-	if (flags & FOUND_ROLLS)
-	{
-		ContactPoints points = prepare_rolling(p, i, slot, flags);
-		constraint_at(p, normal_x, i) = points.normal.x;
-		constraint_at(p, normal_y, i) = points.normal.y;
-		constraint_at(p, offset_x, i) = points.offset.x;
-		constraint_at(p, offset_y, i) = points.offset.y;
-		constraint_at(p, anchor1_x, i) = points.anchor[0].x;
-		constraint_at(p, anchor1_y, i) = points.anchor[0].y;
-		constraint_at(p, anchor2_x, i) = points.anchor[1].x;
-		constraint_at(p, anchor2_y, i) = points.anchor[1].y;
-		constraint_at(p, separation1, i) = points.separation[0];
-		constraint_at(p, separation2, i) = points.separation[1];
-	}
-	if (p->step.round)
-		prepare_depth(p, minimum(constraint_at(p, separation1, i), constraint_at(p, separation2, i)));
-	if (p->step.extras)
-		prepare_extras(p, i, prepare_read(p, i));
+	ContactPoints points;
+	points.normal = vec(constraint_at(p, normal_x, i), constraint_at(p, normal_y, i));
+	points.offset = vec(constraint_at(p, offset_x, i), constraint_at(p, offset_y, i));
+	points.anchor[0] = vec(constraint_at(p, anchor1_x, i), constraint_at(p, anchor1_y, i));
+	points.anchor[1] = vec(constraint_at(p, anchor2_x, i), constraint_at(p, anchor2_y, i));
+	points.separation[0] = constraint_at(p, separation1, i);
+	points.separation[1] = constraint_at(p, separation2, i);
+	prepare_extras(p, i, points);
 }
 
 #endif

@@ -37,6 +37,12 @@ typedef struct // of b against a
 	Real most;  // m: how far any two points of the pair may draw near
 } Closing;
 
+// a member of the attributes of shapes, which are indices into that pool; member is that of the first
+INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
+{
+	return gather(member, shape * (int)(sizeof(Attribute) / sizeof(float)));
+}
+
 // when the last relaxing pass looks: a substep after the step
 INLINE float sweep_end(const Step* step) { return 1.0f + step->h / step->dt; }
 
