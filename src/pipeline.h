@@ -30,6 +30,7 @@ typedef struct
 	Step step;   // constants of the last step: kernels that need none keep those
 	bool begun;  // the step at work has changed something on the device
 	bool extras; // some attribute has restitution, rolling resistance or tangent speed
+	bool split;  // the spokes of the layout know into how many parts their light ends are split
 	int rounds;  // coloring rounds that the last step needed
 	int64_t steps;
 	int grown;               // times that a pool grew

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lanes4.c -- the wide stages, four items a call: SSE2 or NEON.
 #define LANES 4
-#include "stages/overflow.h"
+#include "stages/hub.h"
 #include "stages/solve.h"
 
 #include "cpu/table.h"

@@ -6,6 +6,9 @@
 // work-items of a group of a stage: small, so that one color of a small scene still spreads over many compute units
 #define STAGE_GROUP 128
 
+// work-items of a group that takes a hub: one a column of its sums (HUB_COLUMNS)
+#define HUB_GROUP 256
+
 // work-items of a group of sort and scan: one a digit. Every GPU takes 256.
 #define PRIMITIVE_GROUP 256
 

@@ -183,7 +183,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	                  &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
-		TRY(kernel_create(d, stage_names[i], STAGE_GROUP, &d->stages[i]));
+		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
 	if (d->together)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));

@@ -53,7 +53,7 @@ typedef struct // the runs of a whole solve, to be launched in another form than
 	cl_int cleanse, bound;
 	const Run* colors; // the first of a run a color
 	int color_count;
-	bool overflow;
+	cl_int hubs;
 	int length; // runs
 } Solve;
 

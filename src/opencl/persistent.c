@@ -103,7 +103,12 @@ void persistent_close(OpenCl* d)
 	scree_release(d->listed);
 }
 
-static int items(const Run* run) { return run->end - run->begin; }
+// work-items that a run can use
+static int items(const Run* run)
+{
+	bool group = run->stage >= 0 && run->stage < STAGE_COUNT && stage_widths[run->stage] == WIDTH_GROUP;
+	return (run->end - run->begin) * (group ? HUB_GROUP : 1);
+}
 
 // how many items a run will have, if counters are what they were
 static int likely_items(const OpenCl* d, const Run* run)

@@ -31,8 +31,8 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 		case STAGE_prepare:
 			solve->constraints = runs[k].end;
 			break;
-		case STAGE_overflow_key:
-			solve->overflow = true;
+		case STAGE_hub:
+			solve->hubs = runs[k].end;
 			break;
 		case STAGE_warm_start:
 			if (solve->color_count++ == 0)
@@ -71,8 +71,8 @@ static bool relayed(const OpenCl* d, const Solve* solve)
 int solve_length(OpenCl* d, const Run* runs, int count)
 {
 	Solve solve;
-	// the overflow set needs sums over many constraints
-	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve) || solve.overflow)
+	// hubs need sums over many constraints
+	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve) || solve.hubs > 0)
 		return 0;
 	bool relay = relayed(d, &solve);
 	if (!relay && d->solver != SOLVER_TILES && !tiles_pay(d, &solve))

@@ -16,6 +16,13 @@
 // which contacts begin, so that none can be missed
 #define STAY_DISTANCE LINEAR_SLOP
 
+// Counts a contact that begins to touch. A body that may have too many for colors calls for a search (spoke.h).
+INLINE void contact_count(const Pools* p, int body)
+{
+	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f)
+		raise_int(&p->counters->crowded, p->counters->contacts);
+}
+
 // gives the color of a contact that no longer touches back to its bodies
 INLINE void contact_uncolor(const Pools* p, int i)
 {
@@ -29,6 +36,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 		atomic_and_word64(&p->color_mask[bodies.x], others);
 		atomic_and_word64(&p->color_mask[bodies.y], others);
 	}
+	atomic_add_int(&p->touching[bodies.x], -1);
+	atomic_add_int(&p->touching[bodies.y], -1);
 	p->contact_color[i] = COLOR_NONE;
 	p->contact_constraint[i] = -1;
 	p->contact_impulse[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -202,6 +211,9 @@ STAGE(narrow_phase)
 		contact_uncolor(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
 	{
+		Int2 bodies = p->contact_bodies[i];
+		contact_count(p, bodies.x);
+		contact_count(p, bodies.y);
 		p->began[atomic_add_int(&p->counters->began, 1)] = i;
 		raise_int(&p->counters->changed, 1);
 	}

@@ -65,9 +65,14 @@ INLINE Real pair_gap(const Pair* c, int k, Real separation)
 
 INLINE Real pair_mass(const Pair* c, int k, Vec n) { return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n); }
 
-// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. With soft null the
-// overlap is left alone: what bodies gained by being pushed out is taken from them again.
-INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft)
+typedef struct // of a point's push: what it adds to the normal velocity, and how soft it is
+{
+	Real bias, mass_scale, impulse_scale;
+} PairGoal;
+
+// Of a point s apart. With soft null the overlap is left alone: what bodies gained by being pushed out is taken from them
+// again. Contacts with what is fixed, cannot move, are stiffer, so that nothing sinks into the ground.
+INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
 {
 	Int apart = s > splat(0.0f);
 
@@ -76,8 +81,6 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 	Real mass_scale = splat(1.0f), impulse_scale = splat(0.0f);
 	if (soft)
 	{
-		// contacts with what cannot move are stiffer, so that nothing sinks into the ground
-		Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate),
 		                   splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
 		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
@@ -86,8 +89,19 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed),
 		                       impulse_scale, apart);
 	}
+	PairGoal goal;
+	goal.bias = bias;
+	goal.mass_scale = mass_scale;
+	goal.impulse_scale = impulse_scale;
+	return goal;
+}
 
-	Real change = -mass * (mass_scale * pair_approach(*c, k, c->n) + bias) - impulse_scale * old;
+// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls.
+INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft)
+{
+	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
+	PairGoal goal = pair_goal(s, fixed, step, soft);
+	Real change = -mass * (goal.mass_scale * pair_approach(*c, k, c->n) + goal.bias) - goal.impulse_scale * old;
 	Real impulse = maximum(old + change, splat(0.0f));
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
 	return impulse;
@@ -135,10 +149,16 @@ INLINE void pair_push(const Pools* p, int i, Pair* c, Real normal1, Real normal2
 	}
 }
 
-// restitution of one point that approached faster than the threshold and was pushed (Newton's law of impact)
+// whether a point approached faster than the threshold and was pushed
+INLINE Int pair_hit(Real restitution, Real approach, Real peak, float threshold)
+{
+	return (restitution > splat(0.0f)) & (approach < splat(-threshold)) & (peak > splat(0.0f));
+}
+
+// restitution of one point that hit (Newton's law of impact)
 INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real peak, Real old, float threshold)
 {
-	Int hit = (restitution > splat(0.0f)) & (approach < splat(-threshold)) & (peak > splat(0.0f));
+	Int hit = pair_hit(restitution, approach, peak, threshold);
 	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
 	Real impulse = maximum(old - mass * (pair_approach(*c, k, c->n) + restitution * approach), splat(0.0f));
 	impulse = choose(old, impulse, hit);
