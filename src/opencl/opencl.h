@@ -134,10 +134,12 @@ typedef struct
 	bool any_size;   // SCREE_PERSISTENT=1: also where launches are faster
 
 	// relay.c
-	Kernel relay, solve_end;
+	Kernel relay, relay_hubs, solve_end;
 	Scratch rows;     // of words, RELAY_WORDS a body
 	Scratch notes;    // NOTE_FLOAT4S a constraint that does not stay in registers
+	Scratch parts;    // two words a spoke, and a hub
 	int relay_groups; // that run together; 0 when this device takes other forms only
+	int relay_hubs_groups;
 
 	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size
 	enum

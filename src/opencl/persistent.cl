@@ -107,14 +107,15 @@ INLINE bool scan_together(const Pools* p, Run run, __global uint* table, __local
 	return true;
 }
 
-// what a group does of a run: its work-items take items of their own, or one together
-#define TAKE_ONE(name)                                    \
-	for (int i = run.begin + begin; i < end; i += stride) \
-		name##_item(&pools, i);
-#define TAKE_WIDE(name) TAKE_ONE(name)
-#define TAKE_GROUP(name)                                                                        \
-	for (int i = run.begin + (int)get_group_id(0); i < end; i += (int)get_num_groups(0))        \
-		name##_group(&pools, i, (__local float*)&bench);
+// Items of a run, each by one work-item. What takes a group is launched by itself: with it compilation for
+// a CPU takes twice as long.
+#define CASE_ONE(name)                                        \
+	case STAGE_##name:                                        \
+		for (int i = run.begin + begin; i < end; i += stride) \
+			name##_item(&pools, i);                           \
+		break;
+#define CASE_WIDE(name) CASE_ONE(name)
+#define CASE_GROUP(name)
 
 INLINE int run_end(Run run, const Pools* p)
 {
@@ -129,7 +130,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 {
 	volatile __local int healthy, found;
 	__local Run chosen;
-	__local Bench bench; // of which a group stage needs GROUP_FLOATS floats
+	__local Bench bench;
 	Pools pools = {POOL_NAMES step, 0};
 	int lane = (int)get_local_id(0), begin = (int)get_global_id(0), stride = (int)get_global_size(0);
 	Run mine = {0, 0, 0, -1, 0};
@@ -157,10 +158,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		bool well = true;
 		switch (run.stage)
 		{
-#define X(name, width, box)   \
-	case STAGE_##name:        \
-		TAKE_##width(name)    \
-		break;
+#define X(name, width, box) CASE_##width(name)
 #include "stages/stages.def"
 #undef X
 		case PRIMITIVE_SORT:

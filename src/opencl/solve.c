@@ -71,10 +71,12 @@ static bool relayed(const OpenCl* d, const Solve* solve)
 int solve_length(OpenCl* d, const Run* runs, int count)
 {
 	Solve solve;
-	// hubs need sums over many constraints
-	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve) || solve.hubs > 0)
+	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve))
 		return 0;
 	bool relay = relayed(d, &solve);
+	// a hub's spokes lie in many tiles
+	if (!relay && solve.hubs > 0)
+		return 0;
 	if (!relay && d->solver != SOLVER_TILES && !tiles_pay(d, &solve))
 		return 0;
 	scree_status status = relay ? relay_reserve(d, &solve) : tiles_reserve(d, &solve);

@@ -34,15 +34,20 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
+// the body at the other end of spoke k
+INLINE int spoke_light_of(const Pools* p, int k)
+{
+	int c = p->counters->color_begin[COLORS] + k, a = constraint_at(p, body_a, c), b = constraint_at(p, body_b, c);
+	return a ^ b ^ hub_owner(p, make_int2(a, b));
+}
+
 // The light end of spoke i, to be sorted by. What cannot move, and padding, goes last.
 STAGE(hub_key)
 {
-	int c = p->counters->color_begin[COLORS] + i;
 	Word64 name = (Word64)0xffffffffu;
-	if (p->constraint_contact[c] >= 0)
+	if (p->constraint_contact[p->counters->color_begin[COLORS] + i] >= 0)
 	{
-		int a = constraint_at(p, body_a, c), b = constraint_at(p, body_b, c),
-		    light = a ^ b ^ hub_owner(p, make_int2(a, b));
+		int light = spoke_light_of(p, i);
 		if (p->body[light].inv_mass > 0.0f)
 			name = (Word64)light;
 	}
@@ -99,9 +104,7 @@ STAGE(hub_merge)
 	Int2 run = p->spoke_run[i];
 	if (spoke < 0 || run.x != i || spoke_at(p, parts, spoke) == 1.0f)
 		return;
-	int c = p->counters->color_begin[COLORS] + spoke;
-	int a = constraint_at(p, body_a, c), b = constraint_at(p, body_b, c);
-	int body = a ^ b ^ hub_owner(p, make_int2(a, b)), n = hub_number(p, body);
+	int body = spoke_light_of(p, spoke), n = hub_number(p, body);
 	float row[8], x = 0.0f, y = 0.0f, w = 0.0f, parts = spoke_at(p, parts, spoke);
 	read_row8((GLOBAL float*)p->body, body, row);
 	if (n >= 0)

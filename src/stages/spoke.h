@@ -50,6 +50,12 @@ INLINE HubSpan hub_span_of(const Pools* p, int n)
 	return span;
 }
 
+// places of spokes, padding included
+INLINE int spoke_places(const Pools* p)
+{
+	return p->counters->color_begin[COLORS + 1] - p->counters->color_begin[COLORS];
+}
+
 // number of constraint i among the spokes
 INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->color_begin[COLORS]; }
 
