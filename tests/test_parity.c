@@ -41,7 +41,7 @@ static void check_scene(const Story* story)
 	scree_counters last = check(story);
 	assert_int_equal(last.nonfinite, 0);
 
-	// the one scene that is there for the overflow set, which fills late
+	// the one scene that is there for a hub
 	if (strcmp(story->name, "washer") == 0 && !quick())
 		assert_true(last.spokes > 0);
 }

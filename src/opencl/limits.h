@@ -49,7 +49,7 @@
 // fewer let more tiles be at work on a compute unit.
 #define TILE_BODIES 1024
 #define TILE_GROUP  256
-// a row of the table of tiles: where each color of a tile's constraints begins, the overflow set's being the row's end
+// a row of the table of tiles: where each color of a tile's constraints begins, the spokes' being the row's end
 #define TILE_COLORS 64
 
 // Counters.fault

@@ -157,20 +157,20 @@ STAGE(color_key)
 // Where a color begins and ends among the sorted keys, and a hub. Where a hub begins scan is 1, so that it will count them.
 STAGE(color_edge)
 {
-	int color = color_of_key(p->key[i], p->argument), last = p->counters->arrange - 1;
-	if (i == 0 || color_of_key(p->key[i - 1], p->argument) != color)
+	int last = p->counters->arrange - 1, bits = p->argument, color = color_of_key(p->key[i], bits);
+	Word64 name = p->key[i] >> 32;
+	int begins = i == 0 || p->key[i - 1] >> 32 != name, ends = i == last || p->key[i + 1] >> 32 != name;
+	if (begins && (i == 0 || color_of_key(p->key[i - 1], bits) != color))
 		p->counters->color_first[color] = i;
-	if (i == last || color_of_key(p->key[i + 1], p->argument) != color)
+	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
 		p->counters->color_last[color] = i + 1;
-	p->scan[i] = 0;
-	if (color != COLORS)
+	if (bits == COLOR_BITS)
 		return;
-	int hub = (int)(p->key[i] >> 32) - COLORS;
-	p->scan[i] = i == 0 || (int)(p->key[i - 1] >> 32) - COLORS != hub;
-	if (p->scan[i])
-		p->hub_keys[hub].x = i;
-	if (i == last || (int)(p->key[i + 1] >> 32) - COLORS != hub)
-		p->hub_keys[hub].y = i + 1;
+	p->scan[i] = begins && color == COLORS;
+	if (begins && color == COLORS)
+		p->hub_keys[(int)name - COLORS].x = i;
+	if (ends && color == COLORS)
+		p->hub_keys[(int)name - COLORS].y = i + 1;
 }
 
 // The number of the hub of sorted key i, a spoke's.

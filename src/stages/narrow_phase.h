@@ -16,10 +16,12 @@
 // which contacts begin, so that none can be missed
 #define STAY_DISTANCE LINEAR_SLOP
 
-// Counts a contact that begins to touch. A body that may have too many for colors calls for a search (spoke.h).
+// Counts a contact that begins to touch. A body that may have too many now, and has some with colors, calls for a search
+// (spoke.h).
 INLINE void contact_count(const Pools* p, int body)
 {
-	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f)
+	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
+	    read_shared_word64(&p->color_mask[body]) != 0)
 		raise_int(&p->counters->crowded, p->counters->contacts);
 }
 
