@@ -130,6 +130,46 @@ static void plates_carry_crates(void** state)
 	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
 }
 
+// Combs, bodies of so many teeth, lie on each other: hubs that touch hubs in many places, heavy and light ones in turns.
+static void check_combs(int teeth, int combs, float other_density)
+{
+	Stack floor = {.friction = 0.6f};
+	scree_world* world = open_world(-(float)G);
+	add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+	for (int k = 0; k < combs; ++k)
+	{
+		scree_body_def def = scree_default_body_def();
+		def.attribute = surface(world, box_shape(CRATE, CRATE), k % 2 ? other_density : 1.0f, &floor);
+		def.pose.position = (scree_vec){-0.5f * PITCH * (float)(teeth - 1), CRATE * (float)(2 * k + 1)};
+		scree_body comb;
+		OK(scree_create_body(world, &def, &comb));
+		for (int t = 1; t < teeth; ++t)
+		{
+			scree_collidable_def tooth = scree_default_collidable_def();
+			tooth.attribute = def.attribute;
+			tooth.body = comb;
+			tooth.pose.position.x = PITCH * (float)t;
+			OK(scree_create_collidable(world, &tooth, NULL));
+		}
+	}
+	double depth = deepest(world, 300), rest = deepest(world, 60);
+	print_message("%d combs of %d teeth, densities 1 and %g: deepest %.3f mm, at rest %.3f mm\n", combs, teeth,
+	              (double)other_density, 1e3 * depth, 1e3 * rest);
+	assert_int_equal(counters_of(world).spokes, combs * teeth);
+	assert_true(depth < 0.008 && rest < 0.0002);
+	scree_destroy_world(world);
+}
+
+static void combs_rest_on_combs(void** state)
+{
+	(void)state;
+	check_combs(40, 2, 1.0f);
+	check_combs(80, 3, 1.0f);
+	check_combs(80, 3, 0.05f);
+	check_combs(40, 5, 20.0f);
+	check_combs(80, 5, 1.0f);
+}
+
 // A minute later a plate and its crates are where they were.
 static void plate_stays(void** state)
 {
@@ -369,7 +409,8 @@ int main(void)
 	    cmocka_unit_test(plates_carry_crates),   cmocka_unit_test(plate_stays),
 	    cmocka_unit_test(impacts_keep_momentum), cmocka_unit_test(hubs_slide_by_coulomb),
 	    cmocka_unit_test(hubs_bounce),           cmocka_unit_test(hubs_resist_rolling),
-	    cmocka_unit_test(locked_hubs_carry),     cmocka_unit_test(hubs_are_equal),
+	    cmocka_unit_test(locked_hubs_carry),     cmocka_unit_test(combs_rest_on_combs),
+	    cmocka_unit_test(hubs_are_equal),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -495,8 +495,10 @@ static int light_of(const Wheel* w, int k)
 	return w->touching[ends.x] > w->touching[ends.y] ? ends.y : ends.x;
 }
 
-// A body that is the light end of n spokes is split into n parts, and one more when it is a hub. It gets the mean of what its
-// parts got: v += (hub's change + changes of the ends by rising place) / parts.
+static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ light_of(w, k); }
+
+// A body that n hubs reach, itself one of them when it is a hub, is split into as many parts for each, and these among its
+// spokes of that hub. v += (change of its own hub) / n + sum over spokes by rising place of change / (n times spokes beside).
 static void parts_come_together(void** state)
 {
 	(void)state;
@@ -504,11 +506,14 @@ static void parts_come_together(void** state)
 	Wheel* w = malloc(sizeof *w);
 	make_wheel(w, &seed);
 	const int places = w->counters.color_begin[COLORS + 1], hubs[HUBS] = {1, 2, 3};
-	int parts[1 + HUBS + LIGHTS] = {0};
+	int beside[1 + HUBS + LIGHTS][1 + HUBS] = {0}, hubs_of[1 + HUBS + LIGHTS] = {0};
 	for (int k = 0; k < places; ++k)
-		++parts[light_of(w, k)];
-	++parts[3];
-	assert_true(parts[3] == 2 && parts[1 + HUBS] == 3 && parts[1 + HUBS + 15] == 2);
+		++beside[light_of(w, k)][hub_of(w, k)];
+	for (int body = 1; body < 1 + HUBS + LIGHTS; ++body)
+		for (int h = 0; h <= HUBS; ++h)
+			hubs_of[body] += beside[body][h] > 0 || body == h;
+	assert_true(hubs_of[3] == 2 && hubs_of[1 + HUBS] == 3 && beside[1 + HUBS + 25][3] == 2 &&
+	            hubs_of[1 + HUBS + 25] == 2);
 	for (int k = 0; k < backend_count; ++k)
 	{
 		Backend* d = backends[k];
@@ -527,7 +532,8 @@ static void parts_come_together(void** state)
 		{
 			int light = light_of(w, i);
 			Spokes* s = w->spokes + i / MAX_LANES;
-			assert_true(s->parts[i % MAX_LANES] == (light == 0 ? 1.0f : (float)parts[light]));
+			assert_true(s->parts[i % MAX_LANES] ==
+			            (light == 0 ? 1.0f : (float)(hubs_of[light] * beside[light][hub_of(w, i)])));
 			s->vx[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
 			s->vy[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
 			s->w[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
@@ -546,22 +552,30 @@ static void parts_come_together(void** state)
 		for (int body = 0; body < 1 + HUBS + LIGHTS; ++body)
 		{
 			BodyState b = w->bodies[body];
-			float x = body == 3 ? 1.0f - b.vx : 0.0f, y = body == 3 ? 2.0f - b.vy : 0.0f,
-			      turn = body == 3 ? 3.0f - b.w : 0.0f;
+			float x = 0.0f, y = 0.0f, turn = 0.0f;
+			if (body == 3)
+			{
+				x = (1.0f - b.vx) / 2.0f;
+				y = (2.0f - b.vy) / 2.0f;
+				turn = (3.0f - b.w) / 2.0f;
+			}
 			for (int i = 0; i < places; ++i)
 			{
 				const Spokes* s = w->spokes + i / MAX_LANES;
 				if (light_of(w, i) != body)
 					continue;
-				x += s->vx[i % MAX_LANES] - b.vx;
-				y += s->vy[i % MAX_LANES] - b.vy;
-				turn += s->w[i % MAX_LANES] - b.w;
+				float parts = (float)(hubs_of[body] * beside[body][hub_of(w, i)]);
+				x += (s->vx[i % MAX_LANES] - b.vx) / parts;
+				y += (s->vy[i % MAX_LANES] - b.vy) / parts;
+				turn += (s->w[i % MAX_LANES] - b.w) / parts;
 			}
-			if (body > 0 && parts[body] > 1)
+			if (body > 3 && hubs_of[body] == 1)
+				x = y = turn = 0.0f;
+			if (body > 0)
 			{
-				b.vx += x / (float)parts[body];
-				b.vy += y / (float)parts[body];
-				b.w += turn / (float)parts[body];
+				b.vx += x;
+				b.vy += y;
+				b.w += turn;
 			}
 			assert_memory_equal(&after[body], &b, sizeof b);
 		}

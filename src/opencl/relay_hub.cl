@@ -133,7 +133,6 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 	if (spoke < 0 || run.x != i || spoke_at(p, parts, spoke) == 1.0f)
 		return true;
 	int body = spoke_light_of(p, spoke), n = hub_number(p, body);
-	float count = spoke_at(p, parts, spoke);
 	Side side = relay_side(p, body);
 	Body b;
 	Vec part, sum = vec(0.0f, 0.0f);
@@ -144,17 +143,19 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 	{
 		if (!relay_take_part(p, r, parts, spoke_places(p) + n, q, &part, &turn))
 			return false;
-		sum = vec_sub(part, b.v);
-		w = turn - b.w;
+		float count = spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, n).first));
+		sum = vec((part.x - b.v.x) / count, (part.y - b.v.y) / count);
+		w = (turn - b.w) / count;
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
 		if (!relay_take_part(p, r, parts, p->spoke_order[k], q, &part, &turn))
 			return false;
-		sum = vec_add(sum, vec_sub(part, b.v));
-		w = w + (turn - b.w);
+		float count = spoke_at(p, parts, p->spoke_order[k]);
+		sum = vec_add(sum, vec((part.x - b.v.x) / count, (part.y - b.v.y) / count));
+		w = w + (turn - b.w) / count;
 	}
-	relay_hand_on(p, r, side, q, b.v.x + sum.x / count, b.v.y + sum.y / count, b.w + w / count);
+	relay_hand_on(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
 	return true;
 }
 

@@ -34,11 +34,20 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
-// the body at the other end of spoke k
+// The hub of spoke k, and the body at its other end: as it was laid out, whatever the user has made of masses since.
+INLINE int spoke_hub_of(const Pools* p, int k)
+{
+	int c = p->counters->color_begin[COLORS] + k, a = constraint_at(p, body_a, c), n = hub_number(p, a);
+	if (n < 0)
+		return constraint_at(p, body_b, c);
+	HubSpan span = hub_span_of(p, n);
+	return c >= span.first && c < span.first + span.count ? a : constraint_at(p, body_b, c);
+}
+
 INLINE int spoke_light_of(const Pools* p, int k)
 {
-	int c = p->counters->color_begin[COLORS] + k, a = constraint_at(p, body_a, c), b = constraint_at(p, body_b, c);
-	return a ^ b ^ hub_owner(p, make_int2(a, b));
+	int c = p->counters->color_begin[COLORS] + k;
+	return constraint_at(p, body_a, c) ^ constraint_at(p, body_b, c) ^ spoke_hub_of(p, k);
 }
 
 // The light end of spoke i, to be sorted by. What cannot move, and padding, goes last.
@@ -56,8 +65,22 @@ STAGE(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Into how many parts each light end is split. argument is the number of spokes: binary search for the run of the sorted
-// end i.
+// the first of the sorted keys from low up to high that is not below another
+INLINE int hub_bound(const Pools* p, int low, int high, Word64 key)
+{
+	while (low < high)
+	{
+		int middle = low + (high - low) / 2;
+		if (p->key[middle] < key)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+// Into how many parts each light end is split: as many for each hub, and these among the spokes that it has of that hub.
+// argument is the number of spokes. A body's ends are side by side among the keys, and of these the ones of each hub.
 STAGE(hub_order)
 {
 	Word64 body = p->key[i] >> 32;
@@ -65,39 +88,29 @@ STAGE(hub_order)
 	p->spoke_order[i] = -1;
 	if (body == (Word64)0xffffffffu)
 		return;
-	int low = 0, high = i;
-	while (low < high)
+	int first = hub_bound(p, 0, i, body << 32), end = hub_bound(p, i + 1, p->argument, (body + (Word64)1) << 32);
+	int own = hub_number(p, (int)body), hubs = own >= 0, beside = 0;
+	for (int k = first; k < end; ++hubs)
 	{
-		int middle = low + (high - low) / 2;
-		if (p->key[middle] >> 32 < body)
-			low = middle + 1;
-		else
-			high = middle;
+		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, (int)(p->key[k] & (Word64)0xffffffffu))));
+		Word64 behind = (Word64)(spoke_of(p, span.first) + span.count);
+		int next = hub_bound(p, k + 1, end, body << 32 | behind);
+		if (k <= i && i < next)
+			beside = next - k;
+		k = next;
 	}
-	int first = low;
-	low = i + 1;
-	high = p->argument;
-	while (low < high)
-	{
-		int middle = low + (high - low) / 2;
-		if (p->key[middle] >> 32 == body)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	int n = hub_number(p, (int)body), parts = low - first + (n >= 0);
 	p->spoke_order[i] = spoke;
-	p->spoke_run[i] = make_int2(first, low);
-	spoke_at(p, parts, spoke) = (float)parts;
-	if (parts == 1)
+	p->spoke_run[i] = make_int2(first, end);
+	spoke_at(p, parts, spoke) = (float)(hubs * beside);
+	if (hubs * beside == 1)
 		return;
 	raise_int(&p->counters->split, p->argument);
-	if (n >= 0 && i == first)
-		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, n).first)) = (float)parts;
+	if (own >= 0 && i == first)
+		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// A body that is split gets the mean of what its parts got, by the first of its ends: the hub that it may be, then the
-// spokes in their order.
+// A body that is split gets what its parts got, each by its share of the mass, by the first of its ends: the hub that it may
+// be, then the spokes in their order.
 STAGE(hub_merge)
 {
 	int spoke = p->spoke_order[i];
@@ -105,25 +118,27 @@ STAGE(hub_merge)
 	if (spoke < 0 || run.x != i || spoke_at(p, parts, spoke) == 1.0f)
 		return;
 	int body = spoke_light_of(p, spoke), n = hub_number(p, body);
-	float row[8], x = 0.0f, y = 0.0f, w = 0.0f, parts = spoke_at(p, parts, spoke);
+	float row[8], x = 0.0f, y = 0.0f, w = 0.0f;
 	read_row8((GLOBAL float*)p->body, body, row);
 	if (n >= 0)
 	{
 		int first = spoke_of(p, hub_span_of(p, n).first);
-		x = spoke_at(p, hub_x, first) - row[0];
-		y = spoke_at(p, hub_y, first) - row[1];
-		w = spoke_at(p, hub_w, first) - row[2];
+		float parts = spoke_at(p, hub_parts, first);
+		x = (spoke_at(p, hub_x, first) - row[0]) / parts;
+		y = (spoke_at(p, hub_y, first) - row[1]) / parts;
+		w = (spoke_at(p, hub_w, first) - row[2]) / parts;
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
 		int m = p->spoke_order[k];
-		x = x + (spoke_at(p, vx, m) - row[0]);
-		y = y + (spoke_at(p, vy, m) - row[1]);
-		w = w + (spoke_at(p, w, m) - row[2]);
+		float parts = spoke_at(p, parts, m);
+		x = x + (spoke_at(p, vx, m) - row[0]) / parts;
+		y = y + (spoke_at(p, vy, m) - row[1]) / parts;
+		w = w + (spoke_at(p, w, m) - row[2]) / parts;
 	}
-	p->body[body].vx = row[0] + x / parts;
-	p->body[body].vy = row[1] + y / parts;
-	p->body[body].w = row[2] + w / parts;
+	p->body[body].vx = row[0] + x;
+	p->body[body].vy = row[1] + y;
+	p->body[body].w = row[2] + w;
 }
 
 #endif

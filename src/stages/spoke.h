@@ -15,15 +15,19 @@ INLINE int hub_crowded(const Pools* p, int body)
 // whether a contact that has no color becomes a spoke
 INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
 
-// Whose spoke a contact is: of the end with more contacts.
+// Whose spoke a contact is: of the end with more contacts; but where both have many, of the lighter one, which what is heavy
+// on either side of it may crush: it is the hub that is solved exactly.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
-	int a = bodies.x, b = bodies.y, more = p->touching[a] - p->touching[b];
-	if (!(p->body[a].inv_mass > 0.0f))
-		return b;
-	if (!(p->body[b].inv_mass > 0.0f))
-		return a;
-	return more > 0 || (more == 0 && a < b) ? a : b;
+	int a = bodies.x, b = bodies.y, touching_a = p->touching[a], touching_b = p->touching[b];
+	float mass_a = p->body[a].inv_mass, mass_b = p->body[b].inv_mass;
+	if (!(mass_a > 0.0f && mass_b > 0.0f))
+		return mass_a > 0.0f ? a : b;
+	if (touching_a > HUB_CONTACTS && touching_b > HUB_CONTACTS && mass_a != mass_b)
+		return mass_a > mass_b ? a : b;
+	if (touching_a != touching_b)
+		return touching_a > touching_b ? a : b;
+	return a < b ? a : b;
 }
 
 typedef struct
