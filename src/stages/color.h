@@ -157,19 +157,24 @@ STAGE(color_key)
 // Where a color begins and ends among the sorted keys, and a hub. Where a hub begins scan is 1, so that it will count them.
 STAGE(color_edge)
 {
-	int last = p->counters->arrange - 1, bits = p->argument, color = color_of_key(p->key[i], bits);
+	int last = p->counters->arrange - 1, bits = p->argument;
 	Word64 name = p->key[i] >> 32;
 	int begins = i == 0 || p->key[i - 1] >> 32 != name, ends = i == last || p->key[i + 1] >> 32 != name;
+	if (bits > COLOR_BITS)
+		p->scan[i] = 0;
+	if (!begins && !ends)
+		return;
+	int color = color_of_key(p->key[i], bits);
 	if (begins && (i == 0 || color_of_key(p->key[i - 1], bits) != color))
 		p->counters->color_first[color] = i;
 	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
 		p->counters->color_last[color] = i + 1;
-	if (bits == COLOR_BITS)
+	if (color != COLORS)
 		return;
-	p->scan[i] = begins && color == COLORS;
-	if (begins && color == COLORS)
+	p->scan[i] = begins;
+	if (begins)
 		p->hub_keys[(int)name - COLORS].x = i;
-	if (ends && color == COLORS)
+	if (ends)
 		p->hub_keys[(int)name - COLORS].y = i + 1;
 }
 

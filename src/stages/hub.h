@@ -34,19 +34,22 @@ INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench)
 		--level;
 	for (; level >= 0; --level)
 	{
-		// one item a sum and a column of the lower half; those of the upper half may be fewer
-		int span = 1 << level, together = span < LANES ? 1 : LANES;
+		int span = 1 << level;
 		group_meet();
-		for (int k = together * group_lane(); k < sums << level; k += together * (group_width() / LANES))
-		{
-			BENCH float* column = bench + (k >> level) * HUB_COLUMNS + (k & (span - 1));
-			if ((k & (span - 1)) + span >= used)
-				continue;
-			if (together == 1)
-				column[0] += column[span];
-			else
-				store(column, 0, load(column, 0) + load(column, span));
-		}
+		if (span >= LANES && LANES > 1)
+			for (int q = 0; q < sums; ++q)
+				for (int c = 0; c < span && c + span < used; c += LANES)
+				{
+					BENCH float* column = bench + q * HUB_COLUMNS + c;
+					store(column, 0, load(column, 0) + load(column, span));
+				}
+		else
+			for (int k = group_lane(); k < sums << level; k += group_width() / LANES)
+			{
+				BENCH float* column = bench + (k >> level) * HUB_COLUMNS + (k & (span - 1));
+				if ((k & (span - 1)) + span < used)
+					column[0] += column[span];
+			}
 		used = span;
 	}
 	group_meet();
