@@ -130,17 +130,16 @@ static void plates_carry_crates(void** state)
 	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
 }
 
-// Combs, bodies of so many teeth, lie on each other: hubs that touch hubs in many places, heavy and light ones in turns.
-static void check_combs(int teeth, int combs, float other_density)
+// Combs, bodies of so many teeth, lie on each other around x: hubs that touch hubs in many places, heavy and light ones in
+// turns.
+static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
 {
 	Stack floor = {.friction = 0.6f};
-	scree_world* world = open_world(-(float)G);
-	add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
 	for (int k = 0; k < combs; ++k)
 	{
 		scree_body_def def = scree_default_body_def();
 		def.attribute = surface(world, box_shape(CRATE, CRATE), k % 2 ? other_density : 1.0f, &floor);
-		def.pose.position = (scree_vec){-0.5f * PITCH * (float)(teeth - 1), CRATE * (float)(2 * k + 1)};
+		def.pose.position = (scree_vec){x - 0.5f * PITCH * (float)(teeth - 1), CRATE * (float)(2 * k + 1)};
 		scree_body comb;
 		OK(scree_create_body(world, &def, &comb));
 		for (int t = 1; t < teeth; ++t)
@@ -152,6 +151,14 @@ static void check_combs(int teeth, int combs, float other_density)
 			OK(scree_create_collidable(world, &tooth, NULL));
 		}
 	}
+}
+
+static void check_combs(int teeth, int combs, float other_density)
+{
+	Stack floor = {.friction = 0.6f};
+	scree_world* world = open_world(-(float)G);
+	add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+	add_combs(world, teeth, combs, other_density, 0.0f);
 	double depth = deepest(world, 300), rest = deepest(world, 60);
 	print_message("%d combs of %d teeth, densities 1 and %g: deepest %.3f mm, at rest %.3f mm\n", combs, teeth,
 	              (double)other_density, 1e3 * depth, 1e3 * rest);
@@ -358,6 +365,9 @@ static void build_all(scree_world* world, const void* context)
 		part.pose.position.x = 0.25f * (float)(k % 2 ? (k + 1) / 2 : -k / 2);
 		OK(scree_create_collidable(world, &part, NULL));
 	}
+
+	add_body(world, SCREE_STATIC, surface(world, box_shape(20.0f, 1.0f), 1.0f, &s), 60.0f, -1.0f, 0.0f);
+	add_combs(world, 40, 4, 0.3f, 60.0f);
 
 	// a belt that turns under the plates' end
 	scree_body belt = add_box(world, SCREE_KINEMATIC, 1.0f, 0.2f, 15.5f, -0.1f);
