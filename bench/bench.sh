@@ -29,7 +29,7 @@ measure()
 {
 	local failed=0 device
 	for device in "${devices[@]}"; do
-		"$scree" bench pyramid pyramids pile tumbler smash washer storm --steps 300 --device "$device" "${known[@]}" || failed=1
+		"$scree" bench pyramid pyramids pile tumbler smash washer storm churn --steps 300 --device "$device" "${known[@]}" || failed=1
 		"$scree" bench million --steps 60 --repeats 1 --device "$device" "${known[@]}" || failed=1
 	done
 	return $failed

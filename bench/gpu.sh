@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# gpu.sh -- on a machine with a GPU: builds, compares the hash of every scene on CPU and GPU, then measures; one call.
+# gpu.sh -- on a machine with a GPU: builds, compares the hash of every scene, and of random programs, on CPU and GPU, then
+# measures; one call.
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  where parity.csv, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
+#   FOLDER  where parity.csv, programs.txt, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
 # STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
-# BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well. Exit 1
-# when any hash or picture differs or any row is invalid.
+# PROGRAMS and SECONDS_EACH are those of bench/programs.sh; no programs where PROGRAMS is 0.
+# BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well, and
+# FIGURES=yes the figures of docs/paper.md. Exit 1 when any hash or picture differs or any row is invalid.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
@@ -17,7 +19,7 @@ heavy_steps=${HEAVY_STEPS:-10}
 limit=${LIMIT:-240} # seconds, of any one run: a hung kernel must not take the machine with it
 mkdir -p "$folder"
 
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSCREE_BUILD_TESTS=OFF >build.log 2>&1 && ninja -C build >>build.log 2>&1 ||
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build.log 2>&1 && ninja -C build >>build.log 2>&1 ||
 	{ tail -n 30 build.log; exit 1; }
 rm -f build.log
 scree=build/scree
@@ -90,7 +92,9 @@ for scene in $heavy; do
 done
 cat "$folder/parity.csv"
 
-scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm}
+[ "${PROGRAMS:-1000}" = 0 ] || bench/programs.sh "$device" "$folder" || differ=1
+
+scenes=${BENCH:-million pyramids pyramid pile tumbler smash washer storm churn}
 if [ "$scenes" != none ]; then
 	timeout 500 $scree bench $scenes --device "opencl:$device" --steps "$steps" | tee "$folder/bench.csv" || differ=1
 fi
@@ -107,5 +111,10 @@ if [ "$frames" != none ]; then
 fi
 if [ "${CURVES:-no}" = yes ]; then
 	bench/curves.sh "$folder" "opencl:$device" || differ=1
+fi
+if [ "${FIGURES:-no}" = yes ]; then
+	for figure in figure5 figure6; do
+		(cd "$folder" && timeout 300 "$OLDPWD/$scree" bench $figure --device "opencl:$device") || differ=1
+	done
 fi
 exit $differ

@@ -13,6 +13,7 @@ struct Artist
 	int width, height;
 	Picture* picture; // by Cairo; null when OpenGL draws
 	scree_pose* poses;
+	scree_body* bodies;
 #ifdef SCREE_HAVE_VIEW
 	Shot* shot; // by OpenGL
 	Style style;
@@ -74,6 +75,7 @@ void artist_close(Artist* artist)
 		return;
 	picture_free(artist->picture);
 	free(artist->poses);
+	free(artist->bodies);
 #ifdef SCREE_HAVE_VIEW
 	shot_close(artist->shot);
 #endif
@@ -107,7 +109,8 @@ bool artist_world(Artist* artist, Simulation* simulation)
 	if (artist->picture)
 		picture_bodies(artist->picture, &count);
 	artist->poses = malloc(((size_t)count + 1) * sizeof(scree_pose));
-	if (artist->picture && artist->poses)
+	artist->bodies = malloc(((size_t)count + 1) * sizeof(scree_body));
+	if (artist->picture && artist->poses && artist->bodies)
 		return true;
 	fprintf(stderr, "scree: %s\n", sentence);
 	return false;
@@ -119,9 +122,12 @@ scree_status artist_draw(Artist* artist, Simulation* simulation, const char* cap
 	if (artist->shot)
 		return shot_draw(artist->shot, &artist->style, caption);
 #endif
+	// a scene may replace bodies between steps, each by one of the same index
 	int count;
-	const scree_body* bodies = picture_bodies(artist->picture, &count);
-	scree_status status = simulation->f->poses(simulation, bodies, artist->poses, count);
+	picture_bodies(artist->picture, &count);
+	scree_status status = scree_get_bodies(simulation->world, artist->bodies, count, &count);
+	if (status == SCREE_OK)
+		status = simulation->f->poses(simulation, artist->bodies, artist->poses, count);
 	if (status == SCREE_OK)
 		picture_draw(artist->picture, artist->poses, caption);
 	return status;

@@ -19,4 +19,7 @@ int view_command(const Options* options);
 // The keys of the window; nothing in a build without.
 void print_view_help(FILE* file);
 
+int validate_command(const Options* options);
+void print_validate_help(FILE* file); // its experiments
+
 #endif

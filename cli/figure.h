@@ -28,8 +28,16 @@ extern const char* const figure_stages[FIGURE_STAGE_COUNT];
 // Scenes and pipelines in the order in which they are measured and drawn.
 #define FIGURE_SCENES    2
 #define FIGURE_PIPELINES 2
+#define FIGURE_PLACES    3
 extern const char* const figure_scenes[FIGURE_SCENES];       // drift, pyramids
 extern const char* const figure_pipelines[FIGURE_PIPELINES]; // paper, scree
+
+typedef enum // where a pipeline runs
+{
+	ON_ONE_THREAD,
+	ON_THREADS, // more than one; the paper's pipeline has no such curve
+	ON_OPENCL,
+} FigurePlace;
 
 // Draws a CSV that figure5_command or figure6_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the crossovers of figure 5.
 // Returns an exit code; without gnuplot it says that nothing is drawn, and all is well.

@@ -31,8 +31,10 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 	camera_fit(&camera, look_view(&renderer->look, scene), offscreen->width, offscreen->height);
 	for (int k = 0; k < steps; ++k)
 	{
+		scree_status status = simulation_change(simulation);
 		double begin = seconds_now();
-		scree_status status = scree_step(simulation->world, scene->dt, scene->substeps);
+		if (status == SCREE_OK)
+			status = simulation_go(simulation);
 		if (status == SCREE_OK)
 			status = scree_wait(simulation->world);
 		double stepped = seconds_now();

@@ -21,6 +21,7 @@ static const struct
     {"bench figure5", FIGURE, 0, 0, figure5_command},
     {"bench figure6", FIGURE, 0, 0, figure6_command},
     {"bench", BENCH, 0, 1000, bench_command},
+    {"validate", VALIDATE, 0, 1000, validate_command},
 };
 
 // The file that is running; scenes may lie beside it.

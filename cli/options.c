@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | FIGURE) // commands that make worlds
+#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | FIGURE | VALIDATE) // commands that make worlds
 #define ALL    (WORLDS | SCENES | DEVICES)
 
 static const struct
@@ -24,7 +24,8 @@ static const struct
     {"lanes", 'l', "N", WORLDS, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is"},
     {"pipeline", 'P', "NAME", RUN | HASH | BENCH, "soft: the soft step solver; paper: the paper's, on one thread"},
     {"allow-unequal-bits", 'u', NULL, WORLDS, "use a device that cannot keep the promise of equal bits"},
-    {"set", 's', "NAME=VALUE", WORLDS & ~FIGURE, "give a parameter of the scene another value; may be repeated"},
+    {"set", 's', "NAME=VALUE", WORLDS & ~(FIGURE | VALIDATE),
+     "give a parameter of the scene another value; may be repeated"},
     {"picture", 'p', "FILE.png", RUN, "draw the end state"},
     {"video", 'v', "FILE.mp4", RUN, "60 frames a second of the world's time, through ffmpeg"},
     {"size", 'S', "WxH", RUN | FRAMES | VIEW, "pixels of picture, video, frames and window, 1600x900 without it"},
@@ -38,7 +39,8 @@ static const struct
     {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench, whose hashes must come out again"},
     {"limit", 'm', "N", FIGURE, "most bodies, a million without it"},
     {"draw", 'D', "FILE.csv", FIGURE, "draw what an earlier bench measured"},
-    {"names", 'N', NULL, SCENES, "names alone, one a line"},
+    {"names", 'N', NULL, SCENES | VALIDATE, "names alone, one a line"},
+    {"quick", 'q', NULL, VALIDATE, "fewer and shorter runs: seconds, not minutes"},
     {"help", 'h', NULL, ALL, "this text"},
 };
 #define OPTION_COUNT (int)(sizeof table / sizeof table[0])
@@ -56,6 +58,7 @@ static const struct
     {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
     {FRAMES, "frames", "bench frames SCENE|FILE", "measure steps that are drawn: docs/share.md"},
     {FIGURE, "figures", "bench figure5|figure6", "measure and draw the paper's figures: docs/paper.md"},
+    {VALIDATE, "validate", "validate [NAME]...", "experiments: whether what must hold does: docs/validate.md"},
 };
 #define COMMAND_COUNT (int)(sizeof commands / sizeof commands[0])
 
@@ -232,10 +235,15 @@ static bool read_option(Options* options, char letter, char* value)
 	case 'N':
 		options->names = true;
 		return true;
+	case 'q':
+		options->quick = true;
+		return true;
 	default: // 'h'
 		print_help(stdout);
 		if (options->command == VIEW)
 			print_view_help(stdout);
+		if (options->command == VALIDATE)
+			print_validate_help(stdout);
 		exit(fflush(stdout) == 0 ? EXIT_GOOD : EXIT_FAILED);
 	}
 }

@@ -22,6 +22,7 @@ typedef enum // bits, so that an option can belong to several
 	VIEW = 32,
 	FRAMES = 64,  // bench frames
 	FIGURE = 128, // bench figure5, bench figure6
+	VALIDATE = 256,
 } Command;
 
 typedef enum
@@ -49,11 +50,14 @@ typedef struct
 	int limit;         // of bodies in a figure; 0: as far as it goes
 	const char* draw;  // CSV of a figure; null: measure
 	const char* known; // null: no hash is known
-	bool names, whole;
+	bool names, whole, quick;
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // what is not an option
 	int argument_count;
+	// no options: figures set them
+	int warm_up;             // steps that the soft pipeline takes before the simulation is opened
+	const char* warm_device; // where it takes them; null: on device
 } Options;
 
 // Reads the words after the command's name. Returns false after printing what is wrong.

@@ -15,6 +15,12 @@ typedef struct
 static int paper_open(const Options* options, Simulation* simulation)
 {
 	int count;
+	if (scene_churns(simulation->scene))
+	{
+		fprintf(stderr, "scree: %s puts bodies elsewhere between steps, which the paper's pipeline cannot\n",
+		        simulation->scene->name);
+		return EXIT_BAD;
+	}
 	scree_status status = scree_get_bodies(simulation->world, NULL, 0, &count);
 	if (status != SCREE_OK)
 		return report(status);
@@ -32,9 +38,18 @@ static int paper_open(const Options* options, Simulation* simulation)
 	}
 	status = scree_get_bodies(simulation->world, state->bodies, count, &count);
 	if (status == SCREE_OK)
-		status = paper_create(simulation->world, scree_world_device(simulation->world), options->allow_unequal_bits,
-		                      &state->paper);
+	{
+		// a world that was warmed up elsewhere stayed there
+		const char* device = options->warm_device ? options->device : scree_world_device(simulation->world);
+		status = paper_create(simulation->world, device, options->allow_unequal_bits, &state->paper);
+	}
 	return report(status);
+}
+
+static const char* device_of(const Simulation* simulation)
+{
+	const State* state = simulation->state;
+	return paper_device(state->paper);
 }
 
 static void paper_close(Simulation* simulation)
@@ -110,6 +125,7 @@ const SimulationFunctions paper_functions = {
     .stages = {"to_device", "integrate", "transform", "detect", "from_device", "resolve"},
     .solve = -1,
     .one_thread = true,
+    .device = device_of,
     .open = paper_open,
     .step = take_step,
     .hash = read_hash,

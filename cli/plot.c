@@ -22,34 +22,62 @@ static void duration(double ms, char text[32])
 	snprintf(text, 32, number < 10 ? "%.2g %s" : "%.0f %s", number, units[k].name);
 }
 
+// "10000" is "10,000" to a reader.
+static void number_text(double number, char text[32])
+{
+	char digits[32];
+	int length = snprintf(digits, sizeof digits, "%.0f", number), k = 0;
+	for (const char* digit = digits; *digit && k < 30; ++digit)
+	{
+		text[k++] = *digit;
+		if (--length > 0 && length % 3 == 0)
+			text[k++] = ',';
+	}
+	text[k] = 0;
+}
+
 #define AXIS 560 // bodies at the end of the left axis, a little more than the paper's 500
 
 static const char* const titles[] = {"paper", "Scree"};
 static const char* const scenes[] = {"boxes that drift", "pyramids of ten boxes"};
+
+#define CURVES 5
+static const struct
+{
+	int pipeline;
+	FigurePlace place;
+} curves[CURVES] = {{0, ON_ONE_THREAD}, {0, ON_OPENCL}, {1, ON_ONE_THREAD}, {1, ON_THREADS}, {1, ON_OPENCL}};
+
+// colors that also the color-blind can tell apart: Okabe, Ito, Color Universal Design, 2008
+#define CURVE_COLORS "array color[5] = ['#d55e00', '#e69f00', '#56b4e9', '#0072b2', '#009e73']\n"
+#define STAGE_COLORS                                                                                              \
+	"array color[11] = ['#bdbdbd', '#737373', '#a6761d', '#66a61e', '#d95f02', '#e7298a', '#e6ab02', '#7570b3', " \
+	"'#80b1d3', '#1b9e77', '#fccde5']\n"
+
+static const Row* curve_next(const Table* table, const Row* after, int scene, int curve)
+{
+	return table_next(table, after, scene, curves[curve].pipeline, curves[curve].place);
+}
 
 // A block a curve, the part that was run and the part that was not, with the last point of the first to begin at.
 static void put_curves(FILE* to, const Table* table)
 {
 	fputs("$curves << EOD\n", to);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
-		for (int p = 0; p < FIGURE_PIPELINES; ++p)
-			for (int far = 0; far < 2; ++far)
-				for (int run = 1; run >= 0; --run)
+		for (int c = 0; c < CURVES; ++c)
+			for (int run = 1; run >= 0; --run)
+			{
+				const Row *row = curve_next(table, NULL, s, c), *last = NULL;
+				fprintf(to, "\"%s, %s\"\nNaN NaN\n", titles[curves[c].pipeline], row ? row->device : "");
+				for (row = NULL; (row = curve_next(table, row, s, c)); last = row)
 				{
-					const Row *row = NULL, *last = NULL;
-					const char* device = far ? "OpenCL" : "CPU";
-					if ((row = table_next(table, NULL, s, p, far)))
-						device = row->device;
-					fprintf(to, "\"%s, %s\"\nNaN NaN\n", titles[p], device);
-					for (row = NULL; (row = table_next(table, row, s, p, far)); last = row)
-					{
-						if (!run && !row->run && last && last->run)
-							fprintf(to, "%g %g\n", last->bodies, last->ms);
-						if (row->run == (run != 0))
-							fprintf(to, "%g %g\n", row->bodies, row->ms);
-					}
-					fputs("\n\n", to);
+					if (!run && !row->run && last && last->run)
+						fprintf(to, "%g %g\n", last->bodies, last->ms);
+					if (row->run == (run != 0))
+						fprintf(to, "%g %g\n", row->bodies, row->ms);
 				}
+				fputs("\n\n", to);
+			}
 	fputs("EOD\n", to);
 }
 
@@ -61,72 +89,106 @@ static bool has_scene(const Table* table, int scene)
 	return found;
 }
 
+// Triangles where OpenCL becomes faster than the CPU. The number of bodies stands beside them on the left; on the right, where they
+// are close together, in the corner that curves do not reach.
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
-	for (int p = 0; p < FIGURE_PIPELINES; ++p)
+	int lines = 0;
+	for (int c = 0; c < CURVES; ++c)
 	{
-		double ms, bodies = table_crossover(table, scene, p, &ms);
-		if (bodies > 0 && bodies < most)
-			fprintf(to, "set label '%.0f' at %g, %g point pt 8 ps 2 lc '#000000' front offset 0.8, %g\n", bodies,
-			        bodies, ms, (p == 0) == (most == AXIS) ? -1.0 : 1.0); // where no curve is
+		double ms, bodies = table_crossover(table, scene, curves[c].pipeline, curves[c].place, &ms);
+		if (bodies <= 0 || bodies >= most)
+			continue;
+		char text[32];
+		number_text(bodies, text);
+		bool above = curves[c].place == ON_ONE_THREAD, corner = most > AXIS;
+		fprintf(to, "set label '%s' at %g, %g %s point pt 9 ps 0.9 lc '#000000' front offset %g, %g\n",
+		        corner ? "" : text, bodies, ms, above ? "right" : "left", above ? -0.6 : 0.6, above ? 0.7 : -0.7);
+		if (!corner)
+			continue;
+		if (lines == 0)
+			fputs("set label 'OpenCL is faster than' at graph 0.03, 0.94\n", to);
+		const Row* first = curve_next(table, NULL, scene, c);
+		fprintf(to, "set label '%s, %s, from %s bodies' at graph 0.03, %g\n", titles[curves[c].pipeline], first->device,
+		        text, 0.94 - 0.065 * ++lines);
 	}
 }
 
-static const Row* last_of(const Table* table, int scene, int pipeline, int far)
+static const Row* last_of(const Table* table, int scene, int curve)
 {
 	const Row *last = NULL, *row = NULL;
-	while ((row = table_next(table, row, scene, pipeline, far)))
+	while ((row = curve_next(table, row, scene, curve)))
 		last = row;
 	return last;
 }
 
-// At the end of what was not run: how long a step would take. Where both devices would take about as long, once.
+// At the end of what was not run: how long a step would take. Where two curves end about as high, once.
 static void put_estimates(FILE* to, const Table* table, int scene)
 {
-	double top = 0;
-	for (int p = 0; p < FIGURE_PIPELINES; ++p)
-		for (int far = 0; far < 2; ++far)
-		{
-			const Row *last = last_of(table, scene, p, far), *other = last_of(table, scene, p, !far);
-			if (last)
-				top = fmax(top, last->ms);
-			if (!last || last->run || (far && other && !other->run && other->ms < 3 * last->ms))
-				continue;
-			char text[32];
-			duration(last->ms, text);
-			fprintf(to, "set label 'up to %s' at %g, %g right front offset -1.5, 0\n", text, last->bodies, last->ms);
-		}
-	fprintf(to, "set yrange [*:%g]\n", 5 * top);
+	double top = 0, before = 0;
+	for (int c = 0; c < CURVES; ++c)
+	{
+		const Row* last = last_of(table, scene, c);
+		if (last)
+			top = fmax(top, last->ms);
+		if (!last || last->run || (before > 0 && before < 3 * last->ms && last->ms < 3 * before))
+			continue;
+		char text[32];
+		duration(last->ms, text);
+		fprintf(to, "set label 'up to %s' at %g, %g right front offset -2.2, 0.3\n", text, last->bodies, last->ms);
+		before = last->ms;
+	}
+	fprintf(to, "set yrange [*:%g]\n", 30 * top);
 }
 
-// Left as the paper has it, right to the end; a row a scene.
+// One for all: a plot of nothing below the others, with the names of the curves that there are.
+static void put_legend(FILE* to, const Table* table)
+{
+	fputs("set origin 0, 0\nset size 1, 0.1\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"
+	      "set bmargin at screen 0.01\nset tmargin at screen 0.085\nunset title\nunset border\nunset tics\n"
+	      "unset xlabel\nunset ylabel\nunset grid\nunset logscale\nset xrange [0:1]\nset yrange [0:1]\n"
+	      "set key center center horizontal Left reverse noenhanced samplen 2.5 width 1 maxrows 2\nplot NaN notitle",
+	      to);
+	for (int c = 0; c < CURVES; ++c)
+	{
+		const Row* row = NULL;
+		for (int s = 0; s < FIGURE_SCENES && !row; ++s)
+			row = curve_next(table, NULL, s, c);
+		if (row)
+			fprintf(to, ", NaN with linespoints lc rgb color[%d] pt shape[%d] title '%s, %s'", c + 1, c + 1,
+			        titles[curves[c].pipeline], row->device);
+	}
+	fputs("\n", to);
+}
+
+// Left as far as the paper goes, right to the end; a row a scene, and one legend below all.
 static void put_figure5(FILE* to, const Table* table)
 {
 	put_curves(to, table);
-	fputs("set grid\nset xlabel 'bodies'\nset ylabel 'ms a step'\nset style data linespoints\nset pointsize 0.5\n"
-	      "array color[4] = ['#d95f02', '#e6ab02', '#7570b3', '#1b9e77']\narray shape[4] = [6, 4, 7, 5]\n"
-	      "set multiplot layout 2, 2 title 'triangle: OpenCL becomes faster than the CPU; dashed: not run, up to so "
-	      "long a step'\n",
+	fputs("set grid\nset xlabel 'bodies' offset 0, 0.3\nset ylabel 'ms a step' offset 0.5, 0\n"
+	      "set style data linespoints\nset pointsize 0.6\n" CURVE_COLORS "array shape[5] = [6, 4, 8, 7, 5]\n"
+	      "set multiplot layout 2, 2 margins 0.08, 0.985, 0.165, 0.905 spacing 0.09, 0.13 title 'triangle: OpenCL "
+	      "becomes faster than the CPU; dashed: not run, up to so long a step'\n",
 	      to);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
 		if (!has_scene(table, s))
 			continue;
-		fprintf(to, "run(k) = %d + 2 * k\nset title '%s'\n", 4 * s * FIGURE_PIPELINES, scenes[s]);
-		fprintf(to, "unset logscale\nset format '%%g'\nset xrange [0:%d]\nset yrange [0:*]\n", AXIS);
+		fprintf(to, "run(k) = %d + 2 * (k - 1)\nset title '%s'\n", 2 * s * CURVES, scenes[s]);
+		fprintf(to, "unset logscale\nset logscale y\nset format x '%%g'\nset format y '%%g'\n");
+		fprintf(to, "set xrange [0:%d]\nset yrange [*:*]\nunset key\n", AXIS);
 		put_crossovers(to, table, s, AXIS);
-		fputs("set key left top Left reverse samplen 2\nplot for [k=0:3] $curves index run(k) using 1:2 lc rgb "
-		      "color[k + 1] pt shape[k + 1] title columnheader(1)\nunset label\n",
-		      to);
+		fputs("plot for [k=1:5] $curves index run(k) using 1:2 lc rgb color[k] pt shape[k]\nunset label\n", to);
 
 		fprintf(to, "set title '%s, to a million'\n", scenes[s]);
-		fputs("set logscale xy\nset format '10^{%L}'\nset xrange [20:1.5e6]\nunset key\n", to);
+		fputs("set logscale xy\nset format x '%.0s%c'\nset format y '10^{%L}'\nset xrange [20:1.5e6]\n", to);
 		put_crossovers(to, table, s, INFINITY);
 		put_estimates(to, table, s);
-		fputs("plot for [k=0:3] $curves index run(k) using 1:2 lc rgb color[k + 1] pt shape[k + 1], "
-		      "for [k=0:3] $curves index run(k) + 1 using 1:2 with lines dt 2 lc rgb color[k + 1]\nunset label\n",
+		fputs("plot for [k=1:5] $curves index run(k) using 1:2 lc rgb color[k] pt shape[k], "
+		      "for [k=1:5] $curves index run(k) + 1 using 1:2 with lines dt 2 lc rgb color[k]\nunset label\n",
 		      to);
 	}
+	put_legend(to, table);
 	fputs("unset multiplot\n", to);
 }
 
@@ -166,41 +228,57 @@ static void put_scene(FILE* to, const Table* table, int scene)
 	{
 		char text[32];
 		duration(rows[k]->ms, text);
-		fprintf(to, "set xtics add ('%s %s' %g)\n", rows[k]->pipeline ? "Scree" : "paper",
-		        rows[k]->far ? "OpenCL" : "CPU", places[k]);
+		fprintf(to, "set xtics add ('%s, %s' %g)\n", titles[rows[k]->pipeline],
+		        rows[k]->place == ON_OPENCL ? "OpenCL" : rows[k]->device, places[k]);
 		if (rows[k]->run)
-			fprintf(to, "set label '%s' at %g, 101 rotate left\n", text, places[k]);
+			fprintf(to, "set label '%s' at %g, 102 rotate left\n", text, places[k]);
 		else
-			fprintf(to, "set label 'not run: up to %s a step' at %g, 3 rotate left\n", text, places[k]);
+			fprintf(to, "set label 'not run: up to %s' at %g, 3 rotate left\n", text, places[k]);
 		if (k == 0 || rows[k]->bodies != rows[k - 1]->bodies)
 			first = places[k];
 		if (k + 1 == count || rows[k]->bodies != rows[k + 1]->bodies)
-			fprintf(to, "set label '%.0f bodies' at %g, 122 center\n", rows[k]->bodies, (first + places[k]) / 2);
+		{
+			number_text(rows[k]->bodies, text);
+			fprintf(to, "set label '%s bodies' at %g, 152 center\n", text, (first + places[k]) / 2);
+		}
 	}
 	fprintf(to, "set xrange [0:%g]\n", x + 1);
 }
 
+// "to_device" is "to device" to a reader.
+static void stage_text(const char* name, char text[32])
+{
+	snprintf(text, 32, "%s", name);
+	for (; *text; ++text)
+		*text = *text == '_' ? ' ' : *text;
+}
+
 static void put_figure6(FILE* to, const Table* table)
 {
-	fputs("set style fill solid 0.9 border -1\nset yrange [0:126]\nset ytics 0, 25, 100\nset grid y\n"
-	      "set ylabel 'share of the stages, %'\nset xtics rotate by -60 noenhanced scale 0\n"
-	      "array color[11] = ['#bdbdbd', '#737373', '#a6761d', '#66a61e', '#d95f02', '#e7298a', '#e6ab02', '#7570b3', "
-	      "'#80b1d3', '#1b9e77', '#fccde5']\nset multiplot layout 1, 2 title 'above each bar: a whole step'\n",
-	      to);
+	const char* device = "none";
+	for (int k = 0; k < table->count; ++k)
+		device = table->rows[k].place == ON_OPENCL ? table->rows[k].device : device;
+	fprintf(to,
+	        "set style fill solid 0.9 border -1\nset yrange [0:160]\nset ytics 0, 25, 100\nset grid y\n"
+	        "set ylabel 'share of the stages, %%'\nset xtics rotate by 40 right noenhanced scale 0\n" STAGE_COLORS
+	        "set multiplot layout 2, 1 title \"above each bar: a whole step; OpenCL: %s\" noenhanced\n",
+	        device);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
 		if (!has_scene(table, s))
 			continue;
 		put_scene(to, table, s);
-		fprintf(to, "set title '%s'\n", scenes[s]);
-		fputs(s ? "set lmargin at screen 0.5\nset rmargin at screen 0.86\n"
-		          "set key outside right center Left reverse invert noenhanced samplen 1\n"
-		        : "set lmargin at screen 0.07\nset rmargin at screen 0.43\nunset key\n",
+		fprintf(to, "set title '%s'\nset lmargin at screen 0.07\nset rmargin at screen 0.82\n", scenes[s]);
+		fputs(s ? "unset key\n" : "set key outside right center Left reverse invert noenhanced samplen 1 spacing 1.2\n",
 		      to);
 		fputs("plot NaN notitle", to);
 		for (int k = 0; k < FIGURE_STAGE_COUNT; ++k)
+		{
+			char text[32];
+			stage_text(figure_stages[k], text);
 			fprintf(to, ", $bars using 1:%d:($1-0.45):($1+0.45):%d:%d with boxxyerror lc rgb color[%d] title '%s'",
-			        k + 3, k + 2, k + 3, k + 1, figure_stages[k]);
+			        k + 3, k + 2, k + 3, k + 1, text);
+		}
 		fputs("\n", to);
 	}
 	fputs("unset multiplot\n", to);
@@ -218,8 +296,8 @@ static void path_of(const char* csv, const char* ending, char* path, size_t size
 static int draw(const Table* table, const char* csv, int number)
 {
 	static const char* const terminals[][2] = {
-	    {"svg", "svg size 1200,900 background 'white'"},
-	    {"png", "pngcairo size 1600,1200 fontscale 1.25 linewidth 1.4"},
+	    {"svg", "svg size 1200,1000 font 'Helvetica,16' linewidth 1.5 background 'white'"},
+	    {"png", "pngcairo size 1800,1500 font 'Helvetica,16' fontscale 1.2 linewidth 2"},
 	};
 	char paths[2][1024];
 	signal(SIGPIPE, SIG_IGN); // gnuplot may end before it has read all

@@ -5,9 +5,11 @@
 
 scree_status record_step(Simulation* simulation, Record* record)
 {
-	const Scene* scene = simulation->scene;
+	// what a user does between steps is not the engine's time; that it travels to the device is
+	scree_status status = simulation_change(simulation);
 	double start = seconds_now();
-	scree_status status = simulation->f->step(simulation, scene->dt, scene->substeps);
+	if (status == SCREE_OK)
+		status = simulation_go(simulation);
 	// the counters wait for the device, so the clock sees its work
 	if (status == SCREE_OK)
 		status = simulation->f->counters(simulation, &record->counters);

@@ -130,7 +130,7 @@ int hash_command(const Options* options)
 	{
 		scree_status status = SCREE_OK;
 		for (int step = 0; step < options->steps && status == SCREE_OK; ++step)
-			status = simulation.f->step(&simulation, scene->dt, scene->substeps);
+			status = simulation_step(&simulation);
 		if (status == SCREE_OK)
 			status = simulation.f->hash(&simulation, &hash);
 		code = report(status);

@@ -12,6 +12,8 @@ static int soft_open(const Options* options, Simulation* simulation)
 	return EXIT_GOOD;
 }
 
+static const char* soft_device(const Simulation* simulation) { return scree_world_device(simulation->world); }
+
 static scree_status soft_step(Simulation* simulation, float dt, int substeps)
 {
 	return scree_step(simulation->world, dt, substeps);
@@ -46,6 +48,7 @@ static void soft_close(Simulation* simulation) { simulation->state = NULL; }
 static const SimulationFunctions soft_functions = {
     .stages = {"transform", "broad_phase", "narrow_phase", "color", "solve", "finalize"},
     .solve = 4,
+    .device = soft_device,
     .open = soft_open,
     .step = soft_step,
     .hash = soft_hash,
@@ -71,6 +74,24 @@ Scene* open_scene(const Options* options, const char* name)
 	return scene;
 }
 
+scree_status simulation_change(Simulation* simulation)
+{
+	return scene_churn(simulation->scene, simulation->world, simulation->steps);
+}
+
+scree_status simulation_go(Simulation* simulation)
+{
+	const Scene* scene = simulation->scene;
+	++simulation->steps;
+	return simulation->f->step(simulation, scene->dt, scene->substeps);
+}
+
+scree_status simulation_step(Simulation* simulation)
+{
+	scree_status status = simulation_change(simulation);
+	return status == SCREE_OK ? simulation_go(simulation) : status;
+}
+
 int report(scree_status status)
 {
 	if (status != SCREE_OK)
@@ -78,13 +99,27 @@ int report(scree_status status)
 	return status == SCREE_OK ? EXIT_GOOD : status == SCREE_INVALID ? EXIT_BAD : EXIT_FAILED;
 }
 
+// Steps of the soft pipeline, whatever pipeline follows, and a move to where that one wants its world. A pipeline with one
+// thread does not care: it takes from the world what it needs, wherever that is.
+static scree_status warm_up(const Options* options, Simulation* simulation)
+{
+	const Scene* scene = simulation->scene;
+	scree_status status = SCREE_OK;
+	for (int step = 0; step < options->warm_up && status == SCREE_OK; ++step)
+		status = scree_step(simulation->world, scene->dt, scene->substeps);
+	if (status == SCREE_OK && options->warm_device && !simulation->f->one_thread)
+		status = scree_move_world(simulation->world, options->device);
+	return status;
+}
+
 int simulation_open(const Options* options, const Scene* scene, bool timings, Simulation* simulation)
 {
 	scree_world_def def = scene->world;
 	*simulation = (Simulation){.scene = scene, .f = pipeline_functions(options->pipeline)};
-	def.device = options->device;
-	def.threads = simulation->f->one_thread ? 1 : options->threads;
-	def.lanes = simulation->f->one_thread ? 1 : options->lanes;
+	bool alone = simulation->f->one_thread && options->warm_up == 0;
+	def.device = options->warm_device ? options->warm_device : options->device;
+	def.threads = alone ? 1 : options->threads;
+	def.lanes = alone ? 1 : options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
 	def.opengl = options->opengl;
@@ -95,6 +130,8 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 		status = scene_build(scene, simulation->world);
 	simulation->opening = opened - begin;
 	simulation->building = seconds_now() - opened;
+	if (status == SCREE_OK)
+		status = warm_up(options, simulation);
 	int code = status == SCREE_OK ? simulation->f->open(options, simulation) : report(status);
 	if (code != EXIT_GOOD)
 		simulation_close(simulation);

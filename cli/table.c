@@ -2,6 +2,7 @@
 // table.c -- the rows of a figure's CSV, and where its curves cross.
 #include "table.h"
 #include "csv.h"
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -16,9 +17,36 @@ static int place_of(const char* name, const char* const* names, int count)
 	return k < count ? k : -1;
 }
 
+// Removes every place where a part stands in a text.
+static void remove_all(char* text, const char* part)
+{
+	for (char* at = strstr(text, part); at; at = strstr(at, part))
+		memmove(at, at + strlen(part), strlen(at + strlen(part)) + 1);
+}
+
+// A device's name as a reader wants it: "opencl:NVIDIA H200" is "NVIDIA H200". PoCL names the processor's architecture before the
+// processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" is "PoCL, Intel Xeon Processor".
+static void show_device(const char* device, char* text, size_t size)
+{
+	static const char* const pocl[] = {"cpu-", "pthread-"};
+	const char *name = device + strlen("opencl:"), *kind = "";
+	for (int k = 0; k < 2; ++k)
+		if (strncmp(name, pocl[k], strlen(pocl[k])) == 0)
+		{
+			kind = "PoCL, ";
+			while (*name && !isupper((unsigned char)*name))
+				++name;
+		}
+	snprintf(text, size, "%s%s", kind, name);
+	remove_all(text, "(R)");
+	remove_all(text, "(TM)");
+	for (; *text; ++text)
+		*text = *text == '_' || *text == '"' ? ' ' : *text;
+}
+
 static bool read_row(char* const* heads, char* const* cells, int count, Row* row)
 {
-	const char* threads = "";
+	const char *threads = "", *device = "";
 	*row = (Row){.scene = -1, .pipeline = -1};
 	for (int k = 0; k < count; ++k)
 	{
@@ -29,7 +57,7 @@ static bool read_row(char* const* heads, char* const* cells, int count, Row* row
 		else if (strcmp(heads[k], "pipeline") == 0)
 			row->pipeline = place_of(cells[k], figure_pipelines, FIGURE_PIPELINES);
 		else if (strcmp(heads[k], "device") == 0)
-			snprintf(row->device, sizeof row->device, "%s", cells[k]);
+			device = cells[k];
 		else if (strcmp(heads[k], "threads") == 0)
 			threads = cells[k];
 		else if (strcmp(heads[k], "bodies") == 0)
@@ -41,11 +69,14 @@ static bool read_row(char* const* heads, char* const* cells, int count, Row* row
 		else if (stage >= 0)
 			row->stages[stage] = number;
 	}
-	row->far = strncmp(row->device, "opencl:", 7) == 0;
-	if (row->far)
-		memmove(row->device, row->device + 7, strlen(row->device + 7) + 1);
-	else if (*threads)
-		snprintf(row->device, sizeof row->device, "CPU, %s thread%s", threads, strcmp(threads, "1") == 0 ? "" : "s");
+	int count_of_threads = atoi(threads);
+	row->place = strncmp(device, "opencl:", 7) == 0 ? ON_OPENCL : count_of_threads > 1 ? ON_THREADS : ON_ONE_THREAD;
+	if (row->place == ON_OPENCL)
+		show_device(device, row->device, sizeof row->device);
+	else if (row->place == ON_THREADS)
+		snprintf(row->device, sizeof row->device, "%d threads", count_of_threads);
+	else
+		snprintf(row->device, sizeof row->device, "1 thread");
 	return row->scene >= 0 && row->pipeline >= 0 && row->bodies > 0 && row->ms > 0;
 }
 
@@ -79,20 +110,20 @@ int table_read(const char* csv, Table* table)
 	return code;
 }
 
-const Row* table_next(const Table* table, const Row* after, int scene, int pipeline, int far)
+const Row* table_next(const Table* table, const Row* after, int scene, int pipeline, FigurePlace place)
 {
 	for (const Row* r = after ? after + 1 : table->rows; r < table->rows + table->count; ++r)
-		if (r->scene == scene && r->pipeline == pipeline && r->far == far)
+		if (r->scene == scene && r->pipeline == pipeline && r->place == place)
 			return r;
 	return NULL;
 }
 
 // Between two sizes both costs are taken for powers of the number of bodies.
-double table_crossover(const Table* table, int scene, int pipeline, double* ms)
+double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms)
 {
 	double bodies = 0, before = 0, last_bodies = 0, last_ms = 0;
-	const Row *near = NULL, *far = table_next(table, NULL, scene, pipeline, 1);
-	while ((near = table_next(table, near, scene, pipeline, 0)) && far && near->run && far->run)
+	const Row *near = NULL, *far = table_next(table, NULL, scene, pipeline, ON_OPENCL);
+	while ((near = table_next(table, near, scene, pipeline, place)) && far && near->run && far->run)
 	{
 		double now = log(near->ms / far->ms);
 		if (now <= 0)
@@ -106,7 +137,7 @@ double table_crossover(const Table* table, int scene, int pipeline, double* ms)
 		before = now;
 		last_bodies = near->bodies;
 		last_ms = near->ms;
-		far = table_next(table, far, scene, pipeline, 1);
+		far = table_next(table, far, scene, pipeline, ON_OPENCL);
 	}
 	return bodies;
 }
@@ -115,12 +146,15 @@ void table_print_crossovers(const Table* table)
 {
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 		for (int p = 0; p < FIGURE_PIPELINES; ++p)
-		{
-			double ms, bodies = table_crossover(table, s, p, &ms);
-			if (bodies > 0)
-				printf("%s, %s: OpenCL is faster than the CPU from %.0f bodies on\n", figure_scenes[s],
-				       figure_pipelines[p], bodies);
-			else if (table_next(table, NULL, s, p, 0) && table_next(table, NULL, s, p, 1))
-				printf("%s, %s: no crossover\n", figure_scenes[s], figure_pipelines[p]);
-		}
+			for (int place = ON_ONE_THREAD; place < ON_OPENCL; ++place)
+			{
+				const Row* near = table_next(table, NULL, s, p, (FigurePlace)place);
+				double ms, bodies = table_crossover(table, s, p, (FigurePlace)place, &ms);
+				if (bodies > 0)
+					printf("%s, %s: OpenCL is faster than %s of the CPU from %.0f bodies on\n", figure_scenes[s],
+					       figure_pipelines[p], near->device, bodies);
+				else if (near && table_next(table, NULL, s, p, ON_OPENCL))
+					printf("%s, %s: no crossover of OpenCL and %s of the CPU\n", figure_scenes[s], figure_pipelines[p],
+					       near->device);
+			}
 }

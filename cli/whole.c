@@ -9,10 +9,9 @@
 
 static scree_status take_steps(Simulation* simulation, int steps)
 {
-	const Scene* scene = simulation->scene;
 	for (int step = 0; step < steps; ++step)
 	{
-		scree_status status = simulation->f->step(simulation, scene->dt, scene->substeps);
+		scree_status status = simulation_step(simulation);
 		if (status != SCREE_OK)
 			return status;
 	}

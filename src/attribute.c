@@ -116,6 +116,8 @@ scree_status scree_create_attribute(scree_world* world, const scree_attribute_de
 		*entry = index + 1;
 		if (plain.restitution != 0.0f || plain.rolling_resistance != 0.0f || plain.tangent_speed != 0.0f)
 			world->pipeline.extras = true;
+		if (plain.restitution != 0.0f)
+			world->pipeline.bounces = true;
 	}
 	*attribute = attribute_handle(world, *entry - 1);
 	return SCREE_OK;
@@ -174,4 +176,17 @@ void attribute_item(const scree_world* world, int index, Attribute* item)
 	margin = margin < MOST_MARGIN ? margin : MOST_MARGIN;
 	item->margin = margin > LEAST_MARGIN ? margin : LEAST_MARGIN;
 	item->reach = shape->reach;
+}
+
+float attribute_thickness(const scree_world* world, int index)
+{
+	const scree_shape* shape = &world->attributes[index].shape;
+	float least = shape->count < 3 ? 0.0f : shape->reach;
+	for (int k = 0; shape->count > 2 && k < shape->count; ++k)
+	{
+		scree_vec v = shape->vertices[k], n = shape->normals[k], c = shape->centroid;
+		float side = (v.x - c.x) * n.x + (v.y - c.y) * n.y;
+		least = side < least ? side : least;
+	}
+	return least + shape->radius;
 }

@@ -108,7 +108,7 @@ typedef struct // every function that returns a status has set the error's sente
 {
 	// closes the backend, waiting for what runs; called also after a failed open
 	void (*close)(Backend* b);
-	// gives the pools of one kind room for capacity items, keeping what they hold; new items are zero. capacity never shrinks.
+	// gives the pools of one kind room for capacity items, keeping what they hold of these; new items are zero
 	scree_status (*resize)(Backend* b, Per per, int capacity);
 	// works through runs in order, each complete before the next begins; may return before the device is done
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
@@ -142,6 +142,8 @@ struct Backend
 	const BackendFunctions* f;
 	char name[160];          // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;      // 0 on OpenCL
+	int walkers;             // work-items over which the rest of a long walk is worth spreading, at least one
+	int walk_nodes;          // over leaves: a walk that visits more is long
 	bool distant;            // waiting for a read costs as much as many runs
 	scree_sharing sharing;   // what share takes; SCREE_COPIED for nothing, and then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for

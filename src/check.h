@@ -15,7 +15,8 @@
 	} while (0)
 
 // Most bodies, collidables or attributes of a world: what the indices of the trees can name.
-#define MAX_ITEMS (1 << 24)
+#define MAX_ITEMS    (1 << 24)
+#define MAX_CONTACTS (8 * MAX_ITEMS)
 
 // what scree_default_*_def leave in a definition, so that one without its defaults is caught
 #define COOKIE_WORLD      0x57c2ee01

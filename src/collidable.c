@@ -58,6 +58,15 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
+// The device hears what comes after a collidable (-1 for none), unless its row is on its way.
+static void list_changed(scree_world* world, int previous)
+{
+	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)
+		return;
+	int next = world->host_collidables[previous].next;
+	pending_command(world, COMMAND_NEXT, previous, make_float4(0.0f, 0.0f, 0.0f, 0.0f), next + 1);
+}
+
 void collidable_put(scree_world* world, int index, const HostCollidable* made)
 {
 	HostCollidable* host = world->host_collidables + index;
@@ -76,6 +85,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 			body->first_collidable = index;
 		body->last_collidable = index;
 		++body->collidables;
+		list_changed(world, host->previous);
 	}
 	pending_collidable(world, index);
 }
@@ -95,8 +105,9 @@ void collidable_remove(scree_world* world, int index)
 		else
 			body->last_collidable = host->previous;
 		--body->collidables;
+		list_changed(world, host->previous);
 	}
-	tree_touch(world, tree_of_kind(collidable_kind(world, index)));
+	tree_leave(world, tree_of_kind(collidable_kind(world, index)), index);
 	slots_free(&world->collidables, index);
 	pending_collidable(world, index);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // contacts.c -- the contacts and overlaps of the last step, back from the device.
-#include "stages/contact_points.h"
+#include "stages/rolling.h"
 #include "world.h"
 
 typedef struct // the pools of contacts, and where their collidables were
@@ -53,7 +53,13 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 {
 	Int2 pair = rows->pair[k];
 	Placed a = rows->placed[pair.x], b = rows->placed[pair.y];
-	ContactPoints at = contact_points(a, b, rows->found[k]);
+	Attribute shape_a, shape_b;
+	attribute_item(world, a.attribute, &shape_a);
+	attribute_item(world, b.attribute, &shape_b);
+	const Advance rests = {{0.0f, 0.0f}, 0.0f};
+	ContactPoints at = float_bits(rows->found[k].then.z) & FOUND_ROLLS
+	                       ? rolling_points(a, b, rows->found[k], rows->feature[k], &shape_a, &shape_b, rests, rests)
+	                       : contact_points_held(a, b, rows->found[k]);
 	int c = rows->constraint[k];
 	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 	if (c >= 0)

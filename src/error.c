@@ -93,6 +93,8 @@ const char* scree_status_name(scree_status status)
 		return "device failed";
 	case SCREE_NOT_SUPPORTED:
 		return "not supported";
+	case SCREE_CROWDED:
+		return "crowded";
 	}
 	return "unknown";
 }

@@ -9,8 +9,8 @@
 // A shorter run of rows travels as commands: on a GPU a transfer costs as much as some hundred commands.
 #define LONG_RUN 16
 
-#define BODY_COMMANDS       4 // that make up one row
-#define COLLIDABLE_COMMANDS 2
+#define BODY_COMMANDS       5 // that make up one row
+#define COLLIDABLE_COMMANDS 3
 
 static Float4 pose_value(scree_pose pose)
 {
@@ -82,9 +82,10 @@ static int collidable_run(const scree_world* world, int k)
 // long runs, pool by pool
 // ---------------------------------------------------------------------------------------------------------------
 
-static const PoolId body_pools[] = {POOL_body, POOL_pose, POOL_motion, POOL_local_center, POOL_color_mask};
+static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_motion,
+                                    POOL_local_center, POOL_color_mask, POOL_guarded};
 
-static void body_item(PoolId pool, const BodyRow* row, void* item)
+static void body_item(const scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
 	switch (pool)
@@ -109,6 +110,9 @@ static void body_item(PoolId pool, const BodyRow* row, void* item)
 	case POOL_local_center:
 		*(Float2*)item = make_float2(row->center.x, row->center.y);
 		break;
+	case POOL_guarded:
+		*(Guarded*)item = body_guarded(world, row->index);
+		break;
 	default:
 		*(Word64*)item = 0;
 	}
@@ -120,6 +124,7 @@ static const PoolId collidable_pools[] = {
     POOL_collidable_body, POOL_collidable_pose,
     POOL_filter,          POOL_box,
     POOL_old_box,         POOL_moved,
+    POOL_next_collidable,
 };
 
 static Filter filter_item(scree_filter filter)
@@ -140,6 +145,9 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 		break;
 	case POOL_collidable_body:
 		*(int*)item = host->body;
+		break;
+	case POOL_next_collidable:
+		*(int*)item = host->next + 1;
 		break;
 	case POOL_collidable_kind:
 		*(int*)item = collidable_kind(world, index);
@@ -164,7 +172,7 @@ static scree_status write_bodies(scree_world* world, int begin, int end, char* s
 	{
 		PoolId pool = body_pools[p];
 		for (int k = begin; k < end; ++k)
-			body_item(pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
+			body_item(world, pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
 		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
 	}
 	return SCREE_OK;
@@ -191,14 +199,19 @@ static scree_status write_attributes(scree_world* world, char* stage)
 	int first = world->pending.attributes, count = world->attribute_count - first;
 	for (int k = 0; k < count; ++k)
 		attribute_item(world, first + k, (Attribute*)stage + k);
-	return count > 0 ? b->f->write(b, POOL_attribute, first, count, stage) : SCREE_OK;
+	if (count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_attribute, first, count, stage));
+	for (int k = 0; k < count; ++k)
+		((float*)stage)[k] = attribute_thickness(world, first + k);
+	return b->f->write(b, POOL_thickness, first, count, stage);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
 // commands
 // ---------------------------------------------------------------------------------------------------------------
 
-static int body_commands(const BodyRow* row, Command* to)
+static int body_commands(const scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
 	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};
@@ -208,6 +221,7 @@ static int body_commands(const BodyRow* row, Command* to)
 	                  .whole = {(int)row->locks},
 	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
 	to[3] = (Command){.kind = COMMAND_VELOCITY, .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	to[4] = guarded_command(world, row->index);
 	for (int k = 0; k < BODY_COMMANDS; ++k)
 		to[k].index = row->index;
 	return BODY_COMMANDS;
@@ -218,10 +232,13 @@ static int collidable_commands(const scree_world* world, int k, Command* to)
 	int index = world->pending.collidables[k].index, count = 0;
 	const HostCollidable* host = world->host_collidables + index;
 	if (!is_dead(world, k))
+	{
 		to[count++] = (Command){.kind = COMMAND_COLLIDABLE,
 		                        .index = index,
 		                        .whole = {host->attribute, host->body},
 		                        .value = pose_value(host->pose)};
+		to[count++] = (Command){.kind = COMMAND_NEXT, .index = index, .whole = {host->next + 1}};
+	}
 	Filter filter = filter_item(host->filter);
 	to[count] =
 	    (Command){.kind = COMMAND_FILTER, .index = index, .whole = {filter.group, collidable_kind(world, index)}};
@@ -247,39 +264,72 @@ static bool is_void(scree_world* world, int k)
 	return row > 0 && k < (c->kind >= COMMAND_PLACE ? p->collidables[row - 1].since : p->bodies[row - 1].since);
 }
 
-// The commands of short runs, then the user's; returns how many.
-static int collect_commands(scree_world* world, Command* to)
+// Does anything that waits place or make a collidable, so that its box may jump?
+static bool places(const Pending* p)
+{
+	bool found = p->body_count + p->collidable_count > 0;
+	for (int k = 0; k < p->command_count && !found; ++k)
+		found = p->commands[k].kind == COMMAND_POSE || p->commands[k].kind == COMMAND_PLACE;
+	return found;
+}
+
+typedef struct // commands by item on their way to the device
+{
+	Command *from, *grouped; // as they are collected; item by item
+	int* begins;             // first command of each group, and the end
+	int collected, count, groups;
+} Groups;
+
+// A row that stands alone is a group; one with commands behind it is collected with these.
+static void add_row(Groups* g, const Waiting* waiting, int count)
+{
+	if (waiting->group > 0)
+	{
+		memcpy(g->from + g->collected, g->grouped + g->count, (size_t)count * sizeof *g->from);
+		g->collected += count;
+		return;
+	}
+	g->begins[g->groups++] = g->count;
+	g->count += count;
+}
+
+// The commands of short runs, then the user's. Those of rows without any others, which are most where bodies come and go,
+// are groups at once.
+static void collect_commands(scree_world* world, Groups* g)
 {
 	const Pending* p = &world->pending;
-	int count = 0;
+	for (int k = 0; k < p->command_count; ++k)
+		command_waiting(world, p->commands + k)->group = !is_void(world, k);
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
 		end = body_run(p, k);
 		for (int i = k; i < end && end - k < LONG_RUN; ++i)
-			count += body_commands(p->bodies + i, to + count);
+			add_row(g, &world->host_bodies[p->bodies[i].index].waiting,
+			        body_commands(world, p->bodies + i, g->grouped + g->count));
 	}
 	for (int k = 0, end; k < p->collidable_count; k = end)
 	{
 		end = collidable_run(world, k);
 		for (int i = k; i < end && end - k < LONG_RUN; ++i)
-			count += collidable_commands(world, i, to + count);
+			add_row(g, &world->host_collidables[p->collidables[i].index].waiting,
+			        collidable_commands(world, i, g->grouped + g->count));
 	}
 	for (int k = 0; k < p->command_count; ++k)
 	{
+		command_waiting(world, p->commands + k)->group = 0;
 		if (!is_void(world, k))
-			to[count++] = p->commands[k];
+			g->from[g->collected++] = p->commands[k];
 	}
-	return count;
 }
 
-// Commands by item, each item's in the order of the calls. begins gets the first command of each group and the end;
-// returns the number of groups.
-static int group_commands(scree_world* world, const Command* from, int count, Command* to, int* begins)
+// What was collected by item, each item's in the order of the calls.
+static void group_commands(scree_world* world, Groups* g)
 {
+	int* begins = g->begins + g->groups;
 	int groups = 0;
-	for (int k = 0; k < count; ++k)
+	for (int k = 0; k < g->collected; ++k)
 	{
-		int* group = &command_waiting(world, from + k)->group;
+		int* group = &command_waiting(world, g->from + k)->group;
 		if (*group == 0)
 		{
 			*group = ++groups;
@@ -288,32 +338,37 @@ static int group_commands(scree_world* world, const Command* from, int count, Co
 		++begins[*group];
 	}
 
-	// begins[g + 1] has counted group g; summed up it is the place of the group's next command, and at last its end
-	begins[0] = 0;
-	int sum = 0;
-	for (int g = 1; g <= groups; ++g)
+	// begins[n + 1] has counted group n; summed up it is the place of the group's next command, and at last its end
+	begins[0] = g->count;
+	int sum = g->count;
+	for (int n = 1; n <= groups; ++n)
 	{
-		int size = begins[g];
-		begins[g] = sum;
+		int size = begins[n];
+		begins[n] = sum;
 		sum += size;
 	}
-	for (int k = 0; k < count; ++k)
-		to[begins[command_waiting(world, from + k)->group]++] = from[k];
-	for (int k = 0; k < count; ++k)
-		command_waiting(world, from + k)->group = 0;
-	return groups;
+	for (int k = 0; k < g->collected; ++k)
+		g->grouped[begins[command_waiting(world, g->from + k)->group]++] = g->from[k];
+	for (int k = 0; k < g->collected; ++k)
+		command_waiting(world, g->from + k)->group = 0;
+	g->groups += groups;
+	g->count = sum;
 }
 
-static scree_status send_commands(scree_world* world, int count, char* memory)
+// memory has room for most commands, as flush reckons it.
+static scree_status send_commands(scree_world* world, int most, char* memory)
 {
 	Backend* b = world->backend;
-	Command *from = (Command*)memory, *grouped = from + count;
-	int* begins = (int*)(grouped + count);
-	int groups = group_commands(world, from, count, grouped, begins);
-	TRY(b->f->write(b, POOL_command, 0, count, grouped));
-	TRY(b->f->write(b, POOL_command_group, 0, groups + 1, begins));
+	Groups g = {.from = (Command*)memory, .grouped = (Command*)memory + most};
+	g.begins = (int*)(g.grouped + most);
+	collect_commands(world, &g);
+	group_commands(world, &g);
+	if (g.count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
+	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
 	Step step = {0};
-	Run run = {.stage = STAGE_command, .end = groups, .count = NO_COUNT};
+	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT};
 	return b->f->run(b, &step, &run, 1);
 }
 
@@ -358,6 +413,7 @@ static scree_status flush(scree_world* world)
 	if (!memory)
 		return fail(SCREE_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
 
+	world->pipeline.jumps |= places(p);
 	TRY(write_attributes(world, memory));
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
@@ -371,9 +427,7 @@ static scree_status flush(scree_world* world)
 		if (end - k >= LONG_RUN)
 			TRY(write_collidables(world, k, end, memory));
 	}
-	int count = collect_commands(world, (Command*)memory);
-	if (count > 0)
-		TRY(send_commands(world, count, memory));
+	TRY(send_commands(world, commands, memory));
 
 	for (int k = 0; k < p->body_count; ++k)
 		world->host_bodies[p->bodies[k].index].waiting.row = 0;

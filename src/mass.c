@@ -2,6 +2,7 @@
 // mass.c -- the mass of a body, from its collidables.
 #include "geometry.h"
 #include "world.h"
+#include <math.h>
 
 // least and most that may be set: inverses, and their products with squares of arms, stay finite
 #define LEAST_MASS    1e-15f // kg
@@ -51,12 +52,41 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / host->mass.inertia : 0.0f;
 }
 
+Guarded body_guarded(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	Guarded guarded = {.first = host->first_collidable + 1, .way = FLT_MAX};
+	for (int k = host->first_collidable; host->type == SCREE_DYNAMIC && k >= 0; k = world->host_collidables[k].next)
+	{
+		// guard adds components of the arm: at most 1.4143 times its length; a little more for rounding
+		const HostCollidable* collidable = world->host_collidables + k;
+		float x = collidable->pose.position.x - host->mass.center.x,
+		      y = collidable->pose.position.y - host->mass.center.y;
+		float way = GUARD_TRAVEL * attribute_thickness(world, collidable->attribute);
+		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach + 1.4143f * hypotf(x, y));
+		guarded.way = way < guarded.way ? way : guarded.way;
+		guarded.reach = reach > guarded.reach ? reach : guarded.reach;
+	}
+	return guarded;
+}
+
+Command guarded_command(const scree_world* world, int body)
+{
+	Guarded guarded = body_guarded(world, body);
+	return (Command){.kind = COMMAND_GUARDED,
+	                 .index = body,
+	                 .whole = {guarded.first},
+	                 .value = make_float4(guarded.way, guarded.reach, 0.0f, 0.0f)};
+}
+
 void mass_set(scree_world* world, int body, scree_mass mass)
 {
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
 	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
 	pending_command(world, COMMAND_MASS, body, value, 0);
+	Command guarded = guarded_command(world, body);
+	pending_command(world, guarded.kind, body, guarded.value, guarded.whole[0]);
 }
 
 scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
@@ -83,7 +113,7 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 	if (mass.inertia != 0.0f)
 		TRY(check_real(at, ".inertia (when it is not 0)", mass.inertia, LEAST_INERTIA, MOST_MASS));
 	TRY(check_vec(at, ".center", mass.center, SCREE_HUGE));
-	TRY(pending_reserve(world, function, 0, 0, 1));
+	TRY(pending_reserve(world, function, 0, 0, 2));
 	mass_set(world, index, mass);
 	return SCREE_OK;
 }

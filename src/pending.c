@@ -8,7 +8,8 @@ scree_status pending_reserve(scree_world* world, const char* function, int bodie
 	Pending* p = &world->pending;
 	TRY(GROW(function, p->bodies, p->body_capacity, p->body_count + bodies));
 	TRY(GROW(function, p->collidables, p->collidable_capacity, p->collidable_count + collidables));
-	return GROW(function, p->commands, p->command_capacity, p->command_count + commands);
+	// a collidable that comes or goes changes a link of its body's list, and what guard knows of the body
+	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables);
 }
 
 void pending_close(Pending* pending)

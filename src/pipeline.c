@@ -6,14 +6,13 @@
 // integrate runs inside solve, once per substep.
 #include "pipeline.h"
 #include "clock.h"
+#include "crowd.h"
 #include "traffic.h"
 #include "tree.h"
 #include "world.h"
 
 // coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
 #define SPARE_ROUNDS 2
-
-static scree_status constraints_reserve(scree_world* world, int64_t capacity);
 
 static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
@@ -64,15 +63,34 @@ static scree_status list_run(scree_world* world, const Step* step, RunList* list
 // the stages, in order
 // ---------------------------------------------------------------------------------------------------------------
 
-// looks up the boxes of a tree again: always, or only when some box moved
-static void tree_refit(RunList* list, const Tree* tree, int t, bool always)
+// looks up the boxes of a tree again: always (NO_COUNT), or when a counter says so
+static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
 		return;
-	int count = always ? NO_COUNT : COUNT(refit);
 	add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, count, t);
 	for (int level = 1; level <= tree->top; ++level)
 		add(list, STAGE_tree_node, 0, (tree->count[level] + ARITY - 1) / ARITY * ARITY, count, t | level << 1);
+}
+
+// puts the leaves of a tree in order: always, or when a counter says so
+static void tree_order(RunList* list, const Tree* tree, int t, int count)
+{
+	tree_refit(list, tree, t, count);
+	add(list, STAGE_tree_code, 0, tree->leaves, count, t);
+	add_sort(list, tree->leaves, count, 32, 64);
+	add(list, STAGE_tree_order, 0, tree->leaves, count, t);
+}
+
+// Boxes that jumped would make the nodes above them so wide that the walks of this very step took longer than to put all
+// leaves in order: the device decides that, when it knows the boxes.
+static void tree_settle(RunList* list, const Tree* tree, int t)
+{
+	if (tree->leaves <= ARITY)
+		return;
+	add(list, STAGE_tree_stray, 0, (tree->leaves + ARITY - 1) / ARITY, COUNT(jumped), t);
+	add(list, STAGE_tree_judge, 0, 1, COUNT(jumped), t);
+	tree_order(list, tree, t, COUNT(order) + t);
 }
 
 // user's changes are in; world boxes follow the bodies; trees follow the boxes
@@ -86,11 +104,12 @@ static scree_status transform(scree_world* world, const Step* step)
 	{
 		TreeState* state = &pipeline->trees[t];
 		if (!tree_wants_order(state))
+		{
+			if (pipeline->jumps)
+				tree_settle(list, &state->tree, t);
 			continue;
-		tree_refit(list, &state->tree, t, true);
-		add(list, STAGE_tree_code, 0, state->tree.leaves, NO_COUNT, t);
-		add_sort(list, state->tree.leaves, NO_COUNT, 32, 64);
-		add(list, STAGE_tree_order, 0, state->tree.leaves, NO_COUNT, t);
+		}
+		tree_order(list, &state->tree, t, NO_COUNT);
 		scree_status status = list_run(world, step, list);
 		if (!status)
 			status = tree_ordered(world, t);
@@ -99,9 +118,9 @@ static scree_status transform(scree_world* world, const Step* step)
 		state->touched = true;
 	}
 	// what is static stays where it is, unless the user moved it
-	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched);
+	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
 	if (pipeline->trees[1].touched)
-		tree_refit(list, &pipeline->trees[1].tree, 1, true);
+		tree_refit(list, &pipeline->trees[1].tree, 1, NO_COUNT);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
 	return SCREE_OK;
 }
@@ -110,6 +129,7 @@ static void broad_phase(RunList* list, const Step* step)
 {
 	int contacts = step->contact_capacity;
 	add(list, STAGE_broad_phase, 0, step->collidables, COUNT(moved), 0);
+	add(list, STAGE_broad_phase_rest, 0, step->walkers, COUNT(rest), 0);
 	add(list, STAGE_contact_admit, 0, 1, COUNT(pairs), 0);
 	add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
 	add(list, STAGE_contact_dead, 0, contacts, COUNT(search), 0);
@@ -140,7 +160,7 @@ static void color(RunList* list, const Step* step, int from, int to, int bits)
 {
 	int contacts = step->contact_capacity;
 	if (from == 0)
-		add(list, STAGE_hub_enter, 0, contacts, COUNT(crowded), 0);
+		add(list, STAGE_hub_enter, 0, contacts, COUNT(gathered), 0);
 	for (int round = from; round < to; ++round)
 	{
 		if (round > 0 && round % MAX_ROUNDS == 0)
@@ -160,14 +180,11 @@ static void color(RunList* list, const Step* step, int from, int to, int bits)
 	add(list, STAGE_color_place, 0, contacts, COUNT(arrange), bits);
 }
 
-// places of spokes, padding included
-static int spoke_places(const Counters* c) { return c->color_begin[COLORS + 1] - c->color_begin[COLORS]; }
-
 // Finds the bodies that are light ends of several spokes. The layout of the constraints is known.
 static scree_status split(scree_world* world, const Step* step)
 {
 	Pipeline* pipeline = &world->pipeline;
-	int spokes = spoke_places(&pipeline->counters), body_bits = 1;
+	int spokes = pipeline_spokes(&pipeline->counters), body_bits = 1;
 	scree_status status = pipeline_reserve(world, KEY, spokes);
 	if (!status)
 		status = pipeline_reserve(world, SPOKE, spokes);
@@ -193,9 +210,9 @@ static void add_pass(RunList* list, const Counters* c, int bound, int stage, int
 	if (c->hubs > 0)
 		add(list, STAGE_hub, 0, c->hubs, bound, pass);
 	if (c->hubs > 0 && bound == NO_COUNT)
-		add(list, STAGE_hub_merge, 0, spoke_places(c), COUNT(split), 0);
+		add(list, STAGE_hub_merge, 0, pipeline_spokes(c), COUNT(split), 0);
 	else if (c->hubs > 0 && c->split > 0)
-		add(list, STAGE_hub_merge, 0, spoke_places(c), bound, 0);
+		add(list, STAGE_hub_merge, 0, pipeline_spokes(c), bound, 0);
 	for (int color = 0; color < COLORS; ++color)
 		if (c->color_count[color] > 0)
 			add(list, stage, c->color_begin[color], c->color_begin[color] + padded(c->color_count[color]), bound, 0);
@@ -216,8 +233,6 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 	}
 
 	add(list, STAGE_solve_begin, 0, bodies, bound, 0);
-	if (c->nonfinite > 0)
-		add(list, STAGE_cleanse, 0, constraints, bound, 0);
 	add(list, STAGE_prepare, 0, constraints, bound, 0);
 	add_pass(list, c, bound, STAGE_warm_start, HUB_WARM_START);
 	for (int substep = 0; substep < substeps; ++substep)
@@ -227,7 +242,7 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 		add(list, STAGE_integrate_position, 0, bodies, bound, 0);
 		add_pass(list, c, bound, STAGE_relax, HUB_RELAX);
 	}
-	if (step->extras)
+	if (step->bounces)
 		add_pass(list, c, bound, STAGE_bounce, HUB_REBOUND);
 	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
 	return list_run(world, step, list);
@@ -253,6 +268,17 @@ static scree_status solve_ahead(scree_world* world, const Step* step, int subste
 	if (!status)
 		status = solve(world, step, substeps, COUNT(kept));
 	return status ? status : b->f->read_end(b, &pipeline->counters);
+}
+
+// A search for pairs that cannot be brought to its end: the boxes are what they were before the step, and so is the world.
+static scree_status break_off(scree_world* world, const Step* step, scree_status why)
+{
+	Pipeline* pipeline = &world->pipeline;
+	add(&pipeline->list, STAGE_transform_undo, 0, step->collidables, NO_COUNT, 0);
+	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
+	scree_status status = list_run(world, step, &pipeline->list);
+	pipeline->begun = status != SCREE_OK;
+	return status ? status : why;
 }
 
 // Boxes to colored contacts. Where a pool was too small it grows, and the search for pairs runs again. Sets *solved when
@@ -281,12 +307,14 @@ static scree_status detect(scree_world* world, Step* step, int substeps, bool* s
 		if (!c->stalled)
 			break;
 		ahead = false;
-		if (c->pairs > step->pair_capacity)
+		if (c->crowded)
+			status = crowd_fail(world);
+		else if (c->pairs > step->pair_capacity)
 			status = pipeline_reserve(world, KEY, c->pairs);
 		else
 			status = pipeline_reserve(world, CONTACT, c->needed + 1);
 		if (status)
-			return status;
+			return break_off(world, step, status);
 		step->pair_capacity = b->capacity[KEY];
 		step->contact_capacity = b->capacity[CONTACT];
 		step->constraint_capacity = b->capacity[CONSTRAINT];
@@ -298,7 +326,7 @@ static scree_status detect(scree_world* world, Step* step, int substeps, bool* s
 	while (c->changed && c->arrange == 0 && c->contacts > 0)
 	{
 		bool colored = c->uncolored[(done - 1) % MAX_ROUNDS + 1] == 0;
-		status = colored ? constraints_reserve(world, c->color_begin[COLORS + 1]) : SCREE_OK;
+		status = colored ? pipeline_reserve(world, CONSTRAINT, c->color_begin[COLORS + 1]) : SCREE_OK;
 		if (status)
 			return status;
 		step->constraint_capacity = b->capacity[CONSTRAINT];
@@ -363,15 +391,35 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .soft = softness(hertz, def->contact_damping_ratio, h),
 	    .stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
 	    .extras = world->pipeline.extras,
+	    .bounces = world->pipeline.bounces,
 	    .collidables = world->collidables.used,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],
 	    .constraint_capacity = b->capacity[CONSTRAINT],
+	    .contact_limit = contact_limit(world),
+	    .walk_nodes = b->walk_nodes,
+	    .walkers = b->walkers < world->collidables.used ? b->walkers : world->collidables.used,
 	    .key_bits = 1,
 	};
 	while (step.key_bits < 31 && 1 << step.key_bits < world->collidables.used)
 		++step.key_bits;
 	return step;
+}
+
+// Moves the contacts together, into the slots from the first on.
+static scree_status pack(scree_world* world, const Step* step)
+{
+	RunList* list = &world->pipeline.list;
+	Counters* c = &world->pipeline.counters;
+	int slots = c->contacts;
+	add(list, STAGE_contact_dead, 0, slots + 1, NO_COUNT, 0);
+	add(list, PRIMITIVE_SCAN, 0, slots + 1, NO_COUNT, 0);
+	add(list, STAGE_contact_free, 0, slots, NO_COUNT, 0);
+	add(list, STAGE_contact_pack, 0, slots, NO_COUNT, 0);
+	add_single(list, STAGE_contact_pack_end);
+	c->contacts = c->alive - c->released;
+	world->pipeline.sparse = 0;
+	return list_run(world, step, list);
 }
 
 scree_status pipeline_step(scree_world* world, float dt, int substeps)
@@ -390,6 +438,8 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	status = detect(world, &step, substeps, &solved);
 	if (!status && !solved)
 		status = solve(world, &step, substeps, NO_COUNT);
+	if (!status && pipeline_sparse(world))
+		status = pack(world, &step);
 	if (!status && world->def.timings)
 		status = b->f->timings(b, pipeline->boxes);
 	if (status)
@@ -403,8 +453,16 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	int constraints = 0;
 	for (int color = 0; color <= COLORS; ++color)
 		constraints += pipeline->counters.color_count[color];
-	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras);
-	pipeline->trees[0].unsorted += pipeline->counters.moved;
+	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces);
+	for (int t = 0; t < 2; ++t)
+	{
+		tree_count(&pipeline->trees[t], &pipeline->counters, t);
+		status = pipeline->counters.order[t] ? tree_ordered(world, t) : SCREE_OK;
+		if (status)
+			return status;
+	}
+	pipeline->jumps = false;
+	pipeline_trim(world);
 	++pipeline->steps;
 	pipeline->step = step;
 	return SCREE_OK;
@@ -441,90 +499,14 @@ scree_status pipeline_show(scree_world* world, bool shared)
 	return status ? status : b->f->run(b, &world->pipeline.step, &run, 1);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// sizes
-// ---------------------------------------------------------------------------------------------------------------
-
-static scree_status resize(scree_world* world, Per per, int64_t capacity)
-{
-	Backend* b = world->backend;
-	if (capacity <= b->capacity[per])
-		return SCREE_OK;
-	if (capacity > INT32_MAX / 2)
-		return fail(SCREE_OUT_OF_MEMORY, "a pool of %lld items is beyond what an index can name", (long long)capacity);
-	return b->f->resize(b, per, (int)capacity);
-}
-
-static scree_status constraints_reserve(scree_world* world, int64_t capacity)
-{
-	capacity = (capacity + 63) / 64 * 64;
-	scree_status status = resize(world, CONSTRAINT, capacity);
-	return status ? status : resize(world, BLOCK, capacity / MAX_LANES);
-}
-
-scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
-{
-	Backend* b = world->backend;
-	int old = b->capacity[per];
-	if (capacity <= old)
-		return SCREE_OK;
-	int64_t wanted = capacity > old + old / 2 ? capacity : (int64_t)old + old / 2;
-	wanted = (wanted + 63) / 64 * 64;
-	world->pipeline.grown += old > 0;
-
-	scree_status status = SCREE_OK;
-	int* leaves = NULL;
-	if (per == CONTACT)
-	{
-		// every color may need padding
-		status = constraints_reserve(world, wanted + (COLORS + 1) * COLOR_PADDING);
-		if (!status)
-			status = resize(world, KEY, wanted);
-	}
-	if (per == COLLIDABLE)
-	{
-		status = tree_save(world, &leaves);
-		if (!status)
-			status = resize(world, LEAF, 2 * wanted);
-		if (!status)
-			status = resize(world, NODE, 2 * (int64_t)tree_nodes((int)wanted));
-		if (!status)
-			status = resize(world, KEY, wanted);
-	}
-	if (!status)
-		status = resize(world, per, wanted);
-	if (!status && per == COLLIDABLE)
-		status = tree_restore(world, leaves);
-	scree_release(leaves);
-	return status;
-}
-
-scree_status pipeline_open(scree_world* world)
-{
-	int bodies = world->def.body_capacity, contacts = world->def.contact_capacity;
-	scree_status status = pipeline_reserve(world, ONE, 1);
-	if (!status)
-		status = pipeline_reserve(world, HASH, HASH_SUMS);
-	if (!status)
-		status = pipeline_reserve(world, TREE, 2);
-	if (!status)
-		status = pipeline_reserve(world, ATTRIBUTE, 16);
-	if (!status)
-		status = pipeline_reserve(world, BODY, bodies > 0 ? bodies + 1 : 256);
-	if (!status)
-		status = pipeline_reserve(world, COLLIDABLE, bodies > 0 ? bodies : 256);
-	if (!status)
-		status = pipeline_reserve(world, CONTACT, contacts > 0 ? contacts + 1 : 512);
-	if (!status)
-		status = pipeline_reserve(world, COMMAND, 64);
-	return status;
-}
-
 void pipeline_close(scree_world* world)
 {
 	Pipeline* pipeline = &world->pipeline;
 	for (int t = 0; t < 2; ++t)
+	{
 		scree_release(pipeline->trees[t].added);
+		scree_release(pipeline->trees[t].left);
+	}
 	scree_release(pipeline->member);
 	scree_release(pipeline->list.runs);
 }

@@ -62,7 +62,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 {
 	const char* function = "scree_body_set_type";
 	int index = 0;
-	TRY(lookup_to_set(world, function, body, 3, &index));
+	TRY(lookup_to_set(world, function, body, 4, &index));
 	TRY(check_type((Where){function, "type", ALONE}, "", type));
 	HostBody* host = world->host_bodies + index;
 	if (host->type == type)
@@ -74,9 +74,11 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	world->dynamic_bodies += (type == SCREE_DYNAMIC) - (host->type == SCREE_DYNAMIC);
 	host->type = type;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
 		pending_collidable(world, k);
-	if (host->collidables > 0 && old_tree != new_tree)
-		tree_touch(world, old_tree);
+		if (old_tree != new_tree)
+			tree_leave(world, old_tree, k);
+	}
 	if (type == SCREE_STATIC)
 		pending_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	mass_set(world, index, mass_of_body(world, index));
@@ -139,7 +141,7 @@ scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t 
 {
 	const char* function = "scree_body_set_locks";
 	int index = 0;
-	TRY(lookup_to_set(world, function, body, 2, &index));
+	TRY(lookup_to_set(world, function, body, 3, &index));
 	TRY(check_locks((Where){function, "locks", ALONE}, "", locks));
 	world->host_bodies[index].locks = locks;
 	mass_set(world, index, world->host_bodies[index].mass);

@@ -20,8 +20,8 @@
 #define GAPS     (ROW(separation1) + ROW(separation2))
 #define NORMALS  (ROW(normal_impulse1) + ROW(normal_impulse2))
 #define TANGENTS (ROW(tangent_impulse1) + ROW(tangent_impulse2))
-#define APPROACH (EXTRA(approach1) + EXTRA(approach2))
-#define PEAKS    (EXTRA(peak_impulse1) + EXTRA(peak_impulse2))
+#define REBOUNDS (EXTRA(rebound1) + EXTRA(rebound2))
+#define TOTALS   (EXTRA(total_impulse1) + EXTRA(total_impulse2))
 
 // of a row of the pool body what a constraint, or the start of a step, writes
 #define VELOCITY     (offsetof(BodyState, dx))
@@ -36,31 +36,37 @@
 #define COPIES 8
 #define ENOUGH 500.0
 
-scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras)
+scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces)
 {
-	size_t warm_start = ENDS + ARMS + NORMALS + TANGENTS;
+	size_t warm_start = ENDS + ARMS + 2 * NORMALS + TANGENTS;
 	size_t bias = ENDS + ARMS + GAPS + 2 * NORMALS;
 	size_t relax = ENDS + ARMS + GAPS + ROW(friction) + 2 * NORMALS + 2 * TANGENTS;
-	size_t bounce = ENDS + ARMS + EXTRA(restitution) + APPROACH + PEAKS + 2 * NORMALS;
+	size_t bounce = ENDS + ARMS + GAPS + EXTRA(fall) + REBOUNDS + 2 * TOTALS + 2 * NORMALS;
 	size_t prepare = sizeof(int) + sizeof(Int2) + 2 * sizeof(Placed) + sizeof(Found) + ARMS +
 	                 GAPS; // slot, collidables; what it finds
 	size_t prepare_bodies = 0;
 	if (extras)
 	{
 		warm_start += EXTRA(rolling_impulse);
-		relax += EXTRA(tangent_speed) + EXTRA(rolling) + 2 * EXTRA(rolling_impulse) + 2 * PEAKS;
-		prepare += ENDS + APPROACH + PEAKS;
-		prepare_bodies = 2 * sizeof(BodyState);
+		relax += EXTRA(tangent_speed) + EXTRA(rolling) + 2 * EXTRA(rolling_impulse) + 2 * TOTALS;
+		prepare += TOTALS;
+	}
+	if (bounces)
+	{
+		bias += REBOUNDS;
+		relax += REBOUNDS;
+		prepare += ENDS + EXTRA(restitution) + EXTRA(fall) + REBOUNDS;
+		prepare_bodies = 2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64));
 	}
 
 	// of both bodies the row is read and the velocity written
 	size_t pass = 2 * (sizeof(BodyState) + VELOCITY);
-	size_t passes = 1 + 2 * (size_t)substeps + (extras ? 1 : 0);
+	size_t passes = 1 + 2 * (size_t)substeps + (bounces ? 1 : 0);
 	size_t solve_begin = VELOCITY + sizeof(Float4) + DISPLACEMENT;
 	size_t integrate_velocity = 2 * sizeof(BodyState) + sizeof(Motion) + 2 * sizeof(Float4);
 	size_t integrate_position = 2 * sizeof(BodyState) + sizeof(Motion);
 
-	size_t a_constraint = prepare + warm_start + (size_t)substeps * (bias + relax) + (extras ? bounce : 0);
+	size_t a_constraint = prepare + warm_start + (size_t)substeps * (bias + relax) + (bounces ? bounce : 0);
 	size_t its_bodies = prepare_bodies + passes * pass;
 	size_t a_body = solve_begin + (size_t)substeps * (integrate_velocity + integrate_position);
 	return (scree_traffic){

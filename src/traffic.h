@@ -5,7 +5,8 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Of one step with so many constraints (padding not counted), rows of bodies and substeps; extras as in Step.
-scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras);
+// Of one step with so many constraints (padding not counted), rows of bodies and substeps; extras and bounces as in Step.
+// Where some attribute has restitution, every constraint counts as one that may bounce.
+scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces);
 
 #endif

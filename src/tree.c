@@ -85,10 +85,26 @@ void tree_withdraw(scree_world* world, int collidable)
 	}
 }
 
-void tree_touch(scree_world* world, int t)
+void tree_touch(scree_world* world, int t) { world->pipeline.trees[t].touched = true; }
+
+void tree_leave(scree_world* world, int t, int collidable)
 {
-	world->pipeline.trees[t].touched = true;
-	world->pipeline.trees[t].shrunk = true;
+	TreeState* state = &world->pipeline.trees[t];
+	state->touched = true;
+	if (state->left_count == state->left_capacity && !state->shrunk)
+	{
+		// a look at all slots costs no more than at as many that left
+		int capacity = 2 * state->left_capacity + 64;
+		int* left = capacity <= world->collidables.used + 64
+		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
+		                                   sizeof(int) * (size_t)capacity)
+		                : NULL;
+		state->left = left ? left : state->left;
+		state->left_capacity = left ? capacity : state->left_capacity;
+		state->shrunk = !left;
+	}
+	if (!state->shrunk)
+		state->left[state->left_count++] = collidable;
 }
 
 scree_status tree_flush(scree_world* world)
@@ -115,12 +131,24 @@ scree_status tree_flush(scree_world* world)
 	return SCREE_OK;
 }
 
-// Sorting costs about as much as looking up every box once. A box changes when it has moved by its margin, an eighth of
-// its size, so after four changes of every box neighbors on the curve are still near each other. Twice as many won
-// another 3 % of broad phase in scenes that tumble, and would lose more where bodies fly.
+// The leaves are put in order when walks have visited as many nodes in vain as that costs: about ORDER_VISITS a leaf, or
+// looking up every box once. So no step pays more than twice what it must, whatever moves.
+//
+// A box changes when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of
+// every box a walk visits about 2 c nodes more, which add up to c * c a leaf. That is four changes of every box where
+// nothing jumps; neighbors on the curve are still near each other then. Eight won another 3 % of broad phase in scenes
+// that tumble, and would lose more where bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
-	return state->tree.leaves > ARITY && state->unsorted > 4 * (int64_t)state->tree.leaves;
+	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
+	return state->tree.leaves > ARITY && changes * changes + state->strayed / leaves > ORDER_VISITS;
+}
+
+void tree_count(TreeState* state, const Counters* counters, int t)
+{
+	if (t == 0)
+		state->unsorted += counters->moved;
+	state->strayed += (double)counters->moved * counters->strayed[t] / STRAY_UNIT;
 }
 
 // does collidable k belong to tree t?
@@ -133,23 +161,29 @@ static bool tree_owns(const scree_world* world, int t, int k)
 	return fixed == (t == 1);
 }
 
+// Takes the leaf of collidable k out of tree t, if it has one and does not belong there any more.
+static void drop(scree_world* world, int t, int k)
+{
+	Pipeline* pipeline = &world->pipeline;
+	if (!(pipeline->member[k] & 1 << t) || tree_owns(world, t, k))
+		return;
+	pipeline->member[k] &= (uint8_t) ~(1 << t);
+	--pipeline->trees[t].tree.leaves;
+}
+
 scree_status tree_ordered(scree_world* world, int t)
 {
 	Pipeline* pipeline = &world->pipeline;
 	TreeState* state = &pipeline->trees[t];
 	state->unsorted = 0;
-	if (!state->shrunk)
+	state->strayed = 0;
+	if (!state->shrunk && state->left_count == 0)
 		return SCREE_OK;
-	int leaves = 0;
-	for (int k = 0; k < pipeline->member_capacity; ++k)
-		if (pipeline->member[k] & 1 << t)
-		{
-			if (tree_owns(world, t, k))
-				++leaves;
-			else
-				pipeline->member[k] &= (uint8_t) ~(1 << t);
-		}
-	state->tree.leaves = leaves;
+	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)
+		drop(world, t, k);
+	for (int k = 0; k < state->left_count; ++k)
+		drop(world, t, state->left[k]);
+	state->left_count = 0;
 	state->shrunk = false;
 	return tree_layout(world, t);
 }

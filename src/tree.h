@@ -13,6 +13,9 @@ scree_status tree_flush(scree_world* world);
 // whether the leaves of tree t are so far out of order that sorting them pays
 bool tree_wants_order(const TreeState* state);
 
+// after a step: what its walks visited in vain
+void tree_count(TreeState* state, const Counters* counters, int t);
+
 // after the leaves were sorted: dead ones, which are last, are dropped
 scree_status tree_ordered(scree_world* world, int t);
 

@@ -109,9 +109,12 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
 		return refuse(SCREE_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
 		              MAX_ITEMS);
-	if (def->contact_capacity < 0 || def->contact_capacity > 8 * MAX_ITEMS)
+	if (def->contact_capacity < 0 || def->contact_capacity > MAX_CONTACTS)
 		return refuse(SCREE_INVALID, at, ".contact_capacity", "is %d, must be from 0 to %d", def->contact_capacity,
-		              8 * MAX_ITEMS);
+		              MAX_CONTACTS);
+	if (def->contact_limit < 0 || def->contact_limit > MAX_CONTACTS)
+		return refuse(SCREE_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
+		              MAX_CONTACTS);
 	return SCREE_OK;
 }
 
@@ -268,6 +271,7 @@ scree_status scree_get_counters(scree_world* world, scree_counters* counters)
 	                             .new_contacts = c->created,
 	                             .grown = pipeline->grown,
 	                             .nonfinite = c->nonfinite,
+	                             .held = c->held,
 	                             .penetration = bits_float(c->penetration),
 	                             .steps = pipeline->steps,
 	                             .device_bytes = world->backend->bytes};

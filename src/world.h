@@ -92,14 +92,18 @@ scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
 
-// src/attribute.c: its row in the pool
+// src/attribute.c: its row in the pool attribute, and in the pool thickness
 void attribute_item(const scree_world* world, int index, Attribute* item);
+float attribute_thickness(const scree_world* world, int index);
 
 // src/mass.c: mass from the collidables; a dynamic body without any is 1 kg that cannot turn, others have none.
 scree_mass mass_of_body(const scree_world* world, int body);
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
-// The mass of a body becomes this one, also on the device. There is room for a command.
+// What the device keeps of a dynamic body for guard, and the command that tells it.
+Guarded body_guarded(const scree_world* world, int body);
+Command guarded_command(const scree_world* world, int body);
+// The mass of a body becomes this one, also on the device. There is room for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 
 // src/setting.c

@@ -16,6 +16,7 @@ typedef struct
 
 static const SmallScene small_scenes[] = {
     {"billiards", 300, {{"rack", "10"}}},
+    {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
@@ -31,6 +32,11 @@ static const SmallScene small_scenes[] = {
 };
 
 static inline void build_scene(scree_world* world, const void* context) { OK(scene_build(context, world)); }
+
+static inline void churn_scene(scree_world* world, int step, const void* context)
+{
+	OK(scene_churn(context, world, step));
+}
 
 // The story of a scene, which ends with scene_free of its context. A scene that has no size here fails the test.
 static inline Story small_scene(const char* name)
@@ -56,6 +62,7 @@ static inline Story small_scene(const char* name)
 	               .substeps = scene->substeps,
 	               .steps = quick() ? small->steps / 4 : small->steps,
 	               .build = build_scene,
+	               .act = churn_scene,
 	               .context = scene};
 }
 

@@ -125,6 +125,7 @@ static void world_functions(void** state)
 	DEF(max_speed = 0.0f, "def.max_speed is 0");
 	DEF(body_capacity = -5, "def.body_capacity is -5");
 	DEF(contact_capacity = INT32_MAX, "def.contact_capacity is 2147483647");
+	DEF(contact_limit = -1, "def.contact_limit is -1, must be from 0 to 134217728");
 #undef DEF
 	def = scree_default_world_def();
 	def.device = "opencl:no device has such a name";

@@ -135,7 +135,11 @@ static int check_pairs(scree_world* world, const char* name, int step)
 	uint64_t* want = malloc(sizeof(uint64_t) * (size_t)room);
 	for (int k = 0; k < slots; ++k)
 		if (pairs[k].x >= 0)
-			have[found++] = (uint64_t)pairs[k].x << 32 | (uint64_t)pairs[k].y;
+		{
+			// the first of a pair is what moves, or the smaller
+			int a = pairs[k].x < pairs[k].y ? pairs[k].x : pairs[k].y, b = pairs[k].x ^ pairs[k].y ^ a;
+			have[found++] = (uint64_t)a << 32 | (uint64_t)b;
+		}
 	qsort(have, (size_t)found, sizeof *have, compare_keys);
 	for (int a = 0; a < count; ++a)
 		for (int b = a + 1; b < count && items[a].alive; ++b)
@@ -244,6 +248,17 @@ static void build_huge(scree_world* world, uint64_t* seed)
 	for (int k = 0; k < 400; ++k)
 		put(world, seed, SCREE_DYNAMIC, circle_shape(0.05f), random_between(seed, -50.0f, 50.0f),
 		    random_between(seed, -70.0f, 70.0f));
+}
+
+// bodies whose walks are so long that they are cut, among each other and across both trees
+static void build_huges(scree_world* world, uint64_t* seed)
+{
+	for (int k = 0; k < 6; ++k)
+		put(world, seed, k % 2 ? SCREE_KINEMATIC : SCREE_DYNAMIC, box_shape(60.0f, 4.0f + 8.0f * (float)k),
+		    random_between(seed, -5.0f, 5.0f), random_between(seed, -5.0f, 5.0f));
+	for (int k = 0; k < 2400; ++k)
+		put(world, seed, k % 3 ? SCREE_DYNAMIC : SCREE_STATIC, circle_shape(0.05f), random_between(seed, -50.0f, 50.0f),
+		    random_between(seed, -50.0f, 50.0f));
 }
 
 static void build_line(scree_world* world, uint64_t* seed)
@@ -466,6 +481,7 @@ static const Layout layouts[] = {
     {"one_point", build_point, {0.0f, 0.0f}, {1.0f, 1.0f}, 12, 4},
     {"filters", build_filters, {0.0f, 0.0f}, {2.0f, 2.0f}, 16, 4},
     {"one_huge", build_huge, {0.0f, 0.0f}, {60.0f, 70.0f}, 24, 4},
+    {"huge_ones", build_huges, {0.0f, 0.0f}, {60.0f, 60.0f}, 16, 4},
     {"line", build_line, {250.0f, 0.0f}, {250.0f, 1.0f}, 24, 4},
     {"ring", build_ring, {0.0f, 0.0f}, {60.0f, 60.0f}, 24, 4},
     {"far", build_far, {90000.0f, -90000.0f}, {12.0f, 12.0f}, 24, 4},
@@ -486,7 +502,7 @@ static void run_layout(const Layout* layout, const Way* way)
 	OK(scree_create_world(&def, &world));
 	uint64_t seed = 77;
 	layout->build(world, &seed);
-	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0;
+	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, walks = 0;
 	for (int step = 0; step < steps; ++step)
 	{
 		// a quiet beginning, so that what the layout itself does is seen
@@ -496,8 +512,10 @@ static void run_layout(const Layout* layout, const Way* way)
 		OK(scree_step(world, STEP, SUBSTEPS));
 		int pairs = check_pairs(world, layout->name, step);
 		most = pairs > most ? pairs : most;
+		walks += world->pipeline.counters.walks;
 	}
-	print_message("%s on %s: up to %d pairs\n", layout->name, way->name, most);
+	print_message("%s on %s: up to %d pairs, %d long walks\n", layout->name, way->name, most, walks);
+	assert_true(layout->build != build_huges || way->threads == 1 || walks > 0);
 	scree_destroy_world(world);
 }
 
@@ -518,6 +536,9 @@ static void pairs_are_complete_on_opencl(void** state)
 		{
 			++found;
 			run_layout(layouts, ways + k);
+			for (size_t l = 0; l < sizeof layouts / sizeof *layouts; ++l)
+				if (layouts[l].build == build_huges)
+					run_layout(layouts + l, ways + k);
 			run_layout(*state, ways + k);
 		}
 	if (found == 0)

@@ -182,28 +182,48 @@ grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
-# the paper's figures
+# validate: one experiment, and what it does not take; tests/test_validate.sh looks at its rows
+expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
+expect 0 'motion' validate --names
+[ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "validate --names: more than one word a line"
+expect 0 'what is right stays right' validate --help
+refuse 2 'no experiment is called "nothing"' validate motion nothing
+refuse 2 'scree validate: takes no --steps' validate --steps 3
+refuse 2 'scree bench: takes no --quick' bench --quick
+refuse 2 'gpu' validate --quick --device gpu motion
+
+# the paper's figures: both pipelines on one thread and on OpenCL, ours on all threads as well
 expect 0 'figure5|figure6' bench --help
-columns=scene,settings,pipeline,device,threads,bodies,contacts,steps,repeats,ms_step,ms_least,ms_most
+columns=scene,settings,pipeline,device,threads,bodies,contacts,contacts_a_body,steps,repeats,ms_step,ms_least,ms_most
 stages=,ms_to_device,ms_from_device,ms_integrate,ms_transform,ms_detect,ms_resolve
 stages+=,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
-tiny=(--steps 3 --repeats 1)
+tiny=(--steps 3 --repeats 1 --threads 2)
 devices=$("$scree" devices | grep -cE '^(cpu$|opencl:)')
+[ "$devices" = 1 ] || devices=2
+curves=$((2 * devices + 1))
 expect 0 '' bench figure5 "${tiny[@]}" --limit 50
 [ "$(head -n 1 figure5.csv)" = "$columns,penetration,hash" ] || fail "bench figure5: another heading"
-[ "$devices" = 1 ] || devices=2
-[ "$(grep -cE '^drift,.*,[0-9a-f]{16}$' figure5.csv)" = $((4 * devices)) ] || fail "bench figure5: not a row a curve and size"
-awk -F, '{ exit !(NF == 14) }' figure5.csv || fail "bench figure5: not a column for each name"
+[ "$(grep -cE '^drift,.*,[0-9a-f]{16}$' figure5.csv)" = $((2 * curves)) ] || fail "bench figure5: not a row a curve and size"
+awk -F, 'NF != 15 { bad = 1 } END { exit bad }' figure5.csv || fail "bench figure5: not a column for each name"
+grep -q "figure5.csv: $((4 * curves)) rows in" err || fail "bench figure5: does not say how many rows"
+awk -F, '/^pyramids/ && !($8 > 1 && $8 < 3 && $7 / $6 - $8 < 0.01) { bad = 1 } END { exit bad }' figure5.csv ||
+	fail "bench figure5: contacts a body that cannot be"
 if [ "$devices" = 1 ]; then
 	grep -q 'no curves of OpenCL' err || fail "bench figure5: does not say what is missing"
 	grep -qE "crossover|faster" out && fail "bench figure5: a crossover of one device"
 else
-	[ "$(grep -cE ': (no crossover|OpenCL is faster than the CPU from [0-9]+ bodies on)$' out)" = 4 ] ||
-		fail "bench figure5: not a crossover of each curve, or none"
+	crossover='(no crossover of OpenCL and [12] threads? of the CPU|OpenCL is faster than [12] threads? of the CPU from [0-9]+ bodies on)'
+	[ "$(grep -cE ": $crossover\$" out)" = 6 ] || fail "bench figure5: not a crossover of each curve, or none"
 fi
+# what was timed had been simulated for a second: the hash is that of any run of so many steps
+expect 0 '' hash drift --set boxes=46 --steps 63 --device cpu
+[ "$(grep -cE "^drift,boxes=46,scree,.*,$(cat out)\$" figure5.csv)" = $((devices + 1)) ] ||
+	fail "bench figure5: not the hash after a second and three steps"
 expect 0 '' bench figure5 "${tiny[@]}" --limit 25 --device cpu
-[ "$(grep -c '^drift,' figure5.csv)" = 2 ] || fail "bench figure5 --device cpu: other curves"
+[ "$(grep -c '^drift,' figure5.csv)" = 3 ] || fail "bench figure5 --device cpu: other curves"
 grep -qE "crossover|faster" out && fail "bench figure5 --device cpu: a crossover"
+expect 0 '' bench figure5 "${tiny[@]}" --limit 25 --device cpu --threads 1
+[ "$(grep -c '^drift,' figure5.csv)" = 2 ] || fail "bench figure5 --threads 1: other curves"
 expect 0 '' bench figure6 "${tiny[@]}" --limit 100
 [ "$(head -n 1 figure6.csv)" = "$columns$stages,penetration,hash" ] || fail "bench figure6: another heading"
 grep -qE "crossover|faster" out && fail "bench figure6: a crossover"
@@ -211,21 +231,30 @@ if command -v gnuplot >/dev/null; then
 	for figure in figure5 figure6; do
 		grep -q '</svg>' $figure.svg || fail "bench $figure: no SVG"
 		[ "$(head -c 4 $figure.png | tail -c 3)" = PNG ] || fail "bench $figure: not a PNG"
+		grep -q 'Scree, 1 thread' $figure.svg || fail "bench $figure: no legend"
 	done
+	grep -q 'broad phase' figure6.svg || fail "bench figure6: names that are no words"
 fi
 mkdir empty
 env PATH="$scratch/empty" "$scree" bench figure6 --draw figure6.csv >out 2>err || fail "bench --draw without gnuplot: a failure"
 grep -q 'figure6.csv is not drawn.*gnuplot-nox' err || fail "bench --draw without gnuplot: no remedy"
 
-# drawn from rows alone: costs of 1 and 4 ms at 100 bodies, 4 and 1 at 400, cross half way on a logarithmic axis
+# drawn from rows alone: costs of 1 and 4 ms at 100 bodies, 4 and 1 at 400, cross half way on a logarithmic axis; so do 2 and
+# 4, 2 and 1
 {
 	echo "$columns,penetration,hash"
-	for row in cpu,1,100,3,9,1,1 'opencl:A GPU,0,100,3,9,1,4' cpu,1,400,3,9,1,4 'opencl:A GPU,0,400,3,9,1,1'; do
+	for row in cpu,1,100,3,0.03,9,1,1 cpu,8,100,3,0.03,9,1,2 'opencl:A_GPU,0,100,3,0.03,9,1,4' \
+		cpu,1,400,3,0.03,9,1,4 cpu,8,400,3,0.03,9,1,2 'opencl:A_GPU,0,400,3,0.03,9,1,1'; do
 		echo "drift,,scree,$row,1,1,0,0123456789abcdef"
 	done
 } >cross.csv
-expect 0 'drift, scree: OpenCL is faster than the CPU from 200 bodies on' bench figure5 --draw cross.csv
-[ "$(wc -l <out)" -le 2 ] || fail "bench --draw: crossovers of curves that are not there"
+expect 0 'drift, scree: OpenCL is faster than 1 thread of the CPU from 200 bodies on' bench figure5 --draw cross.csv
+grep -qx 'drift, scree: OpenCL is faster than 8 threads of the CPU from 200 bodies on' out ||
+	fail "bench --draw: no crossover of more threads"
+if command -v gnuplot >/dev/null; then
+	grep -q 'Scree, A GPU' cross.svg || fail "bench --draw: a name that is no word"
+fi
+[ "$(wc -l <out)" -le 3 ] || fail "bench --draw: crossovers of curves that are not there"
 refuse 2 'cannot read nothing.csv' bench figure5 --draw nothing.csv
 printf 'scene,steps\nmoon,3\n' >cross.csv
 refuse 2 'cross.csv: line 2 is not a row of a figure' bench figure5 --draw cross.csv

@@ -304,6 +304,57 @@ static void test_parity(void** state)
 	paper_destroy(device);
 }
 
+// A box on the ground, set in motion by our own pipeline, is taken over as it is then: where it is, at the speed that it has.
+static void test_take_over(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_body(world, SCREE_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	scree_body box = add_body(world, SCREE_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 1.0f);
+	for (int k = 0; k < 30; ++k)
+		good(scree_step(world, DT, 4));
+	scree_pose pose;
+	scree_velocity velocity;
+	good(scree_body_get_pose(world, box, &pose));
+	good(scree_body_get_velocity(world, box, &velocity));
+	assert_true(pose.position.y < 1.0f && velocity.linear.y < -1.0f);
+	Paper* paper = take(world, "cpu");
+	scree_pose taken = pose_of(paper, 1);
+	assert_true(taken.position.x == pose.position.x && taken.position.y == pose.position.y);
+	assert_true(taken.rotation.c == pose.rotation.c && taken.rotation.s == pose.rotation.s);
+	scree_velocity v = velocity_of(paper, 1);
+	assert_true(v.linear.x == velocity.linear.x && v.linear.y == velocity.linear.y && v.angular == velocity.angular);
+	paper_destroy(paper);
+}
+
+// What figures 5 and 6 rest on: after a second of our own pipeline and two steps of the paper's it has as many contacts in
+// pyramids of ten boxes, and overlaps as deep, as after a second of its own. A box has two neighbors above it and two
+// below, but those that stand beside each other do not touch: 16 contacts, 4 of them with the ground.
+static void test_warm_up(void** state)
+{
+	(void)state;
+	PaperCounters counters[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_world* world = make_world(-10.0f);
+		add_body(world, SCREE_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+		scree_attribute crate = make_box(world, 0.5f, 0.5f);
+		for (int row = 0; row < 4; ++row)
+			for (int i = 0; i < 4 - row; ++i)
+				add_body(world, SCREE_DYNAMIC, crate, 1.01f * ((float)i - 0.5f * (float)(3 - row)), 0.5f + (float)row,
+				         0.0f, 0.0f);
+		for (int n = 0; n < 60 * k; ++n)
+			good(scree_step(world, DT, 4));
+		Paper* paper = take(world, "cpu");
+		step(paper, k ? 3 : 63);
+		counters[k] = paper_counters(paper);
+		paper_destroy(paper);
+	}
+	assert_int_equal(counters[0].contacts, 16);
+	assert_int_equal(counters[1].contacts, 16);
+	assert_true(fabs(counters[1].penetration - counters[0].penetration) < 0.1f * counters[0].penetration);
+}
+
 // 40 circles in one place are 40 * 39 / 2 contacts: more than there was room for, and none is lost.
 static void test_growth(void** state)
 {
@@ -378,6 +429,7 @@ int main(void)
 	    cmocka_unit_test(test_rest),          cmocka_unit_test(test_restitution),
 	    cmocka_unit_test(test_friction),      cmocka_unit_test(test_most_severe_first),
 	    cmocka_unit_test(test_detected_only), cmocka_unit_test(test_parity),
+	    cmocka_unit_test(test_take_over),     cmocka_unit_test(test_warm_up),
 	    cmocka_unit_test(test_growth),        cmocka_unit_test(test_pairs),
 	    cmocka_unit_test(test_refusals),
 	};

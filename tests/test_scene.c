@@ -227,6 +227,20 @@ static void test_bad_scenes(void** state)
 	    {BODY("\"attribute\": [\"a\", \"b\"], \"choose\": 2"), "bodies[1].choose: 2 must be at most 1"},
 	    {BODY("\"collidables\": []"), "bodies[1].collidables: an empty list"},
 	    {BODY("\"collidables\": [{\"attribute\": \"d\"}]"), "bodies[1].collidables[0].attribute: \"d\" is not among"},
+	    {BODY("\"attribute\": \"a\", \"churn\": 3"), "bodies[1].churn: 3 must be an object"},
+	    {BODY("\"attribute\": \"a\", \"churn\": {\"moved\": 1}"), "bodies[1].churn: position is missing"},
+	    {BODY("\"attribute\": \"a\", \"churn\": {\"position\": [0, 0], \"to\": 1}"),
+	     "bodies[1].churn: unknown key \"to\""},
+	    {BODY("\"attribute\": \"a\", \"churn\": {\"position\": [0, 0], \"moved\": 0.5}"),
+	     "bodies[1].churn.moved: 0.5 must be a whole number"},
+	    {BODY("\"attribute\": \"a\", \"churn\": {\"position\": [0, 0], \"moved\": -1}"),
+	     "bodies[1].churn.moved: -1 must not be negative"},
+	    {BODY("\"attribute\": \"a\", \"churn\": {\"position\": [0, 0], \"moved\": 1, \"replaced\": 1}"),
+	     "bodies[1].churn: moved and replaced are 2 together, and there are 1 bodies"},
+	    {BODY("\"collidables\": [{\"attribute\": \"a\"}], \"churn\": {\"position\": [0, 0], \"replaced\": 1}"),
+	     "bodies[1].churn.replaced: a body that is made anew needs attribute, not collidables"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, \"churn\": {\"position\": [\"i\", 0]}"),
+	     "bodies[1].churn.position[0]: \"i\": i is no parameter"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"i\""), "bodies[1].angle: \"i\": i is no parameter"},
 	    // values
 	    {BODY("\"attribute\": \"a\", \"linear_damping\": -1"), "bodies[1].linear_damping: -1 must not be negative"},
@@ -335,7 +349,7 @@ static void test_shipped(void** state)
 	    {"pyramid", 5051, 5051}, {"pyramids", 22020, 22020}, {"pile", 2003, 2003},          {"tumbler", 2026, 2029},
 	    {"smash", 9601, 9601},   {"dominoes", 661, 661},     {"billiards", 305, 305},       {"slope", 21, 21},
 	    {"washer", 2570, 2641},  {"shapes", 140, 140},       {"million", 1000112, 1000112}, {"storm", 20457, 20513},
-	    {"drift", 2504, 2504},
+	    {"drift", 2504, 2504},   {"churn", 50004, 50004},
 	};
 	char** names;
 	int count = scene_list(NULL, &names);
@@ -440,12 +454,84 @@ static void test_build(void** state)
 	scene_free(scene);
 }
 
+// Ten bodies a and b in turn, of which two are moved and three replaced before every step, between two that stay: each
+// has its turn, keeps its place in the order and its attribute, and goes where the churn puts it.
+static void test_churn(void** state)
+{
+	(void)state;
+	const char* text = HEAD
+	    "\"attributes\": {\"a\": {\"circle\": 1}, \"b\": {\"box\": [2, 1]}}, \"world\": {\"gravity\": [0, 0]},"
+	    "\"bodies\": [{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, -50]},"
+	    "{\"attribute\": [\"a\", \"b\"], \"choose\": \"mod(i, 2)\", \"position\": [\"10 * i\", 0], \"locks\": "
+	    "[\"rotation\"],"
+	    " \"repeat\": {\"index\": \"i\", \"to\": 10}, \"churn\": {\"moved\": 2, \"replaced\": 3,"
+	    " \"position\": [\"random(1000, 2000)\", 7], \"angle\": \"pi / 2\", \"velocity\": [0, \"random(-3, -1)\"]}},"
+	    "{\"type\": \"kinematic\", \"attribute\": \"a\", \"position\": [0, 60]}]}";
+	char sentence[SCENE_SENTENCE] = "";
+	Scene* scene = load_text(text, NULL, 0, sentence);
+	if (!scene)
+		fail_msg("%s", sentence);
+	assert_true(scene_churns(scene));
+	scree_world* world;
+	scree_world_def def = scene->world;
+	def.device = "cpu";
+	def.threads = 1;
+	assert_int_equal(scree_create_world(&def, &world), SCREE_OK);
+	assert_int_equal(scene_build(scene, world), SCREE_OK);
+	scree_body before[12], after[12];
+	scree_pose poses[12], last[12];
+	scree_velocity velocities[12];
+	int count, turns[12] = {0};
+	for (int step = 0; step < 20; ++step)
+	{
+		assert_int_equal(scree_get_bodies(world, before, 12, &count), SCREE_OK);
+		assert_int_equal(scree_get_poses(world, before, last, 12), SCREE_OK);
+		assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
+		assert_int_equal(scree_get_bodies(world, after, 12, &count), SCREE_OK);
+		assert_int_equal(count, 12);
+		assert_int_equal(scree_get_poses(world, after, poses, 12), SCREE_OK);
+		assert_int_equal(scree_get_velocities(world, after, velocities, 12), SCREE_OK);
+		int moved = 0, replaced = 0;
+		for (int k = 0; k < 12; ++k)
+		{
+			scree_collidable part;
+			scree_attribute attribute;
+			scree_attribute_def surface;
+			uint32_t locks;
+			assert_int_equal(scree_get_collidables(world, after[k], &part, 1, &count), SCREE_OK);
+			assert_int_equal(scree_collidable_get_attribute(world, part, &attribute), SCREE_OK);
+			assert_int_equal(scree_get_attribute(world, attribute, &surface), SCREE_OK);
+			bool is_box = k == 0 || (k < 11 && k % 2 == 0);
+			assert_int_equal(surface.shape.kind, is_box ? SCREE_POLYGON : SCREE_CIRCLE);
+			bool other = before[k].generation != after[k].generation;
+			bool gone = other || poses[k].position.x != last[k].position.x;
+			replaced += other;
+			moved += gone && !other;
+			turns[k] += gone;
+			if (!gone)
+				continue;
+			assert_true(poses[k].position.x > 1000 && poses[k].position.x < 2000 && poses[k].position.y == 7);
+			assert_true(poses[k].rotation.s > 0.999f);
+			assert_true(velocities[k].linear.y > -3 && velocities[k].linear.y < -1);
+			assert_int_equal(scree_body_get_locks(world, after[k], &locks), SCREE_OK);
+			assert_int_equal(locks, SCREE_LOCK_ROTATION);
+		}
+		assert_int_equal(moved, 2);
+		assert_int_equal(replaced, 3);
+	}
+	for (int k = 0; k < 12; ++k)
+		assert_int_equal(turns[k], k == 0 || k == 11 ? 0 : 10);
+	scree_destroy_world(world);
+	scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(test_values),  cmocka_unit_test(test_constants_fold), cmocka_unit_test(test_bad_expressions),
 	    cmocka_unit_test(test_random),  cmocka_unit_test(test_bad_scenes),     cmocka_unit_test(test_settings),
 	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),    cmocka_unit_test(test_build),
+	    cmocka_unit_test(test_churn),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -608,7 +608,7 @@ static void slots_are_lowest_first(void** state)
 		for (int room = 8; room <= 10; ++room)
 		{
 			Counters counters = {.contacts = 7, .alive = 4, .pairs = 5};
-			Step step = {.pair_capacity = 5, .contact_capacity = room, .key_bits = 7};
+			Step step = {.pair_capacity = 5, .contact_capacity = room, .contact_limit = 9, .key_bits = 7};
 			Int2 pairs[9];
 			put(b, POOL_counters, 1, &counters);
 			put(b, POOL_attribute, 1, &attribute);
@@ -640,12 +640,116 @@ static void slots_are_lowest_first(void** state)
 	}
 }
 
+// ---------------------------------------------------------------------------------------------------------------
+// contacts moved together
+// ---------------------------------------------------------------------------------------------------------------
+
+#define SLOTS 10000
+
+// written anew in every step
+static bool is_scratch(int pool)
+{
+	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored0 ||
+	       pool == POOL_uncolored1;
+}
+
+// what byte number k of an item in a slot holds
+static unsigned char byte_of(int pool, int slot, size_t k)
+{
+	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
+}
+
+// A third of the slots is in use. Those from the number of contacts on move into the free slots before it, in order, with
+// all that outlives a step; a constraint hears of it.
+static void contacts_move_together(void** state)
+{
+	(void)state;
+	Int2* pairs = calloc(SLOTS + 1, sizeof *pairs);
+	int* constraints = calloc(SLOTS, sizeof *constraints);
+	int* back = calloc(SLOTS, sizeof *back);
+	int* from = calloc(SLOTS, sizeof *from); // of the contact that a slot has in the end
+	unsigned char* bytes = calloc(SLOTS, 256);
+	uint64_t seed = 11;
+	int alive = 0, next = 0;
+	for (int k = 0; k < SLOTS; ++k)
+	{
+		bool used = random_below(&seed, 3) == 0;
+		pairs[k] = used ? make_int2(k, k + 1) : make_int2(-1, -1);
+		constraints[k] = used && k % 2 ? k : -1;
+		alive += used;
+	}
+	for (int k = alive; k < SLOTS; ++k)
+		if (pairs[k].x >= 0)
+		{
+			while (pairs[next].x >= 0)
+				++next;
+			from[next++] = k;
+		}
+	for (int k = 0; k < alive; ++k)
+		from[k] = pairs[k].x >= 0 ? k : from[k];
+
+	for (int n = 0; n < backend_count; ++n)
+	{
+		Backend* b = backends[n];
+		Counters counters = {.contacts = SLOTS, .alive = alive + 5, .released = 5};
+		for (int pool = 0; pool < POOL_COUNT; ++pool)
+		{
+			size_t size = pool_info[pool].bytes;
+			if (pool_info[pool].per != CONTACT || is_scratch(pool))
+				continue;
+			for (size_t k = 0; k < SLOTS * size; ++k)
+				bytes[k] = byte_of(pool, (int)(k / size), k % size);
+			put(b, (PoolId)pool, SLOTS, bytes);
+		}
+		put(b, POOL_counters, 1, &counters);
+		put(b, POOL_pair, SLOTS, pairs);
+		put(b, POOL_contact_constraint, SLOTS, constraints);
+		put(b, POOL_constraint_contact, SLOTS, constraints);
+		run_one(b, &(Step){0}, STAGE_contact_dead, SLOTS + 1, NO_COUNT, 0);
+		run_one(b, &(Step){0}, PRIMITIVE_SCAN, SLOTS + 1, NO_COUNT, 0);
+		run_one(b, &(Step){0}, STAGE_contact_free, SLOTS, NO_COUNT, 0);
+		run_one(b, &(Step){0}, STAGE_contact_pack, SLOTS, NO_COUNT, 0);
+		run_one(b, &(Step){0}, STAGE_contact_pack_end, 1, NO_COUNT, 0);
+		get(b, POOL_counters, 1, &counters);
+		assert_int_equal(counters.contacts, alive);
+		for (int pool = 0; pool < POOL_COUNT; ++pool)
+		{
+			size_t size = pool_info[pool].bytes;
+			if (pool_info[pool].per != CONTACT || is_scratch(pool) || pool == POOL_pair ||
+			    pool == POOL_contact_constraint)
+				continue;
+			get(b, (PoolId)pool, SLOTS, bytes);
+			for (size_t k = 0; k < (size_t)alive * size; ++k)
+				if (bytes[k] != byte_of(pool, from[k / size], k % size))
+					fail_msg("pool %s: slot %d does not hold what slot %d had: contact_pack forgets it",
+					         pool_info[pool].name, (int)(k / size), from[k / size]);
+		}
+		Int2* moved = (Int2*)bytes;
+		get(b, POOL_pair, SLOTS, moved);
+		for (int k = 0; k < SLOTS; ++k)
+			assert_int_equal(moved[k].x, k < alive ? pairs[from[k]].x : -1);
+		get(b, POOL_contact_constraint, alive, bytes);
+		get(b, POOL_constraint_contact, SLOTS, back);
+		for (int k = 0; k < alive; ++k)
+		{
+			int constraint = ((const int*)bytes)[k];
+			assert_int_equal(constraint, constraints[from[k]]);
+			assert_true(constraint < 0 || back[constraint] == k);
+		}
+	}
+	free(pairs);
+	free(constraints);
+	free(back);
+	free(from);
+	free(bytes);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(curve_visits_neighbors), cmocka_unit_test(colors_are_those_of_greedy),
 	    cmocka_unit_test(star_is_a_hub),          cmocka_unit_test(parts_come_together),
-	    cmocka_unit_test(slots_are_lowest_first),
+	    cmocka_unit_test(slots_are_lowest_first), cmocka_unit_test(contacts_move_together),
 	};
 	return cmocka_run_group_tests(tests, open_backends, close_backends);
 }

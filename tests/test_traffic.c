@@ -43,12 +43,12 @@ static void a_box_on_the_floor(void** state)
 	step(world, 1);
 
 	// Prepare 180: slot 4, pair 8, two places 64, points 64; normal 8, arms 24, gaps 8.
-	// Warm start 56: indices 8, normal and arms 32, impulses 16. Bias 64: 48 with gaps, normal impulses twice 16.
+	// Warm start 64: indices 8, normal and arms 32, impulses 24. Bias 64: 48 with gaps, normal impulses twice 16.
 	// Relax 84: 48, friction 4, all impulses twice 32.
 	scree_traffic traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 4);
-	assert_int_equal(traffic.constraint_bytes, 180 + 56 + 4 * (64 + 84));
+	assert_int_equal(traffic.constraint_bytes, 180 + 64 + 4 * (64 + 84));
 	// A pass reads 32 bytes of either body and writes 16. A row costs 44 once, and in a substep 128 for its velocity
 	// (state twice 64, motion 32, base twice 32) and 96 for its position.
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
@@ -64,9 +64,11 @@ static void a_box_on_the_floor(void** state)
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 2 + 1);
-	// prepare and 24, warm start and 4, relax and 32, bounce 76: 40, restitution 4, approach 8, peaks 8, impulses 16
-	assert_int_equal(traffic.constraint_bytes, 204 + 60 + 2 * (64 + 116) + 76);
-	assert_int_equal(traffic.body_bytes, (6 * 48 + 32) * 2 + 3 * (44 + 2 * 224));
+	// Prepare and 32: totals 8, indices 8, restitution 4, fall 4, rebounds 8. Warm start and 4, bias and 8, relax and 40.
+	// Bounce 92: 48 with gaps, fall 4, rebounds 8, totals twice 16, impulses 16.
+	assert_int_equal(traffic.constraint_bytes, 212 + 68 + 2 * (72 + 124) + 92);
+	// prepare reads a body's state, motion and colors
+	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));
 	scree_destroy_world(world);
 }
 

@@ -155,13 +155,13 @@ static void rows_travel_together(void** state)
 	writes = 0;
 	assert_ok(scree_create_bodies(world, defs, COUNT_OF, bodies));
 	assert_ok(world_flush(world));
-	assert_true(writes <= 16);
+	assert_true(writes <= 20);
 
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; ++k)
 		assert_ok(scree_create_body(world, defs + k, NULL));
 	assert_ok(world_flush(world));
-	assert_true(writes <= 16);
+	assert_true(writes <= 20);
 
 	// scattered rows are commands
 	writes = 0;

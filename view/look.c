@@ -150,6 +150,12 @@ bool look_take(Look* look, scree_world* world)
 	return good;
 }
 
+scree_status look_handles(Look* look)
+{
+	int count = 0;
+	return scree_get_bodies(look->world, look->bodies, look->body_count, &count);
+}
+
 scree_status look_velocities(Look* look)
 {
 	size_t room = (size_t)look->body_room + 1;
@@ -157,6 +163,8 @@ scree_status look_velocities(Look* look)
 	scree_vec* linear = calloc(room, sizeof *linear);
 	scree_status status = SCREE_OUT_OF_MEMORY;
 	if (velocities && linear)
+		status = look_handles(look);
+	if (status == SCREE_OK)
 		status = scree_get_velocities(look->world, look->bodies, velocities, look->body_count);
 	if (status == SCREE_OK)
 	{

@@ -28,6 +28,9 @@ typedef struct
 // Looks at a world, again after bodies came or went. False when memory is short; look is to be closed also then.
 bool look_take(Look* look, scree_world* world);
 
+// Takes the handles of the bodies anew: a scene may replace bodies between steps, each by one of the same index.
+scree_status look_handles(Look* look);
+
 // Fetches the velocities of all bodies into their table.
 scree_status look_velocities(Look* look);
 

@@ -20,9 +20,10 @@ typedef struct // functions return false after printing what is wrong
 {
 	const char* name;
 	void* (*open)(const Scene* scene, const EngineOptions* options); // null on failure; the scene at its first step
+	bool (*change)(void* state, int64_t step);                       // what the scene does to its bodies before a step
 	bool (*step)(void* state, float dt, int substeps);
 	bool (*wait)(void* state); // until all that was asked for is done
-	// of all bodies, in the order of scree_get_bodies
+	// of all bodies, in the order of the scene
 	bool (*poses)(void* state, scree_pose* poses, int count);
 	bool (*hash)(void* state, uint64_t* hash); // the engine's own, of all simulated state
 	void (*close)(void* state);

@@ -3,45 +3,21 @@
 //
 // The scene is built into a Scree world first and read back from there, body by body, so that both engines get the same
 // numbers. Contact stiffness and the like stay at each engine's defaults; sleep is off, because Scree has none.
+#include "box2d_shape.h"
 #include "engine.h"
-#include <box2d/box2d.h>
 #include <stdlib.h>
 
 typedef struct
 {
 	b2WorldId world;
-	b2BodyId* bodies; // in the order of scree_get_bodies
+	b2BodyId* bodies; // in the order of the scene
 	int count;
+	const Scene* scene;
+	scree_world* model; // never stepped: the bodies as the scene last put them
+	scree_body* parts;  // of the model
 } State;
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
-
-static bool add_shape(b2BodyId body, const b2ShapeDef* def, const scree_shape* shape)
-{
-	b2Polygon polygon = {.centroid = vec(shape->centroid), .radius = shape->radius, .count = shape->count};
-	switch (shape->kind)
-	{
-	case SCREE_CIRCLE:
-		b2CreateCircleShape(body, def, &(b2Circle){vec(shape->vertices[0]), shape->radius});
-		return true;
-	case SCREE_CAPSULE:
-		b2CreateCapsuleShape(body, def, &(b2Capsule){vec(shape->vertices[0]), vec(shape->vertices[1]), shape->radius});
-		return true;
-	case SCREE_SEGMENT:
-		b2CreateSegmentShape(body, def, &(b2Segment){vec(shape->vertices[0]), vec(shape->vertices[1])});
-		return true;
-	case SCREE_POLYGON:
-		for (int k = 0; k < shape->count; ++k)
-		{
-			polygon.vertices[k] = vec(shape->vertices[k]);
-			polygon.normals[k] = vec(shape->normals[k]);
-		}
-		b2CreatePolygonShape(body, def, &polygon);
-		return true;
-	}
-	fprintf(stderr, "scree_peers: a shape of kind %d has no counterpart in Box2D\n", (int)shape->kind);
-	return false;
-}
 
 static bool add_collidable(const scree_world* model, scree_collidable collidable, b2BodyId body)
 {
@@ -56,16 +32,7 @@ static bool add_collidable(const scree_world* model, scree_collidable collidable
 	    !report(scree_collidable_get_filter(model, collidable, &filter)) ||
 	    !report(scree_transform_shape(&surface.shape, pose, &shape)))
 		return false;
-
-	b2ShapeDef def = b2DefaultShapeDef();
-	def.density = surface.density;
-	def.material.friction = surface.friction;
-	def.material.restitution = surface.restitution;
-	def.material.rollingResistance = surface.rolling_resistance;
-	def.material.tangentSpeed = surface.tangent_speed;
-	def.filter = (b2Filter){filter.category, filter.mask, filter.group};
-	def.updateBodyMass = false; // once a body, below
-	return add_shape(body, &def, &shape);
+	return box2d_add_shape(body, &surface, &shape, filter);
 }
 
 static bool add_collidables(const scree_world* model, scree_body body, b2BodyId to)
@@ -123,12 +90,48 @@ static bool build(scree_world* model, State* state)
 		fprintf(stderr, "scree_peers: %d collidables have no body: Box2D knows no such thing\n", detectors);
 		return false;
 	}
-	scree_body* bodies = list_bodies(model, &state->count);
+	state->parts = list_bodies(model, &state->count);
 	state->bodies = calloc((size_t)state->count + 1, sizeof(b2BodyId));
-	bool good = bodies && state->bodies;
+	bool good = state->parts && state->bodies;
 	for (int k = 0; good && k < state->count; ++k)
-		good = add_body(model, bodies[k], state->world, &state->bodies[k]);
-	free(bodies);
+		good = add_body(model, state->parts[k], state->world, &state->bodies[k]);
+	return good;
+}
+
+static bool place_body(scree_world* model, scree_body body, b2BodyId placed)
+{
+	scree_pose pose;
+	scree_velocity velocity;
+	if (!report(scree_body_get_pose(model, body, &pose)) || !report(scree_body_get_velocity(model, body, &velocity)))
+		return false;
+	b2Body_SetTransform(placed, (b2Pos){pose.position.x, pose.position.y}, (b2Rot){pose.rotation.c, pose.rotation.s});
+	b2Body_SetLinearVelocity(placed, vec(velocity.linear));
+	b2Body_SetAngularVelocity(placed, velocity.angular);
+	return true;
+}
+
+// The model is changed first, and says what became of the bodies.
+static bool change(void* context, int64_t step)
+{
+	State* state = context;
+	if (!scene_churns(state->scene))
+		return true;
+	SceneChange* changes;
+	int count = scene_changes(state->scene, step, &changes), bodies;
+	bool good = count >= 0 && report(scene_churn(state->scene, state->model, step)) &&
+	            report(scree_get_bodies(state->model, state->parts, state->count, &bodies));
+	for (int k = 0; good && k < count; ++k)
+	{
+		int item = changes[k].item;
+		if (changes[k].replaced)
+		{
+			b2DestroyBody(state->bodies[item]);
+			good = add_body(state->model, state->parts[item], state->world, &state->bodies[item]);
+		}
+		else
+			good = place_body(state->model, state->parts[item], state->bodies[item]);
+	}
+	free(changes);
 	return good;
 }
 
@@ -137,7 +140,9 @@ static void close(void* context)
 	State* state = context;
 	if (b2World_IsValid(state->world))
 		b2DestroyWorld(state->world);
+	scree_destroy_world(state->model);
 	free(state->bodies);
+	free(state->parts);
 	free(state);
 }
 
@@ -156,9 +161,9 @@ static void* open(const Scene* scene, const EngineOptions* options)
 	def.enableContinuous = options->continuous;
 	def.workerCount = options->threads;
 	state->world = b2CreateWorld(&def);
-	bool good = build(model, state);
-	scree_destroy_world(model);
-	if (good)
+	state->scene = scene;
+	state->model = model;
+	if (build(model, state))
 		return state;
 	close(state);
 	return NULL;
@@ -196,4 +201,4 @@ static bool hash(void* context, uint64_t* hash)
 	return true;
 }
 
-const Engine box2d_engine = {"box2d", open, step, wait, poses, hash, close};
+const Engine box2d_engine = {"box2d", open, change, step, wait, poses, hash, close};

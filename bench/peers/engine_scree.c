@@ -36,6 +36,7 @@ scree_body* list_bodies(const scree_world* world, int* count)
 
 typedef struct
 {
+	const Scene* scene;
 	scree_world* world;
 	scree_body* bodies;
 	int count;
@@ -54,12 +55,21 @@ static void* open(const Scene* scene, const EngineOptions* options)
 	State* state = calloc(1, sizeof(State));
 	if (!state)
 		return NULL;
+	state->scene = scene;
 	state->world = open_world(scene, options->device, options->threads);
 	state->bodies = state->world ? list_bodies(state->world, &state->count) : NULL;
 	if (state->bodies)
 		return state;
 	close(state);
 	return NULL;
+}
+
+static bool change(void* context, int64_t step)
+{
+	const State* state = context;
+	int count;
+	return report(scene_churn(state->scene, state->world, step)) &&
+	       report(scree_get_bodies(state->world, state->bodies, state->count, &count));
 }
 
 static bool step(void* context, float dt, int substeps)
@@ -86,4 +96,4 @@ static bool hash(void* context, uint64_t* hash)
 	return report(scree_world_hash(state->world, hash));
 }
 
-const Engine scree_engine = {"scree", open, step, wait, poses, hash, close};
+const Engine scree_engine = {"scree", open, change, step, wait, poses, hash, close};

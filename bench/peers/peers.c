@@ -7,6 +7,7 @@
 // end in the same state.
 #include "process.h"
 #include "trial.h"
+#include "validate.h"
 #include <getopt.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -40,6 +41,7 @@ static const struct option words[] = {
 
 static const char* const help =
     "usage: scree_peers [OPTION]... [SCENE|FILE]...\n"
+    "       scree_peers validate --help\n"
     "\n"
     "Times scenes with Scree and with Box2D in turns; CSV on standard output. Without a name: pyramid, pyramids, "
     "pile,\n"
@@ -255,6 +257,8 @@ static bool compare_all(const Options* options, const char* name, int steps)
 int main(int count, char** arguments)
 {
 	static const char* const usual[] = {"pyramid", "pyramids", "pile", "tumbler", "smash", "washer"};
+	if (count > 1 && strcmp(arguments[1], "validate") == 0)
+		return validate_peers(count - 1, arguments + 1, arguments[0]);
 	Options options = {.executable = arguments[0], .threads = {1, 2}, .thread_count = 2, .repeats = 5};
 	options.options.device = "cpu";
 	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:ce:Rh", words, NULL)) != -1;)

@@ -35,7 +35,7 @@ static bool run_timed(const Engine* engine, void* state, const Trial* trial, Res
 	bool good = true;
 	for (int k = 0; k < trial->steps && good; ++k)
 	{
-		good = engine->step(state, trial->scene->dt, trial->scene->substeps);
+		good = engine->change(state, k) && engine->step(state, trial->scene->dt, trial->scene->substeps);
 		if (k == warm - 1)
 			good = good && engine->wait(state);
 		double now = milliseconds();
@@ -58,7 +58,7 @@ static bool run_ruled(const Engine* engine, void* state, const Trial* trial, Res
 	bool good =
 	    ruler_open(&ruler, trial->scene) && engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
 	for (int k = 0; k < trial->steps && good; ++k)
-		good = engine->step(state, trial->scene->dt, trial->scene->substeps) &&
+		good = engine->change(state, k) && engine->step(state, trial->scene->dt, trial->scene->substeps) &&
 		       engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
 	result->penetration = ruler.penetration;
 	result->sunk = ruler.sunk;

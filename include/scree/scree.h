@@ -63,6 +63,7 @@ typedef enum scree_status
 	SCREE_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
 	SCREE_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
 	SCREE_NOT_SUPPORTED = 6, // the device has no way to do this; nothing changed
+	SCREE_CROWDED = 7,       // scree_step: more contacts than scree_world_def.contact_limit; nothing changed
 } scree_status;
 
 // The sentence of the last failure on this thread, or an empty string. Valid until the next failing call.
@@ -201,12 +202,15 @@ typedef struct scree_world_def
 	float contact_damping_ratio; // default 15
 	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
-	float max_speed;             // m/s, default 400
+	float max_speed; // m/s, default 400: no body is faster when a step ends. Nor does one turn by more than half
+	                 // a circle a step, or an eighth a substep
 	const scree_opengl* opengl; // null (default), or the context of which scree_share_opengl will take buffers: copied,
 	                            // and the context itself lent until the world's end, for it may move to its device
 	int body_capacity;          // room to begin with; everything grows. 0 (default) for a small world
 	int contact_capacity;       // the same for contacts
-	int cookie;                 // set by scree_default_world_def
+	int contact_limit; // most contacts, 300 bytes each; a step that finds more fails with SCREE_CROWDED and changes
+	                   // nothing. 0 (default) for 32 a collidable, and 2 million at least
+	int cookie;        // set by scree_default_world_def
 } scree_world_def;
 
 SCREE_API scree_world_def scree_default_world_def(void);
@@ -225,9 +229,13 @@ SCREE_API void scree_destroy_world(scree_world* world);
 // Advances a world by dt seconds (0 < dt <= 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
-// A step that breaks off in the middle, because the device failed or had no memory left for the contacts it found,
-// cannot be undone: from then on the world refuses every call that works on it with the same status, and can only be
-// destroyed.
+// Bodies that lie in one place make contacts by the square of their number. Where these are more than
+// scree_world_def.contact_limit, the step fails with SCREE_CROWDED, and the sentence names the most crowded place and how
+// many collidables are there; where there is no memory for them, it fails with SCREE_OUT_OF_MEMORY. Nothing has changed
+// then: time stands still, and when bodies have been moved apart or destroyed the world goes on.
+//
+// A step that breaks off later, because the device failed or had no memory left for what the solver needs, cannot be
+// undone: from then on the world refuses every call that works on it with the same status, and can only be destroyed.
 SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
 
 // Gravity, m/s^2, each component finite.
@@ -265,10 +273,13 @@ typedef struct scree_counters
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // pairs found in the last step
 	int grown;                   // times that a buffer grew since the world was created
-	int nonfinite;               // bodies frozen in the last step because their state was not finite
-	float penetration;           // deepest overlap of two cores at the start of the last step, m
-	int64_t steps;               // steps taken
-	uint64_t device_bytes;       // memory of the pools on the device
+	int nonfinite;         // bodies frozen in the last step because their state was not finite: an infinite force, say;
+	                       // what is finite never is. A body that leaves 1e8 m stops there
+	int held;              // bodies that in the last step stopped in the surface of something static that they were
+	                       // about to go through
+	float penetration;     // deepest overlap of two cores at the start of the last step, m
+	int64_t steps;         // steps taken
+	uint64_t device_bytes; // memory of the pools on the device
 } scree_counters;
 
 SCREE_API scree_status scree_get_counters(scree_world* world, scree_counters* counters);
@@ -354,7 +365,7 @@ typedef struct scree_attribute_def
 {
 	scree_shape shape;
 	float density;            // kg/m^2, >= 0, default 1
-	float friction;           // >= 0, default 0.6; a pair takes the geometric mean
+	float friction;           // >= 0, default 0.6; a pair takes the geometric mean, 1000 at most
 	float restitution;        // 0 to 1, default 0; a pair takes the larger
 	float rolling_resistance; // >= 0, default 0: times the larger radius of the pair, a lever in metres
 	float tangent_speed;      // m/s, default 0: a conveyor belt along the surface, counter-clockwise around the shape

@@ -24,6 +24,9 @@
 #define ALONE_GRAIN 4096
 // An item of a stage that is handed out in chunks takes as long as so many of others.
 #define CHUNK_ITEM 8
+// A walk of more nodes than this, some 5 us, is cut into so many parts a worker.
+#define WALK_NODES 128
+#define WALKERS    4
 #define SORT_GRAIN 8192
 #define SCAN_GRAIN 16384
 
@@ -31,12 +34,14 @@
 // square of how much slower it was.
 #define ALWAYS_SHARED 2048
 #define REST          64
+// beyond so many times slower, which a busy machine can feign, it is tried no more seldom
+#define MOST_SLOWER 100.0
 
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
 static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = 64,      [STAGE_narrow_phase] = 64,  [STAGE_hash_bodies] = 16,
-    [STAGE_hash_collidables] = 16, [STAGE_hash_contacts] = 16, [STAGE_hub] = 1,
+    [STAGE_broad_phase] = 64, [STAGE_broad_phase_rest] = 1,  [STAGE_narrow_phase] = 64,  [STAGE_hub] = 1,
+    [STAGE_hash_bodies] = 16, [STAGE_hash_collidables] = 16, [STAGE_hash_contacts] = 16,
 };
 
 static const size_t pool_offsets[POOL_COUNT] = {
@@ -133,6 +138,8 @@ static int smallest_shared(const Cpu* cpu, int stage)
 		return SORT_GRAIN;
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
+	case STAGE_broad_phase_rest: // each item is a part of a long walk: worth a worker that is awake
+		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
 		// a hub takes as long as many items: two are worth sharing wherever anything is
 		if (stage_widths[stage] == WIDTH_GROUP)
@@ -238,6 +245,7 @@ static void run_solve(Cpu* cpu, const Run* runs, int count, double items)
 	if (tries)
 	{
 		double slower = c->cost[c->shares] / c->cost[!c->shares];
+		slower = slower < MOST_SLOWER ? slower : MOST_SLOWER;
 		c->rest = slower > 1 ? (int)(REST * slower * slower) : REST;
 	}
 }
@@ -269,10 +277,10 @@ static char* pool_memory(const Cpu* cpu, PoolId pool)
 static scree_status cpu_resize(Backend* b, Per per, int capacity)
 {
 	Cpu* cpu = b->state;
-	if (capacity <= b->capacity[per])
+	if (capacity == b->capacity[per])
 		return SCREE_OK;
 	size_t items = padded(capacity), old_items = padded(b->capacity[per]);
-	uint64_t added = 0;
+	uint64_t added = 0; // wraps around when pools shrink
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		if (pool_info[pool].per != per)
@@ -280,10 +288,11 @@ static scree_status cpu_resize(Backend* b, Per per, int capacity)
 		// A pool that has grown when the next one fails only has more room than it is known to have.
 		size_t bytes = pool_info[pool].bytes;
 		char* memory = scree_reallocate(pool_memory(cpu, pool), old_items * bytes, items * bytes);
-		if (!memory)
+		if (!memory && capacity > b->capacity[per])
 			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d items of pool %s (%zu bytes each)", capacity,
 			            pool_info[pool].name, bytes);
-		memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
+		if (memory) // else it has more room than it is known to have, until it grows
+			memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
 		added += (items - old_items) * bytes;
 	}
 	b->capacity[per] = capacity;
@@ -452,6 +461,8 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	b->f = &functions;
 	b->threads = threads;
 	b->lanes = lanes;
+	b->walkers = threads > 1 ? WALKERS * threads : 1;
+	b->walk_nodes = threads > 1 ? WALK_NODES : INT_MAX;
 	b->state = cpu;
 	snprintf(b->name, sizeof(b->name), "cpu");
 	cpu->timed = options->timings;

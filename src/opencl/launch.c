@@ -98,6 +98,21 @@ scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
 	return SCREE_OK;
 }
 
+scree_status scratch_drop(OpenCl* d)
+{
+	Scratch* scratch[TILE_BUFFERS + 2] = {&d->rows, &d->notes};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		scratch[k + 2] = &d->tiles.buffers[k];
+	TRY(finish(d));
+	for (int k = 0; k < TILE_BUFFERS + 2; ++k)
+	{
+		d->backend->bytes -= scratch[k]->bytes;
+		scratch_release(scratch[k]);
+	}
+	d->tiles.stale = true;
+	return SCREE_OK;
+}
+
 void scratch_release(Scratch* scratch)
 {
 	if (scratch->buffer)

@@ -9,6 +9,10 @@
 // work-items of a group that takes a hub: one a column of its sums (HUB_COLUMNS)
 #define HUB_GROUP 256
 
+// Nodes over leaves that a walk of the broad phase visits, some 3 us each, before its rest is spread over the whole device. A
+// body of usual size meets 4 to 8.
+#define WALK_NODES 12
+
 // work-items of a group of sort and scan: one a digit. Every GPU takes 256.
 #define PRIMITIVE_GROUP 256
 

@@ -46,22 +46,23 @@ static void opencl_close(Backend* b)
 	scree_release(b);
 }
 
-// Makes a larger copy of the pools of a kind, zero behind what they held, and lets the old go.
-static scree_status buffer_grow(OpenCl* d, Per per, int room, size_t item_bytes)
+// Makes a copy of the pools of a kind with another room, zero behind what they held, and lets the old go.
+static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 {
-	cl_mem grown;
-	scree_status status = buffer_create(d, item_bytes * (size_t)room, &grown);
+	cl_mem copied;
+	int items = room < d->room[per] ? room : d->room[per];
+	scree_status status = buffer_create(d, item_bytes * (size_t)room, &copied);
 	for (int i = 0; i < POOL_COUNT && status == SCREE_OK; ++i)
 		if (pool_info[i].per == per && d->buffers[per])
-			status = CALL(EnqueueCopyBuffer, d->queue, d->buffers[per], grown, pool_offset(d, (PoolId)i),
-			              d->before[i] * (size_t)room, pool_info[i].bytes * (size_t)d->room[per], 0, NULL, NULL);
+			status = CALL(EnqueueCopyBuffer, d->queue, d->buffers[per], copied, pool_offset(d, (PoolId)i),
+			              d->before[i] * (size_t)room, pool_info[i].bytes * (size_t)items, 0, NULL, NULL);
 	if (status == SCREE_OK)
 		status = finish(d); // drivers that allocate late say so by now
-	cl_mem dropped = grown;
+	cl_mem dropped = copied;
 	if (status == SCREE_OK)
 	{
 		dropped = d->buffers[per];
-		d->buffers[per] = grown;
+		d->buffers[per] = copied;
 		d->room[per] = room;
 	}
 	if (dropped)
@@ -79,28 +80,29 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 			item_bytes += pool_info[i].bytes;
 
 	// while they are copied, both sizes are held
-	uint64_t larger = (uint64_t)item_bytes * (uint64_t)capacity,
-	         smaller = (uint64_t)item_bytes * (uint64_t)d->room[per];
-	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + larger > d->device.about.memory)
+	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, held = (uint64_t)item_bytes * (uint64_t)d->room[per];
+	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
 		return fail(SCREE_OUT_OF_MEMORY, "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.",
 		            b->name, (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
-		            (unsigned long long)(larger >> 20));
+		            (unsigned long long)(wanted >> 20));
 	int room = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
-	TRY(buffer_grow(d, per, room, item_bytes));
-	b->bytes += (uint64_t)item_bytes * (uint64_t)room - smaller;
+	TRY(buffer_copy(d, per, room, item_bytes));
+	b->bytes += (uint64_t)item_bytes * (uint64_t)room - held;
 	return SCREE_OK;
 }
 
 static scree_status opencl_resize(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
-	if (capacity > d->room[per])
+	if (capacity > d->room[per] || capacity < b->capacity[per])
 	{
 		TRY(make_room(b, per, capacity));
 		TRY(kernels_bind(d, per));
 	}
-	if (capacity > b->capacity[per])
-		b->capacity[per] = capacity;
+	// what the solver has beside the constraints is made anew, as large as it must be
+	if (per == BLOCK && capacity < b->capacity[per])
+		TRY(scratch_drop(d));
+	b->capacity[per] = capacity;
 	return SCREE_OK;
 }
 
@@ -138,7 +140,8 @@ scree_status opencl_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->last = *counters;
-	d->tiles.stale |= counters->arrange > 0;
+	// where the layout changed, a solve that was listed ahead has laid out nothing
+	d->tiles.stale |= counters->arrange > 0 || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
 	return fail(SCREE_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).", b->name);
@@ -169,6 +172,8 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
+	b->walkers = d->device.about.units * STAGE_GROUP;
+	b->walk_nodes = WALK_NODES;
 	TRY(staging_open(d, options->timings));
 
 	TRY(context_open(d, options->opengl));

@@ -50,7 +50,7 @@ typedef struct // memory that OpenGL draws from
 typedef struct // the runs of a whole solve, to be launched in another form than one by one
 {
 	cl_int constraints, bodies, substeps, passes;
-	cl_int cleanse, bound;
+	cl_int bound;
 	const Run* colors; // the first of a run a color
 	int color_count;
 	cl_int hubs;
@@ -90,6 +90,7 @@ typedef struct
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
 	bool stale; // the constraints, or what moves, may have changed since the tiles were laid out
+	int rows;   // tiles, when they were laid out
 
 	// how many constraints were on the border when the tiles were last laid out, and solves since
 	cl_event asked;  // or null
@@ -201,6 +202,8 @@ scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 // Gives a scratch buffer room for so many bytes, zeroed when it grows, and counts them with those of the pools.
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
 void scratch_release(Scratch* scratch);
+// Gives back all that the solver has beside the pools; it is made anew for the next solve.
+scree_status scratch_drop(OpenCl* d);
 
 // Creates a kernel that takes all pools, and finds the size of its groups: at most largest.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);

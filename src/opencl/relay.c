@@ -18,7 +18,6 @@ enum
 	RELAY_COUNT,
 	RELAY_SUBSTEPS,
 	RELAY_PASSES,
-	RELAY_CLEANSE,
 	RELAY_BOUND,
 	RELAY_SPINS
 };
@@ -30,7 +29,6 @@ enum
 	HUBS_NOTES,
 	HUBS_SUBSTEPS,
 	HUBS_PASSES,
-	HUBS_CLEANSE,
 	HUBS_BOUND,
 	HUBS_SPINS,
 	HUBS_PARTS,
@@ -145,7 +143,6 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, HUBS_NOTES, sizeof(cl_mem), &d->notes.buffer));
 	TRY(CALL(SetKernelArg, kernel, HUBS_SUBSTEPS, sizeof(cl_int), &solve->substeps));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PASSES, sizeof(cl_int), &solve->passes));
-	TRY(CALL(SetKernelArg, kernel, HUBS_CLEANSE, sizeof(cl_int), &solve->cleanse));
 	TRY(CALL(SetKernelArg, kernel, HUBS_BOUND, sizeof(cl_int), &solve->bound));
 	TRY(CALL(SetKernelArg, kernel, HUBS_SPINS, sizeof spins, &spins));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
@@ -166,7 +163,6 @@ scree_status relay_run(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
 	TRY(CALL(SetKernelArg, kernel, RELAY_SUBSTEPS, sizeof(cl_int), &solve->substeps));
 	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof(cl_int), &solve->passes));
-	TRY(CALL(SetKernelArg, kernel, RELAY_CLEANSE, sizeof(cl_int), &solve->cleanse));
 	TRY(CALL(SetKernelArg, kernel, RELAY_BOUND, sizeof(cl_int), &solve->bound));
 	TRY(CALL(SetKernelArg, kernel, RELAY_SPINS, sizeof spins, &spins));
 	size_t group = d->relay.group, groups = groups_of(solve->constraints, group);

@@ -200,7 +200,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 // All tasks of all constraints. Bodies that no constraint holds are solve_end's. notes has NOTE_FLOAT4S rows a constraint
 // when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
 __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints, int substeps,
-                    int passes, int cleanse, int bound, int spins)
+                    int passes, int bound, int spins)
 {
 	volatile __local int fault;
 	Pools pools = {POOL_NAMES step, 0};
@@ -212,6 +212,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	if (begin == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 	if (get_local_id(0) == 0)
@@ -222,7 +223,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	Runner u;
 	for (int i = begin; i < constraints; i += stride)
 	{
-		u = runner_prepare(p, i, cleanse, false);
+		u = runner_prepare(p, i, false);
 		if (constraints > stride)
 			runner_leave(&u, notes, constraints, i);
 	}

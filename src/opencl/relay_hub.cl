@@ -162,7 +162,7 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 // As relay. The first hub_groups groups take hubs; the others take constraints, or all of it is left to one group. parts has
 // room for spokes and hubs.
 __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int substeps, int passes,
-                         int cleanse, int bound, int spins, __global ulong* parts, int hub_groups)
+                         int bound, int spins, __global ulong* parts, int hub_groups)
 {
 	volatile __local int fault;
 	__local float bench[GROUP_FLOATS];
@@ -179,6 +179,7 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 	if (get_global_id(0) == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 	if (lane == 0)
@@ -195,16 +196,12 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 			h.count = span.count;
 			HUB_EACH_COLUMN(c, &h)
 			HUB_EACH_OF(i, c, &h)
-			{
-				if (cleanse)
-					cleanse_item(p, i);
-				prepare_item(p, i);
-			}
+			prepare_item(p, i);
 		}
 	if (for_colors)
 		for (int i = begin; i < constraints; i += stride)
 		{
-			u = runner_prepare(p, i, cleanse, true);
+			u = runner_prepare(p, i, true);
 			if (constraints > stride)
 				runner_leave(&u, notes, constraints, i);
 		}

@@ -25,14 +25,13 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 	for (int k = 0; k < count; ++k)
 		switch (runs[k].stage)
 		{
-		case STAGE_cleanse:
-			solve->cleanse = 1;
-			break;
 		case STAGE_prepare:
 			solve->constraints = runs[k].end;
 			break;
 		case STAGE_hub:
 			solve->hubs = runs[k].end;
+			if (runs[k].argument == HUB_REBOUND)
+				solve->passes = 2;
 			break;
 		case STAGE_warm_start:
 			if (solve->color_count++ == 0)

@@ -42,10 +42,20 @@ INLINE void body_keep(const Pools* p, int body, const float row[8])
 	state->da = row[6];
 }
 
-INLINE int row_bits(const float v[3]) { return float_bits(v[0]) | float_bits(v[1]) | float_bits(v[2]); }
+// whether all are zero, with a plus
+INLINE bool all_zero(const float* values, int count)
+{
+	int bits = 0;
+	for (int k = 0; k < count; ++k)
+		bits |= float_bits(values[k]);
+	return bits == 0;
+}
 
 // The row of a body that no constraint pushes, as pass q finds it. It is worked out by whoever asks: a row in memory
 // would have to wait for its last reader.
+//
+// Most rest, and need no more than the first substep: where accelerating leads from rest to rest, it does so again, from
+// the same bits by the same function, and moving adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -54,16 +64,17 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 	base[0] = row[0];
 	base[1] = row[1];
 	base[2] = row[2];
-	int before = 1, after = row_bits(row) | row_bits(base);
-	for (int k = 1; k <= q && k <= 2 * substeps && (before | after); ++k)
+	for (int k = 1; k <= q && k <= 2 * substeps; ++k)
 	{
-		// from rest to rest: so it will stay
-		before = after;
-		if (k & 1)
-			body_accelerate(&p->step, row, m, base, k == 1);
-		else
+		if (k % 2 == 0)
+		{
 			body_move(&p->step, row, m);
-		after = row_bits(row) | row_bits(base);
+			continue;
+		}
+		bool rests = all_zero(row, 3) && all_zero(base, 3);
+		body_accelerate(&p->step, row, m, base, k == 1);
+		if (rests && all_zero(row, 3) && all_zero(base, 3))
+			return;
 	}
 }
 
@@ -131,21 +142,21 @@ INLINE Runner runner_make(const Pools* p, int i, Prepared made)
 		u.c.rb[k] = vec_add(u.c.ra[k], made.offset);
 		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
 		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
+		u.normal[k] = pair_start(&p->step, u.normal[k], u.normal_mass[k]);
 	}
 	return u;
 }
 
 // Constraint i, which may be none.
-INLINE Runner runner_prepare(const Pools* p, int i, int cleanse, bool hubs)
+INLINE Runner runner_prepare(const Pools* p, int i, bool hubs)
 {
 	Runner u;
 	int slot = p->constraint_contact[i];
 	u.inert = slot < 0;
 	if (u.inert)
 		return u;
-	if (cleanse)
-		cleanse_item(p, i);
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
+	                               constraint_at(p, normal_impulse2, i));
 	if (p->step.extras)
 		prepare_extras(p, i, made);
 	u = runner_make(p, i, made);
@@ -253,32 +264,33 @@ INLINE Runner runner_return(__global float4* notes, int n, int i)
 }
 
 // The passes of solve.h for what is in registers.
-INLINE void runner_bias(const Step* step, Runner* u)
+INLINE void runner_bias(const Pools* p, int i, Runner* u)
 {
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], step, 1);
-}
-
-INLINE void runner_relax(const Pools* p, int i, Runner* u)
-{
-	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f;
-	for (int k = 0; k < 2; ++k)
-		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0);
-	if (p->step.extras)
-	{
-		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
-		pair_peak(p, i, u->normal[0], u->normal[1]);
-	}
+	pair_bias(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
 }
 
 INLINE void runner_bounce(const Pools* p, int i, Runner* u)
 {
-	runner_stow(p, i, u);
-	bounce_pass(p, i, &u->c);
-	u->normal[0] = constraint_at(p, normal_impulse1, i);
-	u->normal[1] = constraint_at(p, normal_impulse2, i);
+	pair_bounce(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
+}
+
+INLINE void runner_relax(const Pools* p, int i, Runner* u)
+{
+	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f, rebound[2] = {0.0f, 0.0f};
+	if (p->step.bounces)
+	{
+		rebound[0] = extra_at(p, rebound1, i);
+		rebound[1] = extra_at(p, rebound2, i);
+	}
+	for (int k = 0; k < 2; ++k)
+		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
+	for (int k = 0; k < 2; ++k)
+		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0, rebound[k]);
+	if (p->step.extras)
+	{
+		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
+		pair_total(p, i, u->normal[0], u->normal[1]);
+	}
 }
 
 INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
@@ -288,7 +300,7 @@ INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
 	else if (q > 2 * substeps)
 		runner_bounce(p, i, u);
 	else if (q & 1)
-		runner_bias(&p->step, u);
+		runner_bias(p, i, u);
 	else
 		runner_relax(p, i, u);
 }

@@ -77,7 +77,7 @@ INLINE bool tile_reads(int kind, int pair)
 	switch (pair)
 	{
 	case TILE_NORMAL_MASS:
-		return kind == TILE_BIAS || kind == TILE_RELAX;
+		return kind != TILE_WARM_START;
 	case TILE_TANGENT_MASS:
 		return kind == TILE_RELAX;
 	case TILE_TANGENT:
@@ -123,7 +123,7 @@ INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 	if (kind == TILE_WARM_START)
 		pair_push(p, i, &u.c, u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
 	else if (kind == TILE_BIAS)
-		runner_bias(&p->step, &u);
+		runner_bias(p, i, &u);
 	else if (kind == TILE_RELAX)
 		runner_relax(p, i, &u);
 	else

@@ -73,6 +73,7 @@ scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 {
 	Tiles* t = &d->tiles;
 	size_t rows = (size_t)row_count(d), places = (size_t)place_count(solve);
+	t->stale |= row_count(d) != t->rows;
 	const size_t bytes[TILE_BUFFERS] = {
 	    [TILE_PLACE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
 	    [TILE_EDGE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
@@ -146,6 +147,7 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
 	                    VALUE(order), VALUE(solve->constraints))));
 	t->stale = false;
+	t->rows = rows;
 	t->age = 0;
 	if (t->asked)
 		return SCREE_OK;
@@ -188,7 +190,7 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	cl_mem notes = d->notes.buffer;
 	TRY(tile_run(d, TILE_PREPARE, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
-	                    VALUE(solve->cleanse), VALUE(solve->bound))));
+	                    VALUE(solve->bound))));
 	int border = d->relay_groups * RELAY_GROUP;
 	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay_groups)
 		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;

@@ -71,7 +71,7 @@ __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __g
 
 INLINE bool tile_still(const float row[8])
 {
-	return row_bits(row) == 0 && row_bits(row + 4) == 0 && float_bits(row[7]) == 0;
+	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
 // The row of the table to which a body that cannot move lets its constraints belong: any, or the border's when it is
@@ -256,7 +256,7 @@ INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, 
 
 __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                            __global const int* table, __global const int* order, __global float4* notes, int stride,
-                           int rows, int cleanse, int bound)
+                           int rows, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
@@ -267,6 +267,7 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 	if (j == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 	if (j >= table[(rows + 1) * TILE_COLORS])
@@ -280,10 +281,9 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 		runner_leave(&u, notes, stride, j);
 		return;
 	}
-	if (cleanse)
-		cleanse_item(p, i);
 	int slot = p->constraint_contact[i], color = p->contact_color[slot];
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
+	                               constraint_at(p, normal_impulse2, i));
 	if (p->step.extras)
 		prepare_extras(p, i, made);
 	u = runner_make(p, i, made);

@@ -32,13 +32,23 @@
 
 // arity of the trees: the boxes of 8 children are 128 bytes, a cache line of a GPU
 #define ARITY      8
+#define ARITY_BITS 3
 #define MAX_LEVELS 8 // 8 bits each in the 64-bit stack of the traversal: 8^8 = 16.7 million leaves
 
+// To put the leaves of a tree in order costs about as much as this many visits of nodes a leaf.
+#define ORDER_VISITS 16
+#define STRAY_UNIT   64 // of Counters.strayed: 16.7 million leaves cannot overflow it
+
 #define HASH_SUMS 1024
+
+#define MAX_CORNERS 8 // of a core
 
 // contacts begin at this separation, so that they are in place before bodies meet: four times the slop
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f
+
+// of a body's thickness: how far it may go in a step before guard looks at its way
+#define GUARD_TRAVEL 0.5f
 
 // an empty box overlaps nothing
 #define EMPTY_LOW  1.0e30f
@@ -48,8 +58,10 @@
 #define NO_POINT 1.0e6f
 
 // bits of the pool moved
-#define MOVED_BOX 1 // its box differs from old_box
-#define MOVED_FAR 2 // it may go further in this step than the speculative distance allows for
+#define MOVED_BOX  1 // its box differs from old_box
+#define MOVED_FAR  2 // it may go further in this step than the speculative distance allows for
+#define MOVED_ON   4 // it is not at rest in this step
+#define MOVED_FAST 8 // a pair of which neither is fast keeps its manifold under load
 
 // kinds of collidables
 #define KIND_DEAD      0
@@ -76,6 +88,13 @@ typedef struct // 160 bytes
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
 
+typedef struct // 12 bytes: what guard needs of a body that is dynamic
+{
+	int first;   // 1 + index of its first collidable, 0 for none
+	float way;   // m: GUARD_TRAVEL times the thickness of its thinnest collidable
+	float reach; // m: no point of it is further from the center of mass
+} Guarded;
+
 typedef struct // 24 bytes
 {
 	Word64 category, mask;
@@ -87,10 +106,17 @@ typedef struct // 64 bytes: the points of a contact as they were found
 	Float4
 	    normal; // x, y from a to b in the frame of a, separations of the points (m), NO_POINT for one that is not there
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
-	Float4 on_b;     // the same places in the frame of b, m
-	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin; of points found ahead, for one step only:
-	                 // NO_POINT and how far a and b have yet to turn (rad)
+	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin
+	Float4 then;     // rotation of a in the world then: cos, sin; FOUND_* bits; unused
 } Found;
+
+// Found.then.z: what a manifold does while bodies move on
+#define FOUND_AHEAD   1  // it is that of poses still to come, for one step only
+#define FOUND_ROLLS   2  // it follows its corners; otherwise it is held as it was found
+#define FOUND_CORNER1 4  // point 1 is at a corner of a, otherwise of b
+#define FOUND_CORNER2 8  // the same of point 2
+#define FOUND_TURNS_B 16 // the normal turns with b, otherwise with a
+#define FOUND_CORNERS 32 // the normal goes from a corner to a corner
 
 typedef struct // 32 bytes: one sector
 {
@@ -119,8 +145,10 @@ typedef struct
 {
 	float restitution[MAX_LANES], rolling[MAX_LANES], tangent_speed[MAX_LANES]; // 1, m, m/s
 	float rolling_impulse[MAX_LANES];                                           // N m s; kept from step to step
-	float approach1[MAX_LANES], approach2[MAX_LANES];         // m/s: normal velocity of a point before the step
-	float peak_impulse1[MAX_LANES], peak_impulse2[MAX_LANES]; // N s: largest normal impulse of any substep
+	float fall[MAX_LANES]; // m/s^2: normal acceleration by gravity and forces
+	float rebound1[MAX_LANES],
+	    rebound2[MAX_LANES]; // m/s: speed at which a point leaves the surface, 0: it does not bounce
+	float total_impulse1[MAX_LANES], total_impulse2[MAX_LANES]; // N s: normal impulses of all substeps
 } Extras;
 
 typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
@@ -180,9 +208,11 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
-#define COMMAND_PLACE           11 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      12 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
-#define COMMAND_FILTER          13 // the bits of category and mask; whole: group, kind
+#define COMMAND_GUARDED         11 // Guarded: whole[0] first, x way, y reach
+#define COMMAND_PLACE           12 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE      13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_FILTER          14 // the bits of category and mask; whole: group, kind
+#define COMMAND_NEXT            15 // whole[0]: 1 + index of the body's next collidable, 0 for none
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
@@ -207,9 +237,12 @@ typedef struct // constants of one step, by value to every stage
 	float restitution_threshold;
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
+	int bounces;          // some attribute has restitution
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity, constraint_capacity;
-	int key_bits; // bits of a collidable's index in a pair's key
+	int contact_limit;       // most contacts that the world may have
+	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is spread over so many work-items
+	int key_bits;            // bits of a collidable's index in a pair's key
 } Step;
 
 // Counts that live on the device. Everything is an int so that Run.count can name one by its position.
@@ -223,12 +256,18 @@ typedef struct
 	int color_count[COLORS + 1]; // constraints of each color, padding not counted
 	int hubs;                    // bodies solved with all of their contacts
 	int split;                   // ends of spokes, when some body is split into parts, else 0
+	int strayed[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times STRAY_UNIT
 	// of this step
 	int moved;        // collidables whose enlarged box changed
 	int changed;      // 1 when a contact began or ended to touch, so that the constraints are laid out anew
 	int kept;         // INT_MAX where the layout is that of the last step; 0 when it changed or must not be used
 	int refit;        // tree nodes to look up again: all when some box changed, else 0
-	int pairs;        // new pairs found, also those for which there was no room
+	int jumped;       // tree nodes to look for boxes that jumped: all when some box did, else 0
+	int order[2];     // of each tree: leaves to put in order in this step, all or 0
+	int walks;        // walks that were not done by one work-item
+	int rest;         // work-items that these are spread over: all, or 0 when there are none
+	int pairs;        // new pairs found, also those for which there was no room; above the limit not all
+	int crowded;      // more contacts than a world may have: nothing after it was done
 	int sort_pairs;   // the same, or 0 when there was no room
 	int search;       // contact slots to search for free ones, and one more; 0 when no pair is new
 	int dead;         // free slots found
@@ -238,7 +277,7 @@ typedef struct
 	int live;         // contact slots that narrow phase goes over
 	int released;     // contacts whose boxes parted
 	int began, ended; // contacts that began and ceased to touch
-	int crowded;      // contact slots to search for those of bodies that became hubs, else 0
+	int gathered;     // contact slots to search for those of bodies that became hubs, else 0
 	int entered;      // 1 when a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
 	int arrange;                   // contact slots to sort by color: 0 when none began or ended
@@ -247,6 +286,7 @@ typedef struct
 	int penetration;     // bits of the deepest overlap, m
 	int nonfinite;       // bodies frozen because their state was not finite
 	int first_nonfinite; // lowest index of these
+	int held;            // bodies that stopped before something static; guard
 	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;
 

@@ -22,8 +22,11 @@ static const char* const body_keys[] = {"type",
                                         "mask",
                                         "group",
                                         "repeat",
+                                        "churn",
                                         "description",
                                         NULL};
+static const char* const churn_keys[] = {"moved",    "replaced",         "position",    "angle",
+                                         "velocity", "angular_velocity", "description", NULL};
 static const char* const free_keys[] = {"attribute", "choose", "position", "angle",       "category",
                                         "mask",      "group",  "repeat",   "description", NULL};
 static const char* const part_keys[] = {"attribute", "choose", "position", "angle", "category",
@@ -309,6 +312,37 @@ static bool read_body(Reader* reader, const Place* place, const json_t* value, B
 	       read_locks(reader, KEY(place, "locks"), json_object_get(value, "locks"), &block->locks);
 }
 
+static bool read_share(Reader* reader, const Place* place, const json_t* object, const char* key, int* share)
+{
+	const json_t* value = json_object_get(object, key);
+	double number = 0;
+	bool good =
+	    !value || reader_constant(reader, KEY(place, key), value, (Range){0, SCENE_MAX_BODIES, true, false}, &number);
+	*share = (int)number;
+	return good;
+}
+
+static bool read_churn(Reader* reader, const Place* place, const json_t* value, Block* block)
+{
+	Churn* churn = &block->churn;
+	if (!value)
+		return true;
+	if (!reader_object(reader, place, value, churn_keys) || !read_share(reader, place, value, "moved", &churn->moved) ||
+	    !read_share(reader, place, value, "replaced", &churn->replaced))
+		return false;
+	if (!json_object_get(value, "position"))
+		return reader_fail(reader, place, "position is missing");
+	if (!block->simple && churn->replaced > 0)
+		return reader_fail(reader, KEY(place, "replaced"), "a body that is made anew needs attribute, not collidables");
+	reader->redraws = true;
+	bool good = read_pair(reader, place, value, "position", any_coordinate, churn->position) &&
+	            read_number(reader, place, value, "angle", any_angle, 0, &churn->angle) &&
+	            read_pair(reader, place, value, "velocity", any_speed, churn->velocity) &&
+	            read_number(reader, place, value, "angular_velocity", any_speed, 0, &churn->angular_velocity);
+	reader->redraws = false;
+	return good;
+}
+
 bool block_read(Reader* reader, const Place* place, const json_t* value, const Scene* scene, bool bodies, Block* block)
 {
 	int names = reader->scope.count;
@@ -318,7 +352,7 @@ bool block_read(Reader* reader, const Place* place, const json_t* value, const S
 	            (!repeat || read_loops(reader, KEY(place, "repeat"), repeat, block)) &&
 	            read_parts(reader, place, value, scene, block) && (!bodies || read_body(reader, place, value, block));
 	reader->scope.count = names;
-	return good;
+	return good && read_churn(reader, KEY(place, "churn"), json_object_get(value, "churn"), block);
 }
 
 static void choice_free(Choice* choice)
@@ -342,9 +376,22 @@ void block_free(Block* block)
 		number_free(&block->parts[k].angle);
 	}
 	free(block->parts);
-	Number* numbers[] = {&block->position[0],   &block->position[1],    &block->velocity[0],
-	                     &block->velocity[1],   &block->angle,          &block->angular_velocity,
-	                     &block->gravity_scale, &block->linear_damping, &block->angular_damping};
+	free(block->churn.items);
+	Number* numbers[] = {&block->position[0],
+	                     &block->position[1],
+	                     &block->velocity[0],
+	                     &block->velocity[1],
+	                     &block->angle,
+	                     &block->angular_velocity,
+	                     &block->gravity_scale,
+	                     &block->linear_damping,
+	                     &block->angular_damping,
+	                     &block->churn.position[0],
+	                     &block->churn.position[1],
+	                     &block->churn.velocity[0],
+	                     &block->churn.velocity[1],
+	                     &block->churn.angle,
+	                     &block->churn.angular_velocity};
 	for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
 		number_free(numbers[k]);
 }

@@ -29,6 +29,14 @@ typedef struct // one collidable of each item
 	scree_filter filter;
 } Part;
 
+typedef struct // what happens to bodies of a block before every step; their numbers may be random, and know no index
+{
+	int moved, replaced; // bodies a step: put elsewhere, destroyed and made anew elsewhere
+	Number position[2], velocity[2];
+	Number angle, angular_velocity;
+	scree_body_def* items; // all bodies of the block as they begin, attributes as in a Batch
+} Churn;
+
 struct Block
 {
 	bool bodies; // else collidables without a body: one part and no more
@@ -43,6 +51,7 @@ struct Block
 	int part_count;
 	bool simple;   // one part, at the body's origin
 	int64_t count; // items
+	Churn churn;
 };
 
 // Items on their way into a world. Attributes are positions in Scene.attributes, with generation 0.
@@ -65,6 +74,12 @@ bool block_count(Reader* reader, const Place* place, Block* block, int64_t limit
 // Evaluates all items, batch by batch. Fails when an item's number is bad (never the second time), when memory is short,
 // or when full returns false.
 bool block_walk(Reader* reader, const Block* block, bool (*full)(void* context, const void* batch), void* context);
+
+// Where body number serial that churn puts somewhere begins, and how it moves there.
+bool block_churn(Reader* reader, const Block* block, uint64_t serial, scree_body_def* body);
+
+// Checks the churn of a block that has been counted, and keeps what is made anew.
+bool churn_open(Reader* reader, const Place* place, Block* block);
 
 void block_free(Block* block);
 

@@ -111,7 +111,7 @@ bool reader_number(Reader* reader, const Place* place, const json_t* value, Rang
 
 	// outside of repeat blocks nothing varies
 	bool varies = !expression_is_constant(code, &number->constant);
-	bool indexed = false;
+	bool indexed = reader->redraws;
 	for (int k = 0; k < reader->scope.count; ++k)
 		indexed = indexed || reader->scope.names[k].slot >= 0;
 	const char* fault = NULL;

@@ -15,6 +15,7 @@ typedef struct // what all values of one file share
 	Scope scope;    // names known to expressions
 	uint64_t seed;
 	uint32_t sites; // random() calls so far
+	bool redraws;   // random() varies where there is no index
 } Reader;
 
 typedef struct Place // of a value in the file, a list upwards: attributes . crate . polygon [2]

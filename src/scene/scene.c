@@ -237,7 +237,7 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 			                   SCENE_MAX_BODIES);
 		scene->body_count += bodies ? (int)block->count : 0;
 		scene->collidable_count += (int)collidables;
-		if (!block_walk(reader, block, NULL, NULL))
+		if (!block_walk(reader, block, NULL, NULL) || !churn_open(reader, at, block))
 			return false;
 	}
 	return true;

@@ -48,6 +48,27 @@ void scene_free(Scene* scene);
 // Puts a scene into an empty world. On failure scree_error() says why, and the world is to be destroyed.
 scree_status scene_build(const Scene* scene, scree_world* world);
 
+// Does to the bodies of a world what the scene does to them before a step, the first being number 0: some are put
+// elsewhere, some destroyed and made anew. The world holds what scene_build put there, and has been through all steps
+// before this one; what was added later stays as it is. On failure scree_error() says why.
+scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step);
+
+// Whether scene_churn does anything.
+bool scene_churns(const Scene* scene);
+
+// What scene_churn does to one body of the scene, for those who hold it in another form than a world.
+typedef struct
+{
+	int item;      // number of the body in the order of the file
+	bool replaced; // destroyed and made anew; else put elsewhere
+	scree_body_def
+	    body; // where it goes on, and for one made anew all else, attribute as a position in Scene.attributes
+} SceneChange;
+
+// Writes the changes before a step, in rising order of replaced and of item within each block, into *changes, which the
+// caller frees, and returns how many there are; -1 when there is no memory.
+int scene_changes(const Scene* scene, int64_t step, SceneChange** changes);
+
 // Finds the file of a scene: a path if it has a slash or ends in .json, else a name looked for in $SCREE_SCENES, the
 // folders known at build time, and beside the executable (may be null). path has SCENE_PATH characters. Returns false
 // and writes a sentence when there is none.

@@ -99,6 +99,17 @@ static bool body_of(Walk* walk, scree_body_def* body)
 	       float_of(walk, &b->angular_damping, &body->angular_damping);
 }
 
+bool block_churn(Reader* reader, const Block* block, uint64_t serial, scree_body_def* body)
+{
+	const Churn* churn = &block->churn;
+	Walk walk = {.reader = reader, .block = block};
+	walk.item = (Item){.indices = walk.indices, .seed = reader->seed, .number = serial};
+	return pose_of(&walk, churn->position, &churn->angle, &body->pose) &&
+	       float_of(&walk, &churn->velocity[0], &body->velocity.linear.x) &&
+	       float_of(&walk, &churn->velocity[1], &body->velocity.linear.y) &&
+	       float_of(&walk, &churn->angular_velocity, &body->velocity.angular);
+}
+
 static bool flush(Walk* walk)
 {
 	Batch* batch = walk->batch;

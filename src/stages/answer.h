@@ -10,9 +10,10 @@
 
 // A spoke answers as if its light end had this part of the hub's inverse mass more. Without it a light end that cannot move
 // would be infinitely stiff. The solution is the same, for only changes of impulses meet it.
-#ifndef HUB_YIELD
 #define HUB_YIELD 0.1f
-#endif
+
+// The same of restitution, which is asked once: no later pass makes good what this holds back.
+#define BOUNCE_YIELD 0.001f
 
 // what is solved
 #define HUB_NORMAL   0 // pushes, without softness
@@ -141,9 +142,9 @@ INLINE void spoke_push(const Pools* p, int i, SpokeArms s, Real impulse1, Real i
 
 INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
 {
-	if (what == HUB_ROLL)
+	if (what == HUB_ROLL || what == HUB_BOUNCE)
 	{
-		old[0] = load(&extra_at(p, rolling_impulse, i), 0);
+		old[0] = what == HUB_ROLL ? load(&extra_at(p, rolling_impulse, i), 0) : splat(0.0f);
 		old[1] = splat(0.0f);
 		return;
 	}
@@ -153,8 +154,24 @@ INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
 	                              : load(&constraint_at(p, normal_impulse2, i), 0);
 }
 
+// What bounces leaves, so that the next step must not begin with the impulse of this one.
+INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse2)
+{
+	int m = spoke_of(p, i);
+	Real zero = splat(0.0f), normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
+	pair_total(p, i, impulse1, impulse2);
+	store(&constraint_at(p, normal_impulse1, i), 0, choose(normal1, zero, load(&spoke_at(p, limit1, m), 0) > zero));
+	store(&constraint_at(p, normal_impulse2, i), 0, choose(normal2, zero, load(&spoke_at(p, limit2, m), 0) > zero));
+}
+
 INLINE void spoke_keep(const Pools* p, int i, int what, Real impulse1, Real impulse2)
 {
+	if (what == HUB_BOUNCE)
+	{
+		spoke_keep_bounce(p, i, impulse1, impulse2);
+		return;
+	}
 	if (what == HUB_ROLL)
 	{
 		store(&extra_at(p, rolling_impulse, i), 0, impulse1);
@@ -166,7 +183,7 @@ INLINE void spoke_keep(const Pools* p, int i, int what, Real impulse1, Real impu
 	      impulse2);
 }
 
-// What holds impulses: friction and rolling resistance have a limit, and of restitution some points have no part.
+// what friction and rolling resistance hold at most
 INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
 {
 	Real normal[2];
@@ -180,9 +197,27 @@ INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
 	}
 	else if (what == HUB_ROLL)
 	{
-		limit[0] = load(&extra_at(p, rolling, i), 0) * (normal[0] + normal[1]);
+		limit[0] = minimum(load(&extra_at(p, rolling, i), 0) * (normal[0] + normal[1]), splat(MOST_IMPULSE));
 		limit[1] = splat(0.0f);
 	}
+}
+
+INLINE Real spoke_gap(const Pools* p, int i, int k)
+{
+	int m = spoke_of(p, i);
+	return k ? load(&spoke_at(p, gap2, m), 0) : load(&spoke_at(p, gap1, m), 0);
+}
+
+INLINE Real spoke_rebound(const Pools* p, int i, int k)
+{
+	return k ? load(&extra_at(p, rebound2, i), 0) : load(&extra_at(p, rebound1, i), 0);
+}
+
+// 1/kg: the velocity that an impulse of 1 gives the whole of both bodies at point k, against each other
+INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
+{
+	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
+	       s->whole_inertia * s->light[k] * s->light[k];
 }
 
 // The velocity that a spoke wants at point k, and by how much more than its bodies' mass an impulse is resisted.
@@ -193,88 +228,106 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = splat(0.0f);
 	if (what == HUB_FRICTION && p->step.extras)
 		*bias = load(&extra_at(p, tangent_speed, i), 0);
-	if (what == HUB_BOUNCE)
-		*bias = load(&extra_at(p, restitution, i), 0) *
-		        (k ? load(&extra_at(p, approach2, i), 0) : load(&extra_at(p, approach1, i), 0));
-	if (what != HUB_NORMAL && what != HUB_SOFT)
+	if (what == HUB_FRICTION || what == HUB_ROLL)
 		return;
-	int m = spoke_of(p, i);
-	Real gap = k ? load(&spoke_at(p, gap2, m), 0) : load(&spoke_at(p, gap1, m), 0);
+	Real gap = spoke_gap(p, i, k);
+	if (what == HUB_BOUNCE)
+	{
+		*bias = -bounce_speed(&p->step, spoke_rebound(p, i, k), load(&extra_at(p, fall, i), 0), gap);
+		return;
+	}
 	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), &p->step, what == HUB_SOFT);
-	Real resists = h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
-	               s->whole_inertia * s->light[k] * s->light[k];
 	*bias = goal.bias / goal.mass_scale;
-	*soft = resists * goal.impulse_scale / goal.mass_scale;
+	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// whether a point takes part in restitution
-INLINE Int spoke_bounces(const Pools* p, int i, int k)
+// Whether only some points take part in a block: in restitution those that were pushed, and in relaxing not those that are
+// to bounce and have not met yet.
+INLINE int spoke_chooses(const Pools* p, int what)
 {
-	return pair_hit(load(&extra_at(p, restitution, i), 0),
-	                k ? load(&extra_at(p, approach2, i), 0) : load(&extra_at(p, approach1, i), 0),
-	                k ? load(&extra_at(p, peak_impulse2, i), 0) : load(&extra_at(p, peak_impulse1, i), 0),
-	                p->step.restitution_threshold);
+	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
+}
+
+// 1 where point k takes part, else 0
+INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
+	if (what == HUB_NORMAL)
+		return choose(one, zero, pair_waits(spoke_gap(p, i, k), old, rebound));
+	Real total = k ? load(&extra_at(p, total_impulse2, i), 0) : load(&extra_at(p, total_impulse1, i), 0);
+	return choose(zero, one, (rebound > zero) & (total > zero));
 }
 
 // ---------------------------------------------------------------------------------------------------------------
 // a block: one kind of impulse of all spokes
 // ---------------------------------------------------------------------------------------------------------------
 
+// m/s: at which the points of a spoke part
+INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
+{
+	for (int k = 0; k < 2; ++k)
+		speed[k] = s->n.x * (h->from[0] - s->v.x) + s->n.y * (h->from[1] - s->v.y) + s->hub[k] * h->from[2] +
+		           s->light[k] * s->w;
+}
+
 // The problem of a spoke, laid down for as long as it is asked. Impulses beyond their limits are taken back at once, for no
-// solution may keep them; taken is the sum of what that does to the hub.
+// solution may keep them, and so are those of a spoke whose velocity is no number, which has no other answer; taken is the
+// sum of what that does to the hub.
 INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
-	Real old[2], limit[2] = {splat(0.0f), splat(0.0f)}, mass[2], slope[2];
+	Real zero = splat(0.0f), most = splat(MOST_FLOAT), limit[2] = {zero, zero};
+	Real old[2], beyond[2], speed[2], mass[2], inverse[2], slope[2];
 	spoke_impulses(p, i, what, old);
+	spoke_speeds(h, &s, speed);
+	Int well = (absolute(speed[0]) <= most) & (absolute(speed[1]) <= most);
 	int limited = what == HUB_FRICTION || what == HUB_ROLL, m = spoke_of(p, i);
-	if (limited)
+	spoke_limits(p, i, what, limit);
+	for (int k = 0; k < 2; ++k)
 	{
-		spoke_limits(p, i, what, limit);
-		Real beyond[2];
-		for (int k = 0; k < 2; ++k)
-		{
-			Real held = minimum(maximum(old[k], -limit[k]), limit[k]);
-			beyond[k] = held - old[k];
-			old[k] = held;
-		}
-		spoke_push(p, i, s, beyond[0], beyond[1]);
-		s.v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
-		s.w = load(&spoke_at(p, w, m), 0);
-		taken[0] += s.n.x * (beyond[0] + beyond[1]);
-		taken[1] += s.n.y * (beyond[0] + beyond[1]);
-		taken[2] += s.hub[0] * beyond[0] + s.hub[1] * beyond[1];
+		limit[k] = choose(zero, limit[k], well);
+		Real held = choose(zero, limited ? grip_of(old[k], limit[k]) : old[k], well);
+		beyond[k] = held - old[k];
+		old[k] = held;
 	}
+	spoke_push(p, i, s, beyond[0], beyond[1]);
+	s.v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
+	s.w = load(&spoke_at(p, w, m), 0);
+	taken[0] += s.n.x * (beyond[0] + beyond[1]);
+	taken[1] += s.n.y * (beyond[0] + beyond[1]);
+	taken[2] += s.hub[0] * beyond[0] + s.hub[1] * beyond[1];
 
-	Real cross = s.mass + s.inertia * s.light[0] * s.light[1];
+	Real cross = choose(zero, s.mass + s.inertia * s.light[0] * s.light[1], well);
+	float yield = what == HUB_BOUNCE ? BOUNCE_YIELD : HUB_YIELD;
+	spoke_speeds(h, &s, speed);
 	for (int k = 0; k < 2; ++k)
 	{
 		Real bias, soft;
 		spoke_wants(p, h, i, what, &s, k, &bias, &soft);
-		Real hub_mass = what == HUB_ROLL ? splat(0.0f) : splat(h->inv_mass);
+		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
 		// a little more than the mass itself, so that two points in one place have an answer
 		mass[k] = 1.0001f * (s.mass + s.inertia * s.light[k] * s.light[k]) +
-		          HUB_YIELD * (hub_mass + h->inv_inertia * s.hub[k] * s.hub[k]) + soft;
-		Real speed =
-		    s.n.x * (h->from[0] - s.v.x) + s.n.y * (h->from[1] - s.v.y) + s.hub[k] * h->from[2] + s.light[k] * s.w;
-		slope[k] = speed + bias + soft * old[k];
+		          yield * (hub_mass + h->inv_inertia * s.hub[k] * s.hub[k]) + soft;
+		slope[k] = choose(zero, speed[k] + bias + soft * old[k], well);
 	}
 	if (limited)
 	{
 		// points side by side resist together: each is as heavy as both
-		Real together = choose(splat(0.0f), absolute(cross), (limit[0] > splat(0.0f)) & (limit[1] > splat(0.0f)));
+		Real together = choose(zero, absolute(cross), (limit[0] > zero) & (limit[1] > zero));
 		mass[0] += together;
 		mass[1] += together;
 		store(&spoke_at(p, limit1, m), 0, limit[0]);
 		store(&spoke_at(p, limit2, m), 0, limit[1]);
 	}
-	if (what == HUB_BOUNCE)
+	else if (spoke_chooses(p, what))
 	{
-		Int hit1 = spoke_bounces(p, i, 0), hit2 = spoke_bounces(p, i, 1);
-		store(&spoke_at(p, limit1, m), 0, choose(splat(0.0f), splat(1.0f), hit1));
-		store(&spoke_at(p, limit2, m), 0, choose(splat(0.0f), splat(1.0f), hit2));
-		cross = choose(splat(0.0f), cross, hit1 & hit2);
+		Real takes1 = spoke_takes_part(p, i, what, 0, old[0]), takes2 = spoke_takes_part(p, i, what, 1, old[1]);
+		store(&spoke_at(p, limit1, m), 0, takes1);
+		store(&spoke_at(p, limit2, m), 0, takes2);
+		cross = takes1 * takes2 * cross;
 	}
+	for (int k = 0; k < 2; ++k)
+		inverse[k] = choose(zero, 1.0f / mass[k], (mass[k] > zero) & well);
 	store(&spoke_at(p, push_x, m), 0, s.n.x);
 	store(&spoke_at(p, push_y, m), 0, s.n.y);
 	store(&spoke_at(p, arm1, m), 0, s.hub[0]);
@@ -284,10 +337,10 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	store(&spoke_at(p, mass1, m), 0, mass[0]);
 	store(&spoke_at(p, mass2, m), 0, mass[1]);
 	store(&spoke_at(p, cross, m), 0, cross);
-	store(&spoke_at(p, inverse1, m), 0, choose(splat(0.0f), 1.0f / mass[0], mass[0] > splat(0.0f)));
-	store(&spoke_at(p, inverse2, m), 0, choose(splat(0.0f), 1.0f / mass[1], mass[1] > splat(0.0f)));
+	store(&spoke_at(p, inverse1, m), 0, inverse[0]);
+	store(&spoke_at(p, inverse2, m), 0, inverse[1]);
 	if (!limited)
-		store(&spoke_at(p, inverse, m), 0, 1.0f / (mass[0] * mass[1] - cross * cross));
+		store(&spoke_at(p, inverse, m), 0, 1.0f / (1.0f - cross * inverse[0] * (cross * inverse[1])));
 	store(&spoke_at(p, old1, m), 0, old[0]);
 	store(&spoke_at(p, old2, m), 0, old[1]);
 }
@@ -298,6 +351,15 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 	SpokeArms s = spoke_arms(p, h, i, what);
 	Real old[2];
 	spoke_impulses(p, i, what, old);
+	if (what == HUB_NORMAL)
+	{
+		for (int k = 0; k < 2; ++k)
+		{
+			Real resists = spoke_resists(h, &s, k);
+			old[k] = pair_start(&p->step, old[k], choose(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
+		}
+		spoke_keep(p, i, what, old[0], old[1]);
+	}
 	spoke_push(p, i, s, old[0], old[1]);
 	push[0] += s.n.x * (old[0] + old[1]);
 	push[1] += s.n.y * (old[0] + old[1]);
@@ -314,10 +376,9 @@ typedef struct // impulses, and how they change against the hub's velocity at ea
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
 	SpokeAnswer r;
-	Real zero = splat(0.0f), inverse = load(&spoke_at(p, inverse, m), 0),
-	     cross = inverse * load(&spoke_at(p, cross, m), 0);
-	Real own1 = inverse * load(&spoke_at(p, mass2, m), 0), own2 = inverse * load(&spoke_at(p, mass1, m), 0);
+	Real zero = splat(0.0f), inverse = load(&spoke_at(p, inverse, m), 0);
 	Real single1 = load(&spoke_at(p, inverse1, m), 0), single2 = load(&spoke_at(p, inverse2, m), 0);
+	Real own1 = inverse * single1, own2 = inverse * single2, cross = own1 * (single2 * load(&spoke_at(p, cross, m), 0));
 	Real first = cross * want2 - own1 * want1, second = cross * want1 - own2 * want2;
 	Int good1 = first >= zero, good2 = second >= zero, both = good1 & good2;
 	Real alone1 = choose(maximum(-single1 * want1, zero), zero, good2);
@@ -367,7 +428,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, HubSum* 
 	else
 		r = spoke_push_apart(p, m, at[0] - mass[0] * old[0] - cross * old[1],
 		                     at[1] - mass[1] * old[1] - cross * old[0]);
-	if (what == HUB_BOUNCE)
+	if (spoke_chooses(p, what))
 	{
 		Real takes[2] = {load(&spoke_at(p, limit1, m), 0), load(&spoke_at(p, limit2, m), 0)};
 		for (int k = 0; k < 2; ++k)
@@ -398,23 +459,17 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, HubSum* 
 	    mass[0] * change[0] * change[0] + mass[1] * change[1] * change[1] + 2.0f * cross * change[0] * change[1];
 }
 
-// A spoke gives a part of its answer.
+// A spoke gives a part of its answer. A part of 1 may leave what rounding leaves.
 INLINE void spoke_give(const Pools* p, const Hub* h, int i, int what, float part)
 {
-	int m = spoke_of(p, i);
+	int m = spoke_of(p, i), limited = what == HUB_FRICTION || what == HUB_ROLL;
 	Real old[2] = {load(&spoke_at(p, old1, m), 0), load(&spoke_at(p, old2, m), 0)};
-	Real change1 = part * (load(&spoke_at(p, new1, m), 0) - old[0]),
-	     change2 = part * (load(&spoke_at(p, new2, m), 0) - old[1]);
-	spoke_push(p, i, spoke_arms(p, h, i, what), change1, change2);
-	old[0] = old[0] + change1;
-	old[1] = old[1] + change2;
-	if (what != HUB_FRICTION && what != HUB_ROLL)
-	{
-		// a part of 1 may leave what rounding leaves
-		old[0] = maximum(old[0], splat(0.0f));
-		old[1] = maximum(old[1], splat(0.0f));
-	}
-	spoke_keep(p, i, what, old[0], old[1]);
+	Real now[2] = {old[0] + part * (load(&spoke_at(p, new1, m), 0) - old[0]),
+	               old[1] + part * (load(&spoke_at(p, new2, m), 0) - old[1])};
+	now[0] = limited ? grip_of(now[0], load(&spoke_at(p, limit1, m), 0)) : push_of(now[0]);
+	now[1] = limited ? grip_of(now[1], load(&spoke_at(p, limit2, m), 0)) : push_of(now[1]);
+	spoke_push(p, i, spoke_arms(p, h, i, what), now[0] - old[0], now[1] - old[1]);
+	spoke_keep(p, i, what, now[0], now[1]);
 }
 
 #endif

@@ -245,6 +245,11 @@ INLINE void color_pad_spoke(const Pools* p, int place, int hub)
 	constraint_at(p, anchor1_y, place) = 0.0f;
 	constraint_at(p, anchor2_x, place) = 0.0f;
 	constraint_at(p, anchor2_y, place) = 0.0f;
+	extra_at(p, fall, place) = 0.0f;
+	extra_at(p, rebound1, place) = 0.0f;
+	extra_at(p, rebound2, place) = 0.0f;
+	extra_at(p, total_impulse1, place) = 0.0f;
+	extra_at(p, total_impulse2, place) = 0.0f;
 }
 
 // what does not change while the layout stands

@@ -3,13 +3,26 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "pools/pools.h"
-#include "stages/vec.h"
+#include "stages/finite.h"
 
 // The velocity of a body, nothing along what is locked.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
 {
-	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : v.x;
-	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : v.y;
+	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_lost(v.x);
+	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : finite_or_lost(v.y);
+}
+
+INLINE void command_spin(const Pools* p, int body, float impulse)
+{
+	p->body[body].w = finite_or_lost(p->body[body].w + p->body[body].inv_inertia * impulse);
+}
+
+INLINE void command_force(const Pools* p, int body, Vec force, float torque)
+{
+	GLOBAL Motion* motion = p->motion + body;
+	motion->fx = finite_or_lost(motion->fx + force.x);
+	motion->fy = finite_or_lost(motion->fy + force.y);
+	motion->torque = finite_or_lost(motion->torque + torque);
 }
 
 INLINE void command_push(const Pools* p, int body, Vec impulse)
@@ -87,26 +100,23 @@ INLINE void command_apply(const Pools* p, Command c)
 	switch (c.kind)
 	{
 	case COMMAND_FORCE_AT:
-		p->motion[i].torque += vec_cross(command_arm(p, i, value.z, value.w), v);
-		p->motion[i].fx += v.x;
-		p->motion[i].fy += v.y;
+		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
 		break;
 	case COMMAND_FORCE:
-		p->motion[i].fx += v.x;
-		p->motion[i].fy += v.y;
+		command_force(p, i, v, 0.0f);
 		break;
 	case COMMAND_TORQUE:
-		p->motion[i].torque += value.x;
+		command_force(p, i, vec(0.0f, 0.0f), value.x);
 		break;
 	case COMMAND_IMPULSE_AT:
-		p->body[i].w += p->body[i].inv_inertia * vec_cross(command_arm(p, i, value.z, value.w), v);
+		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
 		command_push(p, i, v);
 		break;
 	case COMMAND_IMPULSE:
 		command_push(p, i, v);
 		break;
 	case COMMAND_ANGULAR_IMPULSE:
-		p->body[i].w += p->body[i].inv_inertia * value.x;
+		command_spin(p, i, value.x);
 		break;
 	case COMMAND_VELOCITY:
 		command_velocity(p, i, v);
@@ -128,6 +138,11 @@ INLINE void command_apply(const Pools* p, Command c)
 	case COMMAND_BODY:
 		command_body(p, i, value);
 		break;
+	case COMMAND_GUARDED:
+		p->guarded[i].first = c.whole[0];
+		p->guarded[i].way = value.x;
+		p->guarded[i].reach = value.y;
+		break;
 	case COMMAND_PLACE:
 		p->collidable_pose[i] = value;
 		break;
@@ -139,6 +154,9 @@ INLINE void command_apply(const Pools* p, Command c)
 		p->filter[i].mask = command_word64(value.z, value.w);
 		p->filter[i].group = c.whole[0];
 		p->collidable_kind[i] = c.whole[1];
+		break;
+	case COMMAND_NEXT:
+		p->next_collidable[i] = c.whole[0];
 		break;
 	}
 }

@@ -4,13 +4,14 @@
 // Slots name contacts wherever an order is needed (colors' priorities, read-back), so they must not depend on the device.
 #ifndef CONTACT_H
 #define CONTACT_H
-#include "pools/pools.h"
+#include "stages/finite.h"
 
-// is there room for the pairs found?
+// Is there room for the pairs found, and may there be so many? That does not depend on capacities, and so not on devices.
 STAGE(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
-	c->stalled = c->pairs > p->step.pair_capacity;
+	c->crowded = c->alive + c->pairs > p->step.contact_limit;
+	c->stalled = c->crowded || c->pairs > p->step.pair_capacity;
 	c->sort_pairs = c->stalled ? 0 : c->pairs;
 	if (c->stalled)
 		c->kept = 0;
@@ -45,6 +46,50 @@ STAGE(contact_begin)
 	(void)i;
 }
 
+// Contacts from slot alive on move into the free slots before it, the first into the lowest, so that the first slots hold
+// all there are. Who moves and who is moved onto have no slot in common. All that outlives a step moves: the pool's arrays
+// but scan, free_slot, began and uncolored.
+STAGE(contact_pack)
+{
+	const GLOBAL Counters* c = p->counters;
+	int alive = c->alive - c->released;
+	if (i < alive || p->pair[i].x < 0)
+		return;
+	int to = p->free_slot[(i - alive) - (p->scan[i] - p->scan[alive])], constraint = p->contact_constraint[i];
+	p->pair[to] = p->pair[i];
+	p->contact_bodies[to] = p->contact_bodies[i];
+	p->contact_flags[to] = p->contact_flags[i];
+	p->contact_color[to] = p->contact_color[i];
+	p->contact_feature[to] = p->contact_feature[i];
+	p->contact_found[to] = p->contact_found[i];
+	p->contact_impulse[to] = p->contact_impulse[i];
+	p->contact_rolling_impulse[to] = p->contact_rolling_impulse[i];
+	p->contact_surface[to] = p->contact_surface[i];
+	p->contact_constraint[to] = constraint;
+	if (constraint >= 0)
+		p->constraint_contact[constraint] = to;
+	p->pair[i] = make_int2(-1, -1);
+}
+
+STAGE(contact_pack_end)
+{
+	p->counters->contacts = p->counters->alive - p->counters->released;
+	(void)i;
+}
+
+// Which of two collidables is the first of a pair: what moves before what does not, then the smaller, then the lower. The
+// manifold is found in its frame and the solver's arms are from its center, so that they are exact where it matters: far
+// from the center of a floor, a circle's arms would be off by a ten millionth of the way there, and it would roll.
+INLINE int contact_first(const Pools* p, int a, int b)
+{
+	int still_a = p->collidable_kind[a] < KIND_DYNAMIC, still_b = p->collidable_kind[b] < KIND_DYNAMIC;
+	if (still_a != still_b)
+		return still_a ? b : a;
+	float reach_a = p->attribute[p->collidable_attribute[a]].reach,
+	      reach_b = p->attribute[p->collidable_attribute[b]].reach;
+	return reach_b < reach_a ? b : a;
+}
+
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
 STAGE(contact_create)
@@ -53,6 +98,12 @@ STAGE(contact_create)
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
 	int dead = p->counters->dead;
 	int slot = i < dead ? p->free_slot[i] : p->counters->contacts + (i - dead);
+	int first = contact_first(p, a, b);
+	if (first == b)
+	{
+		b = a;
+		a = first;
+	}
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
 	const GLOBAL Attribute* sa = p->attribute + p->collidable_attribute[a];
 	const GLOBAL Attribute* sb = p->attribute + p->collidable_attribute[b];
@@ -70,9 +121,10 @@ STAGE(contact_create)
 	// rolling resistance as long as the larger radius; belts that run against each other add up
 	float lever =
 	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	float friction = square_root(sa->friction * sb->friction);
 	p->contact_surface[slot] =
-	    make_float4(square_root(sa->friction * sb->friction), surface_larger(sa->restitution, sb->restitution), lever,
-	                sa->tangent_speed + sb->tangent_speed);
+	    make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
+	                surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
 STAGE(contact_end)

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: MIT
-// contact_points.h -- where the points of a contact are now, from the places on its two collidables where they were found.
+// contact_points.h -- normal, arms and gaps of a contact for the step, from a manifold that is held as it was found.
+//
+// A manifold that is held keeps its normal and its arms in the world, whatever bodies have turned and shifted since; the
+// gap alone follows them. So the forces of a column that leans a little go straight down through it as before, and it does
+// not buckle. A contact gives way like a spring: with arms that follow, a column of more than 28 boxes would (A. G.
+// Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast can be made,
+// 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
 #include "pools/pools.h"
@@ -7,59 +13,53 @@
 
 typedef struct // world axes
 {
-	Vec normal;   // from a to b
-	Vec point[2]; // halfway between the surfaces, from the origin of collidable a, m
-	Vec apart;    // m: from the places on a to those on b, when bodies have yet to turn and go to where they were found
+	Vec normal;          // from a to b
+	Vec point[2];        // halfway between the surfaces, from the origin of collidable a, m
+	Vec anchor[2];       // from the center of mass of a, m
+	Vec offset;          // m: what an anchor from the center of mass of b has more
 	float separation[2]; // m
 } ContactPoints;
 
-// The place at r from the center of mass of a body that has yet to turn: where it is when it has.
-INLINE Vec contact_points_turned(Vec center, Vec turn, Vec place)
-{
-	return vec_add(center, vec_turn(turn, vec_sub(place, center)));
-}
-
-// Points of bodies that have yet to meet. Arms are those of the moment when they do, or else the impulse would not keep
-// the angular momentum; then the two places of each point are as far apart as the bodies have to go. The solver turns
-// arms by what bodies have turned since the step began: that much less is the separation.
-INLINE void contact_points_ahead(ContactPoints* points, Placed a, Placed b, Found found, Vec a0, Vec b0, Vec a1, Vec b1)
-{
-	Vec turn_a = vec_rotation(found.relative.y), turn_b = vec_rotation(found.relative.z);
-	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
-	Vec at_a[2], at_b[2];
-	Real separation[2] = {found.normal.z, found.normal.w};
-	at_a[0] = contact_points_turned(center_a, turn_a, a0);
-	at_a[1] = contact_points_turned(center_a, turn_a, a1);
-	at_b[0] = contact_points_turned(center_b, turn_b, b0);
-	at_b[1] = contact_points_turned(center_b, turn_b, b1);
-	for (int k = 0; k < 2; ++k)
-	{
-		Vec more_a = vec_sub(contact_points_turned(center_a, turn_a, at_a[k]), at_a[k]);
-		Vec more_b = vec_sub(contact_points_turned(center_b, turn_b, at_b[k]), at_b[k]);
-		Vec to_go = vec_sub(vec_sub(at_b[k], at_a[k]), vec_sub(more_b, more_a));
-		points->point[k] = vec_scale(0.5f, vec_add(at_a[k], at_b[k]));
-		points->separation[k] = separation[k] + vec_dot(points->normal, to_go);
-	}
-	points->apart = vec_sub(at_b[0], at_a[0]);
-}
+// how far a point at an arm from the center of mass goes when its body turns
+INLINE Vec contact_points_swing(Vec turn, Vec arm) { return vec_sub(vec_turn(turn, arm), arm); }
 
 // The two places of a point were one when it was found. How far they have parted along the normal since is added to the
-// separation: exact while nothing turns, and to the second order of a small turn.
-INLINE ContactPoints contact_points(Placed a, Placed b, Found found)
+// separation. The solver turns arms by what bodies turn in the step; where the poses are still to come, that much less
+// is the separation.
+INLINE ContactPoints contact_points_held(Placed a, Placed b, Found found)
 {
-	Float4 normal = found.normal, on_a = found.on_a, on_b = found.on_b;
-	Vec turn_a = vec(a.c, a.s), turn_b = vec(b.c, b.s), from_a = vec(b.x - a.x, b.y - a.y);
+	Vec axes_a = vec(a.c, a.s), axes_b = vec(b.c, b.s), from_a = vec(b.x - a.x, b.y - a.y);
+	Vec then_a = vec(found.then.x, found.then.y), shift = vec(found.relative.x, found.relative.y),
+	    turn = vec(found.relative.z, found.relative.w);
+	Vec then_b = vec_turn(then_a, turn);
+	Vec turned_a = vec_turn_back(axes_a, then_a), turned_b = vec_turn_back(axes_b, then_b);
+	Vec center_a = vec_turn(turned_a, vec(a.center_x, a.center_y)),
+	    center_b = vec_turn(turned_b, vec(b.center_x, b.center_y));
+	int ahead = float_bits(found.then.z) & FOUND_AHEAD;
+	Vec on_a[2];
+	float separation[2] = {found.normal.z, found.normal.w};
+	on_a[0] = vec(found.on_a.x, found.on_a.y);
+	on_a[1] = vec(found.on_a.z, found.on_a.w);
 	ContactPoints points;
-	points.normal = vec_turn(turn_a, vec(normal.x, normal.y));
-	Vec a0 = vec_turn(turn_a, vec(on_a.x, on_a.y)), b0 = vec_add(from_a, vec_turn(turn_b, vec(on_b.x, on_b.y)));
-	Vec a1 = vec_turn(turn_a, vec(on_a.z, on_a.w)), b1 = vec_add(from_a, vec_turn(turn_b, vec(on_b.z, on_b.w)));
-	points.point[0] = vec_scale(0.5f, vec_add(a0, b0));
-	points.point[1] = vec_scale(0.5f, vec_add(a1, b1));
-	points.separation[0] = normal.z + vec_dot(points.normal, vec_sub(b0, a0));
-	points.separation[1] = normal.w + vec_dot(points.normal, vec_sub(b1, a1));
-	points.apart = vec(0.0f, 0.0f);
-	if (found.relative.x == NO_POINT)
-		contact_points_ahead(&points, a, b, found, a0, b0, a1, b1);
+	points.normal = vec_turn(then_a, vec(found.normal.x, found.normal.y));
+	points.offset = vec_sub(center_a, vec_add(vec_turn(then_a, shift), center_b));
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec at_a = vec_turn(axes_a, on_a[k]);
+		Vec at_b = vec_add(from_a, vec_turn(axes_b, vec_turn_back(turn, vec_sub(on_a[k], shift))));
+		points.point[k] = vec_scale(0.5f, vec_add(at_a, at_b));
+		points.anchor[k] = vec_sub(vec_turn(then_a, on_a[k]), center_a);
+		Vec parted = vec_sub(at_b, at_a);
+		if (ahead)
+		{
+			Vec arm_a = points.anchor[k], arm_b = vec_add(arm_a, points.offset);
+			Vec arm_a_now = vec_turn_back(turned_a, arm_a), arm_b_now = vec_turn_back(turned_b, arm_b);
+			Vec more_a = vec_sub(contact_points_swing(turned_a, arm_a), contact_points_swing(turned_a, arm_a_now));
+			Vec more_b = vec_sub(contact_points_swing(turned_b, arm_b), contact_points_swing(turned_b, arm_b_now));
+			parted = vec_sub(parted, vec_sub(more_b, more_a));
+		}
+		points.separation[k] = separation[k] + vec_dot(points.normal, parted);
+	}
 	return points;
 }
 

@@ -17,6 +17,13 @@
 #define INLINE static inline
 #endif
 
+// What few items need and would cost the others registers. On a GPU a call costs them as well.
+#ifdef __OPENCL_C_VERSION__
+#define RARE INLINE
+#else
+#define RARE static __attribute__((noinline))
+#endif
+
 #ifdef __OPENCL_C_VERSION__
 
 #pragma OPENCL FP_CONTRACT OFF
@@ -224,10 +231,11 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 #define read_row8(base, index, out) memcpy(out, (base) + 8 * (size_t)(index), 32)
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
-#define splat(x)                    ((Real){0} + (x))
-#define load(array, i)              (*(const Real*)((array) + (i)))
-#define load_int(array, i)          (*(const Int*)((array) + (i)))
-#define store(array, i, x)          (*(Real*)((array) + (i)) = (x))
+// a difference, for -0 + 0 is +0
+#define splat(x)           ((x) - (Real){0})
+#define load(array, i)     (*(const Real*)((array) + (i)))
+#define load_int(array, i) (*(const Int*)((array) + (i)))
+#define store(array, i, x) (*(Real*)((array) + (i)) = (x))
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Real root(Real x)

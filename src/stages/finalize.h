@@ -2,47 +2,56 @@
 // finalize.h -- the step's motion into the poses; bodies whose state is not finite are frozen and counted.
 #ifndef FINALIZE_H
 #define FINALIZE_H
-#include "stages/body.h"
+#include "stages/guard.h"
 
-// false for NaN too
-INLINE int finalize_bounded(float x, float limit) { return x >= -limit && x <= limit; }
+// m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
+#define FINALIZE_EDGE 1.0e8f
+
+// zero times what is not finite is not a number
+INLINE int finalize_finite(Vec v, float w, Vec d, float da)
+{
+	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
+}
 
 STAGE(finalize)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
 	Float4 pose = p->pose[i];
-	float vx = motion.free_x * body->vx, vy = motion.free_y * body->vy, w = body->w;
-	float x = pose.x + body->dx, y = pose.y + body->dy, da = body->da;
-
-	// the largest float is 3.4e38; a hundred million metres is as good as lost, and keeps every later product finite
-	float far = 1.0e8f;
-	if (!(finalize_bounded(x, far) && finalize_bounded(y, far) && finalize_bounded(da, 4.0f) &&
-	      finalize_bounded(vx, far) && finalize_bounded(vy, far) && finalize_bounded(w, far)))
+	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
+	float w = body->w, da = body->da;
+	if (!finalize_finite(v, w, d, da))
 	{
 		atomic_add_int(&p->counters->nonfinite, 1);
 		atomic_min_int(&p->counters->first_nonfinite, i);
-		x = pose.x;
-		y = pose.y;
-		da = 0.0f;
-		vx = 0.0f;
-		vy = 0.0f;
+		v = vec(0.0f, 0.0f);
+		d = vec(0.0f, 0.0f);
 		w = 0.0f;
+		da = 0.0f;
 		body->dx = 0.0f;
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
+	if (body->inv_mass > 0.0f)
+	{
+		float share = guard(p, i, d, da);
+		d = vec_scale(share, d);
+		da = share * da;
+	}
+
+	// impulses of the last substep may have exceeded the limits
+	v = sweep_velocity(&p->step, v);
 	if (da != 0.0f)
 	{
 		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
-		float scale = 1.0f / square_root(vec_dot(q, q));
-		pose.z = scale * q.x;
-		pose.w = scale * q.y;
+		float unit = 1.0f / square_root(vec_dot(q, q));
+		pose.z = unit * q.x;
+		pose.w = unit * q.y;
 	}
-	p->pose[i] = make_float4(x, y, pose.z, pose.w);
-	body->vx = vx;
-	body->vy = vy;
-	body->w = w;
+	p->pose[i] = make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
+	body->vx = v.x;
+	body->vy = v.y;
+	body->w = within(w, p->step.max_spin);
 	if (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque))
 	{
 		p->motion[i].fx = 0.0f;

@@ -76,7 +76,7 @@ STAGE(hash_contacts)
 		h = hash_word(hash_word(h, (Word)feature.x), (Word)feature.y);
 		Found found = p->contact_found[k];
 		h = hash_float4(hash_float4(h, found.normal), found.on_a);
-		h = hash_float4(hash_float4(h, found.on_b), found.relative);
+		h = hash_float4(hash_float4(h, found.relative), found.then);
 		h = hash_float4(h, p->contact_surface[k]);
 		int c = p->contact_constraint[k];
 		if (c >= 0)

@@ -130,7 +130,9 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 // found, and never so much that an unfinished search adds energy.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
-	float bend = sum[10] + h->inv_mass * (sum[0] * sum[0] + sum[1] * sum[1]) + h->inv_inertia * sum[2] * sum[2];
+	// in this order, for squares of great impulses are not finite
+	float bend =
+	    sum[10] + h->inv_mass * sum[0] * sum[0] + h->inv_mass * sum[1] * sum[1] + h->inv_inertia * sum[2] * sum[2];
 	float part = bend > 0.0f ? -sum[9] / bend : 0.0f;
 	part = part < 1.0f ? part : 1.0f;
 	part = part > 0.0f ? part : 0.0f;
@@ -201,7 +203,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
 	if (pass == HUB_RELAX && p->step.extras)
 		HUB_EACH_COLUMN(c, h)
 	HUB_EACH_OF(i, c, h)
-	pair_peak(p, i, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0));
+	pair_total(p, i, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0));
 }
 
 // Hub number n, with its body as it is now.

@@ -11,8 +11,8 @@
 #include "stages/manifold_axis.h"
 #include "stages/manifold_nearest.h"
 
-// m: of two edges that face each other, b's is the reference only when it is better by this, or else edges that are
-// nearly parallel would take turns. Between others the better decides, for the lesser may be off the nearest points.
+// m: of two edges that face each other, a's is the reference only when it is better by this, or else edges that are
+// nearly parallel would take turns; b is what does not move, or the larger. Between others the better decides, for the lesser may be off the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
 // m: how far a manifold on an edge may be from the distance of the cores; shorter vectors count as without direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
@@ -29,6 +29,7 @@ typedef struct // in the frame of a
 	Real separation[2]; // of the surfaces, negative when they overlap, m; NO_POINT when there is no such point
 	int feature[2];     // feature of a << 8 | feature of b; no two points share one
 	int count;          // points; when 0 there is no normal
+	int made;           // FOUND_* bits: whose corners make the points, and what the normal turns with
 } Manifold;
 
 typedef struct // how far apart points count, in the frame of a
@@ -57,6 +58,7 @@ INLINE Manifold no_manifold(void)
 	m.separation[0] = m.separation[1] = NO_POINT;
 	m.feature[0] = m.feature[1] = 0;
 	m.count = 0;
+	m.made = 0;
 	return m;
 }
 
@@ -91,6 +93,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Vec delta = vec_sub(frame_point(f, shape_corner(b, 0)), from);
 	Real distance = root(vec_dot(delta, delta));
 	m.normal = distance > NEAREST_TOLERANCE ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
+	m.made = FOUND_CORNERS;
 	manifold_add(&m, from, distance, a->radius, b->radius, 0, reach_along(reach, m.normal));
 	return m;
 }
@@ -160,6 +163,8 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 			m.normal = vec_add(vec_scale(delta.x, right), vec_scale(delta.y, up));
 			from = n.from;
 			height = distance;
+			int corner_a = n.from_feature < FEATURE_EDGE, corner_b = n.to_feature < FEATURE_EDGE;
+			m.made = corner_a && corner_b ? FOUND_CORNERS : corner_a ? FOUND_CORNER1 | FOUND_TURNS_B : 0;
 		}
 		from = vec_add(origin, vec_add(vec_scale(from.x, right), vec_scale(from.y, up)));
 		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
@@ -169,9 +174,14 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 
 	int steep = facing > -FACING;
 	Real within = reach_along(reach, m.normal);
+	m.made = cut_high ? FOUND_CORNER1 : 0;
 	manifold_add(&m, vec_add(origin, vec_scale(high.x, right)), high.y, a->radius, b->radius,
 	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j),
 	             within);
+	if (m.count == 0)
+		m.made = 0;
+	if (cut_low)
+		m.made |= m.count == 0 ? FOUND_CORNER1 : FOUND_CORNER2;
 	if (b->count > 1)
 		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
 		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
@@ -183,6 +193,8 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 INLINE Manifold manifold_swap(Manifold m, Frame f)
 {
 	m.normal = vec_neg(vec_turn(f.rotation, m.normal));
+	if (!(m.made & FOUND_CORNERS))
+		m.made ^= FOUND_TURNS_B | FOUND_CORNER1 | FOUND_CORNER2;
 	for (int k = 0; k < 2; ++k)
 	{
 		if (k >= m.count)
@@ -213,7 +225,7 @@ INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Fr
 	Real separation = maximum(on_a.separation, on_b.separation);
 	Real facing = vec_dot(shape_normal(a, on_a.edge), vec_turn(f.rotation, shape_normal(b, on_b.edge)));
 	Real bias = facing < -FACING ? REFERENCE_BIAS : 0.0f;
-	int swap = on_b.separation > on_a.separation + bias;
+	int swap = on_b.separation + bias > on_a.separation;
 	const GLOBAL Attribute* reference = a;
 	const GLOBAL Attribute* incident = b;
 	Frame placed = f;

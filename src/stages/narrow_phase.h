@@ -5,16 +5,23 @@
 // is written (contact_points.h follows them). In a settled pile that is nearly every pair.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
+#include "stages/ahead.h"
 #include "stages/box.h"
-#include "stages/contact_points.h"
-#include "stages/sweep.h"
 
 // a point farther than this from where it was, and of another feature, starts without impulse
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 
-// a pair of which no point moved farther than this against the other keeps its manifold, m: a quarter of the distance at
-// which contacts begin, so that none can be missed
+// a pair without points of which no point moved farther than this against the other is not looked at, m: a quarter of the
+// distance at which contacts begin, so that none can be missed
 #define STAY_DISTANCE LINEAR_SLOP
+
+// A manifold is kept while no point moved farther than this against the other, m, nor than so much of the reach of the
+// smaller, and neither turned in the world by more than 3.6 degrees (cosine). With one sharp point it is kept for half of
+// that, so that a second cannot be missed. Less shakes heaps: where one small body carries many, a manifold that is found
+// anew pushes it another way.
+#define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
+#define HOLD_SHARE    0.1f
+#define HOLD_COSINE   0.998f
 
 // Counts a contact that begins to touch. A body that may have too many now, and has some with colors, calls for a search
 // (spoke.h).
@@ -22,7 +29,7 @@ INLINE void contact_count(const Pools* p, int body)
 {
 	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
 	    read_shared_word64(&p->color_mask[body]) != 0)
-		raise_int(&p->counters->crowded, p->counters->contacts);
+		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
 // gives the color of a contact that no longer touches back to its bodies
@@ -70,50 +77,55 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// Whether every point of b is within STAY_DISTANCE of where it was in the frame of a: it moved with the origin, and by
-// at most reach times the turn. The sum of the components bounds the length.
-INLINE int narrow_phase_stayed(Float4 was, Vec position, Vec rotation, float reach)
+// How far any point of b may have moved in the frame of a since the manifold was found: with the origin, and by at most
+// reach times the turn. The sum of the components bounds the length.
+INLINE float narrow_phase_moved(Float4 was, Frame f, float reach)
 {
 	Vec before = vec(was.z, was.w);
-	float moved = absolute(position.x - was.x) + absolute(position.y - was.y);
-	float turned = absolute(vec_cross(before, rotation)) + absolute(1.0f - vec_dot(before, rotation));
-	return moved + reach * turned < STAY_DISTANCE;
+	float moved = absolute(f.position.x - was.x) + absolute(f.position.y - was.y);
+	float turned = absolute(vec_cross(before, f.rotation)) + absolute(1.0f - vec_dot(before, f.rotation));
+	return moved + reach * turned;
 }
 
-// The manifold of a pair that may draw near by more than the speculative distance: as it will be where they meet, with
-// what may follow in the rest of the step; if they will not, as it is now. f is the frame in which it was found.
-INLINE Manifold narrow_phase_ahead(const Pools* p, Placed a, Placed b, Closing closing, Frame* f, Float4* relative)
+// Whether the bodies touch, so that the contact is none that they will pass by.
+INLINE int narrow_phase_touches(const Pools* p, int i)
+{
+	Float4 normal = p->contact_found[i].normal;
+	int constraint = p->contact_constraint[i];
+	return minimum(normal.z, normal.w) < 0.0f ||
+	       (constraint >= 0 && (constraint_at(p, normal_impulse1, constraint) > 0.0f ||
+	                            constraint_at(p, normal_impulse2, constraint) > 0.0f));
+}
+
+// Whether the pair, placed at f in the frame of a, keeps what was found; moved has their MOVED_* bits.
+INLINE int narrow_phase_keeps(const Pools* p, int i, Word flags, Placed a, Placed b, Frame f, int moved)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Manifold now = no_manifold();
-	Frame start = *f;
-	Vec turn = vec(1.0f, 0.0f);
-	Real time = 0.0f;
-	for (int round = 0; round < SWEEP_ROUNDS; ++round)
-	{
-		Vec axes = vec_turn(turn, vec(a.c, a.s));
-		Manifold m = collide(shape_a, shape_b, *f, sweep_reach(closing, axes, time));
-		Real gap = minimum(m.separation[0], m.separation[1]);
-		if (gap <= (round + 1 < SWEEP_ROUNDS ? -SWEEP_DEPTH : SPECULATIVE_DISTANCE))
-		{
-			// contact_points turns it with a as it is now
-			m.normal = vec_turn(turn, m.normal);
-			relative->y = time * closing.a.turn;
-			relative->z = time * closing.b.turn;
-			return m;
-		}
-		// what the forces of a step may close is kept without a meeting, or nothing would roll or slide fast on a floor
-		if (round == 0 && gap <= LINEAR_SLOP)
-			now = m;
-		Real speed = sweep_speed(closing, vec_turn(axes, m.normal), time);
-		if (m.count == 0 || !(speed * (1.0f - time) > gap + 2.0f * SWEEP_DEPTH))
-			break;
-		time = time + (gap + 2.0f * SWEEP_DEPTH) / speed;
-		turn = sweep_frame(a, b, closing, time, f);
-	}
-	*f = start;
-	return now;
+	Float4 then = p->contact_found[i].then;
+	int made = float_bits(then.z), count = (int)(flags & CONTACT_COUNT);
+	if (made & FOUND_AHEAD)
+		return 0;
+	float shift = narrow_phase_moved(p->contact_found[i].relative, f, shape_b->reach);
+	if (count == 0 || (flags & CONTACT_DETECTED))
+		return shift < STAY_DISTANCE;
+	float reach = minimum(shape_a->reach, shape_b->reach);
+	Float4 was = p->contact_found[i].relative;
+	Vec then_a = vec(then.x, then.y), then_b = vec_turn(then_a, vec(was.z, was.w));
+	if (vec_dot(then_a, vec(a.c, a.s)) < HOLD_COSINE || vec_dot(then_b, vec(b.c, b.s)) < HOLD_COSINE)
+		return 0;
+	float distance = count == 2 || (made & FOUND_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
+	if (!(shift < minimum(distance, HOLD_SHARE * reach)))
+		return 0;
+	if (!(moved & MOVED_ON))
+		return 1;
+	int touches = narrow_phase_touches(p, i);
+	if (touches && !(moved & MOVED_FAST))
+		return 1;
+	// what cannot close the gap in the step is not pushed
+	Float4 normal = p->contact_found[i].normal;
+	float limit = maximum(touches ? SWEEP_HOLD : SWEEP_REST, (minimum(normal.z, normal.w) - shift) / ahead_time(p));
+	return sweep_most(p, a, b, shape_a->reach, shape_b->reach) < limit || sweep_closing(p, a, b).most < limit;
 }
 
 STAGE(narrow_phase)
@@ -139,27 +151,31 @@ STAGE(narrow_phase)
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Placed a = p->placed[pair.x], b = p->placed[pair.y];
 	Vec turn = vec(a.c, a.s);
-	Frame f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Float4 was = p->contact_found[i].relative,
-	       relative = make_float4(f.position.x, f.position.y, f.rotation.x, f.rotation.y);
-	Manifold m;
+	Ahead found_at;
+	found_at.f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
+	found_at.axes = turn;
+	found_at.made = 0;
 	Closing closing;
 	closing.most = 0.0f;
 	if ((moved & MOVED_FAR) && !(flags & CONTACT_DETECTED))
 		closing = sweep_closing(p, a, b);
 	if (closing.most > SPECULATIVE_DISTANCE)
-	{
-		relative = make_float4(NO_POINT, 0.0f, 0.0f, 0.0f);
-		m = narrow_phase_ahead(p, a, b, closing, &f, &relative);
-	}
+		found_at = ahead_meeting(p, a, b, closing, found_at);
 	else
 	{
-		if (!(flags & CONTACT_FRESH) && narrow_phase_stayed(was, f.position, f.rotation, shape_b->reach))
+		if (!(flags & CONTACT_FRESH) && narrow_phase_keeps(p, i, flags, a, b, found_at.f, moved))
 			return;
-		m = collide(shape_a, shape_b, f, reach_of(SPECULATIVE_DISTANCE));
+		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+		if (!(flags & CONTACT_DETECTED))
+		{
+			found_at = ahead_past(p, a, b, sweep_closing(p, a, b), found_at);
+			if (found_at.made == 0 && shape_a->radius + shape_b->radius > 0.0f)
+				found_at.made = FOUND_ROLLS | found_at.m.made;
+		}
 	}
+	Manifold m = found_at.m;
 
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_constraint[i];
 	Int2 features = p->contact_feature[i];
@@ -175,14 +191,10 @@ STAGE(narrow_phase)
 		tangent[1] = constraint_at(p, tangent_impulse2, constraint);
 	}
 
-	Vec on_b[2];
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
 	int feature[2] = {-1, -1}, taken = 0;
-	on_b[0] = vec(0.0f, 0.0f);
-	on_b[1] = on_b[0];
 	for (int k = 0; k < m.count; ++k)
 	{
-		on_b[k] = vec_turn_back(f.rotation, vec_sub(m.point[k], f.position));
 		feature[k] = m.feature[k];
 		int old = narrow_phase_match(feature[k], m.point[k], old_count, old_feature, old_point, taken);
 		if (old >= 0)
@@ -199,8 +211,9 @@ STAGE(narrow_phase)
 	Found found;
 	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
 	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
-	found.on_b = make_float4(on_b[0].x, on_b[0].y, on_b[1].x, on_b[1].y);
-	found.relative = relative;
+	found.relative =
+	    make_float4(found_at.f.position.x, found_at.f.position.y, found_at.f.rotation.x, found_at.f.rotation.y);
+	found.then = make_float4(found_at.axes.x, found_at.axes.y, bits_float(found_at.made), 0.0f);
 	p->contact_found[i] = found;
 	if (constraint >= 0)
 	{

@@ -12,6 +12,7 @@
 #ifndef SOLVE_H
 #define SOLVE_H
 #include "stages/body.h"
+#include "stages/finite.h"
 
 typedef struct // the part of a constraint that all passes share
 {
@@ -96,13 +97,23 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
 	return goal;
 }
 
-// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls.
-INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft)
+// Whether a point that is to bounce has not met yet.
+INLINE Int pair_waits(Real s, Real old, Real rebound)
+{
+	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
+}
+
+// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. What is to bounce
+// (rebound) and did not meet within this substep keeps its speed when it is relaxed, or it would bounce before it is there,
+// or not at all.
+INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	PairGoal goal = pair_goal(s, fixed, step, soft);
 	Real change = -mass * (goal.mass_scale * pair_approach(*c, k, c->n) + goal.bias) - goal.impulse_scale * old;
-	Real impulse = maximum(old + change, splat(0.0f));
+	Real impulse = push_of(old + change);
+	if (step->bounces && !soft)
+		impulse = choose(impulse, splat(0.0f), pair_waits(s, old, rebound));
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
 	return impulse;
 }
@@ -110,8 +121,7 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 // One point's friction: Coulomb's cone with the normal impulse of the pass before.
 INLINE Real pair_tangent(Pair* c, int k, Real mass, Real speed, Real limit, Real old)
 {
-	Real impulse = old - mass * (pair_approach(*c, k, c->t) + speed);
-	impulse = minimum(maximum(impulse, -limit), limit);
+	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
 	return impulse;
 }
@@ -122,18 +132,19 @@ INLINE void pair_roll(const Pools* p, int i, Pair* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
 	Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
-	Real limit = load(&extra_at(p, rolling, i), 0) * weight, old = load(&extra_at(p, rolling_impulse, i), 0);
-	Real impulse = minimum(maximum(old - mass * (c->b.w - c->a.w), -limit), limit);
+	Real limit = minimum(load(&extra_at(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
+	Real old = load(&extra_at(p, rolling_impulse, i), 0);
+	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
 	c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
 	c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
 	store(&extra_at(p, rolling_impulse, i), 0, impulse);
 }
 
-// the largest impulses of any substep
-INLINE void pair_peak(const Pools* p, int i, Real normal1, Real normal2)
+// the impulses of all substeps
+INLINE void pair_total(const Pools* p, int i, Real normal1, Real normal2)
 {
-	store(&extra_at(p, peak_impulse1, i), 0, maximum(load(&extra_at(p, peak_impulse1, i), 0), normal1));
-	store(&extra_at(p, peak_impulse2, i), 0, maximum(load(&extra_at(p, peak_impulse2, i), 0), normal2));
+	store(&extra_at(p, total_impulse1, i), 0, load(&extra_at(p, total_impulse1, i), 0) + normal1);
+	store(&extra_at(p, total_impulse2, i), 0, load(&extra_at(p, total_impulse2, i), 0) + normal2);
 }
 
 // all impulses at once
@@ -149,47 +160,128 @@ INLINE void pair_push(const Pools* p, int i, Pair* c, Real normal1, Real normal2
 	}
 }
 
-// whether a point approached faster than the threshold and was pushed
-INLINE Int pair_hit(Real restitution, Real approach, Real peak, float threshold)
+// The impulses that give two points what they lack (m/s) at once. What one does to the other is cross; without it 1/mass
+// is what it resists. Two points that are nearly one are one.
+INLINE void pair_joint(const Pair* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1, Real* impulse2)
 {
-	return (restitution > splat(0.0f)) & (approach < splat(-threshold)) & (peak > splat(0.0f));
+	Real cross = c->a.inv_mass + c->b.inv_mass +
+	             c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
+	             c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+	Real share = 1.0f - cross * mass1 * cross * mass2;
+	Int one = share < splat(0.001f);
+	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
+	*impulse2 = choose(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
 }
 
-// restitution of one point that hit (Newton's law of impact)
-INLINE Real pair_bounce(Pair* c, int k, Real restitution, Real approach, Real peak, Real old, float threshold)
+// Two points that will bounce are slowed down at once. One after the other they would turn what lands flat, and friction
+// would make of that a speed along the surface.
+INLINE void pair_meet(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real mass1, Real mass2, Real* normal1,
+                      Real* normal2)
 {
-	Int hit = pair_hit(restitution, approach, peak, threshold);
-	Real mass = body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], c->n);
-	Real impulse = maximum(old - mass * (pair_approach(*c, k, c->n) + restitution * approach), splat(0.0f));
-	impulse = choose(old, impulse, hit);
-	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
-	return impulse;
+	Real zero = splat(0.0f), delta1, delta2;
+	Real lack1 = -(pair_approach(*c, 0, c->n) + maximum(gap1, zero) * p->step.inv_h),
+	     lack2 = -(pair_approach(*c, 1, c->n) + maximum(gap2, zero) * p->step.inv_h);
+	pair_joint(c, mass1, mass2, lack1, lack2, &delta1, &delta2);
+	Int meet = (load(&extra_at(p, rebound1, i), 0) > zero) & (load(&extra_at(p, rebound2, i), 0) > zero);
+	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
+
+	// where one pushes alone, one after the other is right
+	meet = meet & ((new1 < zero) == (new2 < zero));
+	new1 = choose(*normal1, push_of(new1), meet);
+	new2 = choose(*normal2, push_of(new2), meet);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(new1 - *normal1, c->n));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(new2 - *normal2, c->n));
+	*normal1 = new1;
+	*normal2 = new2;
+}
+
+INLINE void pair_bias(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real mass1, Real mass2, Real* normal1,
+                      Real* normal2)
+{
+	if (p->step.bounces)
+		pair_meet(p, i, c, gap1, gap2, mass1, mass2, normal1, normal2);
+	*normal1 = pair_normal(c, 0, gap1, mass1, *normal1, &p->step, 1, splat(0.0f));
+	*normal2 = pair_normal(c, 1, gap2, mass2, *normal2, &p->step, 1, splat(0.0f));
+}
+
+// m/s: what a point that leaves the surface at some speed has where it is, a gap above
+INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
+{
+	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
+}
+
+// Restitution of the points that were pushed. What bounces leaves, so that the next step must not begin with the impulse
+// of this one.
+INLINE void pair_bounce(const Pools* p, int i, Pair* c, Real gap1, Real gap2, Real mass1, Real mass2, Real* normal1,
+                        Real* normal2)
+{
+	Real zero = splat(0.0f), fall = load(&extra_at(p, fall, i), 0);
+	Real rebound1 = load(&extra_at(p, rebound1, i), 0), rebound2 = load(&extra_at(p, rebound2, i), 0);
+	Real total1 = load(&extra_at(p, total_impulse1, i), 0), total2 = load(&extra_at(p, total_impulse2, i), 0);
+	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
+	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
+	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
+	Real alone1 = choose(zero, push_of(mass1 * lack1), hit1);
+	Real alone2 = choose(zero, push_of(mass2 * lack2), hit2);
+	Real impulse1, impulse2;
+	pair_joint(c, mass1, mass2, lack1, lack2, &impulse1, &impulse2);
+	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
+	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
+	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(impulse1, c->n));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
+	store(&extra_at(p, total_impulse1, i), 0, total1 + impulse1);
+	store(&extra_at(p, total_impulse2, i), 0, total2 + impulse2);
+	*normal1 = choose(*normal1, zero, hit1);
+	*normal2 = choose(*normal2, zero, hit2);
+}
+
+// Of max_speed: what an impulse of the last step may give a point alone. In a jam between bodies that do not give way
+// impulses add up from step to step, and what is let go at last would be shot out with all of them. With half of it
+// heaps among moving kinematic bodies are no faster, but what is crushed by a body of 2,000 times its mass gives way.
+#define START_SHARE 0.25f
+
+INLINE Real pair_start(const Step* step, Real impulse, Real mass)
+{
+	return minimum(impulse, START_SHARE * step->max_speed * mass);
 }
 
 // the impulses of the last step
 INLINE void warm_start_pass(const Pools* p, int i, Pair* c)
 {
-	pair_push(p, i, c, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0),
-	          load(&constraint_at(p, tangent_impulse1, i), 0), load(&constraint_at(p, tangent_impulse2, i), 0));
+	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
+	normal1 = pair_start(&p->step, normal1, pair_mass(c, 0, c->n));
+	normal2 = pair_start(&p->step, normal2, pair_mass(c, 1, c->n));
+	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
+	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
+	pair_push(p, i, c, normal1, normal2, load(&constraint_at(p, tangent_impulse1, i), 0),
+	          load(&constraint_at(p, tangent_impulse2, i), 0));
 }
 
 INLINE void bias_pass(const Pools* p, int i, Pair* c)
 {
+	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
 	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
-	store(&constraint_at(p, normal_impulse1, i), 0,
-	      pair_normal(c, 0, gap1, pair_mass(c, 0, c->n), load(&constraint_at(p, normal_impulse1, i), 0), &p->step, 1));
 	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
-	store(&constraint_at(p, normal_impulse2, i), 0,
-	      pair_normal(c, 1, gap2, pair_mass(c, 1, c->n), load(&constraint_at(p, normal_impulse2, i), 0), &p->step, 1));
+	pair_bias(p, i, c, gap1, gap2, pair_mass(c, 0, c->n), pair_mass(c, 1, c->n), &normal1, &normal2);
+	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
+	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 }
 
 INLINE void relax_pass(const Pools* p, int i, Pair* c)
 {
 	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
 	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
-	Real speed = splat(0.0f);
+	Real speed = splat(0.0f), rebound1 = splat(0.0f), rebound2 = splat(0.0f);
 	if (p->step.extras)
 		speed = load(&extra_at(p, tangent_speed, i), 0);
+	if (p->step.bounces)
+	{
+		rebound1 = load(&extra_at(p, rebound1, i), 0);
+		rebound2 = load(&extra_at(p, rebound2, i), 0);
+	}
 
 	// friction first: keeping bodies apart matters more, so it has the last word
 	Real friction = load(&constraint_at(p, friction, i), 0);
@@ -201,28 +293,27 @@ INLINE void relax_pass(const Pools* p, int i, Pair* c)
 	                   load(&constraint_at(p, tangent_impulse2, i), 0)));
 
 	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
-	normal1 = pair_normal(c, 0, gap1, pair_mass(c, 0, c->n), normal1, &p->step, 0);
+	normal1 = pair_normal(c, 0, gap1, pair_mass(c, 0, c->n), normal1, &p->step, 0, rebound1);
 	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
-	normal2 = pair_normal(c, 1, gap2, pair_mass(c, 1, c->n), normal2, &p->step, 0);
+	normal2 = pair_normal(c, 1, gap2, pair_mass(c, 1, c->n), normal2, &p->step, 0, rebound2);
 	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
 	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 	if (p->step.extras)
 	{
 		pair_roll(p, i, c, normal1 + normal2);
-		pair_peak(p, i, normal1, normal2);
+		pair_total(p, i, normal1, normal2);
 	}
 }
 
 INLINE void bounce_pass(const Pools* p, int i, Pair* c)
 {
-	Real e = load(&extra_at(p, restitution, i), 0);
-	float threshold = p->step.restitution_threshold;
-	store(&constraint_at(p, normal_impulse1, i), 0,
-	      pair_bounce(c, 0, e, load(&extra_at(p, approach1, i), 0), load(&extra_at(p, peak_impulse1, i), 0),
-	                  load(&constraint_at(p, normal_impulse1, i), 0), threshold));
-	store(&constraint_at(p, normal_impulse2, i), 0,
-	      pair_bounce(c, 1, e, load(&extra_at(p, approach2, i), 0), load(&extra_at(p, peak_impulse2, i), 0),
-	                  load(&constraint_at(p, normal_impulse2, i), 0), threshold));
+	Real normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
+	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
+	Real gap1 = pair_gap(c, 0, load(&constraint_at(p, separation1, i), 0));
+	Real gap2 = pair_gap(c, 1, load(&constraint_at(p, separation2, i), 0));
+	pair_bounce(p, i, c, gap1, gap2, pair_mass(c, 0, c->n), pair_mass(c, 1, c->n), &normal1, &normal2);
+	store(&constraint_at(p, normal_impulse1, i), 0, normal1);
+	store(&constraint_at(p, normal_impulse2, i), 0, normal2);
 }
 
 // a pass over the constraints of one color
@@ -257,24 +348,17 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.x = m[6] * (linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
 	v.y = m[7] * (linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = angular * w + h * (b[7] * m[2]);
+
+	// The limits hold for what the body does alone. The contacts' share must stay what their impulses make of it, or they
+	// would take back what they have not given.
+	v = vec_scale(vec_shrink(v, step->max_speed), v);
+	w = within(no_infinity(w), splat(step->max_spin));
 	base[0] = v.x;
 	base[1] = v.y;
 	base[2] = w;
 	v.x = v.x + m[6] * contacts.x;
 	v.y = v.y + m[7] * contacts.y;
 	w = w + contacts_w;
-
-	// what exceeds the limits is taken from the base as well, or the next substep would take it for the contacts' doing
-	Real square = vec_dot(v, v);
-	float limit = step->max_speed, spin = step->max_spin;
-	Real scale = choose(splat(1.0f), limit / root(square), square > splat(limit * limit));
-	v = vec_scale(scale, v);
-	base[0] = scale * base[0];
-	base[1] = scale * base[1];
-	Real limited = minimum(maximum(w, splat(-spin)), splat(spin));
-	base[2] = base[2] + (limited - w);
-	w = limited;
-
 	b[0] = v.x;
 	b[1] = v.y;
 	b[2] = w;
@@ -282,10 +366,12 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 INLINE void body_move(const Step* step, Real* b, const Real* m)
 {
+	// within a substep impulses may exceed the limits. No way may: a turn beyond them could not be told from the other
+	// way round, and a body would leap.
 	float h = step->h;
-	b[4] = b[4] + h * (m[6] * b[0]);
-	b[5] = b[5] + h * (m[7] * b[1]);
-	b[6] = b[6] + h * b[2];
+	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
+	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));
+	b[6] = b[6] + h * within(b[2], splat(step->max_spin));
 }
 
 // argument is 1 in the first substep

@@ -3,7 +3,8 @@
 #ifndef SOLVE_ONE_H
 #define SOLVE_ONE_H
 #include "stages/body.h"
-#include "stages/contact_points.h"
+#include "stages/finite.h"
+#include "stages/sweep.h"
 
 STAGE(solve_begin)
 {
@@ -17,14 +18,18 @@ STAGE(solve_begin)
 	if (i == 0)
 	{
 		p->counters->nonfinite = 0;
+		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 }
 
-// normal velocity of a point before the step
-INLINE float prepare_approach(Body a, Vec ra, Body b, Vec rb, Vec n)
+// A body as it comes to the step, within the limits.
+INLINE Body prepare_body(const Pools* p, int index)
 {
-	return vec_dot(vec_sub(body_velocity_at(b, rb), body_velocity_at(a, ra)), n);
+	Body b = body_gather(p, index);
+	b.v = vec_scale(vec_shrink(b.v, p->step.max_speed), b.v);
+	b.w = within(b.w, p->step.max_spin);
+	return b;
 }
 
 // the deepest overlap seen, for the user's counters
@@ -43,19 +48,21 @@ typedef struct
 } Prepared;
 
 // what the passes need of the points of a contact
-INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
+INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot, float load1, float load2)
 {
 	Placed a = p->placed[pair.x], b = p->placed[pair.y];
-	ContactPoints points = contact_points(a, b, p->contact_found[slot]);
-
-	// anchors are from the centers of mass
-	Vec center_a = vec(a.center_x, a.center_y), center_b = vec(b.x - a.x + b.center_x, b.y - a.y + b.center_y);
-	Vec from_a = vec_add(center_a, vec_scale(0.5f, points.apart));
+	Found found = p->contact_found[slot];
+	ContactPoints points;
+	if (float_bits(found.then.z) & FOUND_ROLLS)
+		points = rolling_step(p, a, b, found, p->contact_feature[slot], load1, load2, sweep_advance(p, a.body),
+		                      sweep_advance(p, b.body));
+	else
+		points = contact_points_held(a, b, found);
 	Prepared made;
 	made.normal = points.normal;
-	made.offset = vec_add(vec_sub(center_a, center_b), points.apart);
-	made.anchor1 = vec_sub(points.point[0], from_a);
-	made.anchor2 = vec_sub(points.point[1], from_a);
+	made.offset = points.offset;
+	made.anchor1 = points.anchor[0];
+	made.anchor2 = points.anchor[1];
 	made.separation1 = points.separation[0];
 	made.separation2 = points.separation[1];
 	prepare_depth(p, points.separation[0]);
@@ -63,15 +70,64 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot)
 	return made;
 }
 
-// what bounces starts with the speed at which it came
+// m/s^2: of a body by gravity and the user's forces. What is slower than gravity would make it within a step, and touches
+// something else, is held up by that.
+INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
+{
+	Motion motion = p->motion[body];
+	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
+	float gained = p->step.dt * p->step.dt * vec_dot(gravity, gravity);
+	if (vec_dot(b.v, b.v) < gained && p->touching[body] > 1)
+		return vec(0.0f, 0.0f);
+	return vec(motion.free_x * (motion.gravity_scale * gravity.x + b.inv_mass * motion.fx),
+	           motion.free_y * (motion.gravity_scale * gravity.y + b.inv_mass * motion.fy));
+}
+
+// Newton's law of impact: how fast a point leaves that comes with a normal velocity (negative) and has a gap to go. A body
+// that falls in substeps is at points of a parabola, on which its speed is that of a substep's middle: half of what a
+// substep adds is put to the speed before, and taken from the speed after (bounce_speed). Between, energy is kept.
+INLINE float prepare_rebound(const Step* step, float restitution, float velocity, float fall, float gap)
+{
+	float before = velocity + 0.5f * step->h * fall;
+	float square = before * before - 2.0f * fall * gap, threshold = step->restitution_threshold;
+	return before < 0.0f && square > threshold * threshold ? restitution * square_root(square) : 0.0f;
+}
+
+// m/s: normal velocity of a point, r from the center of a
+INLINE float prepare_velocity(Body a, Body b, Vec r, Prepared made)
+{
+	Vec v = vec_sub(body_velocity_at(b, vec_add(r, made.offset)), body_velocity_at(a, r));
+	return vec_dot(v, made.normal);
+}
+
+// What may bounce within the step, and how fast. What hardly moves will not in one step.
+INLINE void prepare_bounce(const Pools* p, int i, Prepared made)
+{
+	float e = extra_at(p, restitution, i), fall = 0.0f, rebound1 = 0.0f, rebound2 = 0.0f;
+	if (e > 0.0f)
+	{
+		int ia = constraint_at(p, body_a, i), ib = constraint_at(p, body_b, i);
+		Body a = prepare_body(p, ia), b = prepare_body(p, ib);
+		float v1 = prepare_velocity(a, b, made.anchor1, made), v2 = prepare_velocity(a, b, made.anchor2, made);
+		if (minimum(v1, v2) < -0.25f * p->step.restitution_threshold)
+		{
+			Vec fall_a = prepare_acceleration(p, ia, a), fall_b = prepare_acceleration(p, ib, b);
+			fall = number_of(vec_dot(vec_sub(fall_b, fall_a), made.normal));
+			rebound1 = prepare_rebound(&p->step, e, v1, fall, made.separation1);
+			rebound2 = prepare_rebound(&p->step, e, v2, fall, made.separation2);
+		}
+	}
+	extra_at(p, fall, i) = fall;
+	extra_at(p, rebound1, i) = rebound1;
+	extra_at(p, rebound2, i) = rebound2;
+}
+
 INLINE void prepare_extras(const Pools* p, int i, Prepared made)
 {
-	Body a = body_gather(p, constraint_at(p, body_a, i)), b = body_gather(p, constraint_at(p, body_b, i));
-	Vec ra1 = made.anchor1, ra2 = made.anchor2;
-	extra_at(p, approach1, i) = prepare_approach(a, ra1, b, vec_add(ra1, made.offset), made.normal);
-	extra_at(p, approach2, i) = prepare_approach(a, ra2, b, vec_add(ra2, made.offset), made.normal);
-	extra_at(p, peak_impulse1, i) = 0.0f;
-	extra_at(p, peak_impulse2, i) = 0.0f;
+	extra_at(p, total_impulse1, i) = 0.0f;
+	extra_at(p, total_impulse2, i) = 0.0f;
+	if (p->step.bounces)
+		prepare_bounce(p, i, made);
 }
 
 // the contact's points, where the passes stream them
@@ -80,7 +136,8 @@ STAGE(prepare)
 	int slot = p->constraint_contact[i];
 	if (slot < 0)
 		return;
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot);
+	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
+	                               constraint_at(p, normal_impulse2, i));
 	constraint_at(p, normal_x, i) = made.normal.x;
 	constraint_at(p, normal_y, i) = made.normal.y;
 	constraint_at(p, offset_x, i) = made.offset.x;
@@ -93,19 +150,6 @@ STAGE(prepare)
 	constraint_at(p, separation2, i) = made.separation2;
 	if (p->step.extras)
 		prepare_extras(p, i, made);
-}
-
-// an impulse fit to start the step with
-INLINE float cleanse_bounded(float x) { return x >= -1.0e30f && x <= 1.0e30f ? x : 0.0f; }
-
-// of a body that went out of bounds in the last step nothing must remain in its neighbors' constraints
-STAGE(cleanse)
-{
-	constraint_at(p, normal_impulse1, i) = cleanse_bounded(constraint_at(p, normal_impulse1, i));
-	constraint_at(p, normal_impulse2, i) = cleanse_bounded(constraint_at(p, normal_impulse2, i));
-	constraint_at(p, tangent_impulse1, i) = cleanse_bounded(constraint_at(p, tangent_impulse1, i));
-	constraint_at(p, tangent_impulse2, i) = cleanse_bounded(constraint_at(p, tangent_impulse2, i));
-	extra_at(p, rolling_impulse, i) = cleanse_bounded(extra_at(p, rolling_impulse, i));
 }
 
 #endif

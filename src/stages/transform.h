@@ -13,20 +13,26 @@ STAGE(step_begin)
 	c->alive = c->alive - c->released;
 	c->moved = 0;
 	c->refit = 0;
+	c->jumped = 0;
+	c->order[0] = 0;
+	c->order[1] = 0;
 	c->changed = 0;
-	c->kept = c->nonfinite > 0 ? 0 : 0x7fffffff;
+	c->kept = 0x7fffffff;
 	c->sort_pairs = 0;
 	c->search = 0;
 	c->live = c->contacts;
 	c->arrange = 0;
+	c->walks = 0;
+	c->rest = 0;
 	c->pairs = 0;
+	c->crowded = 0;
 	c->created = 0;
 	c->stalled = 0;
 	c->needed = 0;
 	c->released = 0;
 	c->began = 0;
 	c->ended = 0;
-	c->crowded = 0;
+	c->gathered = 0;
 	c->entered = 0;
 	c->penetration = 0;
 	for (int k = 0; k <= MAX_ROUNDS; ++k)
@@ -100,35 +106,50 @@ STAGE(transform)
 	// contacts begin at the speculative distance, so half of it on either side belongs to the tight box
 	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
-	int far = 0;
+	int how = 0;
 	if (placed.body >= 0)
 	{
 		Sweep sweep = sweep_of(p, placed, attribute);
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
+		if (travel > 0.5f * SWEEP_REST)
+			how = travel > 0.5f * SWEEP_HOLD ? MOVED_ON | MOVED_FAST : MOVED_ON;
 		if (travel > 0.5f * SPECULATIVE_DISTANCE)
 		{
 			// where it will be belongs to the tight box too. What leaves its box in every step needs no margin.
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
-			far = MOVED_FAR;
+			how |= MOVED_FAR;
 		}
 	}
 	if (box_contains(box, tight))
 	{
 		if (moved & MOVED_BOX)
 			p->old_box[i] = box;
-		if (moved != far)
-			p->moved[i] = far;
+		if (moved != how)
+			p->moved[i] = how;
 		return;
 	}
+	Float4 grown = box_grow(tight, margin);
 	p->old_box[i] = box;
-	p->box[i] = box_grow(tight, margin);
-	p->moved[i] = MOVED_BOX | far;
+	p->box[i] = grown;
+	p->moved[i] = MOVED_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
+	// the way of the step belongs to a box, so that what moves by itself never parts from where it was
+	if (!box_overlap(box, grown))
+		raise_int(&p->counters->jumped, 0x7fffffff);
 	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
+}
+
+// A step that breaks off before it has found all contacts: boxes are what they were, so that the next one finds the same.
+STAGE(transform_undo)
+{
+	if (!(p->moved[i] & MOVED_BOX) || p->collidable_kind[i] == KIND_DEAD)
+		return;
+	p->box[i] = p->old_box[i];
+	p->moved[i] = 0;
 }
 
 // Where a collidable is now, which the pool placed does not know: it is what the contacts of the last step go by.

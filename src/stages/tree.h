@@ -14,6 +14,9 @@
 #define TREE_H
 #include "stages/box.h"
 
+// A node of so many times the area of its leaves counts as wide: twice that of eight in a row that is bent once.
+#define STRAY_BOXES 64.0f
+
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
 // argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
@@ -45,28 +48,87 @@ STAGE(tree_node)
 	p->node_box[tree->begin[level] + i] = box;
 }
 
+INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
+
+// A leaf that comes from nowhere or jumps makes the nodes above it wide, and walks visit these in vain. How many walks:
+// a wide node is met by as many boxes as have room in it, of all that there are. Item i is a node of level 1, argument
+// the tree. Nodes no wider than those of leaves in rows are not counted.
+STAGE(tree_stray)
+{
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	Float4 now = box_empty(), before = box_empty();
+	float area = 0.0f;
+	int leaves = 0, jumped = 0;
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
+	{
+		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
+		if (kind == KIND_DEAD || tree_of_kind(kind) != p->argument)
+			continue;
+		Float4 box = p->box[leaf], old = p->old_box[leaf];
+		jumped |= (p->moved[leaf] & MOVED_BOX) && !box_overlap(box, old);
+		now = box_union(now, box);
+		before = box_union(before, old);
+		area += box_area(box);
+		++leaves;
+	}
+	if (!jumped)
+		return;
+	float mean = area / (float)leaves, wide = box_area(now);
+	if (!(wide > STRAY_BOXES * mean))
+		return;
+	// of a jump, the upper nodes bear about as much as this one
+	wide -= box_is_empty(before) ? 0.0f : box_area(before);
+	float walks = 2.0f * wide / (mean * (float)tree->leaves);
+	int strayed = walks < 2.0f ? (int)((float)STRAY_UNIT * walks) : 2 * STRAY_UNIT;
+	if (strayed > 0)
+		atomic_add_int(&p->counters->strayed[p->argument], strayed);
+}
+
+// Are the walks of this step alone worth the order? What is less adds up from step to step; src/tree.c.
+STAGE(tree_judge)
+{
+	GLOBAL Counters* c = p->counters;
+	int t = p->argument;
+	Word64 visits = (Word64)c->moved * (Word64)c->strayed[t];
+	if (visits > (Word64)(ORDER_VISITS * STRAY_UNIT) * (Word64)p->tree[t].leaves)
+		c->order[t] = 0x7fffffff;
+	(void)i;
+}
+
+// the 16 bits of x, one at every second place
+INLINE Word hilbert_spread(Word x)
+{
+	x = (x | x << 8) & 0x00ff00ffu;
+	x = (x | x << 4) & 0x0f0f0f0fu;
+	x = (x | x << 2) & 0x33333333u;
+	return (x | x << 1) & 0x55555555u;
+}
+
 // Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
-// largest quadrant down, each quadrant's curve turned into the frame of its parent.
+// largest quadrant down, each quadrant's curve turned into the frame of its parent. How a level is turned is what all
+// levels above do to a turn, one after the other: a, b, c, d hold that of 1, 2, 4, 8 and 16 levels together, a bit a
+// level, so that four rounds do what went level by level. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
 INLINE Word hilbert_distance(Word x, Word y)
 {
-	Word distance = 0;
-	for (Word side = 32768u; side > 0u; side >>= 1)
+	const Word all = 65535u;
+	Word a = x ^ y, b = all ^ a, c = all ^ (x | y), d = x & (y ^ all);
+	Word next_a = a | b >> 1, next_b = a >> 1 ^ a;
+	Word next_c = (c >> 1 ^ (b & d >> 1)) ^ c, next_d = ((a & c >> 1) ^ d >> 1) ^ d;
+	for (int levels = 2; levels <= 8; levels *= 2)
 	{
-		Word right = (x & side) != 0u, upper = (y & side) != 0u;
-		distance = distance << 2 | ((3u * right) ^ upper);
-		if (!upper)
-		{
-			if (right)
-			{
-				x = ~x;
-				y = ~y;
-			}
-			Word swap = x;
-			x = y;
-			y = swap;
-		}
+		a = next_a;
+		b = next_b;
+		c = next_c;
+		d = next_d;
+		next_a = (a & a >> levels) ^ (b & b >> levels);
+		next_b = (a & b >> levels) ^ (b & (a ^ b) >> levels);
+		next_c ^= (a & c >> levels) ^ (b & d >> levels);
+		next_d ^= (b & c >> levels) ^ ((a ^ b) & d >> levels);
 	}
-	return distance;
+	a = next_c ^ next_c >> 1;
+	b = next_d ^ next_d >> 1;
+	Word low = x ^ y, high = b | (all ^ (low | a));
+	return hilbert_spread(high & all) << 1 | hilbert_spread(low);
 }
 
 // Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
@@ -92,9 +154,65 @@ STAGE(tree_code)
 	p->key[i] = (Word64)code << 32 | (Word64)p->leaf[tree->leaf_begin + i];
 }
 
-STAGE(tree_order) { p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu); }
+STAGE(tree_order)
+{
+	p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu);
+	if (i == 0)
+		p->counters->strayed[p->argument] = 0;
+}
 
 // bit k is set when the box overlaps child k of the eight from first on
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
+
+typedef struct // through the leaves that overlap a box
+{
+	Word64 masks;     // 8 bits a level: which of the eight siblings on the current path are still to be visited
+	int level, first; // where it is: the first of eight siblings
+} TreeWalk;
+
+// of a tree that has leaves
+INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box)
+{
+	TreeWalk walk;
+	walk.level = tree->top;
+	walk.first = 0;
+	walk.masks = tree_hits(p, tree->begin[walk.level], box) << (8 * walk.level);
+	return walk;
+}
+
+// The next collidable whose leaf overlaps the box, -1 behind the last.
+INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)
+{
+	for (;;)
+	{
+		Word64 siblings = walk->masks >> (8 * walk->level) & (Word64)255;
+		if (siblings == 0)
+		{
+			if (walk->level == tree->top)
+				return -1;
+			++walk->level;
+			walk->first = walk->first / ARITY & ~(ARITY - 1);
+			continue;
+		}
+		Word64 lowest = siblings & (~siblings + (Word64)1);
+		int child = walk->first + 63 - leading_zeros(lowest);
+		walk->masks ^= lowest << (8 * walk->level);
+		if (walk->level == 0)
+			return p->leaf[tree->leaf_begin + child];
+		--walk->level;
+		walk->first = ARITY * child;
+		walk->masks |= tree_hits(p, tree->begin[walk->level] + walk->first, box) << (8 * walk->level);
+	}
+}
+
+// of the eight nodes of a level from first on, those that have leaves from leaf from up to, not including, end: a bit each
+INLINE Word64 tree_span(int level, int first, int from, int end)
+{
+	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
+	if (low >= ARITY || high < 0)
+		return 0;
+	Word64 span = low > 0 ? (Word64)255 << low : (Word64)255;
+	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
+}
 
 #endif

@@ -146,7 +146,8 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 void input_button(Viewer* v, bool right, bool down)
 {
 	place_hand(v);
-	v->panning = down && (right || !hand_pick(&v->hand, &v->renderer.look));
+	Look* look = &v->renderer.look;
+	v->panning = down && (right || look_handles(look) != SCREE_OK || !hand_pick(&v->hand, look));
 	if (!right && !down)
 		hand_release(&v->hand);
 }

@@ -115,6 +115,7 @@ bool play_begin(Play* play, const char* name, bool fresh, char* sentence)
 	play->world = world;
 	play->counters = counters;
 	play->owed = 0;
+	play->steps = 0;
 	play->hashed = false;
 	play->step = 0;
 	memset(play->stages, 0, sizeof play->stages);
@@ -160,7 +161,8 @@ static void smooth(float* shown, float now) { *shown = *shown == 0.0f ? now : *s
 bool play_step(Play* play, char* sentence)
 {
 	scree_timings t;
-	if (scree_step(play->world, play->scene->dt, play->scene->substeps) != SCREE_OK ||
+	if (scene_churn(play->scene, play->world, play->steps++) != SCREE_OK ||
+	    scree_step(play->world, play->scene->dt, play->scene->substeps) != SCREE_OK ||
 	    scree_get_counters(play->world, &play->counters) != SCREE_OK || scree_get_timings(play->world, &t) != SCREE_OK)
 		return failed(sentence);
 	const float stages[STAGES] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};

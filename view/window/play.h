@@ -28,6 +28,7 @@ typedef struct
 	char device[160]; // asked for
 	bool paused;
 	float rate;    // seconds of the world a second of the clock, at most 1
+	int64_t steps; // of the world, taken
 	double owed;   // s: of the world, that the clock is ahead
 	bool hashed;   // since the last step
 	uint64_t hash; // of the world

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# validate.sh -- the table of docs/validate.md, from what scree validate printed.
+#
+# usage: bench/validate.sh [FOLDER]
+#   FOLDER  holds before.csv, now.csv and box2d.csv, each optional; default bench/results/validate
+# Writes the rows between the two marks of docs/validate.md anew: value by value, and the limit that they are judged by. A
+# value that does not hold is bold; not those of Box2D, for the limits are Scree's.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folder=${1:-bench/results/validate}
+document=docs/validate.md
+files=()
+for name in before now box2d; do
+	[ -e "$folder/$name.csv" ] && files+=("$folder/$name.csv")
+done
+[ ${#files[@]} -gt 0 ] || { echo "validate.sh: no before.csv, now.csv or box2d.csv in $folder" >&2; exit 1; }
+
+table()
+{
+	awk -F, '
+		function shown(value) { return value !~ /^-?[0-9.e+-]+$/ ? value : value >= 1000 ? sprintf("%.0f", value) : sprintf("%.3g", value) }
+		FNR == 1 { column = FILENAME; sub(".*/", "", column); sub("\\.csv$", "", column); next }
+		{
+			key = $1 FS $2 FS $4
+			if (!(key in limit)) order[++count] = key
+			unit[key] = $6
+			limit[key] = $7
+			if ($8 != "shown") {
+				if (!(key in judged)) ++of[$1]
+				judged[key] = 1
+				if ($8 == "pass") ++hold[$1, column]
+			}
+			if (!($1 in listed)) experiment[++experiments] = $1
+			listed[$1] = 1
+			seen[column] = 1
+			value[key, column] = column != "box2d" && $8 == "fail" ? "**" shown($5) "**" : shown($5)
+		}
+		function held(name, column) { return column in seen ? hold[name, column] + 0 : "" }
+		END {
+			print "\n| experiment | rows with a limit | hold with f723e87 | hold now | hold with Box2D |\n| --- | --- | --- | --- | --- |"
+			for (k = 1; k <= experiments; ++k) {
+				name = experiment[k]
+				print "| " name " | " of[name] " | " held(name, "before") " | " held(name, "now") " | " held(name, "box2d") " |"
+			}
+			for (k = 1; k <= count; ++k) {
+				key = order[k]
+				split(key, part, FS)
+				if (part[1] != last) {
+					last = part[1]
+					print "\n### " last "\n\n| case | quantity | must be | f723e87 | now | Box2D |\n| --- | --- | --- | --- | --- | --- |"
+				}
+				print "| " part[2] " | " part[3] (unit[key] ? ", " unit[key] : "") " | " limit[key] " | " \
+					value[key, "before"] " | " value[key, "now"] " | " value[key, "box2d"] " |"
+			}
+		}' "${files[@]}"
+}
+
+rows=$(table)
+ROWS=$rows awk '
+	/^<!-- rows -->$/ { print; print ENVIRON["ROWS"]; print ""; skip = 1 }
+	/^<!-- end of rows -->$/ { skip = 0 }
+	!skip' "$document" >"$document.new"
+mv "$document.new" "$document"

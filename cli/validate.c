@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// validate.c -- scree validate: experiments that say whether what must hold does.
+#include "validate/validate.h"
+#include "commands.h"
+#include "simulation.h"
+
+static int list_experiments(void)
+{
+	for (int k = 0; k < validate_count; ++k)
+		printf("%s\n", validate_experiments[k].name);
+	return EXIT_GOOD;
+}
+
+// Whether worlds can be made as the options say; else nothing is printed on standard output.
+static int try_device(const Options* options)
+{
+	scree_world_def def = scree_default_world_def();
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	scree_world* world;
+	int code = report(scree_create_world(&def, &world));
+	scree_destroy_world(world);
+	return code;
+}
+
+int validate_command(const Options* options)
+{
+	if (options->names)
+		return list_experiments();
+	for (int k = 0; k < options->argument_count; ++k)
+	{
+		if (!validate_find(options->arguments[k]))
+		{
+			fprintf(stderr, "scree validate: no experiment is called \"%s\"; scree validate --names lists them\n",
+			        options->arguments[k]);
+			return EXIT_BAD;
+		}
+	}
+	int code = try_device(options);
+	if (code != EXIT_GOOD)
+		return code;
+	Validation v = {.engine = &scree_lab,
+	                .executable = options->executable,
+	                .quick = options->quick,
+	                .out = stdout,
+	                .options = {options->device, options->threads, options->lanes, options->allow_unequal_bits}};
+	bool good = true;
+	validate_heading(stdout);
+	for (int k = 0; k < (options->argument_count ? options->argument_count : validate_count) && !v.broken; ++k)
+	{
+		const Experiment* e = options->argument_count ? validate_find(options->arguments[k]) : &validate_experiments[k];
+		good = validate_run(&v, e) && good;
+	}
+	return good ? EXIT_GOOD : EXIT_FAILED;
+}
+
+void print_validate_help(FILE* file)
+{
+	fprintf(file, "\nexperiments of scree validate\n");
+	for (int k = 0; k < validate_count; ++k)
+		fprintf(file, "  %-10s %s\n", validate_experiments[k].name, validate_experiments[k].shows);
+}

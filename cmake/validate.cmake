@@ -1,0 +1,8 @@
+# validate.cmake -- the experiments of scree validate, which scree_peers makes with Box2D as well.
+file(GLOB validate_sources CONFIGURE_DEPENDS src/validate/*.c)
+
+if(TARGET scree_scene)
+	add_library(scree_validate STATIC ${validate_sources})
+	scree_flags(scree_validate)
+	target_link_libraries(scree_validate PUBLIC scree_scene scree_static m)
+endif()

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// churn.c -- what a scene does to its bodies between steps: some are put elsewhere, some destroyed and made anew.
+//
+// Which ones, and where they go, follows from the number of the step alone, so that nothing is kept from step to step. A
+// body that is made anew takes the slot of the one that it replaces: all are destroyed first, and slots are given out from
+// the lowest on. So the bodies of a scene stay in the order of the file, whatever happens to them.
+#include "scene/block.h"
+#include <stdlib.h>
+#include <string.h>
+
+static bool keep(void* context, const void* items)
+{
+	const Batch* batch = items;
+	Churn* churn = context;
+	memcpy(churn->items, batch->bodies, (size_t)batch->count * sizeof *batch->bodies);
+	churn->items += batch->count;
+	return true;
+}
+
+bool churn_open(Reader* reader, const Place* place, Block* block)
+{
+	Churn* churn = &block->churn;
+	int64_t wanted = (int64_t)churn->moved + churn->replaced;
+	if (wanted > block->count)
+		return reader_fail(reader, KEY(place, "churn"),
+		                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
+		                   (double)block->count);
+	if (churn->replaced == 0)
+		return true;
+	churn->items = malloc((size_t)block->count * sizeof *churn->items);
+	if (!churn->items)
+		return reader_fail(reader, place, "out of memory");
+	Churn filling = *churn;
+	return block_walk(reader, block, keep, &filling);
+}
+
+static int64_t common_divisor(int64_t a, int64_t b)
+{
+	while (b != 0)
+	{
+		int64_t rest = a % b;
+		a = b;
+		b = rest;
+	}
+	return a;
+}
+
+// Every so many bodies further is the next, until all have had their turn: neighbors in turn are far apart in the file.
+static int64_t stride_of(int64_t count)
+{
+	int64_t stride = (int64_t)(0.6180339887 * (double)count) + 1;
+	while (common_divisor(stride, count) != 1)
+		++stride;
+	return stride;
+}
+
+static int compare_changes(const void* a, const void* b)
+{
+	const SceneChange *x = a, *y = b;
+	return x->replaced != y->replaced ? x->replaced - y->replaced : (x->item > y->item) - (x->item < y->item);
+}
+
+// The changes of one block, whose first body is number first of the scene.
+static bool block_changes(Reader* reader, const Block* block, int first, int64_t step, SceneChange* changes)
+{
+	const Churn* churn = &block->churn;
+	int turns = churn->moved + churn->replaced;
+	int64_t stride = stride_of(block->count), turn = step % block->count * turns;
+	for (int k = 0; k < turns; ++k)
+	{
+		int64_t place = (turn + k) % block->count * stride % block->count;
+		SceneChange* change = changes + k;
+		*change = (SceneChange){.item = first + (int)place, .replaced = k >= churn->moved};
+		if (change->replaced)
+			change->body = churn->items[place];
+		if (!block_churn(reader, block, (uint64_t)step * (uint64_t)turns + (uint64_t)k, &change->body))
+			return false;
+	}
+	qsort(changes, (size_t)turns, sizeof *changes, compare_changes);
+	return true;
+}
+
+bool scene_churns(const Scene* scene)
+{
+	bool found = false;
+	for (int k = 0; k < scene->block_count; ++k)
+		found = found || scene->blocks[k].churn.moved + scene->blocks[k].churn.replaced > 0;
+	return found;
+}
+
+int scene_changes(const Scene* scene, int64_t step, SceneChange** changes)
+{
+	char sentence[SENTENCE_SIZE];
+	int count = 0, first = 0;
+	for (int k = 0; k < scene->block_count; ++k)
+		count += scene->blocks[k].churn.moved + scene->blocks[k].churn.replaced;
+	Reader* reader = calloc(1, sizeof(Reader));
+	*changes = calloc((size_t)count + 1, sizeof **changes);
+	bool good = reader && *changes;
+	if (good)
+	{
+		reader->sentence = sentence;
+		reader->seed = scene->seed;
+	}
+	count = 0;
+	for (int k = 0; k < scene->block_count && good; ++k)
+	{
+		const Block* block = scene->blocks + k;
+		int turns = block->churn.moved + block->churn.replaced;
+		good = turns == 0 || block_changes(reader, block, first, step, *changes + count);
+		count += turns;
+		first += block->bodies ? (int)block->count : 0;
+	}
+	free(reader);
+	if (good)
+		return count;
+	free(*changes);
+	*changes = NULL;
+	return -1;
+}
+
+typedef struct // room for the changes of a step, in the form that a world takes
+{
+	scree_body* bodies; // all of the world
+	scree_attribute* attributes;
+	scree_body* some;
+	scree_pose* poses;
+	scree_velocity* velocities;
+	scree_body_def* defs;
+} Room;
+
+static bool open_room(Room* room, int bodies, int attributes, int changes)
+{
+	room->bodies = calloc((size_t)bodies + 1, sizeof *room->bodies);
+	room->attributes = calloc((size_t)attributes + 1, sizeof *room->attributes);
+	room->some = calloc((size_t)changes + 1, sizeof *room->some);
+	room->poses = calloc((size_t)changes + 1, sizeof *room->poses);
+	room->velocities = calloc((size_t)changes + 1, sizeof *room->velocities);
+	room->defs = calloc((size_t)changes + 1, sizeof *room->defs);
+	return room->bodies && room->attributes && room->some && room->poses && room->velocities && room->defs;
+}
+
+static void close_room(Room* room)
+{
+	free(room->bodies);
+	free(room->attributes);
+	free(room->some);
+	free(room->poses);
+	free(room->velocities);
+	free(room->defs);
+}
+
+// Changes of one kind.
+static scree_status apply(scree_world* world, Room* room, const SceneChange* changes, int count, bool replaced)
+{
+	int chosen = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		if (changes[k].replaced != replaced)
+			continue;
+		const scree_body_def* body = &changes[k].body;
+		room->some[chosen] = room->bodies[changes[k].item];
+		room->poses[chosen] = body->pose;
+		room->velocities[chosen] = body->velocity;
+		room->defs[chosen] = *body;
+		room->defs[chosen].attribute = room->attributes[body->attribute.index];
+		++chosen;
+	}
+	if (chosen == 0)
+		return SCREE_OK;
+	scree_status status = replaced ? scree_destroy_bodies(world, room->some, chosen)
+	                               : scree_set_poses(world, room->some, room->poses, chosen);
+	if (status != SCREE_OK)
+		return status;
+	return replaced ? scree_create_bodies(world, room->defs, chosen, NULL)
+	                : scree_set_velocities(world, room->some, room->velocities, chosen);
+}
+
+scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
+{
+	if (!scene_churns(scene))
+		return SCREE_OK;
+	SceneChange* changes;
+	int count = scene_changes(scene, step, &changes), bodies = 0;
+	Room room = {0};
+	scree_status status = scree_get_bodies(world, NULL, 0, &bodies);
+	if (status == SCREE_OK && (count < 0 || !open_room(&room, bodies, scene->attribute_count, count)))
+		status = SCREE_OUT_OF_MEMORY;
+	if (status == SCREE_OK)
+		status = scree_get_bodies(world, room.bodies, bodies, &bodies);
+	// equal attributes are one: these are the handles that the bodies have
+	for (int k = 0; k < scene->attribute_count && status == SCREE_OK; ++k)
+		status = scree_create_attribute(world, &scene->attributes[k].def, &room.attributes[k]);
+	if (status == SCREE_OK)
+		status = apply(world, &room, changes, count, false);
+	if (status == SCREE_OK)
+		status = apply(world, &room, changes, count, true);
+	close_room(&room);
+	free(changes);
+	return status;
+}

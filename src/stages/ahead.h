@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// ahead.h -- manifolds of poses still to come: of fast bodies where they will meet, and of corners that pass each other.
+#ifndef AHEAD_H
+#define AHEAD_H
+#include "stages/sweep.h"
+
+typedef struct // a manifold and the poses that it is of
+{
+	Manifold m;
+	Frame f;  // of b in the frame of a
+	Vec axes; // rotation of a in the world
+	int made; // FOUND_AHEAD, or 0 when the poses are those of now
+} Ahead;
+
+// m: a plane that is off by less is right. What closes by less than SWEEP_REST is left to close: a push against it would be
+// no more of a disturbance than the lack of a push from a floor.
+#define PAST_ERROR (0.002f * LINEAR_SLOP)
+
+// A corner is looked at where the last relaxing pass looks, a substep after the step; and where the pair has moved so far
+// (m), or what sags by less at a seam would seem to meet its side.
+#define PAST_MOTION (0.4f * LINEAR_SLOP)
+INLINE Real ahead_time(const Pools* p) { return 1.0f + p->step.h / p->step.dt; }
+
+// A manifold pushes along its normal as if both shapes were flat. Where a pair passes by a corner it says that they will
+// overlap although they will not, and would stop what slides over a seam between two floors. Then the manifold of later
+// counts.
+INLINE Ahead ahead_past(const Pools* p, Placed a, Placed b, Closing closing, Ahead now)
+{
+	if (now.m.count == 0)
+		return now;
+	Real closes = -vec_dot(vec_turn(now.axes, now.m.normal), closing.near);
+	if (!(closes > SWEEP_REST))
+		return now;
+	Real time = maximum(ahead_time(p), PAST_MOTION / closing.most);
+	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
+	if (said > -PAST_ERROR)
+		return now;
+	Ahead later = now;
+	Vec turn = sweep_frame(a, b, closing, time, &later.f);
+	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(SPECULATIVE_DISTANCE));
+	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
+		return now;
+	later.axes = vec_turn(turn, now.axes);
+	later.made = FOUND_AHEAD;
+	return later;
+}
+
+// The manifold of a pair that may draw near by more than the speculative distance: as it will be where they meet, with
+// what may follow in the rest of the step; if they will not, as it is now.
+INLINE Ahead ahead_meeting(const Pools* p, Placed a, Placed b, Closing closing, Ahead start)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Ahead now = start, then = start;
+	now.m = no_manifold();
+	Real time = 0.0f;
+	for (int round = 0; round < SWEEP_ROUNDS; ++round)
+	{
+		then.m = collide(shape_a, shape_b, then.f, sweep_reach(closing, then.axes, time));
+		Real gap = minimum(then.m.separation[0], then.m.separation[1]);
+		if (gap <= (round + 1 < SWEEP_ROUNDS ? -SWEEP_DEPTH : SPECULATIVE_DISTANCE))
+		{
+			then.made = FOUND_AHEAD;
+			return then;
+		}
+		// what the forces of a step may close is kept without a meeting, or nothing would roll or slide fast on a floor
+		if (round == 0 && gap <= LINEAR_SLOP)
+			now.m = then.m;
+		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);
+		if (then.m.count == 0 || !(speed * (1.0f - time) > gap + 2.0f * SWEEP_DEPTH))
+			break;
+		time = time + (gap + 2.0f * SWEEP_DEPTH) / speed;
+		then.axes = vec_turn(sweep_frame(a, b, closing, time, &then.f), start.axes);
+	}
+	return ahead_past(p, a, b, closing, now);
+}
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// guard.h -- a body that the solver would move through something static stops inside its surface.
+//
+// A contact is made before bodies meet by the velocities with which a step begins (sweep.h). What is struck or turned
+// within the step goes elsewhere, where it may have no contact. So the way of a body that went further than a share of
+// its thickness is swept against the static collidables on it: by its own displacement alone, so that no order matters.
+// It makes as much of the way as leaves it a little inside; its velocity stays, and the next step has a contact for it.
+//
+// This work is based on:
+// Erin Catto, Continuous Collision, GDC 2013: what moves is stopped by what does not, at a target inside the surface.
+#ifndef GUARD_H
+#define GUARD_H
+#include "stages/filter.h"
+#include "stages/sweep.h"
+#include "stages/transform.h"
+#include "stages/tree.h"
+
+// of the thickness: how much deeper a body may be at the end of the step than before, and how deep in all, so that its
+// middle stays outside
+#define GUARD_DEPTH   0.25f
+#define GUARD_DEEPEST 0.75f
+// m: how much deeper it may be that was deeper before, and how near the target is met
+#define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
+
+// How much of its way (1 is all) b makes until it is too deep in a, which is static.
+INLINE float guard_time(const Pools* p, Placed a, Placed b, Sweep way, float thickness)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Sweep rests;
+	rests.path = vec(0.0f, 0.0f);
+	rests.center = vec(0.0f, 0.0f);
+	rests.turn = 0.0f;
+	rests.reach = shape_a->reach - shape_a->radius;
+	Closing closing = sweep_between(a, rests, b, way);
+	Vec axes = vec(a.c, a.s);
+	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
+	float time = 0.0f, target = 0.0f;
+	for (int round = 0; round < SWEEP_ROUNDS; ++round)
+	{
+		Manifold m = collide(shape_a, shape_b, f, sweep_reach(closing, axes, time));
+		float gap = minimum(m.separation[0], m.separation[1]);
+		if (round == 0)
+		{
+			target = minimum(gap, 0.0f) - GUARD_DEPTH * thickness;
+			target = maximum(target, -GUARD_DEEPEST * thickness);
+			target = minimum(target, gap - GUARD_TOLERANCE);
+		}
+		if (m.count > 0 && gap <= target)
+			return time;
+		float speed = sweep_speed(closing, vec_turn(axes, m.normal), time), left = gap - target + GUARD_TOLERANCE;
+		if (m.count == 0 || !(speed * (1.0f - time) > left))
+			return 1.0f;
+		time = time + left / speed;
+		sweep_frame(a, b, closing, time, &f);
+	}
+	return time;
+}
+
+// How much of its way collidable i makes, with its body's displacement.
+INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
+{
+	Placed placed = p->placed[i];
+	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
+	float thickness = p->thickness[placed.attribute];
+	Sweep way;
+	way.path = path;
+	way.turn = turn;
+	way.center = vec(placed.center_x, placed.center_y);
+	way.reach = attribute->reach - attribute->radius + absolute(way.center.x) + absolute(way.center.y);
+	float swing = absolute(turn) * way.reach;
+	if (!(absolute(path.x) + absolute(path.y) + swing > GUARD_TRAVEL * thickness))
+		return 1.0f;
+
+	Float4 box = world_box(placed, attribute, 0.0f);
+	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
+	box = box_grow(box_union(box, then), swing);
+	const GLOBAL Tree* tree = p->tree + 1;
+	float least = 1.0f;
+	TreeWalk walk = tree_walk(p, tree, box);
+	for (int j = tree_next(p, tree, box, &walk); j >= 0; j = tree_next(p, tree, box, &walk))
+		if (filter_accepts(p->filter[i], p->filter[j]))
+			least = minimum(least, guard_time(p, p->placed[j], placed, way, thickness));
+	return least;
+}
+
+// How much of its way a body makes.
+RARE float guard_body(const Pools* p, int body, Vec path, float turn)
+{
+	float least = 1.0f;
+	for (int k = p->guarded[body].first; k > 0; k = p->next_collidable[k - 1])
+		least = minimum(least, guard_collidable(p, k - 1, path, turn));
+	if (least < 1.0f)
+		atomic_add_int(&p->counters->held, 1);
+	return least;
+}
+
+INLINE float guard(const Pools* p, int body, Vec path, float turn)
+{
+	Guarded guarded = p->guarded[body];
+	float way = absolute(path.x) + absolute(path.y) + absolute(turn) * guarded.reach;
+	return way > guarded.way && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
+}
+
+#endif

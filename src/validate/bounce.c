@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// bounce.c -- balls of restitution 1 keep their energy, and others rise to the height that they should.
+//
+// Both engines move bodies by v += g h, y += v h in substeps of h seconds. In free flight y + v^2 / 2g - v h / 2 does not
+// change then, and is the height at which the ball turns; so it can be read from any step.
+#include "props.h"
+#include <math.h>
+
+#define BALLS   20
+#define BOUNCES 30
+#define RADIUS  0.5
+#define GRAVITY 10.0
+
+typedef struct
+{
+	Lab* lab;
+	int first;
+	double high[BALLS];              // m, of its lowest point, at first
+	double apex[BALLS][BOUNCES + 1]; // of each bounce
+	int bounces[BALLS];
+	bool down[BALLS];
+} Balls;
+
+static double apex_of(const Lab* lab, int body)
+{
+	double v = (double)lab->velocities[body].linear.y, h = (double)lab->def.dt / lab->def.substeps;
+	return (double)lab->poses[body].position.y - RADIUS + v * v / (2.0 * GRAVITY) - 0.5 * v * h;
+}
+
+// Balls side by side whose heights differ a little, so that they meet the floor at other moments of a step.
+static Balls drop(Validation* v, double height, double restitution, int substeps)
+{
+	LabDef def = lab_def();
+	def.substeps = substeps;
+	Balls balls = {.lab = lab_open(v, &def)};
+	balls.first = add_floor(balls.lab, 200.0) + 1;
+	scree_attribute_def ball = circle_of(RADIUS);
+	ball.restitution = (float)restitution;
+	for (int k = 0; k < BALLS; ++k)
+	{
+		balls.high[k] = height + 0.013 * k;
+		lab_put(balls.lab, SCREE_DYNAMIC, &ball, 3.0f * (float)(k - BALLS / 2), (float)(balls.high[k] + RADIUS), 0.0f);
+	}
+	return balls;
+}
+
+// Steps until each ball has turned downwards again after so many bounces, or two times as long as that may take.
+static void bounce(Balls* balls, int bounces, double height)
+{
+	int most = (int)(120.0 * (2.0 * bounces + 1.0) * sqrt(2.0 * (height + 0.3) / GRAVITY));
+	bool done = false;
+	for (int step = 0; step < most && !done; ++step)
+	{
+		lab_step(balls->lab, 1);
+		lab_read(balls->lab);
+		done = true;
+		for (int k = 0; k < BALLS; ++k)
+		{
+			int n = balls->bounces[k];
+			bool down = balls->lab->velocities[balls->first + k].linear.y < 0.0f;
+			if (balls->down[k] && !down && n < BOUNCES)
+				n = ++balls->bounces[k];
+			if (!down && n > 0) // it may still be pushed out of the floor
+				balls->apex[k][n] = fmax(balls->apex[k][n], apex_of(balls->lab, balls->first + k));
+			balls->down[k] = down;
+			done = done && (n > bounces || (n == bounces && down));
+		}
+	}
+}
+
+// Shares of the energy after so many bounces: mean, and most.
+static void print_energy(Validation* v, const Balls* balls, int bounces, double wanted)
+{
+	double sum = 0.0, least = INFINITY, most = 0.0;
+	char name[64];
+	for (int k = 0; k < BALLS; ++k)
+	{
+		double share = 100.0 * balls->apex[k][bounces] / balls->high[k];
+		sum += share / BALLS;
+		least = fmin(least, share);
+		most = fmax(most, share);
+	}
+	snprintf(name, sizeof name, "energy after %d bounces", bounces);
+	where(v, "%.2f to %.2f", least, most);
+	row(v, name, sum, "%", AT_LEAST, wanted);
+	snprintf(name, sizeof name, "most energy after %d bounces", bounces);
+	row(v, name, most, "%", AT_MOST, 101.0 + 0.05 * bounces);
+}
+
+static void elastic(Validation* v, double height, int substeps)
+{
+	begin(v, "restitution 1 from %g m x %d substeps", height, substeps);
+	Balls balls = drop(v, height, 1.0, substeps);
+	bounce(&balls, v->quick ? 10 : BOUNCES, height);
+	print_energy(v, &balls, 1, 99.5);
+	print_energy(v, &balls, 10, 97.0);
+	if (!v->quick)
+		print_energy(v, &balls, 30, 92.0);
+	lab_close(balls.lab);
+}
+
+static void rebound(Validation* v, double restitution)
+{
+	static const double heights[] = {0.5, 1.0, 2.0, 5.0, 10.0, 20.0};
+	double least = INFINITY, most = 0.0, lowest = 0.0, highest = 0.0;
+	begin(v, "restitution %g from 0.5 to 20 m", restitution);
+	for (int q = 0; q < 6; ++q)
+	{
+		Balls balls = drop(v, heights[q], restitution, LAB_SUBSTEPS);
+		bounce(&balls, 1, heights[q]);
+		for (int k = 0; k < BALLS; ++k)
+		{
+			double share = balls.apex[k][1] / (restitution * restitution * balls.high[k]);
+			if (share < least)
+				lowest = balls.high[k];
+			least = fmin(least, share);
+			if (share > most)
+				highest = balls.high[k];
+			most = fmax(most, share);
+		}
+		lab_close(balls.lab);
+	}
+	where(v, "from %g m", lowest);
+	row(v, "least rebound of what it should be", 100.0 * least, "%", AT_LEAST, 99.0);
+	where(v, "from %g m", highest);
+	row(v, "most rebound of what it should be", 100.0 * most, "%", AT_MOST, 101.0);
+}
+
+void bounce_experiment(Validation* v)
+{
+	static const double restitutions[] = {1.0, 0.3, 0.5, 0.7, 0.8, 0.9};
+	elastic(v, 5.0, 4);
+	if (!v->quick)
+	{
+		elastic(v, 1.0, 4);
+		elastic(v, 20.0, 4);
+		elastic(v, 5.0, 8);
+	}
+	for (int k = 0; k < (v->quick ? 2 : 6); ++k)
+		rebound(v, restitutions[k]);
+}

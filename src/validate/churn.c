@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// churn.c -- bodies that jump across the world or are created anew in every step cost little, and a burst's memory returns.
+//
+// Times are of this machine at this moment; what must hold is their ratio to the same world without churn.
+#include "props.h"
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+#define WARM_UP 3 // steps whose time does not count
+
+typedef enum
+{
+	NOTHING,
+	TELEPORTED,
+	REPLACED
+} Churn;
+
+static double seconds(void)
+{
+	struct timespec now;
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static int rising(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+// Circles that drift in a square where each has 2 m, of which some jump to random places in every step.
+static double median_step(Validation* v, int count, Churn churn, int moved, int steps)
+{
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def circle = circle_of(0.4);
+	int side = (int)ceil(sqrt(count));
+	uint64_t seed = 17;
+	for (int k = 0; k < count; ++k)
+		lab_throw(
+		    lab, &circle, 2.0f * (float)(k % side), 2.0f * (float)(k / side), 0.0f,
+		    (scree_velocity){{(float)random_between(&seed, -1.0, 1.0), (float)random_between(&seed, -1.0, 1.0)}, 0.0f});
+	int* bodies = demand(malloc((size_t)moved * sizeof *bodies));
+	scree_pose* poses = demand(malloc((size_t)moved * sizeof *poses));
+	double* times = demand(malloc((size_t)steps * sizeof *times));
+	int next = 0;
+	for (int step = 0; step < WARM_UP + steps; ++step)
+	{
+		for (int k = 0; k < moved; ++k, next = (next + 7919) % count)
+		{
+			bodies[k] = next;
+			poses[k] = (scree_pose){
+			    {(float)random_between(&seed, 0.0, 2.0 * side), (float)random_between(&seed, 0.0, 2.0 * side)},
+			    {1.0f, 0.0f}};
+		}
+		double begin = seconds();
+		if (churn == TELEPORTED)
+			lab_teleport(lab, bodies, poses, moved);
+		if (churn == REPLACED)
+			lab_replace(lab, bodies, poses, moved);
+		lab_step(lab, 1);
+		lab_wait(lab);
+		if (step >= WARM_UP)
+			times[step - WARM_UP] = seconds() - begin;
+	}
+	qsort(times, (size_t)steps, sizeof *times, rising);
+	double median = times[steps / 2];
+	free(bodies);
+	free(poses);
+	free(times);
+	lab_close(lab);
+	return 1e3 * median;
+}
+
+static void crowd_moves(Validation* v, int count, int teleported, int replaced, int steps)
+{
+	begin(v, "%d circles", count);
+	double calm = median_step(v, count, NOTHING, 1, steps);
+	row(v, "median step", calm, "ms", SHOWN, 0.0);
+	begin(v, "%d circles of which %d are teleported in each step", count, teleported);
+	double busy = median_step(v, count, TELEPORTED, teleported, steps);
+	row(v, "median step", busy, "ms", SHOWN, 0.0);
+	row(v, "time over that without", busy / calm, "", AT_MOST, 3.0);
+	begin(v, "%d circles of which %d are created anew in each step", count, replaced);
+	busy = median_step(v, count, REPLACED, replaced, steps);
+	row(v, "median step", busy, "ms", SHOWN, 0.0);
+	row(v, "time over that without", busy / calm, "", AT_MOST, 3.0);
+}
+
+typedef struct
+{
+	Lab* lab;
+	int count, *bodies;
+	scree_pose *spread, *heaped;
+} Crowd;
+
+// Boxes without gravity that can be put to places of their own, or all to one.
+static Crowd gather(Validation* v, int count)
+{
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	Crowd c = {.lab = lab_open(v, &def), .count = count};
+	scree_attribute_def box = box_of(0.5, 0.5);
+	size_t room = (size_t)count;
+	c.bodies = demand(malloc(room * sizeof *c.bodies));
+	c.spread = demand(malloc(room * sizeof *c.spread));
+	c.heaped = demand(malloc(room * sizeof *c.heaped));
+	int side = (int)ceil(sqrt(count));
+	for (int k = 0; k < count; ++k)
+	{
+		float x = 2.0f * (float)(k % side), y = 2.0f * (float)(k / side);
+		c.bodies[k] = lab_put(c.lab, SCREE_DYNAMIC, &box, x, y, 0.0f);
+		c.spread[k] = (scree_pose){{x, y}, {1.0f, 0.0f}};
+		c.heaped[k] = (scree_pose){{0.0005f * x, 0.0005f * y}, {1.0f, 0.0f}};
+	}
+	return c;
+}
+
+static void disperse(Crowd* c)
+{
+	lab_teleport(c->lab, c->bodies, c->spread, c->count);
+	for (int k = 0; k < c->count; ++k)
+		lab_set_velocity(c->lab, c->bodies[k], (scree_velocity){{0.0f, 0.0f}, 0.0f});
+}
+
+static void dismiss(Crowd* c)
+{
+	free(c->bodies);
+	free(c->spread);
+	free(c->heaped);
+	lab_close(c->lab);
+}
+
+// At one place for some steps, then spread out again: the memory returns.
+static void burst(Validation* v, int count)
+{
+	begin(v, "%d boxes at one place for three steps", count);
+	Crowd c = gather(v, count);
+	lab_step(c.lab, 10);
+	double before = lab_bytes(c.lab), most = 0.0;
+	lab_teleport(c.lab, c.bodies, c.heaped, count);
+	for (int step = 0; step < 3; ++step)
+	{
+		lab_step(c.lab, 1);
+		most = fmax(most, lab_bytes(c.lab));
+	}
+	disperse(&c);
+	lab_step(c.lab, 300);
+	row(v, "most memory", 1e-6 * most, "MB", SHOWN, 0.0);
+	row(v, "memory after it over that before", lab_bytes(c.lab) / before, "", AT_MOST, 3.0);
+	dismiss(&c);
+}
+
+// More at one place than anyone wants: refused with a sentence or not, the memory stays, and the world goes on. Returns
+// whether the step was refused.
+static bool crowd(Validation* v, int count)
+{
+	begin(v, "%d boxes at one place", count);
+	Crowd c = gather(v, count);
+	lab_step(c.lab, 10);
+	lab_teleport(c.lab, c.bodies, c.heaped, count);
+	bool taken = lab_try(c.lab);
+	where(v, "the step was %s", taken ? "taken" : "refused");
+	row(v, "memory", 1e-6 * lab_bytes(c.lab), "MB", AT_MOST, 1000.0);
+	disperse(&c);
+	row(v, "steps that it goes on", lab_try(c.lab) + lab_try(c.lab), "", AT_LEAST, 2.0);
+	dismiss(&c);
+	return !taken;
+}
+
+void churn_experiment(Validation* v)
+{
+	if (v->quick)
+	{
+		crowd_moves(v, 20000, 400, 1600, 20);
+		burst(v, 300);
+		return;
+	}
+	crowd_moves(v, 50000, 1000, 4000, 20);
+	burst(v, 1200);
+	// 242 million pairs: 24 GB and more where nothing refuses them
+	if (crowd(v, 2500))
+		crowd(v, 22000);
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// columns.c -- columns, weights on light boxes, card house, arch and pyramid stand, and sink little.
+//
+// Limits of what sinks are what Box2D v3 (617d32a, sleep off) does here, or where Scree was better all the time, what it did.
+#include "props.h"
+#include <math.h>
+
+#define MINUTE 3600 // steps
+
+typedef struct
+{
+	double sank, leaned; // m: of the body that did most, down and sideways
+	int body;            // that leaned most
+} Fall;
+
+static Fall stand(Lab* lab, int first, int steps)
+{
+	Fall fall = {0};
+	lab_step(lab, steps);
+	lab_read(lab);
+	for (int k = first; k < lab->count; ++k)
+	{
+		scree_vec start = lab->bodies[k].def.pose.position, end = lab->poses[k].position;
+		double leaned = fabs((double)(end.x - start.x));
+		fall.sank = fmax(fall.sank, (double)(start.y - end.y));
+		if (leaned > fall.leaned)
+		{
+			fall.leaned = leaned;
+			fall.body = k - first;
+		}
+	}
+	return fall;
+}
+
+// Sinks at most so far and leans at most half a box or as given; without limits it is only shown.
+static void judge(Validation* v, Lab* lab, int first, int steps, Limit limit, double sink, double lean)
+{
+	Fall fall = stand(lab, first, steps);
+	row(v, "sank", fall.sank, "m", limit, sink);
+	where(v, "body %d", fall.body);
+	row(v, "moved sideways", fall.leaned, "m", limit, lean);
+	lab_close(lab);
+}
+
+static Lab* open_with(Validation* v, int substeps, int* first)
+{
+	LabDef def = lab_def();
+	def.substeps = substeps;
+	Lab* lab = lab_open(v, &def);
+	add_floor(lab, 50.0);
+	*first = lab->count;
+	return lab;
+}
+
+static void column(Validation* v, int count, int substeps, double jitter, Limit limit, double sink)
+{
+	int first;
+	begin(v, "%d boxes x %d substeps%s", count, substeps, jitter > 0.0 ? " set down unevenly" : "");
+	Lab* lab = open_with(v, substeps, &first);
+	add_column(lab, count, 0.0, jitter);
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, count < 100 ? 0.25 : 1.0);
+}
+
+static void weight(Validation* v, double density, Limit limit, double sink)
+{
+	int first;
+	begin(v, "%g x weight on ten boxes", density);
+	Lab* lab = open_with(v, LAB_SUBSTEPS, &first);
+	add_column(lab, 10, 0.0, 0.0);
+	scree_attribute_def top = box_of(0.5, 0.5);
+	top.density = (float)density;
+	lab_put(lab, SCREE_DYNAMIC, &top, 0.0f, 10.5f, 0.0f);
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, 0.25);
+}
+
+// Boxes, rounded boxes, flat hexagons and lying capsules between boxes, all 1 m wide or less.
+static void mixed(Validation* v, int count)
+{
+	int first;
+	begin(v, "%d bodies of four kinds", count);
+	Lab* lab = open_with(v, LAB_SUBSTEPS, &first);
+	scree_vec hexagon[6] = {{0.5f, 0.0f},  {0.3f, 0.25f},   {-0.3f, 0.25f},
+	                        {-0.5f, 0.0f}, {-0.3f, -0.25f}, {0.3f, -0.25f}};
+	scree_attribute_def kinds[4] = {box_of(0.5, 0.25), rounded_of(0.5, 0.25, 0.1), polygon_of(hexagon, 6),
+	                                capsule_of(0.25, 0.25)};
+	for (int k = 0; k < count; ++k)
+		lab_put(lab, SCREE_DYNAMIC, &kinds[k % 4], 0.0f, 0.25f + 0.5f * (float)k, 0.0f);
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.014, 0.01);
+}
+
+// After Erin Catto, Box2D v3, sample CardHouse: pairs of cards that lean on each other, and cards that lie on them.
+static void card_house(Validation* v, int levels)
+{
+	int first;
+	begin(v, "card house of %d levels", levels);
+	Lab* lab = open_with(v, LAB_SUBSTEPS, &first);
+	const double half = 0.2, thick = 0.001, pitch = 0.175;
+	const float angle = 0.436332313f; // 25 degrees
+	scree_attribute_def card = box_of(thick, half);
+	card.friction = 0.7f;
+	lab->parts[lab->bodies[0].first].surface.friction = 0.7f;
+	for (int level = 0; level < levels; ++level)
+	{
+		double x = pitch * level, y = half - 0.02 + (2.0 * half - 0.03) * level;
+		for (int k = 0; k < levels - level; ++k, x += 2.0 * pitch)
+		{
+			if (k < levels - level - 1)
+				lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + 0.25), (float)(y + half - 0.015), 1.57079633f);
+			lab_put(lab, SCREE_DYNAMIC, &card, (float)x, (float)y, -angle);
+			lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + pitch), (float)y, angle);
+		}
+	}
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.033, 0.0075);
+}
+
+// Wedge-shaped stones between two half circles, without mortar, the lowest two on the floor.
+static void arch(Validation* v, int stones)
+{
+	int first;
+	begin(v, "arch of %d stones", stones);
+	Lab* lab = open_with(v, LAB_SUBSTEPS, &first);
+	const double inside = 4.0, outside = 5.5, pi = 3.14159265358979;
+	for (int k = 0; k < stones; ++k)
+	{
+		double a = pi * k / stones, b = pi * (k + 1) / stones;
+		scree_vec corners[4] = {{(float)(inside * cos(a)), (float)(inside * sin(a))},
+		                        {(float)(outside * cos(a)), (float)(outside * sin(a))},
+		                        {(float)(outside * cos(b)), (float)(outside * sin(b))},
+		                        {(float)(inside * cos(b)), (float)(inside * sin(b))}};
+		scree_attribute_def stone = polygon_of(corners, 4);
+		lab_put(lab, SCREE_DYNAMIC, &stone, 0.0f, 0.0f, 0.0f);
+	}
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.017, 0.01);
+}
+
+static void pyramid(Validation* v, int base, double sink, double lean)
+{
+	int first;
+	begin(v, "pyramid of base %d", base);
+	Lab* lab = open_with(v, LAB_SUBSTEPS, &first);
+	scree_attribute_def box = box_of(0.25, 0.25);
+	for (int row = 0; row < base; ++row)
+	{
+		for (int k = 0; k < base - row; ++k)
+			lab_put(lab, SCREE_DYNAMIC, &box, 0.55f * ((float)k - 0.5f * (float)(base - row - 1)),
+			        0.25f + 0.5f * (float)row, 0.0f);
+	}
+	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, sink, lean);
+}
+
+void columns_experiment(Validation* v)
+{
+	column(v, 20, 4, 0.0, AT_MOST, 0.135);
+	weight(v, 100.0, AT_MOST, 0.709);
+	pyramid(v, 10, 0.0033, 0.0015);
+	card_house(v, 5);
+	if (v->quick)
+		return;
+	column(v, 50, 4, 0.0, AT_MOST, 0.866);
+	column(v, 100, 4, 0.0, AT_MOST, 3.5);
+	column(v, 50, 8, 0.0, AT_MOST, 0.866);
+	column(v, 100, 8, 0.0, AT_MOST, 3.5);
+	column(v, 20, 4, 0.02, AT_MOST, 0.135);
+	column(v, 50, 4, 0.02, SHOWN, 0.0);
+	weight(v, 200.0, SHOWN, 0.0);
+	weight(v, 1000.0, SHOWN, 0.0);
+	mixed(v, 12);
+	arch(v, 15);
+	pyramid(v, 30, 0.03, 0.045);
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// impacts.c -- impacts without restitution leave nothing faster than it came; momentum stays.
+#include "props.h"
+#include <math.h>
+
+#define APART 4.0 // m between runs
+
+static Lab* open_empty(Validation* v)
+{
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	return lab_open(v, &def);
+}
+
+// Boxes and rods at all angles against a floor: energy of each after its impact, of what it had before.
+static void against_floor(Validation* v, double friction)
+{
+	int runs = v->quick ? 200 : 1000;
+	uint64_t seed = 3;
+	begin(v, "boxes against a floor of friction %g", friction);
+	Lab* lab = open_empty(v);
+	scree_attribute_def floor = box_of(0.5 * APART * runs + 10.0, 0.5);
+	floor.friction = (float)friction;
+	int first = lab_put(lab, SCREE_STATIC, &floor, 0.0f, -0.5f, 0.0f) + 1;
+	for (int k = 0; k < runs; ++k)
+	{
+		scree_attribute_def body = box_of(random_between(&seed, 0.1, 0.5), random_between(&seed, 0.05, 0.5));
+		body.friction = (float)friction;
+		double speed = random_between(&seed, 1.5, 60.0), slant = random_between(&seed, -0.5, 0.5);
+		scree_velocity velocity = {{(float)(slant * speed), (float)-speed}, (float)random_between(&seed, -5.0, 5.0)};
+		lab_throw(lab, &body, (float)(APART * (k - 0.5 * runs)), (float)random_between(&seed, 1.0, 2.0),
+		          (float)random_between(&seed, -3.0, 3.0), velocity);
+		lab->parts[lab->part_count - 1].filter.group = -1; // they do not meet each other
+	}
+	double most = 0.0;
+	for (int step = 0; step < 90; ++step)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		for (int k = first; k < lab->count; ++k)
+		{
+			scree_velocity start = lab->bodies[k].def.velocity;
+			double vx = (double)start.linear.x, vy = (double)start.linear.y, w = (double)start.angular;
+			double before =
+			    0.5 * ((double)lab->bodies[k].mass * (vx * vx + vy * vy) + (double)lab->bodies[k].inertia * w * w);
+			double share = 100.0 * lab_kinetic(lab, k) / before;
+			if (!(share <= most))
+				where(v, "run %d at %.1f m/s", k - first, -vy);
+			most = share <= most ? most : share;
+		}
+	}
+	row(v, "most energy of what it had", most, "%", AT_MOST, 100.1);
+	lab_close(lab);
+}
+
+// A heavy body strikes light ones at rest: they leave with its speed at most, as nothing turns.
+static void struck(Validation* v, double ratio)
+{
+	int runs = v->quick ? 100 : 400;
+	uint64_t seed = 9;
+	begin(v, "circles struck by %g x their mass", ratio);
+	Lab* lab = open_empty(v);
+	scree_attribute_def light = circle_of(0.1), heavy = circle_of(0.5);
+	light.friction = heavy.friction = 0.0f;
+	heavy.density = (float)(ratio / 25.0);
+	for (int k = 0; k < runs; ++k)
+	{
+		float x = (float)(APART * (k - runs / 2));
+		lab_put(lab, SCREE_DYNAMIC, &light, x, (float)random_between(&seed, 1.0, 1.7), 0.0f);
+		lab_throw(lab, &heavy, x + (float)random_between(&seed, -0.3, 0.3), 0.0f, 0.0f,
+		          (scree_velocity){{0.0f, 40.0f}, 0.0f});
+	}
+	double most = 0.0;
+	for (int step = 0; step < 20; ++step)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		most = fmax(most, lab_fastest(lab, NULL));
+	}
+	row(v, "fastest", most, "m/s", AT_MOST, 40.4);
+	lab_close(lab);
+}
+
+typedef struct
+{
+	double x, y, spin; // kg m/s, kg m^2/s about the origin
+	double size;       // sum of m |v|
+	double energy;     // J
+} Momentum;
+
+static Momentum momentum_of(Lab* lab)
+{
+	Momentum sum = {0};
+	lab_read(lab);
+	for (int k = 0; k < lab->count; ++k)
+	{
+		scree_vec c = lab_center(lab, k);
+		scree_velocity v = lab->velocities[k];
+		double m = (double)lab->bodies[k].mass, vx = (double)v.linear.x, vy = (double)v.linear.y;
+		double turn = m * ((double)c.x * vy - (double)c.y * vx);
+		sum.x += m * vx;
+		sum.y += m * vy;
+		sum.spin += turn + (double)lab->bodies[k].inertia * (double)v.angular;
+		sum.size += m * hypot(vx, vy);
+		sum.energy += lab_kinetic(lab, k);
+	}
+	return sum;
+}
+
+// Mixed bodies that rush together from all sides and turn about the middle; every second bounces if asked to. Within a step,
+// points of action stay where it found them and bodies move on: so angular momentum drifts less with shorter steps.
+static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
+{
+	uint64_t seed = 3;
+	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,
+	      restitution, rate);
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	def.dt = 1.0f / (float)rate;
+	Lab* lab = lab_open(v, &def);
+	scree_vec corners[3] = {{-0.5f, -0.3f}, {0.6f, -0.4f}, {0.1f, 0.7f}};
+	scree_attribute_def kinds[3] = {box_of(0.4, 0.6), circle_of(0.5), polygon_of(corners, 3)};
+	for (int k = 0; k < across * across; ++k)
+	{
+		scree_attribute_def surface = kinds[k % 3];
+		surface.density = 1.0f + (float)(k % 5);
+		surface.restitution = k % 2 ? (float)restitution : 0.0f;
+		double x = 1.6 * (k % across - 0.5 * (across - 1)), y = 1.6 * (k / across - 0.5 * (across - 1));
+		scree_velocity velocity = {
+		    {(float)(-rush * x + random_between(&seed, -2.0, 2.0) - 0.3 * y), (float)(-rush * y + 0.3 * x)},
+		    (float)random_between(&seed, -3.0, 3.0)};
+		lab_throw(lab, &surface, (float)x, (float)y, 0.3f * (float)k, velocity);
+	}
+	Momentum before = momentum_of(lab);
+	double linear = 0.0, angular = 0.0, energy = 0.0;
+	for (int step = 0; step < 2 * rate; ++step)
+	{
+		lab_step(lab, 1);
+		Momentum now = momentum_of(lab);
+		linear = fmax(linear, hypot(now.x - before.x, now.y - before.y) / before.size);
+		angular = fmax(angular, fabs(now.spin - before.spin) / before.size);
+		energy = fmax(energy, now.energy / before.energy);
+	}
+	row(v, "drift of momentum over sum of m v", linear, "", AT_MOST, 1e-5);
+	row(v, "drift of angular momentum over sum of m v", angular, "m", AT_MOST, drift);
+	row(v, "most energy of what it was", 100.0 * energy, "%", AT_MOST, 100.1);
+	lab_close(lab);
+}
+
+void impacts_experiment(Validation* v)
+{
+	against_floor(v, 0.0);
+	against_floor(v, 0.6);
+	struck(v, 100.0);
+	if (!v->quick)
+		struck(v, 10000.0);
+	pile_up(v, 7, 1.5, 0.4, 60, 0.009);
+	pile_up(v, 7, 1.5, 0.4, 240, 0.0024);
+	if (v->quick)
+		return;
+	pile_up(v, 7, 1.5, 0.0, 60, 0.007);
+	pile_up(v, 15, 2.5, 0.4, 60, 0.037);
+}

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// lab.c -- a world in which an experiment is made, and the ruler that measures its overlaps.
+#include "validate.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define MOMENT 1.0e-4f // s: nothing moves in it
+
+static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
+
+LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f}; }
+
+Lab* lab_open(Validation* v, const LabDef* def)
+{
+	Lab* lab = demand(calloc(1, sizeof(Lab)));
+	lab->validation = v;
+	v->lab = lab;
+	lab->def = *def;
+	if (!v->broken)
+	{
+		lab->state = v->engine->open(&v->options, def);
+		check(lab, lab->state);
+	}
+	return lab;
+}
+
+// Makes bodies that were added since, and says whether there is something to work with.
+static bool ready(Lab* lab)
+{
+	Validation* v = lab->validation;
+	if (!v->broken && lab->created < lab->count)
+	{
+		check(lab, v->engine->create(lab->state, lab, lab->created, lab->count - lab->created));
+		lab->created = lab->count;
+	}
+	return !v->broken;
+}
+
+uint64_t lab_hash(Lab* lab)
+{
+	uint64_t hash = 0;
+	if (ready(lab))
+		check(lab, lab->validation->engine->hash(lab->state, &hash));
+	return hash;
+}
+
+void lab_close(Lab* lab)
+{
+	Validation* v = lab->validation;
+	v->hash = validate_hash(v);
+	v->lab = NULL;
+	if (lab->state)
+		v->engine->close(lab->state);
+	free(lab->bodies);
+	free(lab->parts);
+	free(lab->poses);
+	free(lab->velocities);
+	free(lab);
+}
+
+static void grow(Lab* lab, int parts)
+{
+	if (lab->count == lab->capacity)
+	{
+		size_t capacity = lab->capacity ? 2 * (size_t)lab->capacity : 64;
+		lab->bodies = demand(realloc(lab->bodies, capacity * sizeof *lab->bodies));
+		lab->poses = demand(realloc(lab->poses, capacity * sizeof *lab->poses));
+		lab->velocities = demand(realloc(lab->velocities, capacity * sizeof *lab->velocities));
+		lab->capacity = (int)capacity;
+	}
+	if (lab->part_count + parts > lab->part_capacity)
+	{
+		lab->part_capacity = 2 * lab->part_capacity + parts;
+		lab->parts = demand(realloc(lab->parts, (size_t)lab->part_capacity * sizeof *lab->parts));
+	}
+}
+
+// Mass and inertia by the parallel axes theorem.
+static void weigh(LabBody* body, const LabPart* parts)
+{
+	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
+	for (int k = 0; k < body->count; ++k)
+	{
+		const scree_shape* s = &parts[k].surface.shape;
+		double m = (double)parts[k].surface.density * (double)s->area, cx = (double)s->centroid.x,
+		       cy = (double)s->centroid.y;
+		mass += m;
+		x += m * cx;
+		y += m * cy;
+		inertia += (double)parts[k].surface.density * (double)s->inertia + m * (cx * cx + cy * cy);
+	}
+	if (body->def.type != SCREE_DYNAMIC || mass == 0.0)
+		return;
+	body->mass = (float)mass;
+	body->center = (scree_vec){(float)(x / mass), (float)(y / mass)};
+	body->inertia = (float)(inertia - (x * x + y * y) / mass);
+}
+
+int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count)
+{
+	grow(lab, count);
+	LabBody* body = &lab->bodies[lab->count];
+	*body = (LabBody){.def = *def, .first = lab->part_count, .count = count};
+	for (int k = 0; k < count; ++k)
+		lab->parts[lab->part_count++] = parts[k];
+	weigh(body, parts);
+	lab->poses[lab->count] = def->pose;
+	lab->velocities[lab->count] = def->velocity;
+	return lab->count++;
+}
+
+int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle)
+{
+	LabPart part = {*surface, scree_default_filter()};
+	scree_body_def def = scree_default_body_def();
+	def.type = type;
+	def.pose = (scree_pose){{x, y}, scree_make_rot(angle)};
+	return lab_add(lab, &def, &part, 1);
+}
+
+int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity)
+{
+	int body = lab_put(lab, SCREE_DYNAMIC, surface, x, y, angle);
+	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
+	return body;
+}
+
+bool lab_try(Lab* lab)
+{
+	const Validation* v = lab->validation;
+	++lab->validation->steps;
+	return ready(lab) && v->engine->step(lab->state, lab->def.dt, lab->def.substeps, &lab->frozen);
+}
+
+void lab_step(Lab* lab, int steps)
+{
+	for (int k = 0; k < steps && !lab->validation->broken; ++k)
+		check(lab, lab_try(lab));
+}
+
+void lab_read(Lab* lab)
+{
+	if (ready(lab) && lab->count > 0)
+		check(lab, lab->validation->engine->read(lab->state, lab->poses, lab->velocities));
+}
+
+void lab_wait(Lab* lab)
+{
+	if (ready(lab))
+		check(lab, lab->validation->engine->wait(lab->state));
+}
+
+void lab_set_velocity(Lab* lab, int body, scree_velocity velocity)
+{
+	if (ready(lab))
+		check(lab, lab->validation->engine->set_velocity(lab->state, body, velocity));
+}
+
+void lab_push(Lab* lab, int body, scree_vec force)
+{
+	if (ready(lab))
+		check(lab, lab->validation->engine->push(lab->state, body, force));
+}
+
+void lab_teleport(Lab* lab, const int* bodies, const scree_pose* poses, int count)
+{
+	if (ready(lab))
+		check(lab, lab->validation->engine->set_poses(lab->state, bodies, poses, count));
+}
+
+void lab_replace(Lab* lab, const int* bodies, const scree_pose* poses, int count)
+{
+	if (!ready(lab))
+		return;
+	for (int k = 0; k < count; ++k)
+		lab->bodies[bodies[k]].def.pose = poses[k];
+	check(lab, lab->validation->engine->replace(lab->state, lab, bodies, count));
+}
+
+double lab_bytes(Lab* lab) { return ready(lab) ? lab->validation->engine->bytes(lab->state) : 0.0; }
+
+double lab_speed(const Lab* lab, int body)
+{
+	return hypot((double)lab->velocities[body].linear.x, (double)lab->velocities[body].linear.y);
+}
+
+double lab_kinetic(const Lab* lab, int body)
+{
+	double v = lab_speed(lab, body), w = (double)lab->velocities[body].angular;
+	return 0.5 * ((double)lab->bodies[body].mass * v * v + (double)lab->bodies[body].inertia * w * w);
+}
+
+scree_vec lab_center(const Lab* lab, int body)
+{
+	scree_pose p = lab->poses[body];
+	scree_vec c = lab->bodies[body].center;
+	return (scree_vec){p.position.x + p.rotation.c * c.x - p.rotation.s * c.y,
+	                   p.position.y + p.rotation.s * c.x + p.rotation.c * c.y};
+}
+
+double lab_fastest(const Lab* lab, int* body)
+{
+	double most = 0.0;
+	for (int k = 0; k < lab->count; ++k)
+	{
+		double speed = lab->bodies[k].def.type == SCREE_DYNAMIC ? lab_speed(lab, k) : 0.0;
+		if (speed <= most) // false for what is not a number
+			continue;
+		most = speed;
+		if (body)
+			*body = k;
+	}
+	return most;
+}
+
+static bool measure(const Lab* lab, void* state, scree_counters* counters)
+{
+	int frozen = 0;
+	return scree_lab.create(state, lab, 0, lab->count) && scree_lab.step(state, MOMENT, 1, &frozen) &&
+	       scree_lab_counters(state, counters);
+}
+
+double lab_overlap(Lab* lab, int* touching)
+{
+	lab_read(lab);
+	if (lab->validation->broken)
+		return 0.0;
+	// the same bodies, where they are now
+	Lab still = *lab;
+	still.def.gravity = (scree_vec){0.0f, 0.0f};
+	still.bodies = demand(malloc(((size_t)lab->count + 1) * sizeof(LabBody)));
+	for (int k = 0; k < lab->count; ++k)
+	{
+		still.bodies[k] = lab->bodies[k];
+		still.bodies[k].def.pose = lab->poses[k];
+		still.bodies[k].def.velocity = (scree_velocity){{0.0f, 0.0f}, 0.0f};
+	}
+	LabOptions options = {.device = "cpu", .threads = 1};
+	void* state = scree_lab.open(&options, &still.def);
+	scree_counters counters = {0};
+	check(lab, state && measure(&still, state, &counters));
+	if (state)
+		scree_lab.close(state);
+	free(still.bodies);
+	if (touching)
+		*touching = counters.touching;
+	return (double)counters.penetration;
+}

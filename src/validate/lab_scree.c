@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// lab_scree.c -- Scree as the engine of a lab.
+#include "lab.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct
+{
+	scree_world* world;
+	scree_body* bodies; // by their index in the lab
+	int count;
+	scree_body* some;     // handles of a batch
+	scree_body_def* defs; // of a batch
+	int room;
+} State;
+
+static bool report(scree_status status)
+{
+	if (status != SCREE_OK)
+		fprintf(stderr, "scree validate: %s\n", scree_error());
+	return status == SCREE_OK;
+}
+
+static void* open(const LabOptions* options, const LabDef* lab)
+{
+	State* state = calloc(1, sizeof(State));
+	if (!state)
+		return NULL;
+	scree_world_def def = scree_default_world_def();
+	def.gravity = lab->gravity;
+	def.max_speed = lab->max_speed;
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	if (report(scree_create_world(&def, &state->world)))
+		return state;
+	free(state);
+	return NULL;
+}
+
+static void close(void* context)
+{
+	State* state = context;
+	scree_destroy_world(state->world);
+	free(state->bodies);
+	free(state->some);
+	free(state->defs);
+	free(state);
+}
+
+// Room for a batch: handles, and definitions.
+static bool reserve(State* state, int count)
+{
+	if (count <= state->room)
+		return true;
+	scree_body* some = realloc(state->some, (size_t)count * sizeof *some);
+	state->some = some ? some : state->some;
+	scree_body_def* defs = realloc(state->defs, (size_t)count * sizeof *defs);
+	state->defs = defs ? defs : state->defs;
+	if (some && defs)
+		state->room = count;
+	return some && defs;
+}
+
+static bool gather(State* state, const int* bodies, int count)
+{
+	if (!reserve(state, count))
+		return false;
+	for (int k = 0; k < count; ++k)
+		state->some[k] = state->bodies[bodies[k]];
+	return true;
+}
+
+// The collidables of a body behind its first one. Its velocity is that of the center of mass, wherever that is then.
+static bool add_others(State* state, const Lab* lab, int index)
+{
+	const LabBody* body = &lab->bodies[index];
+	for (int k = 1; k < body->count; ++k)
+	{
+		const LabPart* part = &lab->parts[body->first + k];
+		scree_collidable_def def = scree_default_collidable_def();
+		def.body = state->bodies[index];
+		def.filter = part->filter;
+		if (!report(scree_create_attribute(state->world, &part->surface, &def.attribute)) ||
+		    !report(scree_create_collidable(state->world, &def, NULL)))
+			return false;
+	}
+	return body->count < 2 || report(scree_body_set_velocity(state->world, state->bodies[index], body->def.velocity));
+}
+
+// Creates these bodies, or those from first on where bodies is null, in one batch.
+static bool create_some(State* state, const Lab* lab, const int* bodies, int first, int count)
+{
+	if (!reserve(state, count))
+		return false;
+	const LabPart* last = NULL;
+	scree_attribute attribute = {0};
+	for (int k = 0; k < count; ++k)
+	{
+		const LabBody* body = &lab->bodies[bodies ? bodies[k] : first + k];
+		const LabPart* part = &lab->parts[body->first];
+		state->defs[k] = body->def;
+		if (body->count == 0)
+			continue;
+		// whoever makes many alike looks their attribute up once
+		bool same = last && memcmp(&part->surface, &last->surface, sizeof part->surface) == 0;
+		if (!same && !report(scree_create_attribute(state->world, &part->surface, &attribute)))
+			return false;
+		last = part;
+		state->defs[k].attribute = attribute;
+		state->defs[k].filter = part->filter;
+	}
+	if (!report(scree_create_bodies(state->world, state->defs, count, state->some)))
+		return false;
+	for (int k = 0; k < count; ++k)
+	{
+		int index = bodies ? bodies[k] : first + k;
+		state->bodies[index] = state->some[k];
+		if (!add_others(state, lab, index))
+			return false;
+	}
+	return true;
+}
+
+static bool create(void* context, const Lab* lab, int first, int count)
+{
+	State* state = context;
+	scree_body* bodies = realloc(state->bodies, (size_t)(first + count) * sizeof *bodies);
+	if (!bodies)
+		return false;
+	state->bodies = bodies;
+	state->count = first + count;
+	return create_some(state, lab, NULL, first, count);
+}
+
+static bool replace(void* context, const Lab* lab, const int* bodies, int count)
+{
+	State* state = context;
+	return gather(state, bodies, count) && report(scree_destroy_bodies(state->world, state->some, count)) &&
+	       create_some(state, lab, bodies, 0, count);
+}
+
+static bool set_poses(void* context, const int* bodies, const scree_pose* poses, int count)
+{
+	State* state = context;
+	return gather(state, bodies, count) && report(scree_set_poses(state->world, state->some, poses, count));
+}
+
+static bool set_velocity(void* context, int body, scree_velocity velocity)
+{
+	State* state = context;
+	return report(scree_body_set_velocity(state->world, state->bodies[body], velocity));
+}
+
+static bool push(void* context, int body, scree_vec force)
+{
+	State* state = context;
+	return report(scree_body_apply_force(state->world, state->bodies[body], force));
+}
+
+static bool step(void* context, float dt, int substeps, int* frozen)
+{
+	State* state = context;
+	scree_counters counters;
+	if (!report(scree_step(state->world, dt, substeps)) || !report(scree_get_counters(state->world, &counters)))
+		return false;
+	*frozen += counters.nonfinite;
+	return true;
+}
+
+static bool read(void* context, scree_pose* poses, scree_velocity* velocities)
+{
+	State* state = context;
+	return report(scree_get_poses(state->world, state->bodies, poses, state->count)) &&
+	       report(scree_get_velocities(state->world, state->bodies, velocities, state->count));
+}
+
+static bool wait(void* context)
+{
+	State* state = context;
+	return report(scree_wait(state->world));
+}
+
+static bool hash(void* context, uint64_t* hash)
+{
+	State* state = context;
+	return report(scree_world_hash(state->world, hash));
+}
+
+static double bytes(void* context)
+{
+	State* state = context;
+	scree_counters counters;
+	return report(scree_get_counters(state->world, &counters)) ? (double)counters.device_bytes : 0.0;
+}
+
+bool scree_lab_counters(void* context, scree_counters* counters)
+{
+	State* state = context;
+	return report(scree_get_counters(state->world, counters));
+}
+
+const LabEngine scree_lab = {"scree", open, create, replace, set_poses, set_velocity, push,
+                             step,    read, wait,   hash,    bytes,     close};

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// rest.c -- what lies still stays there: circles on a floor, capsules, rounded boxes, heaps of mixed bodies.
+#include "props.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define ENERGY 1.0e-6 // J a body, at most
+#define SPEED  1.0    // mm/s, the fastest
+#define CREEP  1.0    // mm in a minute
+
+#define SIZES  7
+#define STARTS 8
+
+// Bodies of one kind and seven sizes side by side, from one start position; adds to the worst of all so far.
+typedef struct
+{
+	double moved, speed; // mm, mm/s
+	int start, body;
+} Worst;
+
+static const float sizes[SIZES] = {0.05f, 0.1f, 0.2f, 0.5f, 1.0f, 2.0f, 5.0f};
+static const float starts[STARTS] = {0.0f, 0.1f, 0.37f, 1.23f, 10.1f, 100.3f, -33.7f, 1000.3f};
+
+static scree_attribute_def shape_of(int kind, float size)
+{
+	return kind == 0   ? circle_of((double)size)
+	       : kind == 1 ? capsule_of((double)size, (double)size)
+	       : kind == 2 ? rounded_of((double)size, (double)size, 0.2 * (double)size)
+	                   : box_of((double)size, (double)size);
+}
+
+static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
+{
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	int first = add_floor(lab, 1200.0) + 1;
+	for (int k = 0; k < SIZES; ++k)
+	{
+		scree_attribute_def surface = shape_of(kind, sizes[k]);
+		lab_put(lab, SCREE_DYNAMIC, &surface, starts[start] + 15.0f * (float)k, sizes[k], 0.0f);
+	}
+	for (int done = 0; done < steps; done += 60)
+	{
+		lab_step(lab, 60);
+		lab_read(lab);
+		for (int k = 0; k < SIZES; ++k)
+		{
+			double moved = 1e3 * fabs((double)lab->poses[first + k].position.x -
+			                          (double)lab->bodies[first + k].def.pose.position.x);
+			double speed = done + 60 >= steps ? 1e3 * lab_speed(lab, first + k) : 0.0;
+			worst->speed = fmax(worst->speed, speed);
+			if (!(moved <= worst->moved))
+			{
+				worst->moved = moved;
+				worst->start = start;
+				worst->body = k;
+			}
+		}
+	}
+	lab_close(lab);
+}
+
+static void single(Validation* v, const char* name, int kind)
+{
+	Worst worst = {0};
+	begin(v, "%s", name);
+	for (int start = 0; start < (v->quick ? 3 : STARTS); ++start)
+		lie(v, kind, start, v->quick ? 1200 : 3600, &worst);
+	where(v, "size %g m from x = %g m", (double)sizes[worst.body], (double)starts[worst.start] + 15.0 * worst.body);
+	row(v, "moved", worst.moved, "mm", AT_MOST, CREEP);
+	row(v, "fastest at the end", worst.speed, "mm/s", AT_MOST, SPEED);
+}
+
+typedef struct
+{
+	double energy, speed; // J a body, m/s: most of a second
+	int fastest;
+} Calm;
+
+static Calm calm_of(Lab* lab, int first)
+{
+	Calm calm = {.fastest = first};
+	for (int k = 0; k < 60; ++k)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		double energy = 0.0;
+		for (int n = first; n < lab->count; ++n)
+			energy += lab_kinetic(lab, n);
+		calm.energy = fmax(calm.energy, energy / (lab->count - first));
+		int body = first;
+		double speed = lab_fastest(lab, &body);
+		if (speed > calm.speed)
+			calm.fastest = body;
+		calm.speed = fmax(calm.speed, speed);
+	}
+	return calm;
+}
+
+static void point_at(const Lab* lab, int body)
+{
+	const scree_shape* shape = &lab->parts[lab->bodies[body].first].surface.shape;
+	static const char* const kinds[] = {"circle", "capsule", "segment", "polygon"};
+	where(lab->validation, "%s of %d corners at %.2f %.2f", kinds[shape->kind], shape->count,
+	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
+}
+
+// How far bodies went that stayed within a quarter of their size, the farthest of them, a minute.
+static void creep(Validation* v, Lab* lab, int first, int steps)
+{
+	scree_pose* before = demand(malloc((size_t)lab->count * sizeof *before));
+	double most = 0.0;
+	int farthest = first;
+	for (int k = 0; k < lab->count; ++k)
+		before[k] = lab->poses[k];
+	lab_step(lab, steps);
+	lab_read(lab);
+	for (int k = first; k < lab->count; ++k)
+	{
+		double moved = hypot((double)(lab->poses[k].position.x - before[k].position.x),
+		                     (double)(lab->poses[k].position.y - before[k].position.y));
+		if (moved > 0.25 * (double)lab->parts[lab->bodies[k].first].surface.shape.reach || moved <= most)
+			continue;
+		most = moved;
+		farthest = k;
+	}
+	free(before);
+	point_at(lab, farthest);
+	row(v, "creep a minute", 1e3 * most * 3600.0 / steps, "mm", AT_MOST, CREEP);
+}
+
+// After so many steps: energy and the fastest body in the last second, and the way of the slow ones in the time behind.
+static void judge(Validation* v, Lab* lab, int first, const char* name, int count, int until, int behind)
+{
+	begin(v, "heap of %d %s after %d steps", count, name, until);
+	v->steps = until;
+	Calm calm = calm_of(lab, first);
+	v->steps = until;
+	row(v, "kinetic energy a body", calm.energy, "J", AT_MOST, ENERGY);
+	point_at(lab, calm.fastest);
+	row(v, "fastest", 1e3 * calm.speed, "mm/s", AT_MOST, SPEED);
+	creep(v, lab, first, behind);
+	row(v, "deepest overlap", 1e3 * lab_overlap(lab, NULL), "mm", SHOWN, 0.0);
+}
+
+static void heap(Validation* v, int count, bool mixed)
+{
+	const char* name = mixed ? "mixed bodies" : "boxes and circles";
+	int half = v->quick ? 1800 : 3600, all = v->quick ? 0 : 20000, behind = v->quick ? 600 : 3600;
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	int first = add_heap(lab, count, mixed);
+	lab_step(lab, half - 60);
+	judge(v, lab, first, name, count, half, behind);
+	if (all > 0)
+	{
+		lab_step(lab, all - 60 - half - behind);
+		judge(v, lab, first, name, count, all, behind);
+	}
+	lab_close(lab);
+}
+
+void rest_experiment(Validation* v)
+{
+	single(v, "circles", 0);
+	single(v, "capsules", 1);
+	single(v, "rounded boxes", 2);
+	single(v, "boxes", 3);
+	heap(v, v->quick ? 60 : 600, true);
+	if (v->quick)
+		return;
+	heap(v, 400, true);
+	heap(v, 2000, true);
+	heap(v, 600, false);
+}

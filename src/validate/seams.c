@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// seams.c -- what slides over flush tiles neither slows down nor jumps; real ledges stop it, and stacks stand on seams.
+#include "props.h"
+#include <math.h>
+
+#define PHASES 16
+#define TRACKS (2 * PHASES) // each phase settled first, and set down with its speed
+#define APART  8.0          // m between tracks, one above the other
+#define STEPS  120          // of sliding
+#define SETTLE 60           // steps before
+
+typedef struct
+{
+	const char* name;
+	double half; // m: from its center to the floor
+	scree_attribute_def (*make)(double half);
+} Slider;
+
+static scree_attribute_def sharp(double half) { return box_of(half, half); }
+static scree_attribute_def rounded(double half) { return rounded_of(half, half, 0.2 * half); }
+static scree_attribute_def capsule(double half) { return capsule_of(half, half); }
+
+static const Slider sliders[] = {
+    {"box 0.2 m", 0.1, sharp},           {"box 0.6 m", 0.3, sharp},          {"box 1 m", 0.5, sharp},
+    {"rounded box 0.2 m", 0.1, rounded}, {"rounded box 1 m", 0.5, rounded},  {"capsule r 0.1 m", 0.1, capsule},
+    {"capsule r 0.5 m", 0.5, capsule},   {"circle r 0.1 m", 0.1, circle_of}, {"circle r 0.3 m", 0.3, circle_of},
+    {"circle r 0.5 m", 0.5, circle_of},
+};
+#define SLIDERS (int)(sizeof sliders / sizeof sliders[0])
+
+static const double speeds[] = {1.0, 10.0, 0.5, 2.0, 5.0, 20.0, 40.0, 60.0}; // m/s; quick takes the first two
+static const double tiles[] = {1.0, 0.25, 0.5, 2.0, 4.0};                    // m
+
+typedef struct
+{
+	int runs, disturbed;
+	double lost, rise; // shares of the speed, m
+	char lost_where[64], rise_where[64];
+} Slide;
+
+static void watch(Lab* lab, const int* bodies, double half, double speed, double tile, bool* bad, Slide* slide)
+{
+	lab_read(lab);
+	for (int k = 0; k < TRACKS; ++k)
+	{
+		double lost = 1.0 - (double)lab->velocities[bodies[k]].linear.x / speed;
+		double rise = (double)lab->poses[bodies[k]].position.y - (APART * (k - TRACKS / 2) + half);
+		char* texts[2] = {slide->lost_where, slide->rise_where};
+		for (int n = 0; n < 2; ++n)
+		{
+			if (n == 0 ? lost > slide->lost : rise > slide->rise)
+				snprintf(texts[n], 64, "%g m/s tiles %g m phase %d %s", speed, tile, k % PHASES,
+				         k < PHASES ? "settled" : "set down");
+		}
+		slide->lost = fmax(slide->lost, lost);
+		slide->rise = fmax(slide->rise, rise);
+		// what falls through is disturbed as well
+		bad[k] = bad[k] || !(lost < 0.01 && rise < 0.001 && rise > -0.02);
+	}
+}
+
+// All phases and both starts at once, each on a track of its own; each meets its first seam within the time.
+static void slide_over(Validation* v, const Slider* slider, double speed, double tile, Slide* slide)
+{
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	double travel = speed * STEPS / 60.0, reach = fmin(tile, 0.8 * travel);
+	scree_attribute_def plate = box_of(0.5 * tile, 0.25), surface = slider->make(slider->half);
+	plate.friction = surface.friction = 0.0f;
+	int bodies[TRACKS], before = (int)ceil(2.0 / tile) + 2, behind = (int)ceil(travel / tile) + 2;
+	scree_velocity velocity = {{(float)speed, 0.0f}, 0.0f};
+	for (int k = 0; k < TRACKS; ++k)
+	{
+		float y = (float)(APART * (k - TRACKS / 2));
+		for (int n = -before; n < behind; ++n)
+			lab_put(lab, SCREE_STATIC, &plate, (float)(tile * (n + 0.5)), y - 0.25f, 0.0f);
+	}
+	for (int k = 0; k < TRACKS; ++k)
+	{
+		double x = -slider->half - reach * (k % PHASES + 0.37) / PHASES, y = APART * (k - TRACKS / 2) + slider->half;
+		if (k == PHASES) // those behind are set down when the first have settled
+			lab_step(lab, SETTLE);
+		bodies[k] = k < PHASES ? lab_put(lab, SCREE_DYNAMIC, &surface, (float)x, (float)y, 0.0f)
+		                       : lab_throw(lab, &surface, (float)x, (float)y, 0.0f, velocity);
+	}
+	for (int k = 0; k < PHASES; ++k)
+		lab_set_velocity(lab, bodies[k], velocity);
+	bool bad[TRACKS] = {false};
+	for (int step = 0; step < STEPS; ++step)
+	{
+		lab_step(lab, 1);
+		watch(lab, bodies, slider->half, speed, tile, bad, slide);
+	}
+	slide->runs += TRACKS;
+	for (int k = 0; k < TRACKS; ++k)
+		slide->disturbed += bad[k];
+	lab_close(lab);
+}
+
+static void all_over(Validation* v, const Slider* slider, int speed_count, int tile_count)
+{
+	Slide slide = {0};
+	begin(v, "%s", slider->name);
+	for (int s = 0; s < speed_count; ++s)
+		for (int t = 0; t < tile_count; ++t)
+			slide_over(v, slider, speeds[s], tiles[t], &slide);
+	where(v, "of %d", slide.runs);
+	row(v, "runs disturbed", slide.disturbed, "", AT_MOST, 0.0);
+	where(v, "%s", slide.lost_where);
+	row(v, "most speed lost", 100.0 * slide.lost, "%", AT_MOST, 1.0);
+	where(v, "%s", slide.rise_where);
+	row(v, "most rise", 1e3 * slide.rise, "mm", AT_MOST, 1.0);
+}
+
+// A step up of a tenth of its height stops what slides: seams are forgiven, ledges are not. One down does not brake.
+static void ledge(Validation* v, double height)
+{
+	LabDef def = lab_def();
+	begin(v, "ledge %s %g m", height > 0.0 ? "up" : "down", fabs(height));
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def plate = box_of(10.0, 0.5), box = box_of(0.5, 0.5);
+	plate.friction = box.friction = 0.0f;
+	lab_put(lab, SCREE_STATIC, &plate, -10.0f, -0.5f, 0.0f);
+	lab_put(lab, SCREE_STATIC, &plate, 10.0f, (float)(height - 0.5), 0.0f);
+	int body = lab_throw(lab, &box, -3.0f, 0.5f, 0.0f, (scree_velocity){{4.0f, 0.0f}, 0.0f});
+	double deepest = 0.0, least = 4.0;
+	for (int k = 0; k < 120; ++k)
+	{
+		lab_step(lab, 1);
+		deepest = fmax(deepest, lab_overlap(lab, NULL));
+		least = fmin(least, (double)lab->velocities[body].linear.x);
+	}
+	if (height > 0.0)
+		row(v, "slowest", least, "m/s", AT_MOST, 1.0);
+	else
+		row(v, "slowest", least, "m/s", AT_LEAST, 3.9);
+	row(v, "deepest overlap", 1e3 * deepest, "mm", AT_MOST, 20.0);
+	lab_close(lab);
+}
+
+// Boxes piled across the seams of tiles, for a minute, with friction.
+static void stack(Validation* v)
+{
+	LabDef def = lab_def();
+	begin(v, "pyramid on tiles of 0.25 m");
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def plate = box_of(0.125, 0.25), box = box_of(0.3, 0.3);
+	for (int k = -40; k < 40; ++k)
+		lab_put(lab, SCREE_STATIC, &plate, 0.25f * (float)k, -0.25f, 0.0f);
+	int first = lab->count;
+	for (int row = 0; row < 8; ++row)
+		for (int k = 0; k < 8 - row; ++k)
+			lab_put(lab, SCREE_DYNAMIC, &box, 0.65f * ((float)k - 0.5f * (float)(7 - row)), 0.3f + 0.6f * (float)row,
+			        0.0f);
+	lab_step(lab, v->quick ? 600 : 3600);
+	lab_read(lab);
+	double moved = 0.0;
+	for (int k = first; k < lab->count; ++k)
+		moved = fmax(moved, fabs((double)(lab->poses[k].position.x - lab->bodies[k].def.pose.position.x)));
+	row(v, "moved sideways", 1e3 * moved, "mm", AT_MOST, 1.0);
+	lab_close(lab);
+}
+
+void seams_experiment(Validation* v)
+{
+	for (int k = 0; k < SLIDERS; ++k)
+	{
+		if (!v->quick || k == 2 || k == 4 || k == 9)
+			all_over(v, &sliders[k], v->quick ? 2 : 8, v->quick ? 1 : 5);
+	}
+	ledge(v, 0.1);
+	ledge(v, -0.1);
+	stack(v);
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// farm.c -- many programs by many processes, and what becomes of those that fail.
+//
+// A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
+#include "programs/farm.h"
+#include "clock.h"
+#include <inttypes.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+typedef struct // what a process says of itself; shared with its parent
+{
+	uint64_t seed;
+	double since; // ms by the clock
+	int done, failed, steps, frozen;
+	bool finished;
+} Desk;
+
+bool farm_tell(Pair* pair, const Program* program, const char* what, FILE* file)
+{
+	pair_forget(pair);
+	Outcome outcome = pair_run(pair, program, file);
+	pair_forget(pair);
+	if (outcome.differs)
+		fprintf(file, "%s: after call %d, %s: %s\n", what, outcome.call,
+		        call_info(program->calls[outcome.call].kind)->name, outcome.sentence);
+	return outcome.differs;
+}
+
+static bool differs_anew(Pair* pair, const Program* program)
+{
+	pair_forget(pair);
+	return pair_run(pair, program, NULL).differs;
+}
+
+bool farm_shrink(Pair* pair, Program* program, double seconds)
+{
+	if (!differs_anew(pair, program))
+		return false;
+	Program whole = {0};
+	program_copy(&whole, program);
+	program_shrink(program, pair, seconds);
+
+	// worlds that are used again save time, but may owe the difference to what they went through
+	if (seconds > 0.0 && !differs_anew(pair, program))
+	{
+		program_copy(program, &whole);
+		pair->anew = true;
+		program_shrink(program, pair, seconds);
+		pair->anew = false;
+	}
+	program_close(&whole);
+	return true;
+}
+
+// The program in which worlds began to differ, alone or else behind those that ran on the same worlds before it, made
+// short, printed and written to a file.
+static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
+{
+	char path[512], what[64];
+	snprintf(what, sizeof what, "program %" PRIu64, seed);
+	snprintf(path, sizeof path, "%s/program-%" PRIu64 ".txt", o->out, seed);
+	if (!farm_shrink(pair, program, o->shrink) && before->count > 0)
+	{
+		program_add_empty(before);
+		for (int k = 1; k < program->count; ++k)
+			program_add(before, program->calls[k]);
+		program_copy(program, before);
+		farm_shrink(pair, program, o->shrink);
+	}
+	char* text = NULL;
+	size_t length = 0;
+	FILE* memory = open_memstream(&text, &length);
+	if (!memory)
+		return;
+	if (!farm_tell(pair, program, what, memory))
+		fprintf(memory, "%s: differed, and does not when run again\n", what);
+	program_write(program, memory);
+	fprintf(memory, "again: programs --device %s --replay %s\n\n", o->places[1].device, path);
+	fclose(memory);
+	fwrite(text, 1, length, stdout);
+	fflush(stdout);
+	free(text);
+	FILE* file = fopen(path, "w");
+	if (!file)
+		return;
+	program_write(program, file);
+	fclose(file);
+}
+
+// Programs from one seed to another on the same worlds, until some time.
+static void live(const Options* o, Pair* pair, int first, int end, double until, Desk* desk, int* reports)
+{
+	Program program = {0}, before = {0};
+	pair_forget(pair);
+	for (int k = first; k < end && clock_milliseconds() < until; ++k)
+	{
+		uint64_t seed = o->seed + (uint64_t)k;
+		desk->since = clock_milliseconds();
+		desk->seed = seed;
+		program_make(&program, seed, o->calls);
+		pair->every = o->every;
+		Outcome outcome = pair_run(pair, &program, NULL);
+		pair->every = 1;
+		desk->steps += outcome.steps;
+		desk->frozen += outcome.frozen;
+		desk->done += 1;
+		if (outcome.differs)
+		{
+			desk->failed += 1;
+			desk->since = clock_milliseconds() + 4e3 * o->shrink;
+			if ((*reports)++ < o->reports)
+				report(o, pair, &program, &before, seed);
+			pair_forget(pair);
+			before.count = 0;
+			continue;
+		}
+		if (before.count == 0)
+			program_add(&before, program.calls[0]);
+		else
+			program_add_empty(&before);
+		for (int i = 1; i < program.count; ++i)
+			program_add(&before, program.calls[i]);
+	}
+	program_close(&program);
+	program_close(&before);
+}
+
+static void work(const Options* o, int job, Desk* desk)
+{
+	Pair pair;
+	pair_open(&pair, o->places);
+	pair.infinite = o->infinite;
+	pair.limits = o->limits;
+	double until = o->seconds > 0.0 ? clock_milliseconds() + 1000.0 * o->seconds : INFINITY;
+	int reports = 0, stride = o->jobs * o->life;
+	for (int first = job * o->life; first < o->programs && clock_milliseconds() < until; first += stride)
+	{
+		int end = first + o->life < o->programs ? first + o->life : o->programs;
+		live(o, &pair, first, end, until, desk, &reports);
+	}
+	pair_close(&pair);
+	desk->finished = true;
+}
+
+// Looks whether a process has ended or hangs; prints what befell it.
+static bool ended(const Options* o, Desk* desk, pid_t child)
+{
+	int status = 0;
+	bool late = !desk->finished && clock_milliseconds() - desk->since > 1000.0 * o->limit;
+	if (late)
+		kill(child, SIGKILL);
+	if (waitpid(child, &status, late ? 0 : WNOHANG) != child)
+		return false;
+	if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+		return true;
+	desk->failed += 1;
+	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
+	       " --programs 1 --calls %d --device %s\n",
+	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device);
+	return true;
+}
+
+int farm_run(const Options* o)
+{
+	Desk* desks = mmap(NULL, MOST_JOBS * sizeof *desks, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	pid_t children[MOST_JOBS] = {0};
+	if (desks == MAP_FAILED)
+	{
+		fprintf(stderr, "programs: no memory for %d processes\n", o->jobs);
+		return 2;
+	}
+	double begin = clock_milliseconds();
+	fflush(stdout);
+	for (int k = 0; k < o->jobs; ++k)
+	{
+		desks[k].since = begin;
+		children[k] = fork();
+		if (children[k] == 0)
+		{
+			work(o, k, &desks[k]);
+			exit(0);
+		}
+	}
+	Desk all = {0};
+	for (int left = o->jobs; left > 0; usleep(20000))
+		for (int k = 0; k < o->jobs; ++k)
+		{
+			if (children[k] == 0 || !ended(o, &desks[k], children[k]))
+				continue;
+			children[k] = 0;
+			--left;
+			all.done += desks[k].done;
+			all.failed += desks[k].failed;
+			all.steps += desks[k].steps;
+			all.frozen += desks[k].frozen;
+		}
+	printf("%s: %d programs, %d steps, %d bodies frozen, %d failures, %.1f s\n", o->places[1].device, all.done,
+	       all.steps, all.frozen, all.failed, 1e-3 * (clock_milliseconds() - begin));
+	return all.failed > 0;
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// pair.c -- a program on two worlds side by side: equal statuses, equal answers, equal hashes, or it differs.
+#include "programs/run.h"
+#include <inttypes.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+// hashes: whether that of the world is part of what a step leaves
+static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
+{
+	Left left = {0};
+	Turn turn = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
+	left.status = run_call(&turn);
+	if (left.status != SCREE_OK)
+		snprintf(left.error, sizeof left.error, "%s", scree_error());
+	if (left.status == SCREE_OK && call->kind == CALL_step && hashes)
+		left.status = scree_world_hash(pair->worlds[k], &left.word);
+	return left;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// a thread that makes the reference's steps while a GPU makes the other's
+// ---------------------------------------------------------------------------------------------------------------
+
+struct Worker
+{
+	pthread_t thread;
+	pthread_mutex_t mutex;
+	pthread_cond_t changed;
+	const Call* call; // at work on; null when there is none
+	bool hashes, ends;
+	Left left;
+};
+
+static void* work(void* context)
+{
+	Pair* pair = context;
+	struct Worker* h = pair->worker;
+	pthread_mutex_lock(&h->mutex);
+	for (;;)
+	{
+		while (!h->call && !h->ends)
+			pthread_cond_wait(&h->changed, &h->mutex);
+		if (h->ends)
+			break;
+		pthread_mutex_unlock(&h->mutex);
+		Left left = take_turn(pair, 0, h->call, h->hashes);
+		pthread_mutex_lock(&h->mutex);
+		h->left = left;
+		h->call = NULL;
+		pthread_cond_broadcast(&h->changed);
+	}
+	pthread_mutex_unlock(&h->mutex);
+	return NULL;
+}
+
+static void worker_open(Pair* pair)
+{
+	struct Worker* h = pair->worker = calloc(1, sizeof *h);
+	if (!h || pthread_mutex_init(&h->mutex, NULL) || pthread_cond_init(&h->changed, NULL) ||
+	    pthread_create(&h->thread, NULL, work, pair))
+		abort();
+}
+
+static void worker_close(struct Worker* h)
+{
+	pthread_mutex_lock(&h->mutex);
+	h->ends = true;
+	pthread_cond_broadcast(&h->changed);
+	pthread_mutex_unlock(&h->mutex);
+	pthread_join(h->thread, NULL);
+	pthread_cond_destroy(&h->changed);
+	pthread_mutex_destroy(&h->mutex);
+	free(h);
+}
+
+static void take_turns(Pair* pair, const Call* call, bool hashes, Left left[2])
+{
+	struct Worker* h = call->kind == CALL_step ? pair->worker : NULL;
+	if (!h)
+	{
+		left[0] = take_turn(pair, 0, call, hashes);
+		left[1] = take_turn(pair, 1, call, hashes);
+		return;
+	}
+	pthread_mutex_lock(&h->mutex);
+	h->call = call;
+	h->hashes = hashes;
+	pthread_cond_broadcast(&h->changed);
+	pthread_mutex_unlock(&h->mutex);
+	left[1] = take_turn(pair, 1, call, hashes);
+	pthread_mutex_lock(&h->mutex);
+	while (h->call)
+		pthread_cond_wait(&h->changed, &h->mutex);
+	left[0] = h->left;
+	pthread_mutex_unlock(&h->mutex);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the pair
+// ---------------------------------------------------------------------------------------------------------------
+
+void pair_open(Pair* pair, const Place places[2])
+{
+	*pair = (Pair){.places = {places[0], places[1]}};
+	for (int k = 0; k < 2; ++k)
+		pair->names[k] = calloc(1, sizeof *pair->names[k]);
+	if (!pair->names[0] || !pair->names[1])
+		abort();
+	if (strcmp(places[1].device, "cpu") != 0)
+		worker_open(pair);
+}
+
+void pair_forget(Pair* pair)
+{
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_destroy_world(pair->worlds[k]);
+		pair->worlds[k] = NULL;
+	}
+}
+
+void pair_close(Pair* pair)
+{
+	pair_forget(pair);
+	if (pair->worker)
+		worker_close(pair->worker);
+	for (int k = 0; k < 2; ++k)
+		free(pair->names[k]);
+}
+
+static bool left_differs(const Left* a, const Left* b, Outcome* outcome)
+{
+	bool refused = a->status == SCREE_INVALID || a->status == SCREE_STALE || a->status == SCREE_OK;
+	if (a->status == b->status && a->word == b->word && refused)
+		return false;
+	outcome->differs = true;
+	if (a->status != b->status || !refused)
+		snprintf(outcome->sentence, sizeof outcome->sentence, "%s (%.100s) and %s (%.100s)",
+		         scree_status_name(a->status), a->error, scree_status_name(b->status), b->error);
+	else
+		snprintf(outcome->sentence, sizeof outcome->sentence, "%016" PRIx64 " and %016" PRIx64, a->word, b->word);
+	return true;
+}
+
+void program_add_empty(Program* program)
+{
+	static const CallKind kinds[] = {CALL_move, CALL_clear, CALL_step, CALL_step, CALL_gravity};
+	const Call made = program->calls[0];
+	for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; ++k)
+	{
+		Call call = call_make(kinds[k]);
+		if (call.kind == CALL_move)
+			call_set(&call, "back", 1.0f);
+		if (call.kind == CALL_gravity)
+		{
+			call_set(&call, "x", call_value(&made, "gravity_x"));
+			call_set(&call, "y", call_value(&made, "gravity_y"));
+		}
+		program_add(program, call);
+	}
+}
+
+// Whether that works, and leaves both with the same bits.
+static bool pair_empty(Pair* pair)
+{
+	Program program = {0};
+	Outcome outcome = {0};
+	bool same = true;
+	program_add(&program, pair->made);
+	program_add_empty(&program);
+	for (int i = 1; i < program.count && same; ++i)
+	{
+		Left left[2];
+		take_turns(pair, &program.calls[i], true, left);
+		same = left[0].status == SCREE_OK && !left_differs(&left[0], &left[1], &outcome);
+	}
+	program_close(&program);
+	return same;
+}
+
+static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
+{
+	bool same = pair->worlds[0] && memcmp(&pair->made, made, sizeof *made) == 0;
+	if (same && !pair->anew && pair_empty(pair))
+		return true;
+	pair_forget(pair);
+	pair->made = *made;
+	Left left[2] = {{0}, {0}};
+	for (int k = 0; k < 2; ++k)
+	{
+		memset(pair->names[k], 0, sizeof *pair->names[k]);
+		left[k].status = run_world(&pair->places[k], made, &pair->worlds[k]);
+		if (left[k].status != SCREE_OK)
+			snprintf(left[k].error, sizeof left[k].error, "%s", scree_error());
+		// by its whole name, which costs nothing while the world is there
+		snprintf(pair->homes[k], sizeof pair->homes[k], "%s", scree_world_device(pair->worlds[k]));
+	}
+	if (left[0].status == SCREE_OK && left[1].status == SCREE_OK)
+		return true;
+	left_differs(&left[0], &left[1], outcome);
+	pair_forget(pair);
+	return false;
+}
+
+Outcome pair_run(Pair* pair, const Program* program, FILE* details)
+{
+	Outcome outcome = {0};
+	if (!pair_ready(pair, &program->calls[0], &outcome))
+		return outcome;
+	for (int i = 1; i < program->count; ++i)
+	{
+		const Call* call = &program->calls[i];
+		Left left[2];
+		outcome.call = i;
+		outcome.steps += call->kind == CALL_step;
+		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
+		take_turns(pair, call, hashes, left);
+		bool differs = left_differs(&left[0], &left[1], &outcome);
+		if (!differs && call->kind == CALL_step && left[0].status == SCREE_OK && hashes)
+		{
+			outcome.frozen += state_frozen(pair->worlds[0]);
+			if (!pair->infinite)
+				differs = outcome.differs = !state_finite(pair->worlds[0], outcome.sentence);
+			if (pair->limits && !differs)
+				differs = outcome.differs = !state_limited(pair->worlds[0], outcome.sentence);
+		}
+		if (!differs)
+			continue;
+		if (details && left[0].status == SCREE_OK && left[1].status == SCREE_OK)
+			different_print(pair->worlds[0], pair->worlds[1], details);
+		return outcome;
+	}
+	return outcome;
+}

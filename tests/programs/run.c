@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+// run.c -- one call of a program on one world, through the public interface.
+#include "programs/run.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---------------------------------------------------------------------------------------------------------------
+// arguments
+// ---------------------------------------------------------------------------------------------------------------
+
+static float real(const Turn* t, const char* name) { return call_value(t->call, name); }
+
+static int whole(const Turn* t, const char* name)
+{
+	float x = real(t, name);
+	return x > -1e6f && x < 1e6f ? (int)x : 0;
+}
+
+static scree_vec vec(const Turn* t, const char* x, const char* y) { return (scree_vec){real(t, x), real(t, y)}; }
+
+static scree_body body_of(const Turn* t, int k)
+{
+	return k >= 0 && k < MOST_NAMES ? t->names->bodies[k] : (scree_body){0, 0};
+}
+
+static scree_attribute attribute_of(const Turn* t)
+{
+	int k = whole(t, "attribute");
+	return k >= 0 && k < MOST_NAMES ? t->names->attributes[k] : (scree_attribute){0, 0};
+}
+
+static scree_pose pose_of(const Turn* t) { return (scree_pose){vec(t, "x", "y"), scree_make_rot(real(t, "angle"))}; }
+
+static scree_filter filter_of(const Turn* t)
+{
+	int mask = whole(t, "mask");
+	return (scree_filter){(uint64_t)whole(t, "category"), (uint64_t)(int64_t)mask, whole(t, "group")};
+}
+
+// A number's collidable, or that one of a body's list.
+static scree_collidable collidable_of(const Turn* t)
+{
+	int k = whole(t, "collidable"), count = 0, which = whole(t, "which");
+	if (k >= 0)
+		return k < MOST_NAMES ? t->names->collidables[k] : (scree_collidable){0, 0};
+	scree_collidable list[64];
+	scree_body body = body_of(t, whole(t, "body"));
+	if (scree_get_collidables(t->world, body, list, 64, &count) != SCREE_OK || count == 0)
+		return (scree_collidable){0, 0};
+	count = count < 64 ? count : 64;
+	return list[((which % count) + count) % count];
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// attributes
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status make_polygon(const Turn* t, scree_shape* shape)
+{
+	scree_vec corners[16];
+	int count = whole(t, "corners");
+	count = count < 0 ? 0 : count > 16 ? 16 : count;
+	for (int k = 0; k < count; ++k)
+	{
+		scree_rot q = scree_make_rot(real(t, "angle") + 6.28318531f * (float)k / (float)count);
+		corners[k] = (scree_vec){0.5f * real(t, "width") * q.c, 0.5f * real(t, "height") * q.s};
+	}
+	return scree_make_polygon(corners, count, real(t, "radius"), shape);
+}
+
+static scree_status make_hull(const Turn* t, scree_shape* shape)
+{
+	scree_vec points[64];
+	int count = whole(t, "points");
+	count = count < 0 ? 0 : count > 64 ? 64 : count;
+	uint32_t x = (uint32_t)whole(t, "seed") + 1u;
+	for (int k = 0; k < count; ++k)
+	{
+		float two[2];
+		for (int i = 0; i < 2; ++i)
+		{
+			x = x * 1664525u + 1013904223u; // Donald Knuth, H. W. Lewis
+			two[i] = real(t, "size") * ((float)(x >> 16) / 65536.0f - 0.5f);
+		}
+		points[k] = (scree_vec){two[0], two[1]};
+	}
+	return scree_make_hull(points, count, real(t, "radius"), shape);
+}
+
+static scree_status make_shape(const Turn* t, scree_shape* shape)
+{
+	switch (t->call->kind)
+	{
+	case CALL_box:
+		return scree_make_box(0.5f * real(t, "width"), 0.5f * real(t, "height"), shape);
+	case CALL_circle:
+		return scree_make_circle(vec(t, "x", "y"), real(t, "radius"), shape);
+	case CALL_capsule:
+		return scree_make_capsule(vec(t, "x", "y"), vec(t, "x2", "y2"), real(t, "radius"), shape);
+	case CALL_segment:
+		return scree_make_segment(vec(t, "x", "y"), vec(t, "x2", "y2"), shape);
+	case CALL_polygon:
+		return make_polygon(t, shape);
+	default:
+		return make_hull(t, shape);
+	}
+}
+
+static scree_status run_attribute(const Turn* t)
+{
+	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute made = {0, 0};
+	scree_status status = make_shape(t, &def.shape);
+	def.density = real(t, "density");
+	def.friction = real(t, "friction");
+	def.restitution = real(t, "restitution");
+	def.rolling_resistance = real(t, "rolling");
+	def.tangent_speed = real(t, "tangent");
+	if (status == SCREE_OK)
+		status = scree_create_attribute(t->world, &def, &made);
+	int k = whole(t, "attribute");
+	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
+		t->names->attributes[k] = made;
+	return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// bodies and collidables
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status run_body(const Turn* t)
+{
+	scree_body_def def = scree_default_body_def();
+	def.type = (scree_body_type)whole(t, "type");
+	def.pose = pose_of(t);
+	def.velocity = (scree_velocity){vec(t, "vx", "vy"), real(t, "w")};
+	def.gravity_scale = real(t, "gravity");
+	def.linear_damping = real(t, "linear");
+	def.angular_damping = real(t, "angular");
+	def.locks = (uint32_t)whole(t, "locks");
+	def.filter = filter_of(t);
+	if (real(t, "attribute") >= 0.0f)
+		def.attribute = attribute_of(t);
+	scree_body made = {0, 0};
+	scree_status status = scree_create_body(t->world, &def, &made);
+	int k = whole(t, "body");
+	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
+		t->names->bodies[k] = made;
+	return status;
+}
+
+#define MOST_BATCH 256
+static int batch_count(const Turn* t)
+{
+	int count = whole(t, "count"), first = whole(t, "body");
+	count = count < MOST_BATCH ? count : MOST_BATCH;
+	return first < 0 || first + count > MOST_NAMES ? 0 : count;
+}
+
+static scree_status run_bodies(const Turn* t)
+{
+	scree_body_def defs[MOST_BATCH];
+	int count = batch_count(t), columns = whole(t, "columns"), first = whole(t, "body");
+	columns = columns > 0 ? columns : 1;
+	for (int k = 0; k < count; ++k)
+	{
+		defs[k] = scree_default_body_def();
+		defs[k].type = (scree_body_type)whole(t, "type");
+		defs[k].attribute = attribute_of(t);
+		defs[k].pose.position.x = real(t, "x") + (float)(k % columns) * real(t, "dx");
+		defs[k].pose.position.y = real(t, "y") + (float)(k / columns) * real(t, "dy");
+		defs[k].velocity = (scree_velocity){vec(t, "vx", "vy"), real(t, "w")};
+	}
+	return scree_create_bodies(t->world, defs, count, t->names->bodies + (count > 0 ? first : 0));
+}
+
+static scree_status run_destroy(const Turn* t)
+{
+	int first = whole(t, "body");
+	if (whole(t, "count") == 0)
+		return scree_destroy_body(t->world, body_of(t, first));
+	int count = batch_count(t);
+	return scree_destroy_bodies(t->world, t->names->bodies + (count > 0 ? first : 0), count);
+}
+
+static scree_status run_collidable(const Turn* t)
+{
+	scree_collidable_def def = scree_default_collidable_def();
+	scree_collidable made = {0, 0};
+	def.attribute = attribute_of(t);
+	if (real(t, "body") >= 0.0f)
+		def.body = body_of(t, whole(t, "body"));
+	def.pose = pose_of(t);
+	def.filter = filter_of(t);
+	scree_status status = scree_create_collidable(t->world, &def, &made);
+	int k = whole(t, "collidable");
+	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
+		t->names->collidables[k] = made;
+	return status;
+}
+
+static scree_status run_place(const Turn* t)
+{
+	int k = whole(t, "collidable");
+	scree_collidable collidable = k >= 0 && k < MOST_NAMES ? t->names->collidables[k] : (scree_collidable){0, 0};
+	scree_pose pose = pose_of(t);
+	return scree_set_collidable_poses(t->world, &collidable, &pose, 1);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// motion and settings
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct // the same value for each of a batch
+{
+	scree_body bodies[MOST_BATCH];
+	scree_vec vectors[MOST_BATCH], points[MOST_BATCH];
+	float numbers[MOST_BATCH];
+	scree_velocity velocities[MOST_BATCH];
+	scree_pose poses[MOST_BATCH];
+} Batch;
+
+static scree_status run_batch(const Turn* t)
+{
+	static Batch b;
+	CallKind kind = t->call->kind;
+	int count = batch_count(t), first = whole(t, "body");
+	bool at = kind == CALL_force_at || kind == CALL_impulse_at;
+	bool number = kind == CALL_torque || kind == CALL_angular_impulse;
+	for (int k = 0; k < count; ++k)
+	{
+		b.bodies[k] = body_of(t, first + k);
+		b.numbers[k] = real(t, "x");
+		b.vectors[k] = number ? (scree_vec){0} : vec(t, "x", "y");
+		b.points[k] = at ? vec(t, "at_x", "at_y") : (scree_vec){0};
+		if (kind == CALL_velocity)
+			b.velocities[k] = (scree_velocity){vec(t, "x", "y"), real(t, "w")};
+		if (kind == CALL_pose)
+			b.poses[k] = pose_of(t);
+	}
+	switch (kind)
+	{
+	case CALL_force:
+		return scree_apply_forces(t->world, b.bodies, b.vectors, count);
+	case CALL_force_at:
+		return scree_apply_forces_at(t->world, b.bodies, b.vectors, b.points, count);
+	case CALL_torque:
+		return scree_apply_torques(t->world, b.bodies, b.numbers, count);
+	case CALL_impulse:
+		return scree_apply_impulses(t->world, b.bodies, b.vectors, count);
+	case CALL_impulse_at:
+		return scree_apply_impulses_at(t->world, b.bodies, b.vectors, b.points, count);
+	case CALL_angular_impulse:
+		return scree_apply_angular_impulses(t->world, b.bodies, b.numbers, count);
+	case CALL_velocity:
+		return scree_set_velocities(t->world, b.bodies, b.velocities, count);
+	default:
+		return scree_set_poses(t->world, b.bodies, b.poses, count);
+	}
+}
+
+static scree_status run_motion(const Turn* t)
+{
+	scree_body body = body_of(t, whole(t, "body"));
+	if (whole(t, "count") != 0)
+		return run_batch(t);
+	switch (t->call->kind)
+	{
+	case CALL_force:
+		return scree_body_apply_force(t->world, body, vec(t, "x", "y"));
+	case CALL_force_at:
+		return scree_body_apply_force_at(t->world, body, vec(t, "x", "y"), vec(t, "at_x", "at_y"));
+	case CALL_torque:
+		return scree_body_apply_torque(t->world, body, real(t, "x"));
+	case CALL_impulse:
+		return scree_body_apply_impulse(t->world, body, vec(t, "x", "y"));
+	case CALL_impulse_at:
+		return scree_body_apply_impulse_at(t->world, body, vec(t, "x", "y"), vec(t, "at_x", "at_y"));
+	case CALL_angular_impulse:
+		return scree_body_apply_angular_impulse(t->world, body, real(t, "x"));
+	case CALL_velocity:
+		return scree_body_set_velocity(t->world, body, (scree_velocity){vec(t, "x", "y"), real(t, "w")});
+	default:
+		return scree_body_set_pose(t->world, body, pose_of(t));
+	}
+}
+
+static scree_status run_setting(const Turn* t)
+{
+	scree_body body = body_of(t, whole(t, "body"));
+	switch (t->call->kind)
+	{
+	case CALL_type:
+		return scree_body_set_type(t->world, body, (scree_body_type)whole(t, "type"));
+	case CALL_damping:
+		return scree_body_set_damping(t->world, body, real(t, "linear"), real(t, "angular"));
+	case CALL_gravity_scale:
+		return scree_body_set_gravity_scale(t->world, body, real(t, "scale"));
+	case CALL_locks:
+		return scree_body_set_locks(t->world, body, (uint32_t)whole(t, "locks"));
+	default:
+		return scree_body_set_mass(t->world, body, (scree_mass){real(t, "mass"), real(t, "inertia"), vec(t, "x", "y")});
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the world
+// ---------------------------------------------------------------------------------------------------------------
+
+static uint64_t mixed(uint64_t word, const void* bytes, size_t count)
+{
+	const unsigned char* p = bytes;
+	for (size_t k = 0; k < count; ++k)
+		word = (word ^ p[k]) * 0x100000001b3u; // Fowler, Noll, Vo
+	return word;
+}
+
+#define MOST_READ 512
+static scree_status run_read(const Turn* t)
+{
+	static scree_contact contacts[MOST_READ];
+	static scree_shown shown[MOST_READ];
+	uint64_t word = 0xcbf29ce484222325u;
+	int counts[3] = {0};
+	scree_status status = scree_get_contacts(t->world, contacts, MOST_READ, &counts[0]);
+	for (int k = 0; k < counts[0] && k < MOST_READ && status == SCREE_OK; ++k)
+	{
+		contacts[k].points[1] = contacts[k].count > 1 ? contacts[k].points[1] : (scree_contact_point){.feature = 0};
+		word = mixed(word, &contacts[k], sizeof contacts[k]);
+	}
+	if (status == SCREE_OK)
+		status = scree_get_overlaps(t->world, contacts, 0, &counts[1]);
+	if (status == SCREE_OK)
+		status = scree_get_shown(t->world, shown, MOST_READ, &counts[2]);
+	if (status == SCREE_OK)
+		word = mixed(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
+	word = mixed(word, counts, sizeof counts);
+	scree_counters c;
+	if (status == SCREE_OK)
+		status = scree_get_counters(t->world, &c);
+	if (status == SCREE_OK)
+	{
+		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts, c.touching,
+		              c.colors, c.spokes,         c.new_contacts, c.nonfinite};
+		word = mixed(mixed(word, more, sizeof more), &c.penetration, sizeof c.penetration);
+	}
+	scree_pose pose = {0};
+	scree_velocity velocity = {0};
+	scree_body body = body_of(t, whole(t, "body"));
+	if (status == SCREE_OK && scree_body_is_valid(t->world, body))
+	{
+		status = scree_body_get_pose(t->world, body, &pose);
+		if (status == SCREE_OK)
+			status = scree_body_get_velocity(t->world, body, &velocity);
+		word = mixed(mixed(word, &pose, sizeof pose), &velocity, sizeof velocity);
+	}
+	t->left->word = word;
+	return status;
+}
+
+static scree_status run_clear(const Turn* t)
+{
+	static scree_body bodies[MOST_NAMES];
+	static scree_collidable collidables[MOST_NAMES];
+	int count;
+	scree_status status = scree_get_bodies(t->world, bodies, MOST_NAMES, &count);
+	if (status == SCREE_OK)
+		status = scree_destroy_bodies(t->world, bodies, count < MOST_NAMES ? count : MOST_NAMES);
+	if (status == SCREE_OK)
+		status = scree_get_collidables(t->world, (scree_body){0, 0}, collidables, MOST_NAMES, &count);
+	if (status == SCREE_OK)
+		status = scree_destroy_collidables(t->world, collidables, count < MOST_NAMES ? count : MOST_NAMES);
+	memset(t->names, 0, sizeof *t->names);
+	return status;
+}
+
+static scree_status run_move(const Turn* t)
+{
+	if (!t->place->other[0])
+		return SCREE_OK;
+	return scree_move_world(t->world, whole(t, "back") ? t->home : t->place->other);
+}
+
+scree_status run_call(const Turn* t)
+{
+	switch (t->call->kind)
+	{
+	case CALL_box:
+	case CALL_circle:
+	case CALL_capsule:
+	case CALL_segment:
+	case CALL_polygon:
+	case CALL_hull:
+		return run_attribute(t);
+	case CALL_body:
+		return run_body(t);
+	case CALL_bodies:
+		return run_bodies(t);
+	case CALL_destroy:
+		return run_destroy(t);
+	case CALL_type:
+	case CALL_damping:
+	case CALL_gravity_scale:
+	case CALL_locks:
+	case CALL_mass:
+		return run_setting(t);
+	case CALL_collidable:
+		return run_collidable(t);
+	case CALL_remove:
+		return scree_destroy_collidable(t->world, collidable_of(t));
+	case CALL_filter:
+		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
+	case CALL_place:
+		return run_place(t);
+	case CALL_gravity:
+		return scree_set_gravity(t->world, vec(t, "x", "y"));
+	case CALL_step:
+		return scree_step(t->world, real(t, "dt"), whole(t, "substeps"));
+	case CALL_move:
+		return run_move(t);
+	case CALL_read:
+		return run_read(t);
+	case CALL_clear:
+		return run_clear(t);
+	case CALL_world:
+	case CALL_KINDS:
+		return SCREE_OK;
+	default:
+		return run_motion(t);
+	}
+}
+
+scree_status run_world(const Place* place, const Call* call, scree_world** world)
+{
+	Turn t = {.call = call};
+	scree_world_def def = scree_default_world_def();
+	def.device = place->device;
+	def.threads = place->threads;
+	def.lanes = place->lanes;
+	def.gravity = vec(&t, "gravity_x", "gravity_y");
+	def.contact_hertz = real(&t, "hertz");
+	def.contact_damping_ratio = real(&t, "ratio");
+	def.contact_push_speed = real(&t, "push");
+	def.restitution_threshold = real(&t, "threshold");
+	def.max_speed = real(&t, "max_speed");
+	def.body_capacity = whole(&t, "bodies");
+	def.contact_capacity = whole(&t, "contacts");
+	return scree_create_world(&def, world);
+}

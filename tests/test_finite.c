@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// test_finite.c -- extreme values that are finite move bodies within the limits; what is not freezes one body, no other.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+static int warnings;
+
+static void note_warning(scree_log_level level, const char* sentence, void* context)
+{
+	(void)sentence;
+	(void)context;
+	warnings += level == SCREE_LOG_WARNING;
+}
+
+static int set_log(void** state)
+{
+	(void)state;
+	scree_hooks hooks = {.log = note_warning};
+	warnings = 0;
+	return scree_set_hooks(&hooks);
+}
+
+static int reset_log(void** state)
+{
+	(void)state;
+	return scree_set_hooks(NULL);
+}
+
+// A box of 1 kg, alone.
+static scree_world* open_lonely(scree_body* body)
+{
+	scree_world* world = open_world(0.0f);
+	*body = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	return world;
+}
+
+// Whatever is finite: v = min(h f / m, max_speed) along f, and no word.
+static void forces_lead_to_the_limit(void** state)
+{
+	(void)state;
+	const float sizes[] = {1e6f, 1e15f, 1e19f, 1e20f, 1e22f, 1e30f, 1e38f, FLT_MAX};
+	for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k)
+		for (int impulse = 0; impulse <= 1; ++impulse)
+		{
+			scree_body body;
+			scree_world* world = open_lonely(&body);
+			scree_vec f = {0.6f * sizes[k], -0.8f * sizes[k]};
+			OK(impulse ? scree_body_apply_impulse(world, body, f) : scree_body_apply_force(world, body, f));
+			run_steps(world, 1);
+			scree_velocity v = velocity_of(world, body);
+			double expected = impulse || sizes[k] > 1e6f ? 400.0 : 400.0 < sizes[k] / 60.0 ? 400.0 : sizes[k] / 60.0;
+			NEAR(hypot(v.linear.x, v.linear.y), expected, 0.01);
+			NEAR(v.linear.x, 0.6 * expected, 0.01);
+			NEAR(v.linear.y, -0.8 * expected, 0.01);
+			assert_int_equal(counters_of(world).nonfinite, 0);
+			run_steps(world, 2);
+			scree_destroy_world(world);
+		}
+	assert_int_equal(warnings, 0);
+}
+
+// The same of gravity, whose square is beyond a float.
+static void gravity_leads_to_the_limit(void** state)
+{
+	(void)state;
+	scree_body body;
+	scree_world* world = open_lonely(&body);
+	OK(scree_set_gravity(world, (scree_vec){0.0f, 1e25f}));
+	run_steps(world, 1);
+	NEAR(velocity_of(world, body).linear.y, 400.0, 0.01);
+	assert_int_equal(warnings, 0);
+	scree_destroy_world(world);
+}
+
+// Densities and surfaces from the least to the most on a floor: all finite, no word, and they stay above the floor.
+static void surfaces_may_be_extreme(void** state)
+{
+	(void)state;
+	const float values[] = {0.0f, 1e-45f, 1e-30f, 1e-10f, 1.0f, 1e3f, 1e6f};
+	const float densities[] = {0.0f, 1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f, 1e9f};
+	scree_world* world = open_world(-10.0f);
+	add_floor(world);
+	scree_body bodies[14];
+	for (int k = 0; k < 14; ++k)
+	{
+		scree_attribute_def def = surface_of(box_shape(0.5f, 0.5f));
+		def.density = densities[k % 7];
+		def.friction = values[(k + k / 7) % 7];
+		def.rolling_resistance = values[(2 * k) % 7];
+		bodies[k] = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), 3.0f * (float)k, 0.6f, 0.0f);
+	}
+	run_steps(world, 60);
+	check_finite(world);
+	assert_int_equal(warnings, 0);
+	for (int k = 0; k < 14; ++k)
+		NEAR(position_of(world, bodies[k]).y, 0.5, 0.02);
+	scree_destroy_world(world);
+}
+
+// In a stack whose middle is lost, the others go on: one body is frozen, and no impulse is stored that is not finite.
+static void one_body_freezes(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	add_floor(world);
+	scree_body stack[5];
+	for (int k = 0; k < 5; ++k)
+		stack[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
+	run_steps(world, 30);
+	OK(scree_body_apply_force(world, stack[2], (scree_vec){FLT_MAX, 0.0f}));
+	OK(scree_body_apply_force(world, stack[2], (scree_vec){FLT_MAX, 0.0f}));
+	run_steps(world, 1);
+	assert_int_equal(counters_of(world).nonfinite, 1);
+	scree_contact* contacts;
+	int count = read_contacts(world, &contacts);
+	assert_in_range(count, 5, 7);
+	for (int k = 0; k < count; ++k)
+		for (int i = 0; i < contacts[k].count; ++i)
+			assert_true(isfinite(contacts[k].points[i].normal_impulse) &&
+			            isfinite(contacts[k].points[i].tangent_impulse));
+	free(contacts);
+	run_steps(world, 60);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+	assert_int_equal(warnings, 1);
+	for (int k = 0; k < 5; ++k)
+		NEAR(position_of(world, stack[k]).y, 0.5 + k, 0.03);
+	scree_destroy_world(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test_setup_teardown(forces_lead_to_the_limit, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(gravity_leads_to_the_limit, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(surfaces_may_be_extreme, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(one_body_freezes, set_log, reset_log),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// test_programs.c -- random programs of calls on every device, number of lanes and of threads: equal bits, finite state.
+//
+// The formula: after each call, status(device) = status(cpu, 1 thread, 1 lane), and so with answers and hashes. bench/programs.sh
+// runs thousands of programs on a GPU; build/tests/programs --help says how to run others, and one again.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "programs/program.h"
+#include "support.h"
+#include <stdlib.h>
+#include <string.h>
+
+// seeds from here on; a failure prints its own
+#define FIRST_SEED 1000
+
+static void silent(scree_log_level level, const char* sentence, void* context)
+{
+	(void)level;
+	(void)sentence;
+	(void)context;
+}
+
+static int be_silent(void** state)
+{
+	(void)state;
+	const scree_hooks hooks = {.log = silent};
+	return scree_set_hooks(&hooks) != SCREE_OK;
+}
+
+static void set_forms(const Way* way)
+{
+	unsetenv("SCREE_PERSISTENT");
+	unsetenv("SCREE_SOLVER");
+	if (way && way->persistent)
+		setenv("SCREE_PERSISTENT", way->persistent, 1);
+	if (way && way->solver)
+		setenv("SCREE_SOLVER", way->solver, 1);
+}
+
+// Prints a program that failed, made short, and how it failed.
+static void tell_failure(Pair* pair, Program* program, const Way* way, uint64_t seed)
+{
+	program_shrink(program, pair, 20.0);
+	pair_forget(pair);
+	Outcome outcome = pair_run(pair, program, stderr);
+	print_error("%s, program %llu, after call %d: %s\n", way->name, (unsigned long long)seed, outcome.call,
+	            outcome.differs ? outcome.sentence : "differed, and does not when run again");
+	program_write(program, stderr);
+}
+
+static void check_way(const Way* way, int count)
+{
+	Place places[2] = {{.device = "cpu", .threads = 1, .lanes = 1}, {.threads = way->threads, .lanes = way->lanes}};
+	snprintf(places[1].device, sizeof places[1].device, "%s", way->device);
+	if (way->other[0])
+		snprintf(places[1].other, sizeof places[1].other, "%s", way->other);
+	Pair pair;
+	Program program = {0};
+	set_forms(way);
+	pair_open(&pair, places);
+	bool differs = false;
+	for (int k = 0; k < count && !differs; ++k)
+	{
+		uint64_t seed = FIRST_SEED + (uint64_t)k;
+		program_make(&program, seed, 200);
+		differs = pair_run(&pair, &program, NULL).differs;
+		if (differs)
+			tell_failure(&pair, &program, way, seed);
+	}
+	pair_close(&pair);
+	program_close(&program);
+	set_forms(NULL);
+	if (differs)
+		fail_msg("a program of calls left other bits: %s", way->name);
+}
+
+static void programs_are_equal(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	for (int k = 1; k < count; ++k)
+		check_way(&ways[k], strcmp(ways[k].device, "cpu") == 0 && !ways[k].other[0] ? (quick() ? 12 : 48)
+		                    : quick()                                               ? 4
+		                                                                            : 24);
+}
+
+// What is written can be read, and is the same program.
+static void text_is_the_program(void** state)
+{
+	(void)state;
+	Program made = {0}, read = {0};
+	char error[256] = "";
+	program_make(&made, 7, 200);
+	FILE* file = tmpfile();
+	assert_non_null(file);
+	program_write(&made, file);
+	rewind(file);
+	if (!program_read(&read, file, error))
+		fail_msg("%s", error);
+	fclose(file);
+	assert_int_equal(read.count, made.count);
+	for (int k = 0; k < made.count; ++k)
+	{
+		assert_int_equal(read.calls[k].kind, made.calls[k].kind);
+		for (int i = 0; i < call_info(made.calls[k].kind)->count; ++i)
+			if (made.calls[k].value[i] == made.calls[k].value[i]) // a NaN has more bits than its text
+				assert_memory_equal(&read.calls[k].value[i], &made.calls[k].value[i], sizeof(float));
+	}
+	program_close(&made);
+	program_close(&read);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(text_is_the_program),
+	    cmocka_unit_test(programs_are_equal),
+	};
+	return cmocka_run_group_tests(tests, be_silent, NULL);
+}

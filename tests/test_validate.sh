@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# test_validate.sh -- what must hold does, in the short form of scree validate, with equal end states wherever it runs.
+set -uo pipefail
+scree=${SCREE_BINARY:?is the path of the command line}
+[ -x "$scree" ] || { echo "no command line was built"; exit 77; }
+scratch=$(mktemp -d "${SCREE_BUILD:?}/test_validate.XXXXXX")
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failures=0
+fail()
+{
+	echo "FAILED: $*"
+	failures=$((failures + 1))
+}
+
+# in the slow builds of the other presets not what is timed or large
+names=()
+[ "${SCREE_QUICK:-0}" = 1 ] && names=(limits rest bounce motion)
+
+"$scree" validate --quick --device cpu --threads 1 "${names[@]}" >rows.csv 2>err
+code=$?
+[ "$code" -le 1 ] || fail "scree validate --quick: exit code $code: $(cat err)"
+head -n 1 rows.csv | grep -qx 'experiment,case,engine,quantity,value,unit,limit,result,steps,hash,where' ||
+	fail "scree validate: another heading"
+awk -F, 'NF != 11 { exit 1 }' rows.csv || fail "scree validate: not a column for each name"
+awk -F, 'NR > 1 && $8 !~ /^(pass|fail|shown)$/ { exit 1 }' rows.csv || fail "scree validate: another result"
+
+# what must hold
+while IFS=, read -r experiment case _ quantity value unit limit _ _ _ where; do
+	fail "$experiment: $case: $quantity is $value $unit, must be $limit ($where)"
+done < <(awk -F, '$8 == "fail"' rows.csv)
+[ "$code" = "$(($(awk -F, '$8 == "fail"' rows.csv | wc -l) > 0))" ] || fail "scree validate: exit code $code"
+
+# every experiment that --names lists has its rows
+if [ ${#names[@]} = 0 ]; then
+	for name in $("$scree" validate --names); do
+		grep -q "^$name," rows.csv || fail "scree validate: no row of $name"
+	done
+fi
+
+# the same end states with other threads and lanes, and on OpenCL where there is one; times are left out
+equal="limits bounce motion walls"
+[ ${#names[@]} = 0 ] || equal="bounce motion"
+others=("cpu --threads 2 --lanes 1")
+"$scree" devices | grep -q '^opencl:' && others+=("opencl")
+grep -E "^(${equal// /|})," rows.csv >expected.csv
+for other in "${others[@]}"; do
+	read -ra words <<<"$other"
+	read -ra list <<<"$equal"
+	"$scree" validate --quick --device "${words[@]}" "${list[@]}" 2>err | grep -E "^(${equal// /|})," | sort >got.csv
+	diff <(sort expected.csv) got.csv || fail "scree validate --device $other: other rows than on one thread"
+done
+
+echo "$failures failures"
+[ "$failures" = 0 ]
