@@ -355,7 +355,8 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 	{
 		for (int k = 0; k < 2; ++k)
 		{
-			Real resists = spoke_resists(h, &s, k);
+			Real resists =
+			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.light[k] * s.light[k];
 			old[k] = pair_start(&p->step, old[k], choose(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
 		}
 		spoke_keep(p, i, what, old[0], old[1]);
@@ -364,6 +365,16 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 	push[0] += s.n.x * (old[0] + old[1]);
 	push[1] += s.n.y * (old[0] + old[1]);
 	push[2] += s.hub[0] * old[0] + s.hub[1] * old[1];
+}
+
+// No more than a share of them.
+INLINE void spoke_scale(const Pools* p, const Hub* h, int i, int what, float share)
+{
+	Real old[2];
+	spoke_impulses(p, i, what, old);
+	Real now1 = share * old[0], now2 = share * old[1];
+	spoke_push(p, i, spoke_arms(p, h, i, what), now1 - old[0], now2 - old[1]);
+	spoke_keep(p, i, what, now1, now2);
 }
 
 typedef struct // impulses, and how they change against the hub's velocity at each point

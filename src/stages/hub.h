@@ -143,6 +143,15 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 	h->now[2] = h->free[2] + part * (h->inv_inertia * sum[2]);
 }
 
+// What part of the impulses of the last step a hub begins with, given their sum: all, unless they would give it more than
+// START_SHARE of max_speed, as in a jam of which others have gone. A spin counts by its energy.
+INLINE float hub_start(const Step* step, const Hub* h, const float* sum)
+{
+	float d[3] = {h->inv_mass * sum[0], h->inv_mass * sum[1], h->inv_inertia * sum[2]};
+	float square = h->inv_mass * hub_energy(h, d), most = START_SHARE * step->max_speed;
+	return square > most * most ? most / square_root(square) : 1.0f;
+}
+
 // A block: impulses of one kind of all spokes, and the velocity that they leave the hub with. There is one place where sums
 // are added up: each more takes a compiler of OpenCL for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
@@ -162,6 +171,14 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 		for (int q = 0; q < sums; ++q)
 			sum[q] = bench[q * HUB_COLUMNS];
 		group_meet();
+		float start = round < 0 && warm ? hub_start(&p->step, h, sum) : 1.0f;
+		if (start < 1.0f)
+		{
+			HUB_EACH_COLUMN(c, h)
+			HUB_EACH_OF(i, c, h) spoke_scale(p, h, i, what, start);
+			for (int q = 0; q < 3; ++q)
+				sum[q] = start * sum[q];
+		}
 		if (round < 0)
 		{
 			h->free[0] += h->inv_mass * sum[0];
