@@ -232,10 +232,10 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
 // a difference, for -0 + 0 is +0
-#define splat(x)           ((x) - (Real){0})
-#define load(array, i)     (*(const Real*)((array) + (i)))
-#define load_int(array, i) (*(const Int*)((array) + (i)))
-#define store(array, i, x) (*(Real*)((array) + (i)) = (x))
+#define splat(x)                    ((x) - (Real){0})
+#define load(array, i)              (*(const Real*)((array) + (i)))
+#define load_int(array, i)          (*(const Int*)((array) + (i)))
+#define store(array, i, x)          (*(Real*)((array) + (i)) = (x))
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Real root(Real x)
