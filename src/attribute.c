@@ -118,6 +118,8 @@ scree_status scree_create_attribute(scree_world* world, const scree_attribute_de
 			world->pipeline.extras = true;
 		if (plain.restitution != 0.0f)
 			world->pipeline.bounces = true;
+		if (plain.shape.radius != 0.0f)
+			world->pipeline.round = true;
 	}
 	*attribute = attribute_handle(world, *entry - 1);
 	return SCREE_OK;

@@ -57,9 +57,11 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 	attribute_item(world, a.attribute, &shape_a);
 	attribute_item(world, b.attribute, &shape_b);
 	const Advance rests = {{0.0f, 0.0f}, 0.0f};
-	ContactPoints at = float_bits(rows->found[k].then.z) & FOUND_ROLLS
-	                       ? rolling_points(a, b, rows->found[k], rows->feature[k], &shape_a, &shape_b, rests, rests)
-	                       : contact_points_held(a, b, rows->found[k]);
+	Word flags = rows->flags[k];
+	Found found = rows->found[k];
+	ContactPoints at = flags & FOUND_ROLLS
+	                       ? rolling_points(a, b, found, flags, rows->feature[k], &shape_a, &shape_b, rests, rests)
+	                       : rolling_held(a, b, found);
 	int c = rows->constraint[k];
 	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 	if (c >= 0)

@@ -142,7 +142,8 @@ static void broad_phase(RunList* list, const Step* step)
 
 static void narrow_phase(RunList* list, const Step* step)
 {
-	add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(live), 0);
+	add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
 
 // bits that the colors of contacts are sorted by: with hubs, a name for each body more
@@ -234,6 +235,8 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 
 	add(list, STAGE_solve_begin, 0, bodies, bound, 0);
 	add(list, STAGE_prepare, 0, constraints, bound, 0);
+	if (step->round || step->extras)
+		add(list, STAGE_prepare_extra, 0, constraints, bound, 0);
 	add_pass(list, c, bound, STAGE_warm_start, HUB_WARM_START);
 	for (int substep = 0; substep < substeps; ++substep)
 	{
@@ -392,6 +395,7 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
 	    .extras = world->pipeline.extras,
 	    .bounces = world->pipeline.bounces,
+	    .round = world->pipeline.round,
 	    .collidables = world->collidables.used,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],
@@ -453,7 +457,8 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	int constraints = 0;
 	for (int color = 0; color <= COLORS; ++color)
 		constraints += pipeline->counters.color_count[color];
-	pipeline->traffic = traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces);
+	pipeline->traffic =
+	    traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces, step.round);
 	for (int t = 0; t < 2; ++t)
 	{
 		tree_count(&pipeline->trees[t], &pipeline->counters, t);

@@ -38,6 +38,7 @@ typedef struct
 	bool begun;          // the step at work has changed something on the device
 	bool extras;         // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;        // some attribute has restitution
+	bool round;          // some attribute has a radius
 	bool split;          // the spokes of the layout know into how many parts their light ends are split
 	int rounds;          // coloring rounds that the last step needed
 	int64_t steps;

@@ -3,10 +3,10 @@
 #include "tree.h"
 #include "world.h"
 
-// Room is given back when for so many steps, 4 s of a game, never more than an eighth of it was used; twice what was used
+// Room is given back when for so many steps, 2 s of a game, never more than an eighth of it was used; twice what was used
 // stays. So a burst that comes again within that time finds its room, and a pool that has shrunk must fill up fourfold
 // before it grows to what it was.
-#define IDLE_STEPS 240
+#define IDLE_STEPS 120
 #define IDLE_SHARE 4 // of capacity, against twice the use
 
 // Contacts are moved together when for so many steps fewer than a quarter of the slots were in use: each step looks at

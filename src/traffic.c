@@ -36,7 +36,7 @@
 #define COPIES 8
 #define ENOUGH 500.0
 
-scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces)
+scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces, bool round)
 {
 	size_t warm_start = ENDS + ARMS + 2 * NORMALS + TANGENTS;
 	size_t bias = ENDS + ARMS + GAPS + 2 * NORMALS;
@@ -45,6 +45,10 @@ scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool e
 	size_t prepare = sizeof(int) + sizeof(Int2) + 2 * sizeof(Placed) + sizeof(Found) + ARMS +
 	                 GAPS; // slot, collidables; what it finds
 	size_t prepare_bodies = 0;
+	if (round || extras)
+		prepare += sizeof(int); // slot again, for prepare_extra
+	if (round)
+		prepare += sizeof(Word) + GAPS; // what is round is known by its flags; the deepest overlap
 	if (extras)
 	{
 		warm_start += EXTRA(rolling_impulse);
@@ -55,7 +59,7 @@ scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool e
 	{
 		bias += REBOUNDS;
 		relax += REBOUNDS;
-		prepare += ENDS + EXTRA(restitution) + EXTRA(fall) + REBOUNDS;
+		prepare += ARMS + GAPS + ENDS + EXTRA(restitution) + EXTRA(fall) + REBOUNDS;
 		prepare_bodies = 2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64));
 	}
 

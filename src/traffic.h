@@ -5,8 +5,8 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Of one step with so many constraints (padding not counted), rows of bodies and substeps; extras and bounces as in Step.
+// Of one step with so many constraints (padding not counted), rows of bodies and substeps; extras, bounces and round as in Step.
 // Where some attribute has restitution, every constraint counts as one that may bounce.
-scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces);
+scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces, bool round);
 
 #endif

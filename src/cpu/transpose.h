@@ -23,21 +23,61 @@ typedef Word Words __attribute__((vector_size(4 * LANES)));
 WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
 WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 
+// every second number of two quads, and of all lanes of two vectors
+#define TWO_QUADS(k) k, k + 2, k + 4, k + 6
 #if LANES == 4
 #define EACH_QUAD(a, b, c, d) a, b, c, d
+#define EVERY_SECOND(k)       TWO_QUADS(k)
 #elif LANES == 8
 #define EACH_QUAD(a, b, c, d) a, b, c, d, a + 4, b + 4, c + 4, d + 4
+#define EVERY_SECOND(k)       TWO_QUADS(k), TWO_QUADS(k + 8)
 #else
 #define EACH_QUAD(a, b, c, d) \
 	a, b, c, d, a + 4, b + 4, c + 4, d + 4, a + 8, b + 8, c + 8, d + 8, a + 12, b + 12, c + 12, d + 12
+#define EVERY_SECOND(k) TWO_QUADS(k), TWO_QUADS(k + 8), TWO_QUADS(k + 16), TWO_QUADS(k + 24)
 #endif
+
+// i, i + 1, ...
+WIDE_INLINE Int indices(int i)
+{
+	Int k = {EACH_QUAD(0, 1, 2, 3)};
+	return k + i;
+}
+
+// lane k of the result is array[index[k]]
+WIDE_INLINE Real gather(const float* array, Int index)
+{
+	Real out;
+	for (int k = 0; k < LANES; ++k)
+		out[k] = array[index[k]];
+	return out;
+}
+
+WIDE_INLINE Int gather_int(const int* array, Int index)
+{
+	Int out;
+	for (int k = 0; k < LANES; ++k)
+		out[k] = array[index[k]];
+	return out;
+}
 
 // inside each quad, components of a as 0 to 3 and of b as LANES to LANES + 3
 #if defined(__clang__) || __GNUC__ >= 12
-#define SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, EACH_QUAD(__VA_ARGS__))
+#define SHUFFLE_ALL(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
-#define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (Int){EACH_QUAD(__VA_ARGS__)})
+#define SHUFFLE_ALL(a, b, ...) __builtin_shuffle(a, b, (Int){__VA_ARGS__})
 #endif
+#define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
+
+// the members of rows i to i + LANES - 1 of two integers
+WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
+{
+	Int low, high;
+	memcpy(&low, array + i, sizeof low);
+	memcpy(&high, array + i + LANES / 2, sizeof high);
+	*x = SHUFFLE_ALL(low, high, EVERY_SECOND(0));
+	*y = SHUFFLE_ALL(low, high, EVERY_SECOND(1));
+}
 
 // side by side: the quads at base + at[j], base + at[j + 4], ...
 WIDE_INLINE Real quads_load(const float* base, Words at, int j)
@@ -207,5 +247,8 @@ WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int 
 #undef ALL_LANES
 #undef EACH_QUAD
 #undef SHUFFLE
+#undef SHUFFLE_ALL
+#undef TWO_QUADS
+#undef EVERY_SECOND
 #undef WIDE_INLINE
 #endif

@@ -196,7 +196,11 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 			h.count = span.count;
 			HUB_EACH_COLUMN(c, &h)
 			HUB_EACH_OF(i, c, &h)
-			prepare_item(p, i);
+			{
+				prepare_item(p, i);
+				if (p->step.round || p->step.extras)
+					prepare_extra_item(p, i);
+			}
 		}
 	if (for_colors)
 		for (int i = begin; i < constraints; i += stride)

@@ -155,8 +155,7 @@ INLINE Runner runner_prepare(const Pools* p, int i, bool hubs)
 	u.inert = slot < 0;
 	if (u.inert)
 		return u;
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
-	                               constraint_at(p, normal_impulse2, i));
+	Prepared made = prepare_points(p, i, slot);
 	if (p->step.extras)
 		prepare_extras(p, i, made);
 	u = runner_make(p, i, made);

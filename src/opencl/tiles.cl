@@ -282,8 +282,7 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 		return;
 	}
 	int slot = p->constraint_contact[i], color = p->contact_color[slot];
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
-	                               constraint_at(p, normal_impulse2, i));
+	Prepared made = prepare_points(p, i, slot);
 	if (p->step.extras)
 		prepare_extras(p, i, made);
 	u = runner_make(p, i, made);

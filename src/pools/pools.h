@@ -75,6 +75,16 @@
 #define CONTACT_FRESH    4u  // created in this step
 #define CONTACT_DETECTED 8u  // nothing answers to it: one side has no body
 #define CONTACT_TOUCHING 16u // has points
+// within the narrow phase
+#define CONTACT_LOOK 2048u // narrow_phase looks at it
+#define CONTACT_ANEW 4096u // and finds its manifold anew
+// in the same word: what the manifold does while bodies move on
+#define FOUND_ROLLS    32   // it follows its corners; otherwise it is held as it was found
+#define FOUND_CORNER1  64   // point 1 is at a corner of a, otherwise of b
+#define FOUND_CORNER2  128  // the same of point 2
+#define FOUND_TURNS_B  256  // the normal turns with b, otherwise with a
+#define FOUND_CORNERS  512  // the normal goes from a corner to a corner
+#define FOUND_OVERLAPS 1024 // some point overlapped
 
 typedef struct // 160 bytes
 {
@@ -107,16 +117,9 @@ typedef struct // 64 bytes: the points of a contact as they were found
 	    normal; // x, y from a to b in the frame of a, separations of the points (m), NO_POINT for one that is not there
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
 	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin
-	Float4 then;     // rotation of a in the world then: cos, sin; FOUND_* bits; unused
+	Float4 then; // rotation of a in the world then: cos, sin; reach of a; for how far a shift it is kept, negative for
+	             // one of poses still to come, m
 } Found;
-
-// Found.then.z: what a manifold does while bodies move on
-#define FOUND_AHEAD   1  // it is that of poses still to come, for one step only
-#define FOUND_ROLLS   2  // it follows its corners; otherwise it is held as it was found
-#define FOUND_CORNER1 4  // point 1 is at a corner of a, otherwise of b
-#define FOUND_CORNER2 8  // the same of point 2
-#define FOUND_TURNS_B 16 // the normal turns with b, otherwise with a
-#define FOUND_CORNERS 32 // the normal goes from a corner to a corner
 
 typedef struct // 32 bytes: one sector
 {
@@ -238,6 +241,7 @@ typedef struct // constants of one step, by value to every stage
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
 	int bounces;          // some attribute has restitution
+	int round;            // some attribute has a radius
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity, constraint_capacity;
 	int contact_limit;       // most contacts that the world may have
@@ -275,6 +279,7 @@ typedef struct
 	int needed;       // contact slots that the step needs
 	int stalled;      // a buffer was too small: nothing after it was done; the host grows it and runs again
 	int live;         // contact slots that narrow phase goes over
+	int look;         // the same where it must look at some, else 0
 	int released;     // contacts whose boxes parted
 	int began, ended; // contacts that began and ceased to touch
 	int gathered;     // contact slots to search for those of bodies that became hubs, else 0

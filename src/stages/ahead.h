@@ -7,19 +7,17 @@
 typedef struct // a manifold and the poses that it is of
 {
 	Manifold m;
-	Frame f;  // of b in the frame of a
-	Vec axes; // rotation of a in the world
-	int made; // FOUND_AHEAD, or 0 when the poses are those of now
+	Frame f;   // of b in the frame of a
+	Vec axes;  // rotation of a in the world
+	int ahead; // whether the poses are still to come
 } Ahead;
 
 // m: a plane that is off by less is right. What closes by less than SWEEP_REST is left to close: a push against it would be
 // no more of a disturbance than the lack of a push from a floor.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// A corner is looked at where the last relaxing pass looks, a substep after the step; and where the pair has moved so far
-// (m), or what sags by less at a seam would seem to meet its side.
+// A corner is looked at where the last relaxing pass looks (sweep_end); and where the pair has moved so far (m), or what sags by less at a seam would seem to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
-INLINE Real ahead_time(const Pools* p) { return 1.0f + p->step.h / p->step.dt; }
 
 // A manifold pushes along its normal as if both shapes were flat. Where a pair passes by a corner it says that they will
 // overlap although they will not, and would stop what slides over a seam between two floors. Then the manifold of later
@@ -31,7 +29,7 @@ INLINE Ahead ahead_past(const Pools* p, Placed a, Placed b, Closing closing, Ahe
 	Real closes = -vec_dot(vec_turn(now.axes, now.m.normal), closing.near);
 	if (!(closes > SWEEP_REST))
 		return now;
-	Real time = maximum(ahead_time(p), PAST_MOTION / closing.most);
+	Real time = maximum(sweep_end(&p->step), PAST_MOTION / closing.most);
 	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
 	if (said > -PAST_ERROR)
 		return now;
@@ -41,7 +39,7 @@ INLINE Ahead ahead_past(const Pools* p, Placed a, Placed b, Closing closing, Ahe
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
-	later.made = FOUND_AHEAD;
+	later.ahead = 1;
 	return later;
 }
 
@@ -60,7 +58,7 @@ INLINE Ahead ahead_meeting(const Pools* p, Placed a, Placed b, Closing closing, 
 		Real gap = minimum(then.m.separation[0], then.m.separation[1]);
 		if (gap <= (round + 1 < SWEEP_ROUNDS ? -SWEEP_DEPTH : SPECULATIVE_DISTANCE))
 		{
-			then.made = FOUND_AHEAD;
+			then.ahead = 1;
 			return then;
 		}
 		// what the forces of a step may close is kept without a meeting, or nothing would roll or slide fast on a floor

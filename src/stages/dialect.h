@@ -171,9 +171,19 @@ typedef int Int;
 #define load(array, i)     ((array)[i])
 #define load_int(array, i) ((array)[i])
 #define store(array, i, x) ((array)[i] = (x))
+#define real_bits(x)       float_bits(x)
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
 #define root(x) square_root(x)
+
+// items i to i + LANES - 1 themselves; what they name in an array; and the members of rows of two integers
+#define indices(i)                  (i)
+#define gather(array, index)        ((array)[index])
+#define gather_int(array, index)    ((array)[index])
+#define load_int2(array, i, x0, y0) (*(x0) = (array)[i].x, *(y0) = (array)[i].y)
+// one bit a lane, set where c is; and the value of a lane
+#define lane_bits(c) ((Word)((c) != 0))
+#define lane(x, k)   (x)
 
 // Rows of 8 and 4 floats. On a GPU they are read past the first-level cache, which in a kernel that goes through several
 // passes may hold what another compute unit has changed since.
@@ -236,6 +246,8 @@ typedef int Int __attribute__((vector_size(4 * LANES)));
 #define load(array, i)              (*(const Real*)((array) + (i)))
 #define load_int(array, i)          (*(const Int*)((array) + (i)))
 #define store(array, i, x)          (*(Real*)((array) + (i)) = (x))
+#define real_bits(x)                ((Int)(x))
+#define lane(x, k)                  ((x)[k])
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Real root(Real x)

@@ -30,6 +30,7 @@ typedef struct // in the frame of a
 	int feature[2];     // feature of a << 8 | feature of b; no two points share one
 	int count;          // points; when 0 there is no normal
 	int made;           // FOUND_* bits: whose corners make the points, and what the normal turns with
+	Real gap;           // without points the surfaces are at least so far apart, m
 } Manifold;
 
 typedef struct // how far apart points count, in the frame of a
@@ -59,6 +60,7 @@ INLINE Manifold no_manifold(void)
 	m.feature[0] = m.feature[1] = 0;
 	m.count = 0;
 	m.made = 0;
+	m.gap = 0.0f;
 	return m;
 }
 
@@ -94,6 +96,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Real distance = root(vec_dot(delta, delta));
 	m.normal = distance > NEAREST_TOLERANCE ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
 	m.made = FOUND_CORNERS;
+	m.gap = distance - a->radius - b->radius;
 	manifold_add(&m, from, distance, a->radius, b->radius, 0, reach_along(reach, m.normal));
 	return m;
 }
@@ -213,14 +216,17 @@ INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Fr
 
 	Real radius = a->radius + b->radius;
 	Axis on_a = best_axis(a, b, f);
-	if (on_a.separation > radius + reach_along(reach, shape_normal(a, on_a.edge)))
-		return no_manifold();
+	Manifold none = no_manifold();
+	none.gap = on_a.separation - radius;
+	if (none.gap > reach_along(reach, shape_normal(a, on_a.edge)))
+		return none;
 	Frame back = frame_inverse(f);
 	Axis on_b = best_axis(b, a, back);
 	Reach back_reach = reach;
 	back_reach.near = vec_neg(vec_turn_back(f.rotation, reach.near));
-	if (on_b.separation > radius + reach_along(back_reach, shape_normal(b, on_b.edge)))
-		return no_manifold();
+	none.gap = maximum(none.gap, on_b.separation - radius);
+	if (on_b.separation - radius > reach_along(back_reach, shape_normal(b, on_b.edge)))
+		return none;
 
 	Real separation = maximum(on_a.separation, on_b.separation);
 	Real facing = vec_dot(shape_normal(a, on_a.edge), vec_turn(f.rotation, shape_normal(b, on_b.edge)));
@@ -242,6 +248,7 @@ INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Fr
 	Manifold m = edge_manifold(reference, incident, axis, separation, placed, facing_reach);
 	if (swap)
 		m = manifold_swap(m, f);
+	m.gap = none.gap;
 	return m;
 }
 

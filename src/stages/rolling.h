@@ -12,6 +12,7 @@
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "stages/contact_points.h"
+#include "stages/sweep_closing.h"
 
 // k dt^2 that a contact may follow; bodies have several, and their neighbors have them too
 #define ROLLING_STIFFNESS 0.3f
@@ -23,12 +24,6 @@
 
 // What is stiff is held in part, and found anew now and then, which would keep it swinging: there the lever may be longer.
 #define ROLLING_STIFF_LEVER 0.05f
-
-typedef struct // of a body until the end of the step
-{
-	Vec path;  // m
-	Real turn; // rad
-} Advance;
 
 typedef struct // of a body until the end of the step, from the origin of collidable a
 {
@@ -70,10 +65,11 @@ INLINE Vec rolling_corner(const GLOBAL Attribute* shape, int name, Vec found)
 	return vec(v.x, v.y);
 }
 
-INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Int2 feature, const GLOBAL Attribute* shape_a,
-                                    const GLOBAL Attribute* shape_b, Advance advance_a, Advance advance_b)
+// flags of the contact
+INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Word flags, Int2 feature,
+                                    const GLOBAL Attribute* shape_a, const GLOBAL Attribute* shape_b, Advance advance_a,
+                                    Advance advance_b)
 {
-	int made = float_bits(found.then.z);
 	Rolling ra = rolling_of(vec(0.0f, 0.0f), a, advance_a), rb = rolling_of(vec(b.x - a.x, b.y - a.y), b, advance_b);
 	Vec shift = vec(found.relative.x, found.relative.y), turn = vec(found.relative.z, found.relative.w);
 	Vec normal = vec(found.normal.x, found.normal.y), place[2];
@@ -82,22 +78,22 @@ INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Int2 featur
 	place[1] = vec(found.on_a.z, found.on_a.w);
 	ContactPoints points;
 	points.normal = vec_turn(ra.turn, vec_turn(ra.axes, normal));
-	if (made & FOUND_TURNS_B)
+	if (flags & FOUND_TURNS_B)
 		points.normal = vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal)));
 	points.offset = vec_sub(ra.then, rb.then);
 	for (int k = 0; k < 2; ++k)
 	{
-		int names = k ? feature.y : feature.x, corner_a = made & (k ? FOUND_CORNER2 : FOUND_CORNER1);
+		int names = k ? feature.y : feature.x, corner_a = (flags & (k ? FOUND_CORNER2 : FOUND_CORNER1)) != 0;
 		float above = 0.5f * separation[k]; // the surface, m
 		Vec core_a = vec_sub(place[k], vec_scale(shape_a->radius + above, normal));
 		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place[k], vec_scale(shape_b->radius + above, normal)), shift));
-		if (corner_a || (made & FOUND_CORNERS))
+		if (corner_a || (flags & FOUND_CORNERS))
 			core_a = rolling_corner(shape_a, names >> 8 & 255, core_a);
 		if (!corner_a)
 			core_b = rolling_corner(shape_b, names & 255, core_b);
 		Vec arm_a = rolling_arm(ra, core_a), arm_b = rolling_arm(rb, core_b);
 		Vec between = vec_sub(vec_sub(arm_b, arm_a), points.offset);
-		if ((made & FOUND_CORNERS) && k == 0)
+		if ((flags & FOUND_CORNERS) && k == 0)
 		{
 			// corners that have come to the same place have no direction
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
@@ -107,7 +103,7 @@ INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Int2 featur
 		float gap = vec_dot(points.normal, between) - shape_a->radius - shape_b->radius;
 
 		// from the center of the body that has the corner: the other may be large, and its center far away
-		if (corner_a || (made & FOUND_CORNERS))
+		if (corner_a || (flags & FOUND_CORNERS))
 			arm_a = vec_add(arm_a, vec_scale(shape_a->radius + 0.5f * gap, points.normal));
 		else
 			arm_a = vec_sub(vec_sub(arm_b, vec_scale(shape_b->radius + 0.5f * gap, points.normal)), points.offset);
@@ -124,15 +120,27 @@ INLINE ContactPoints rolling_points(Placed a, Placed b, Found found, Int2 featur
 	return points;
 }
 
+// the same contact as if it were held
+INLINE ContactPoints rolling_held(Placed a, Placed b, Found found)
+{
+	float row_a[8] = {a.x, a.y, a.c, a.s, a.center_x, a.center_y, 0.0f, 0.0f};
+	float row_b[8] = {b.x, b.y, b.c, b.s, b.center_x, b.center_y, 0.0f, 0.0f};
+	float rows[16] = {found.normal.x,   found.normal.y,   found.normal.z,   found.normal.w,
+	                  found.on_a.x,     found.on_a.y,     found.on_a.z,     found.on_a.w,
+	                  found.relative.x, found.relative.y, found.relative.z, found.relative.w,
+	                  found.then.x,     found.then.y,     found.then.z,     found.then.w};
+	return contact_points_held(row_a, row_b, rows);
+}
+
 INLINE Vec rolling_between(Vec a, Vec b, float share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
 // The points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
-INLINE ContactPoints rolling_step(const Pools* p, Placed a, Placed b, Found found, Int2 feature, float load1,
-                                  float load2, Advance advance_a, Advance advance_b)
+INLINE ContactPoints rolling_step(const Pools* p, Placed a, Placed b, Found found, Word flags, Int2 feature,
+                                  float load1, float load2, Advance advance_a, Advance advance_b)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	ContactPoints points = rolling_points(a, b, found, feature, shape_a, shape_b, advance_a, advance_b);
+	ContactPoints points = rolling_points(a, b, found, flags, feature, shape_a, shape_b, advance_a, advance_b);
 	float load = load1 + load2;
 	if (!(load > 0.0f))
 		return points;
@@ -153,7 +161,7 @@ INLINE ContactPoints rolling_step(const Pools* p, Placed a, Placed b, Found foun
 		most += ROLLING_STIFF_LEVER * (1.0f - ROLLING_STIFFNESS / stiffness);
 	float lever = -reach * minimum(maximum(turn, -most), most);
 	Vec along = vec_scale(lever, vec(points.normal.y, -points.normal.x));
-	ContactPoints held = contact_points_held(a, b, found);
+	ContactPoints held = rolling_held(a, b, found);
 	points.normal = rolling_between(held.normal, points.normal, share);
 	points.offset = rolling_between(held.offset, points.offset, share);
 	for (int k = 0; k < 2; ++k)

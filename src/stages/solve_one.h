@@ -4,6 +4,8 @@
 #define SOLVE_ONE_H
 #include "stages/body.h"
 #include "stages/finite.h"
+#include "stages/prepare.h"
+#include "stages/rolling.h"
 #include "stages/sweep.h"
 
 STAGE(solve_begin)
@@ -32,14 +34,6 @@ INLINE Body prepare_body(const Pools* p, int index)
 	return b;
 }
 
-// the deepest overlap seen, for the user's counters
-INLINE void prepare_depth(const Pools* p, float separation)
-{
-	int depth = float_bits(-separation);
-	if (separation < 0.0f && depth > read_shared(&p->counters->penetration))
-		atomic_max_int(&p->counters->penetration, depth);
-}
-
 typedef struct
 {
 	Vec normal, offset;             // from a to b; m: center of a minus center of b
@@ -47,17 +41,27 @@ typedef struct
 	float separation1, separation2; // m
 } Prepared;
 
-// what the passes need of the points of a contact
-INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot, float load1, float load2)
+INLINE ContactPoints prepare_rolling(const Pools* p, int i, int slot, Word flags)
 {
+	Int2 pair = p->constraint_pair[i];
 	Placed a = p->placed[pair.x], b = p->placed[pair.y];
-	Found found = p->contact_found[slot];
+	return rolling_step(p, a, b, p->contact_found[slot], flags, p->contact_feature[slot],
+	                    constraint_at(p, normal_impulse1, i), constraint_at(p, normal_impulse2, i),
+	                    sweep_advance(p, a.body), sweep_advance(p, b.body));
+}
+
+// what the passes need of the points of constraint i
+INLINE Prepared prepare_points(const Pools* p, int i, int slot)
+{
+	Word flags = p->contact_flags[slot];
 	ContactPoints points;
-	if (float_bits(found.then.z) & FOUND_ROLLS)
-		points = rolling_step(p, a, b, found, p->contact_feature[slot], load1, load2, sweep_advance(p, a.body),
-		                      sweep_advance(p, b.body));
+	if (flags & FOUND_ROLLS)
+		points = prepare_rolling(p, i, slot, flags);
 	else
-		points = contact_points_held(a, b, found);
+	{
+		Int2 pair = p->constraint_pair[i];
+		points = rolling_held(p->placed[pair.x], p->placed[pair.y], p->contact_found[slot]);
+	}
 	Prepared made;
 	made.normal = points.normal;
 	made.offset = points.offset;
@@ -65,8 +69,20 @@ INLINE Prepared prepare_points(const Pools* p, Int2 pair, int slot, float load1,
 	made.anchor2 = points.anchor[1];
 	made.separation1 = points.separation[0];
 	made.separation2 = points.separation[1];
-	prepare_depth(p, points.separation[0]);
-	prepare_depth(p, points.separation[1]);
+	prepare_depth(p, minimum(made.separation1, made.separation2));
+	return made;
+}
+
+// what prepare has left
+INLINE Prepared prepare_read(const Pools* p, int i)
+{
+	Prepared made;
+	made.normal = vec(constraint_at(p, normal_x, i), constraint_at(p, normal_y, i));
+	made.offset = vec(constraint_at(p, offset_x, i), constraint_at(p, offset_y, i));
+	made.anchor1 = vec(constraint_at(p, anchor1_x, i), constraint_at(p, anchor1_y, i));
+	made.anchor2 = vec(constraint_at(p, anchor2_x, i), constraint_at(p, anchor2_y, i));
+	made.separation1 = constraint_at(p, separation1, i);
+	made.separation2 = constraint_at(p, separation2, i);
 	return made;
 }
 
@@ -130,26 +146,31 @@ INLINE void prepare_extras(const Pools* p, int i, Prepared made)
 		prepare_bounce(p, i, made);
 }
 
-// the contact's points, where the passes stream them
-STAGE(prepare)
+// What is round, and what may bounce.
+STAGE(prepare_extra)
 {
 	int slot = p->constraint_contact[i];
 	if (slot < 0)
 		return;
-	Prepared made = prepare_points(p, p->constraint_pair[i], slot, constraint_at(p, normal_impulse1, i),
-	                               constraint_at(p, normal_impulse2, i));
-	constraint_at(p, normal_x, i) = made.normal.x;
-	constraint_at(p, normal_y, i) = made.normal.y;
-	constraint_at(p, offset_x, i) = made.offset.x;
-	constraint_at(p, offset_y, i) = made.offset.y;
-	constraint_at(p, anchor1_x, i) = made.anchor1.x;
-	constraint_at(p, anchor1_y, i) = made.anchor1.y;
-	constraint_at(p, anchor2_x, i) = made.anchor2.x;
-	constraint_at(p, anchor2_y, i) = made.anchor2.y;
-	constraint_at(p, separation1, i) = made.separation1;
-	constraint_at(p, separation2, i) = made.separation2;
+	Word flags = p->step.round ? p->contact_flags[slot] : 0u;
+	if (flags & FOUND_ROLLS)
+	{
+		ContactPoints points = prepare_rolling(p, i, slot, flags);
+		constraint_at(p, normal_x, i) = points.normal.x;
+		constraint_at(p, normal_y, i) = points.normal.y;
+		constraint_at(p, offset_x, i) = points.offset.x;
+		constraint_at(p, offset_y, i) = points.offset.y;
+		constraint_at(p, anchor1_x, i) = points.anchor[0].x;
+		constraint_at(p, anchor1_y, i) = points.anchor[0].y;
+		constraint_at(p, anchor2_x, i) = points.anchor[1].x;
+		constraint_at(p, anchor2_y, i) = points.anchor[1].y;
+		constraint_at(p, separation1, i) = points.separation[0];
+		constraint_at(p, separation2, i) = points.separation[1];
+	}
+	if (p->step.round)
+		prepare_depth(p, minimum(constraint_at(p, separation1, i), constraint_at(p, separation2, i)));
 	if (p->step.extras)
-		prepare_extras(p, i, made);
+		prepare_extras(p, i, prepare_read(p, i));
 }
 
 #endif

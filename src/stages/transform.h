@@ -21,6 +21,7 @@ STAGE(step_begin)
 	c->sort_pairs = 0;
 	c->search = 0;
 	c->live = c->contacts;
+	c->look = 0;
 	c->arrange = 0;
 	c->walks = 0;
 	c->rest = 0;

@@ -28,8 +28,8 @@ static const Named named[] = {
     {POOL_contact_color, {"color"}},
     {POOL_contact_feature, {"first", "second"}},
     {POOL_contact_found,
-     {"normal_x", "normal_y", "separation1", "separation2", "on_a1_x", "on_a1_y", "on_a2_x", "on_a2_y", "on_b1_x",
-      "on_b1_y", "on_b2_x", "on_b2_y", "relative_x", "relative_y", "relative_cos", "relative_sin"}},
+     {"normal_x", "normal_y", "separation1", "separation2", "on_a1_x", "on_a1_y", "on_a2_x", "on_a2_y", "relative_x",
+      "relative_y", "relative_cos", "relative_sin", "then_cos", "then_sin", "reach", "distance"}},
     {POOL_contact_surface, {"friction", "restitution", "rolling", "tangent_speed"}},
     {POOL_contact_constraint, {"place"}},
 };

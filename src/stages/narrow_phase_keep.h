@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// narrow_phase_keep.h -- which contacts keep the manifold that they have, and at which narrow_phase must look.
+//
+// Where a pair has hardly moved against each other, its points stay the same places on the two collidables, and nothing
+// is written (contact_points.h follows them). In a settled pile that is nearly every pair.
+#ifndef NARROW_PHASE_KEEP_H
+#define NARROW_PHASE_KEEP_H
+#include "stages/sweep_closing.h"
+
+// A manifold is kept while neither of a pair has turned in the world by more than 3.6 degrees since (cosine), nor any
+// point moved too far against the other (narrow_phase_distance).
+#define HOLD_COSINE 0.998f
+
+// rows of 8 floats of an attribute, and the one that begins with its radius and ends with its reach
+#define SHAPE_ROWS (int)(sizeof(Attribute) / 32)
+#define SHAPE_ROW  (SHAPE_ROWS - 1)
+
+// How far any point of b that is near a may have moved in the frame of a since b was at a position and rotation: as far as
+// the one that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
+INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
+{
+	Vec turn = vec_turn_back(rotation, rotation_now);
+	Vec moved = vec_sub(position_now, vec_turn(turn, position));
+	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
+}
+
+// How fast the collidables of a pair draw near each other; a and b are their rows of the pool placed.
+INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], const Real b[8])
+{
+	Int ia, ib;
+	load_int2(p->contact_bodies, i, &ia, &ib);
+	Real body_a[8], body_b[8], shape_a[8], shape_b[8];
+	gather_rows8((GLOBAL float*)p->body, ia, body_a);
+	gather_rows8((GLOBAL float*)p->body, ib, body_b);
+	gather_rows8((GLOBAL float*)p->attribute, SHAPE_ROWS * real_bits(a[6]) + SHAPE_ROW, shape_a);
+	gather_rows8((GLOBAL float*)p->attribute, SHAPE_ROWS * real_bits(b[6]) + SHAPE_ROW, shape_b);
+	Sweep sweep_a = sweep_with(sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]), vec(a[4], a[5]),
+	                           shape_a[7] - shape_a[0]);
+	Sweep sweep_b = sweep_with(sweep_advance_of(&p->step, vec(body_b[0], body_b[1]), body_b[2]), vec(b[4], b[5]),
+	                           shape_b[7] - shape_b[0]);
+	return sweep_apart(vec(b[0] - a[0], b[1] - a[1]), sweep_a, sweep_b);
+}
+
+// Whether some impulse of the last step holds the pair apart.
+INLINE Int narrow_phase_loaded(const Pools* p, int i)
+{
+	Int c = load_int(p->contact_constraint, i), there = c >= 0;
+	c = c & ~(c >> 31);
+	Int at = c / MAX_LANES * (int)(sizeof(Constraints) / sizeof(float)) + c % MAX_LANES;
+	Real zero = splat(0.0f);
+	Real load1 = gather((const GLOBAL float*)p->constraints->normal_impulse1, at),
+	     load2 = gather((const GLOBAL float*)p->constraints->normal_impulse2, at);
+	return there & ((load1 > zero) | (load2 > zero));
+}
+
+// Marks what narrow_phase looks at: what is new, has moved against each other, will meet within the step, or will pass by;
+// and what may have parted.
+WIDE_STAGE(narrow_phase_keep)
+{
+	int live = p->counters->live;
+	Int flags = load_int(p->contact_flags, i), ia, ib;
+	load_int2(p->pair, i, &ia, &ib);
+	Word there = lane_bits((ia >= 0) & (indices(i) < live));
+	ia = ia & ~(ia >> 31);
+	ib = ib & ~(ib >> 31);
+	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
+	Real a[8], b[8], found[8];
+	gather_rows8((GLOBAL float*)p->placed, ia, a);
+	gather_rows8((GLOBAL float*)p->placed, ib, b);
+	gather_rows8((GLOBAL float*)p->contact_found, 2 * indices(i) + 1, found);
+
+	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), then_a = vec(found[4], found[5]);
+	Vec turn = vec(found[2], found[3]), then_b = vec_turn(then_a, turn);
+	Real shift = narrow_phase_moved(vec(found[0], found[1]), turn, vec_turn_back(axes_a, vec(b[0] - a[0], b[1] - a[1])),
+	                                vec_turn_back(axes_a, axes_b), found[6]);
+	Int points = (flags & (int)CONTACT_COUNT) != 0;
+	Int upright = (vec_dot(then_a, axes_a) >= splat(HOLD_COSINE)) & (vec_dot(then_b, axes_b) >= splat(HOLD_COSINE));
+	Word stays = lane_bits((shift < found[7]) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
+	Word anew = there & ~stays;
+
+	Int answers = (flags & (int)CONTACT_DETECTED) == 0, far = (moved & MOVED_FAR) != 0;
+	Int on = ((moved & MOVED_ON) != 0) & points;
+	Word wanders = there & stays & lane_bits(answers & (far | on));
+	if (wanders)
+	{
+		Real at[8];
+		gather_rows8((GLOBAL float*)p->contact_found, 2 * indices(i), at);
+		Closing closing = narrow_phase_closing(p, i, a, b);
+		Int touches = ((flags & (int)FOUND_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
+
+		// what cannot close the gap in the step is not pushed
+		Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
+		                     (minimum(at[2], at[3]) - shift) / splat(sweep_end(&p->step)));
+		Int passes = on & ((closing.most < limit) == 0) & ((touches == 0) | ((moved & MOVED_FAST) != 0));
+		anew |= wanders & lane_bits(passes | (far & (closing.most > splat(SPECULATIVE_DISTANCE))));
+	}
+	Word look = anew | (there & lane_bits((moved & MOVED_BOX) != 0));
+	if (look == 0)
+		return;
+	raise_int(&p->counters->look, live);
+	for (int k = 0; look >> k != 0; ++k)
+		if (look >> k & 1)
+			p->contact_flags[i + k] |= anew >> k & 1 ? CONTACT_LOOK | CONTACT_ANEW : CONTACT_LOOK;
+}
+
+#endif
