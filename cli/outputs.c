@@ -61,7 +61,7 @@ int outputs_open(Outputs* outputs, Simulation* simulation)
 		return EXIT_FAILED;
 	if (outputs->csv)
 	{
-		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,overflow,moved,new_contacts,penetration,ms_step");
+		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
 			fprintf(outputs->csv, ",ms_%s", simulation->f->stages[k]);
 		fprintf(outputs->csv, "\n");
@@ -86,7 +86,7 @@ static void write_row(FILE* csv, const Record* record)
 {
 	const scree_counters* c = &record->counters;
 	fprintf(csv, "%lld,%d,%d,%d,%d,%d,%d,%d,%.6f,%.4f", (long long)c->steps, c->bodies, c->contacts, c->touching,
-	        c->colors, c->overflow, c->moved, c->new_contacts, (double)c->penetration, (double)record->milliseconds);
+	        c->colors, c->spokes, c->moved, c->new_contacts, (double)c->penetration, (double)record->milliseconds);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		fprintf(csv, ",%.4f", (double)record->stages[k]);
 	fprintf(csv, "\n");

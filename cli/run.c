@@ -69,7 +69,7 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	printf("%-14s %s\n", "device", device);
 	printf("%-14s %d\n", "bodies", c->bodies);
 	printf("%-14s %d, %d touching\n", "contacts", c->contacts, c->touching);
-	printf("%-14s %d, %d contacts in the overflow set\n", "colors", c->colors, c->overflow);
+	printf("%-14s %d, %d contacts of hubs\n", "colors", c->colors, c->spokes);
 	printf("%-14s %d in %.3f s\n", "steps", steps, totals->seconds);
 	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);

@@ -14,9 +14,10 @@ typedef enum // what a pool has an item for
 	BODY,
 	CONTACT,
 	CONSTRAINT,
-	BLOCK, // of MAX_LANES constraints
-	SHARE, // of a body, in the overflow set
-	SHOWN, // collidable, as a renderer sees it
+	BLOCK,       // of MAX_LANES constraints
+	SPOKE,       // contact of a hub
+	SPOKE_BLOCK, // of MAX_LANES of them
+	SHOWN,       // collidable, as a renderer sees it
 	TREE,
 	LEAF,
 	NODE,
@@ -49,6 +50,13 @@ typedef enum
 	RUN_KINDS
 } StageId;
 
+typedef enum // who does an item of a stage
+{
+	WIDTH_ONE,
+	WIDTH_WIDE,  // one call does as many as there are lanes
+	WIDTH_GROUP, // a worker, or a group of work-items, with as many lanes within
+} Width;
+
 typedef enum // the boxes of the figure
 {
 	BOX_transform,
@@ -69,6 +77,7 @@ typedef struct // of pools.def, in order; src/pools.c
 extern const PoolInfo pool_info[POOL_COUNT];
 extern const char* const stage_names[RUN_KINDS];
 extern const Box stage_boxes[STAGE_COUNT];
+extern const Width stage_widths[STAGE_COUNT];
 
 // Run.count of a member of Counters
 #define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))

@@ -124,6 +124,7 @@ scree_status world_move(scree_world* world, Backend* to)
 		memset(&state->sent, -1, sizeof state->sent);
 		state->touched = true;
 	}
+	world->pipeline.split = false; // scratch
 	return SCREE_OK;
 }
 

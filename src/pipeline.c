@@ -146,10 +146,22 @@ static void narrow_phase(RunList* list, const Step* step)
 	add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
 
+// bits that the colors of contacts are sorted by: with hubs, a name for each body more
+static int color_bits(const scree_world* world)
+{
+	int bits = COLOR_BITS;
+	if (world->pipeline.counters.hubs > 0)
+		for (bits = COLOR_BITS + 1; 1LL << bits < COLORS + 1LL + world->bodies.used;)
+			++bits;
+	return bits;
+}
+
 // coloring rounds from one to the other, then the layout of the constraints if none is left
-static void color(RunList* list, const Step* step, int from, int to)
+static void color(RunList* list, const Step* step, int from, int to, int bits)
 {
 	int contacts = step->contact_capacity;
+	if (from == 0)
+		add(list, STAGE_hub_enter, 0, contacts, COUNT(gathered), 0);
 	for (int round = from; round < to; ++round)
 	{
 		if (round > 0 && round % MAX_ROUNDS == 0)
@@ -159,24 +171,49 @@ static void color(RunList* list, const Step* step, int from, int to)
 		add(list, STAGE_color_take, 0, contacts, count, round);
 	}
 	add(list, STAGE_color_reset, 0, contacts, COUNT(began), 0);
-	add(list, STAGE_color_arrange, 0, 1, COUNT(changed), (to - 1) % MAX_ROUNDS + 1);
-	add(list, STAGE_color_key, 0, contacts, COUNT(arrange), 0);
-	add_sort(list, contacts, COUNT(arrange), 32, 39);
-	add(list, STAGE_color_edge, 0, contacts, COUNT(arrange), 0);
+	add(list, STAGE_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
+	add(list, STAGE_color_key, 0, contacts, COUNT(arrange), bits);
+	add_sort(list, contacts, COUNT(arrange), 32, 32 + bits);
+	add(list, STAGE_color_edge, 0, contacts, COUNT(arrange), bits);
+	if (bits > COLOR_BITS)
+		add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(arrange), 0);
 	add(list, STAGE_color_range, 0, 1, COUNT(arrange), 0);
-	add(list, STAGE_color_place, 0, contacts, COUNT(arrange), 0);
+	add(list, STAGE_color_place, 0, contacts, COUNT(arrange), bits);
 }
 
-// a pass over the overflow set and the colors
-static void add_pass(RunList* list, const Counters* c, int bound, int stage, int overflow_stage)
+// Finds the bodies that are light ends of several spokes. The layout of the constraints is known.
+static scree_status split(scree_world* world, const Step* step)
 {
-	int overflow = c->color_count[COLORS], begin = c->color_begin[COLORS];
-	if (overflow > 0)
-	{
-		add(list, overflow_stage, begin, begin + padded(overflow), bound, 0);
-		add(list, STAGE_overflow_chunk, 0, 2 * overflow, bound, 0);
-		add(list, STAGE_overflow_apply, 0, 2 * overflow, bound, 0);
-	}
+	Pipeline* pipeline = &world->pipeline;
+	int spokes = pipeline_spokes(&pipeline->counters), body_bits = 1;
+	scree_status status = pipeline_reserve(world, KEY, spokes);
+	if (!status)
+		status = pipeline_reserve(world, SPOKE, spokes);
+	if (!status)
+		status = pipeline_reserve(world, SPOKE_BLOCK, spokes / MAX_LANES);
+	if (status)
+		return status;
+	while (body_bits < 31 && 1u << body_bits <= (uint32_t)world->bodies.used)
+		++body_bits;
+
+	// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
+	RunList* list = &pipeline->list;
+	add(list, STAGE_hub_key, 0, spokes, NO_COUNT, 0);
+	add_sort(list, spokes, NO_COUNT, 32, 32 + body_bits);
+	add(list, STAGE_hub_order, 0, spokes, NO_COUNT, spokes);
+	pipeline->split = true;
+	return list_run(world, step, list);
+}
+
+// A pass over the hubs and the colors. Whether any body is split is known on the host only when nothing changed.
+static void add_pass(RunList* list, const Counters* c, int bound, int stage, int pass)
+{
+	if (c->hubs > 0)
+		add(list, STAGE_hub, 0, c->hubs, bound, pass);
+	if (c->hubs > 0 && bound == NO_COUNT)
+		add(list, STAGE_hub_merge, 0, pipeline_spokes(c), COUNT(split), 0);
+	else if (c->hubs > 0 && c->split > 0)
+		add(list, STAGE_hub_merge, 0, pipeline_spokes(c), bound, 0);
 	for (int color = 0; color < COLORS; ++color)
 		if (c->color_count[color] > 0)
 			add(list, stage, c->color_begin[color], c->color_begin[color] + padded(c->color_count[color]), bound, 0);
@@ -188,41 +225,28 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 	Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
 	RunList* list = &pipeline->list;
-	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1],
-	    overflow = c->color_count[COLORS];
-
-	// the overflow set is sorted in the pool of keys and has pools of its own
-	int entries = 2 * overflow, body_bits = 1;
-	scree_status status = overflow > 0 ? pipeline_reserve(world, KEY, entries) : SCREE_OK;
-	if (!status && overflow > 0)
-		status = pipeline_reserve(world, SHARE, 2 * padded(overflow));
-	if (status)
-		return status;
-	while (body_bits < 31 && 1u << body_bits <= (uint32_t)world->bodies.used)
-		++body_bits;
+	int bodies = padded(world->bodies.used), constraints = c->color_begin[COLORS + 1];
+	if (c->hubs > 0 && !pipeline->split)
+	{
+		scree_status status = split(world, step);
+		if (status)
+			return status;
+	}
 
 	add(list, STAGE_solve_begin, 0, bodies, bound, 0);
 	add(list, STAGE_prepare, 0, constraints, bound, 0);
 	if (step->extras)
 		add(list, STAGE_prepare_extra, 0, constraints, bound, 0);
-	if (overflow > 0)
-	{
-		// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
-		add(list, STAGE_overflow_key, 0, entries, bound, 0);
-		add_sort(list, entries, bound, 32, 32 + body_bits);
-		add(list, STAGE_overflow_order, 0, entries, bound, entries);
-		add(list, STAGE_overflow_split, 0, entries, bound, 0);
-	}
-	add_pass(list, c, bound, STAGE_warm_start, STAGE_overflow_warm_start);
+	add_pass(list, c, bound, STAGE_warm_start, HUB_WARM_START);
 	for (int substep = 0; substep < substeps; ++substep)
 	{
 		add(list, STAGE_integrate_velocity, 0, bodies, bound, substep == 0);
-		add_pass(list, c, bound, STAGE_bias, STAGE_overflow_bias);
+		add_pass(list, c, bound, STAGE_bias, HUB_BIAS);
 		add(list, STAGE_integrate_position, 0, bodies, bound, 0);
-		add_pass(list, c, bound, STAGE_relax, STAGE_overflow_relax);
+		add_pass(list, c, bound, STAGE_relax, HUB_RELAX);
 	}
 	if (step->bounces)
-		add_pass(list, c, bound, STAGE_bounce, STAGE_overflow_bounce);
+		add_pass(list, c, bound, STAGE_bounce, HUB_REBOUND);
 	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
 	return list_run(world, step, list);
 }
@@ -273,12 +297,12 @@ static scree_status detect(scree_world* world, Step* step, int substeps, bool* s
 		return status;
 
 	int rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool ahead = b->distant && !c->changed && c->color_count[COLORS] == 0;
+	bool ahead = b->distant && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
 		broad_phase(list, step);
 		narrow_phase(list, step);
-		color(list, step, 0, rounds);
+		color(list, step, 0, rounds, color_bits(world));
 		status = ahead ? solve_ahead(world, step, substeps) : read_back(world, step);
 		if (status)
 			return status;
@@ -296,19 +320,28 @@ static scree_status detect(scree_world* world, Step* step, int substeps, bool* s
 			return break_off(world, step, status);
 		step->pair_capacity = b->capacity[KEY];
 		step->contact_capacity = b->capacity[CONTACT];
+		step->constraint_capacity = b->capacity[CONSTRAINT];
 		add_single(list, STAGE_broad_phase_begin);
 	}
 
-	// rare: a burst of new contacts that needs more rounds than were run
+	// rare: a burst of new contacts that needs more rounds than were run, the first hubs, or more than there is room for
 	int done = rounds;
-	while (c->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0)
+	while (c->changed && c->arrange == 0 && c->contacts > 0)
 	{
-		color(list, step, done, done + MAX_ROUNDS / 2);
-		done += MAX_ROUNDS / 2;
+		bool colored = c->uncolored[(done - 1) % MAX_ROUNDS + 1] == 0;
+		status = colored ? pipeline_reserve(world, CONSTRAINT, c->color_begin[COLORS + 1]) : SCREE_OK;
+		if (status)
+			return status;
+		step->constraint_capacity = b->capacity[CONSTRAINT];
+		c->hubs += c->hubs == 0 && c->entered;
+		int more = colored ? 0 : MAX_ROUNDS / 2;
+		color(list, step, done, done + more, color_bits(world));
+		done += more;
 		status = read_back(world, step);
 		if (status)
 			return status;
 	}
+	pipeline->split = pipeline->split && c->arrange == 0;
 
 	// how many rounds were needed: the next step runs a few more than that
 	pipeline->rounds = 0;
@@ -366,6 +399,7 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .collidables = world->collidables.used,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],
+	    .constraint_capacity = b->capacity[CONSTRAINT],
 	    .contact_limit = contact_limit(world),
 	    .walk_nodes = b->walk_nodes,
 	    .walkers = b->walkers < world->collidables.used ? b->walkers : world->collidables.used,

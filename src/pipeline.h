@@ -39,6 +39,7 @@ typedef struct
 	bool extras;         // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;        // some attribute has restitution
 	bool round;          // some attribute has a radius
+	bool split;          // the spokes of the layout know into how many parts their light ends are split
 	int rounds;          // coloring rounds that the last step needed
 	int64_t steps;
 	int grown;               // times that a pool grew
@@ -64,6 +65,9 @@ scree_status pipeline_show(scree_world* world, bool shared);
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.
 scree_status pipeline_reserve(scree_world* world, Per per, int capacity);
+
+// places of spokes, padding included
+static inline int pipeline_spokes(const Counters* c) { return c->color_begin[COLORS + 1] - c->color_begin[COLORS]; }
 
 // After a step: gives back the room of pools that have long been much too large.
 void pipeline_trim(scree_world* world);

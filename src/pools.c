@@ -17,6 +17,12 @@ const char* const stage_names[RUN_KINDS] = {
 	"scan",
 };
 
+const Width stage_widths[STAGE_COUNT] = {
+#define X(name, width, box) WIDTH_##width,
+#include "stages/stages.def"
+#undef X
+};
+
 const Box stage_boxes[STAGE_COUNT] = {
 #define X(name, width, box) BOX_##box,
 #include "stages/stages.def"

@@ -62,6 +62,8 @@ scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
 		if (!status)
 			status = resize(world, KEY, wanted);
 	}
+	if (per == CONSTRAINT)
+		status = resize(world, BLOCK, wanted / MAX_LANES);
 	if (per == COLLIDABLE)
 	{
 		status = tree_save(world, &leaves);
@@ -97,8 +99,6 @@ scree_status pipeline_open(scree_world* world)
 	if (!status)
 		status = pipeline_reserve(world, CONTACT, first_contacts(world));
 	if (!status)
-		status = pipeline_reserve(world, SHARE, LEAST_ROOM);
-	if (!status)
 		status = pipeline_reserve(world, COMMAND, LEAST_ROOM);
 	return status;
 }
@@ -120,14 +120,12 @@ static void shrink_all(scree_world* world)
 {
 	Backend* b = world->backend;
 	int contacts = first_contacts(world);
-	if (shrink(world, CONTACT, contacts))
-	{
-		int64_t constraints = constraints_of(b->capacity[CONTACT]);
-		b->f->resize(b, CONSTRAINT, (int)constraints);
-		b->f->resize(b, BLOCK, (int)(constraints / MAX_LANES));
-	}
+	shrink(world, CONTACT, contacts);
+	if (shrink(world, CONSTRAINT, (int)constraints_of(b->capacity[CONTACT])))
+		b->f->resize(b, BLOCK, b->capacity[CONSTRAINT] / MAX_LANES);
 	shrink(world, KEY, larger(b->capacity[CONTACT], b->capacity[COLLIDABLE]));
-	shrink(world, SHARE, LEAST_ROOM);
+	shrink(world, SPOKE, LEAST_ROOM);
+	shrink(world, SPOKE_BLOCK, LEAST_ROOM);
 	shrink(world, COMMAND, LEAST_ROOM);
 }
 
@@ -145,7 +143,10 @@ void pipeline_trim(scree_world* world)
 	Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
 	note(pipeline, CONTACT, c->contacts + 1);
-	note(pipeline, KEY, c->pairs);
+	note(pipeline, CONSTRAINT, c->color_begin[COLORS + 1]);
+	note(pipeline, SPOKE, pipeline_spokes(c));
+	note(pipeline, SPOKE_BLOCK, pipeline_spokes(c) / MAX_LANES);
+	note(pipeline, KEY, larger(c->pairs, pipeline_spokes(c)));
 	if (++pipeline->idle < IDLE_STEPS)
 		return;
 	shrink_all(world);

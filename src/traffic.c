@@ -4,7 +4,7 @@
 // What counts is what a pass of src/stages/solve.h asks for, whoever serves it: a component of a constraint once for being
 // read and once for being written, each body of a constraint once a pass for both, a row of a body once in each pass over
 // bodies. So it depends neither on the device nor on the size of its caches. Padding, counters and the sorting and summing
-// of the overflow set are left out. A body that cannot move counts as written, which it is not.
+// of spokes are left out. A body that cannot move counts as written, which it is not.
 #include "traffic.h"
 #include "clock.h"
 #include "world.h"

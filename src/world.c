@@ -266,7 +266,7 @@ scree_status scree_get_counters(scree_world* world, scree_counters* counters)
 	                             .attributes = world->attribute_count,
 	                             .contacts = c->alive - c->released,
 	                             .touching = c->touching,
-	                             .overflow = c->color_count[COLORS],
+	                             .spokes = c->color_count[COLORS],
 	                             .moved = c->moved,
 	                             .new_contacts = c->created,
 	                             .grown = pipeline->grown,

@@ -89,14 +89,14 @@ static void check_case(const Case* c, const Way* way)
 	tell(&ample, way, hashes[1], &whole);
 	if (memcmp(hashes[0], hashes[1], (size_t)c->steps * sizeof(uint64_t)) != 0)
 		check_same(&small, &ample, way);
-	print_message("%s on %s: %d bodies, %d contacts, %d overflow, grown %d times and %d\n", c->name, way->name,
-	              whole.bodies, whole.contacts, whole.overflow, grown.grown, whole.grown);
+	print_message("%s on %s: %d bodies, %d contacts, %d spokes, grown %d times and %d\n", c->name, way->name,
+	              whole.bodies, whole.contacts, whole.spokes, grown.grown, whole.grown);
 	assert_true(grown.grown > whole.grown);
 	assert_int_equal(grown.contacts, whole.contacts);
 	assert_int_equal(grown.touching, whole.touching);
 	assert_int_equal(grown.colors, whole.colors);
-	assert_int_equal(grown.overflow, whole.overflow);
-	assert_true(!c->plate || grown.overflow > 64);
+	assert_int_equal(grown.spokes, whole.spokes);
+	assert_true(!c->plate || grown.spokes > 64);
 	assert_int_equal(grown.bodies, 1 + c->plate + c->columns * c->rows);
 	free(hashes[0]);
 	free(hashes[1]);

@@ -22,6 +22,8 @@
 #define STAGE(name) INLINE void name##_item(const Pools* p, int i)
 #include "stages/color.h"
 
+#define KEY_BITS 13 // of a color, or of a hub among MOST_BODIES
+
 #define MAX_BACKENDS 8
 #define MOST_BODIES  4096
 #define MOST_ITEMS   70000 // of every other kind
@@ -143,6 +145,7 @@ typedef struct
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
 	Word64 mask[MOST_BODIES];
+	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
 	int color[MOST_ITEMS]; // COLOR_NONE before its turn
 	int began[MOST_ITEMS];
@@ -155,27 +158,48 @@ static int by_falling_priority(const void* a, const void* b)
 	return (x < y) - (x > y);
 }
 
-// Sequential greedy: each contact in the order of falling priority takes the lowest color free on both bodies; the
-// highest when one of them cannot move; the overflow set when none is free.
+// whether an end of a contact can move and has more contacts than there may be
+static bool is_spoke(const Graph* g, Int2 ends)
+{
+	return (g->moves[ends.x] && g->touching[ends.x] > HUB_CONTACTS) ||
+	       (g->moves[ends.y] && g->touching[ends.y] > HUB_CONTACTS);
+}
+
+// Contacts of crowded bodies give their colors back. Then sequential greedy: each contact in the order of falling priority
+// takes the lowest color free on both bodies; the highest when one of them cannot move; those of crowded bodies none.
 static void color_greedily(Graph* g)
 {
+	for (int k = 0; k < g->contacts; ++k)
+	{
+		Int2 ends = g->ends[k];
+		if (g->color[k] == COLOR_NONE || g->color[k] == COLORS || !is_spoke(g, ends))
+			continue;
+		g->mask[ends.x] &= ~((Word64)1 << g->color[k]);
+		g->mask[ends.y] &= ~((Word64)1 << g->color[k]);
+		g->color[k] = COLORS;
+	}
 	int* order = calloc((size_t)g->began_count, sizeof *order);
 	memcpy(order, g->began, (size_t)g->began_count * sizeof *order);
 	qsort(order, (size_t)g->began_count, sizeof *order, by_falling_priority);
 	for (int k = 0; k < g->began_count; ++k)
 	{
 		Int2 ends = g->ends[order[k]];
+		if (is_spoke(g, ends))
+		{
+			g->color[order[k]] = COLORS;
+			continue;
+		}
 		bool both = g->moves[ends.x] && g->moves[ends.y];
 		int color = both ? 0 : COLORS - 1, last = both ? COLORS : -1, next = both ? 1 : -1;
 		for (; color != last; color += next)
 			if (!((g->moves[ends.x] && g->mask[ends.x] >> color & 1) ||
 			      (g->moves[ends.y] && g->mask[ends.y] >> color & 1)))
 				break;
-		color = color == last ? COLORS : color;
+		assert_int_not_equal(color, last);
 		g->color[order[k]] = color;
-		if (color < COLORS && g->moves[ends.x])
+		if (g->moves[ends.x])
 			g->mask[ends.x] |= (Word64)1 << color;
-		if (color < COLORS && g->moves[ends.y])
+		if (g->moves[ends.y])
 			g->mask[ends.y] |= (Word64)1 << color;
 	}
 	free(order);
@@ -190,12 +214,16 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 		bodies[k].inv_mass = g->moves[k] ? 1.0f : 0.0f;
 	counters->contacts = g->contacts;
 	counters->began = g->began_count;
+	counters->crowded = g->contacts;
+	const Step step = {.constraint_capacity = MOST_ITEMS};
 	put(b, POOL_counters, 1, counters);
 	put(b, POOL_body, g->bodies, bodies);
 	put(b, POOL_color_mask, g->bodies, g->mask);
+	put(b, POOL_touching, g->bodies, g->touching);
 	put(b, POOL_contact_bodies, g->contacts, g->ends);
 	put(b, POOL_contact_color, g->contacts, g->color);
 	put(b, POOL_began, g->began_count, g->began);
+	run_one(b, &step, STAGE_hub_enter, g->contacts, COUNT(crowded), 0);
 	int done = 0;
 	do
 	{
@@ -210,12 +238,13 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 		get(b, POOL_counters, 1, counters);
 	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
 	run_one(b, &(Step){0}, STAGE_color_reset, g->contacts, COUNT(began), 0);
-	run_one(b, &(Step){0}, STAGE_color_arrange, 1, NO_COUNT, (done - 1) % MAX_ROUNDS + 1);
-	run_one(b, &(Step){0}, STAGE_color_key, g->contacts, COUNT(arrange), 0);
-	run_sort(b, g->contacts, 32, 39);
-	run_one(b, &(Step){0}, STAGE_color_edge, g->contacts, COUNT(arrange), 0);
-	run_one(b, &(Step){0}, STAGE_color_range, 1, NO_COUNT, 0);
-	run_one(b, &(Step){0}, STAGE_color_place, g->contacts, COUNT(arrange), 0);
+	run_one(b, &step, STAGE_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
+	run_one(b, &step, STAGE_color_key, g->contacts, COUNT(arrange), KEY_BITS);
+	run_sort(b, g->contacts, 32, 32 + KEY_BITS);
+	run_one(b, &step, STAGE_color_edge, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, PRIMITIVE_SCAN, g->contacts, COUNT(arrange), 0);
+	run_one(b, &step, STAGE_color_range, 1, NO_COUNT, 0);
+	run_one(b, &step, STAGE_color_place, g->contacts, COUNT(arrange), KEY_BITS);
 	get(b, POOL_contact_color, g->contacts, color);
 	get(b, POOL_color_mask, g->bodies, mask);
 
@@ -232,6 +261,46 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
+// whose spoke a contact is: of the end that can move and has more contacts
+static int owner_of(const Graph* g, Int2 ends)
+{
+	if (!g->moves[ends.x] || !g->moves[ends.y])
+		return g->moves[ends.x] ? ends.x : ends.y;
+	int more = g->touching[ends.x] - g->touching[ends.y];
+	return more > 0 || (more == 0 && ends.x < ends.y) ? ends.x : ends.y;
+}
+
+// The spokes by hub, the hubs by rising body, each from a block of its own on, padded with -1 up to the next.
+static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
+                         int* touching)
+{
+	int spokes = 0, found = 0, begin = counters->color_begin[COLORS], place = begin;
+	for (int body = 0; body < g->bodies; ++body)
+	{
+		int own = 0;
+		for (int slot = 0; slot < g->contacts; ++slot)
+		{
+			if (g->color[slot] != COLORS || owner_of(g, g->ends[slot]) != body)
+				continue;
+			if (own++ == 0)
+			{
+				for (int first = begin + (spokes + MAX_LANES - 1) / MAX_LANES * MAX_LANES + MAX_LANES * found;
+				     place < first; ++place)
+					assert_int_equal(constraints[place], -1);
+				assert_int_equal(place % MAX_LANES, 0);
+				assert_int_equal(hubs[found++], body);
+			}
+			assert_int_equal(constraints[place++], slot);
+		}
+		spokes += own;
+	}
+	assert_int_equal(counters->hubs, found);
+	assert_int_equal(counters->color_count[COLORS], spokes);
+	for (; place < counters->color_begin[COLORS + 1]; ++place)
+		assert_int_equal(constraints[place], -1);
+	*touching += spokes;
+}
+
 // By color, within a color by rising slot, each color padded with -1 to a multiple of COLOR_PADDING.
 static void check_layout(Backend* b, const Graph* g)
 {
@@ -241,8 +310,10 @@ static void check_layout(Backend* b, const Graph* g)
 	get(b, POOL_counters, 1, counters);
 	get(b, POOL_constraint_contact, MOST_ITEMS, constraints);
 	get(b, POOL_contact_constraint, g->contacts, places);
+	int* hubs = calloc((size_t)g->bodies, sizeof *hubs);
+	get(b, POOL_hub, g->bodies, hubs);
 	int place = 0, touching = 0;
-	for (int color = 0; color <= COLORS; ++color)
+	for (int color = 0; color < COLORS; ++color)
 	{
 		assert_int_equal(counters->color_begin[color], place);
 		for (int slot = 0; slot < g->contacts; ++slot)
@@ -258,8 +329,10 @@ static void check_layout(Backend* b, const Graph* g)
 		for (; place % COLOR_PADDING; ++place)
 			assert_int_equal(constraints[place], -1);
 	}
-	assert_int_equal(counters->color_begin[COLORS + 1], place);
+	assert_int_equal(counters->color_begin[COLORS], place);
+	check_spokes(g, counters, constraints, hubs, &touching);
 	assert_int_equal(counters->touching, touching);
+	free(hubs);
 	free(counters);
 	free(constraints);
 	free(places);
@@ -271,11 +344,18 @@ static void check_colors(Graph* g)
 	int* color = calloc((size_t)g->contacts, sizeof *color);
 	Word64* mask = calloc((size_t)g->bodies, sizeof *mask);
 	Graph* before = malloc(sizeof *before);
+	for (int k = 0; k < g->began_count; ++k)
+	{
+		++g->touching[g->ends[g->began[k]].x];
+		++g->touching[g->ends[g->began[k]].y];
+	}
 	*before = *g;
 	color_greedily(g);
 	for (int k = 0; k < backend_count; ++k)
 	{
 		color_by_stages(backends[k], before, color, mask);
+		for (int slot = 0; slot < g->contacts; ++slot)
+			assert_int_equal(color[slot], g->color[slot]);
 		assert_memory_equal(color, g->color, (size_t)g->contacts * sizeof *color);
 		assert_memory_equal(mask, g->mask, (size_t)g->bodies * sizeof *mask);
 		check_layout(backends[k], g);
@@ -317,13 +397,13 @@ static void colors_are_those_of_greedy(void** state)
 	(void)state;
 	uint64_t seed = 1;
 	check_random_graph(&seed, 3000, 6000, 10);
-	check_random_graph(&seed, 500, 8000, 4);   // 32 a body
-	check_random_graph(&seed, 60, 6000, 1000); // far more than there are colors
+	check_random_graph(&seed, 500, 8000, 4);   // 32 a body: some are hubs, from the second half on
+	check_random_graph(&seed, 60, 6000, 1000); // all are hubs
 	check_random_graph(&seed, 2, 40, 2);       // one body that moves, on one that does not
 }
 
-// A hub with a thousand spokes: 63 of them get a color, by priority, and the others none.
-static void star_overflows(void** state)
+// One body with a thousand contacts: all become its spokes, whether the others can move or not.
+static void star_is_a_hub(void** state)
 {
 	(void)state;
 	for (int fixed = 0; fixed < 2; ++fixed)
@@ -340,114 +420,167 @@ static void star_overflows(void** state)
 			g->began[k] = k;
 		}
 		check_colors(g);
-		assert_true(g->mask[1] == COLOR_MASK);
-		int count = 0;
+		assert_true(g->mask[1] == 0);
 		for (int k = 0; k < 1000; ++k)
-			count += g->color[k] == COLORS;
-		assert_int_equal(count, 1000 - COLORS);
+			assert_int_equal(g->color[k], COLORS);
 		free(g);
 	}
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// the overflow set
+// parts of bodies
 // ---------------------------------------------------------------------------------------------------------------
 
-// v += (sum of shares) / shares, the sum in chunks of OVERFLOW_CHUNK entries by rising entry, then over the chunks.
-static void overflow_sums_in_order(void** state)
+#define HUBS   3
+#define LIGHTS 40
+
+typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; body 0 cannot move
+{
+	Counters counters;
+	BodyState bodies[1 + HUBS + LIGHTS];
+	int touching[1 + HUBS + LIGHTS];
+	Int2 keys[1 + HUBS];
+	Int2 ends[HUBS * 64]; // -1 in padding
+	int slots[HUBS * 64];
+	Spokes spokes[HUBS * 64 / MAX_LANES];
+	Constraints constraints[HUBS * 64 / MAX_LANES];
+} Wheel;
+
+// Hub 1 has 48 spokes, hub 2 has 47 and hub 3 has 33. Lights 0 to 9 are on all three, lights 10 to 29 are on one or two,
+// the rest of the spokes go to what cannot move, and hub 3 is on hub 1 as well.
+static void make_wheel(Wheel* w, uint64_t* seed)
+{
+	const int counts[HUBS] = {48, 47, 33};
+	int place = 0, key = 0;
+	memset(w, 0, sizeof *w);
+	w->counters.hubs = HUBS;
+	for (int k = 0; k < 1 + HUBS + LIGHTS; ++k)
+		w->bodies[k] = (BodyState){.vx = random_between(seed, -9.0f, 9.0f),
+		                           .vy = random_between(seed, -9.0f, 9.0f),
+		                           .w = random_between(seed, -9.0f, 9.0f),
+		                           .inv_mass = k == 0 ? 0.0f : 1.0f};
+	for (int h = 0; h < HUBS; ++h)
+	{
+		w->touching[1 + h] = 100 - h;
+		w->keys[1 + h] = make_int2(key, key + counts[h]);
+		int first = MAX_LANES * ((key + MAX_LANES - 1) / MAX_LANES + h);
+		for (; place < first; ++place)
+			w->slots[place] = -1;
+		for (int k = 0; k < counts[h]; ++k, ++place)
+		{
+			int light = h == 0 && k == 40       ? 3
+			            : k < 10 + 10 * (h < 2) ? 1 + HUBS + k
+			            : k < 30                ? 1 + HUBS + 20 + 10 * (h == 1) + k % 10
+			                                    : 0;
+			w->slots[place] = place;
+			w->ends[place] = k % 2 ? make_int2(1 + h, light) : make_int2(light, 1 + h);
+		}
+		key += counts[h];
+	}
+	w->counters.color_begin[COLORS + 1] = (place + MAX_LANES - 1) / MAX_LANES * MAX_LANES;
+	for (; place < HUBS * 64; ++place)
+		w->slots[place] = -1;
+	for (int k = 0; k < HUBS * 64; ++k)
+	{
+		w->constraints[k / MAX_LANES].body_a[k % MAX_LANES] = w->ends[k].x;
+		w->constraints[k / MAX_LANES].body_b[k % MAX_LANES] = w->ends[k].y;
+	}
+}
+
+static int light_of(const Wheel* w, int k)
+{
+	Int2 ends = w->ends[k];
+	if (w->slots[k] < 0)
+		return 0;
+	return w->touching[ends.x] > w->touching[ends.y] ? ends.y : ends.x;
+}
+
+static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ light_of(w, k); }
+
+// A body that n hubs reach, itself one of them when it is a hub, is split into as many parts for each, and these among its
+// spokes of that hub. v += (change of its own hub) / n + sum over spokes by rising place of change / (n times spokes beside).
+static void parts_come_together(void** state)
 {
 	(void)state;
-	const int bodies = 40, contacts = 1500, first = 32;
 	uint64_t seed = 7;
-	Counters* counters = calloc(1, sizeof *counters);
-	BodyState before[40] = {0}, expected[40], after[40];
-	int* a = calloc(MOST_ITEMS, sizeof *a);
-	int* b = calloc(MOST_ITEMS, sizeof *b);
-	Float4* delta = calloc(2 * (size_t)contacts, sizeof *delta);
-	float* splits = calloc(2 * (size_t)contacts, sizeof *splits);
-	counters->color_begin[COLORS] = first;
-	for (int k = 0; k < bodies; ++k)
-		before[k] = (BodyState){.vx = random_between(&seed, -9.0f, 9.0f),
-		                        .vy = random_between(&seed, -9.0f, 9.0f),
-		                        .w = random_between(&seed, -9.0f, 9.0f),
-		                        .inv_mass = k % 5 == 0 ? 0.0f : 1.0f};
-	for (int k = 0; k < contacts; ++k)
-	{
-		// body 1 in most, 2 in exactly one chunk, 3 in one more than a chunk, 4 in one
-		a[first + k] = k < 1000 ? 1 : random_below(&seed, 34) + 5;
-		b[first + k] = k < 64 ? 2 : k < 129 ? 3 : k == 129 ? 4 : random_below(&seed, 35) + 5;
-	}
-	for (int k = 0; k < 2 * contacts; ++k)
-		delta[k] = make_float4(random_between(&seed, -1.0f, 1.0f), random_between(&seed, -1.0f, 1.0f),
-		                       random_between(&seed, -1.0f, 1.0f), 0.0f);
-
-	memcpy(expected, before, sizeof expected);
-	int shares[40] = {0};
-	for (int body = 0; body < bodies; ++body)
-	{
-		float sum[3] = {0}, chunk[3] = {0};
-		for (int k = 0; k < 2 * contacts; ++k)
-		{
-			if ((k & 1 ? b : a)[first + k / 2] != body)
-				continue;
-			if (shares[body] > 0 && shares[body] % OVERFLOW_CHUNK == 0)
-				for (int m = 0; m < 3; ++m)
-				{
-					sum[m] += chunk[m];
-					chunk[m] = 0.0f;
-				}
-			++shares[body];
-			chunk[0] += delta[k].x;
-			chunk[1] += delta[k].y;
-			chunk[2] += delta[k].z;
-		}
-		if (shares[body] == 0 || before[body].inv_mass == 0.0f)
-			continue;
-		expected[body].vx += (sum[0] + chunk[0]) / (float)shares[body];
-		expected[body].vy += (sum[1] + chunk[1]) / (float)shares[body];
-		expected[body].w += (sum[2] + chunk[2]) / (float)shares[body];
-	}
-	assert_true(shares[1] == 1000 && shares[2] == 64 && shares[3] == 65 && shares[4] == 1);
-
-	const int blocks_used = (first + contacts + MAX_LANES - 1) / MAX_LANES;
-	Constraints* blocks = calloc((size_t)blocks_used, sizeof *blocks);
-	assert_non_null(blocks);
-	for (int i = 0; i < first + contacts; ++i)
-	{
-		blocks[i / MAX_LANES].body_a[i % MAX_LANES] = a[i];
-		blocks[i / MAX_LANES].body_b[i % MAX_LANES] = b[i];
-	}
+	Wheel* w = malloc(sizeof *w);
+	make_wheel(w, &seed);
+	const int places = w->counters.color_begin[COLORS + 1], hubs[HUBS] = {1, 2, 3};
+	int beside[1 + HUBS + LIGHTS][1 + HUBS] = {0}, hubs_of[1 + HUBS + LIGHTS] = {0};
+	for (int k = 0; k < places; ++k)
+		++beside[light_of(w, k)][hub_of(w, k)];
+	for (int body = 1; body < 1 + HUBS + LIGHTS; ++body)
+		for (int h = 0; h <= HUBS; ++h)
+			hubs_of[body] += beside[body][h] > 0 || body == h;
+	assert_true(hubs_of[3] == 2 && hubs_of[1 + HUBS] == 3 && beside[1 + HUBS + 25][3] == 2 &&
+	            hubs_of[1 + HUBS + 25] == 2);
 	for (int k = 0; k < backend_count; ++k)
 	{
 		Backend* d = backends[k];
-		const int entries = 2 * contacts;
-		put(d, POOL_counters, 1, counters);
-		put(d, POOL_body, bodies, before);
-		put(d, POOL_constraints, blocks_used, blocks);
-		put(d, POOL_overflow_delta, entries, delta);
-		run_one(d, &(Step){0}, STAGE_overflow_key, entries, NO_COUNT, 0);
-		run_sort(d, entries, 32, 32 + 6 + 1);
-		run_one(d, &(Step){0}, STAGE_overflow_order, entries, NO_COUNT, entries);
-		run_one(d, &(Step){0}, STAGE_overflow_split, entries, NO_COUNT, 0);
-		run_one(d, &(Step){0}, STAGE_overflow_chunk, entries, NO_COUNT, 0);
-		run_one(d, &(Step){0}, STAGE_overflow_apply, entries, NO_COUNT, 0);
-		get(d, POOL_body, bodies, after);
-		assert_memory_equal(after, expected, sizeof expected);
-		get(d, POOL_overflow_split_a, contacts, splits);
-		get(d, POOL_overflow_split_b, contacts, splits + contacts);
-		for (int c = 0; c < 2 * contacts; ++c)
+		put(d, POOL_counters, 1, &w->counters);
+		put(d, POOL_body, 1 + HUBS + LIGHTS, w->bodies);
+		put(d, POOL_touching, 1 + HUBS + LIGHTS, w->touching);
+		put(d, POOL_hub, HUBS, hubs);
+		put(d, POOL_hub_keys, 1 + HUBS, w->keys);
+		put(d, POOL_constraint_contact, HUBS * 64, w->slots);
+		put(d, POOL_constraints, HUBS * 64 / MAX_LANES, w->constraints);
+		run_one(d, &(Step){0}, STAGE_hub_key, places, NO_COUNT, 0);
+		run_sort(d, places, 32, 32 + 7);
+		run_one(d, &(Step){0}, STAGE_hub_order, places, NO_COUNT, places);
+		get(d, POOL_spokes, places / MAX_LANES, w->spokes);
+		for (int i = 0; i < places; ++i)
 		{
-			int body = c < contacts ? a[first + c] : b[first + c - contacts];
-			if (before[body].inv_mass > 0.0f)
-				assert_true(splits[c] == (float)shares[body]);
+			int light = light_of(w, i);
+			Spokes* s = w->spokes + i / MAX_LANES;
+			assert_true(s->parts[i % MAX_LANES] ==
+			            (light == 0 ? 1.0f : (float)(hubs_of[light] * beside[light][hub_of(w, i)])));
+			s->vx[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
+			s->vy[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
+			s->w[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
+		}
+		int first = MAX_LANES * ((w->keys[3].x + MAX_LANES - 1) / MAX_LANES + 2);
+		Spokes* own = w->spokes + first / MAX_LANES;
+		assert_true(own->hub_parts[0] == 2.0f && w->spokes[0].hub_parts[0] == 1.0f);
+		own->hub_x[0] = 1.0f;
+		own->hub_y[0] = 2.0f;
+		own->hub_w[0] = 3.0f;
+		put(d, POOL_spokes, places / MAX_LANES, w->spokes);
+		run_one(d, &(Step){0}, STAGE_hub_merge, places, COUNT(split), 0);
+
+		BodyState after[1 + HUBS + LIGHTS];
+		get(d, POOL_body, 1 + HUBS + LIGHTS, after);
+		for (int body = 0; body < 1 + HUBS + LIGHTS; ++body)
+		{
+			BodyState b = w->bodies[body];
+			float x = 0.0f, y = 0.0f, turn = 0.0f;
+			if (body == 3)
+			{
+				x = (1.0f - b.vx) / 2.0f;
+				y = (2.0f - b.vy) / 2.0f;
+				turn = (3.0f - b.w) / 2.0f;
+			}
+			for (int i = 0; i < places; ++i)
+			{
+				const Spokes* s = w->spokes + i / MAX_LANES;
+				if (light_of(w, i) != body)
+					continue;
+				float parts = (float)(hubs_of[body] * beside[body][hub_of(w, i)]);
+				x += (s->vx[i % MAX_LANES] - b.vx) / parts;
+				y += (s->vy[i % MAX_LANES] - b.vy) / parts;
+				turn += (s->w[i % MAX_LANES] - b.w) / parts;
+			}
+			if (body > 3 && hubs_of[body] == 1)
+				x = y = turn = 0.0f;
+			if (body > 0)
+			{
+				b.vx += x;
+				b.vy += y;
+				b.w += turn;
+			}
+			assert_memory_equal(&after[body], &b, sizeof b);
 		}
 	}
-	free(counters);
-	free(a);
-	free(b);
-	free(delta);
-	free(splits);
-	free(blocks);
+	free(w);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -615,7 +748,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(curve_visits_neighbors), cmocka_unit_test(colors_are_those_of_greedy),
-	    cmocka_unit_test(star_overflows),         cmocka_unit_test(overflow_sums_in_order),
+	    cmocka_unit_test(star_is_a_hub),          cmocka_unit_test(parts_come_together),
 	    cmocka_unit_test(slots_are_lowest_first), cmocka_unit_test(contacts_move_together),
 	};
 	return cmocka_run_group_tests(tests, open_backends, close_backends);

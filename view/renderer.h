@@ -20,7 +20,7 @@ extern const char* const paint_names[PAINTS];
 
 #define GRAPH_COLORS 64 // of scree_contact.color
 
-// Hues a golden angle apart, so that neighbors in the list can be told apart; the overflow set is dark.
+// Hues a golden angle apart, so that neighbors in the list can be told apart; contacts of hubs are dark.
 Color graph_color(int color);
 
 typedef enum

@@ -269,7 +269,7 @@ typedef struct scree_counters
 	int contacts;                // pairs whose boxes overlap
 	int touching;                // of these, the ones with points: within the speculative distance, or about to meet
 	int colors;                  // colors in use
-	int overflow;                // contacts that found no color, solved by mass splitting
+	int spokes;                  // contacts of hubs, bodies with more than 32 contacts: solved together, hub by hub
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // pairs found in the last step
 	int grown;                   // times that a buffer grew since the world was created
@@ -579,7 +579,7 @@ typedef struct scree_contact
 	scree_collidable a, b;
 	scree_vec normal; // from a to b
 	int color;        // in which the solver takes it: no two of a color from 0 to 62 share a body that can move; 63 is
-	                  // the overflow set, of bodies with more contacts than that. -1 for an overlap
+	                  // that of hubs, bodies with more than 32 contacts. -1 for an overlap
 	int count;        // 1 or 2
 	scree_contact_point points[2];
 } scree_contact;

@@ -40,7 +40,7 @@
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
 static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = 64, [STAGE_broad_phase_rest] = 1,  [STAGE_narrow_phase] = 64,  [STAGE_overflow_chunk] = 16,
+    [STAGE_broad_phase] = 64, [STAGE_broad_phase_rest] = 1,  [STAGE_narrow_phase] = 64,  [STAGE_hub] = 1,
     [STAGE_hash_bodies] = 16, [STAGE_hash_collidables] = 16, [STAGE_hash_contacts] = 16,
 };
 
@@ -141,6 +141,9 @@ static int smallest_shared(const Cpu* cpu, int stage)
 	case STAGE_broad_phase_rest: // each item is a part of a long walk: worth a worker that is awake
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
+		// a hub takes as long as many items: two are worth sharing wherever anything is
+		if (stage_widths[stage] == WIDTH_GROUP)
+			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[stage])
 			return cpu->grain;
 		return 2 * chunks[stage] > cpu->grain / CHUNK_ITEM ? 2 * chunks[stage] : cpu->grain / CHUNK_ITEM;
@@ -432,7 +435,7 @@ static void choose_stages(Cpu* cpu, int lanes)
 	for (int stage = 0; stage < STAGE_COUNT; ++stage)
 	{
 		cpu->functions[stage] = wide[stage] ? wide[stage] : one[stage];
-		cpu->lanes[stage] = wide[stage] ? lanes : 1;
+		cpu->lanes[stage] = stage_widths[stage] == WIDTH_WIDE ? lanes : 1;
 	}
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // lanes8.c -- the wide stages, eight items a call: AVX2 on x86.
 #define LANES 8
+#include "stages/hub.h"
 #include "stages/narrow_phase_keep.h"
-#include "stages/overflow.h"
 #include "stages/prepare.h"
 #include "stages/solve.h"
 

@@ -11,7 +11,8 @@
 #else
 #define ENTRY_ONE(name) NULL
 #endif
-#define ENTRY_WIDE(name) STAGE_JOIN(name, LANES)
+#define ENTRY_WIDE(name)  STAGE_JOIN(name, LANES)
+#define ENTRY_GROUP(name) STAGE_JOIN(name, LANES)
 
 // clang-format off
 const StageFunction TABLE[STAGE_COUNT] = {

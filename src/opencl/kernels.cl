@@ -7,6 +7,7 @@
 #include "opencl/persistent.cl"
 #include "opencl/solve.cl"
 #include "opencl/relay.cl"
+#include "opencl/relay_hub.cl"
 #include "opencl/tiles.cl"
 #include "opencl/tile_pass.cl"
 #endif

@@ -156,6 +156,7 @@ scree_status kernels_bind(OpenCl* d, Per per)
 	{
 		TRY(kernel_bind(d, per, &d->persistent));
 		TRY(kernel_bind(d, per, &d->relay));
+		TRY(kernel_bind(d, per, &d->relay_hubs));
 		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));
 	}
@@ -188,7 +189,8 @@ scree_status stage_run(OpenCl* d, const Run* run)
 	d->box = stage_boxes[run->stage];
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_RUN, sizeof *run, run));
-	size_t groups = ((size_t)(run->end - run->begin) + kernel->group - 1) / kernel->group;
+	size_t items = (size_t)(run->end - run->begin);
+	size_t groups = stage_widths[run->stage] == WIDTH_GROUP ? items : (items + kernel->group - 1) / kernel->group;
 	size_t most = (size_t)d->device.about.units * GROUPS_A_UNIT;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
 }

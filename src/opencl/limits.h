@@ -6,6 +6,9 @@
 // work-items of a group of a stage: small, so that one color of a small scene still spreads over many compute units
 #define STAGE_GROUP 128
 
+// work-items of a group that takes a hub: one a column of its sums (HUB_COLUMNS)
+#define HUB_GROUP 256
+
 // Nodes over leaves that a walk of the broad phase visits, some 3 us each, before its rest is spread over the whole device. A
 // body of usual size meets 4 to 8.
 #define WALK_NODES 12
@@ -50,7 +53,7 @@
 // fewer let more tiles be at work on a compute unit.
 #define TILE_BODIES 1024
 #define TILE_GROUP  256
-// a row of the table of tiles: where each color of a tile's constraints begins, the overflow set's being the row's end
+// a row of the table of tiles: where each color of a tile's constraints begins, the spokes' being the row's end
 #define TILE_COLORS 64
 
 // Counters.fault

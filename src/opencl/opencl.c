@@ -188,11 +188,12 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	                  &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
-		TRY(kernel_create(d, stage_names[i], STAGE_GROUP, &d->stages[i]));
+		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
 	if (d->together)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
+		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay_hubs));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}

@@ -53,7 +53,7 @@ typedef struct // the runs of a whole solve, to be launched in another form than
 	cl_int bound;
 	const Run* colors; // the first of a run a color
 	int color_count;
-	bool overflow;
+	cl_int hubs;
 	int length; // runs
 } Solve;
 
@@ -135,10 +135,12 @@ typedef struct
 	bool any_size;   // SCREE_PERSISTENT=1: also where launches are faster
 
 	// relay.c
-	Kernel relay, solve_end;
+	Kernel relay, relay_hubs, solve_end;
 	Scratch rows;     // of words, RELAY_WORDS a body
 	Scratch notes;    // NOTE_FLOAT4S a constraint that does not stay in registers
+	Scratch parts;    // two words a spoke, and a hub
 	int relay_groups; // that run together; 0 when this device takes other forms only
+	int relay_hubs_groups;
 
 	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size
 	enum

@@ -105,6 +105,8 @@ void persistent_close(OpenCl* d)
 
 static int items(const Run* run) { return run->end - run->begin; }
 
+static bool takes_group(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] == WIDTH_GROUP; }
+
 // how many items a run will have, if counters are what they were
 static int likely_items(const OpenCl* d, const Run* run)
 {
@@ -130,7 +132,7 @@ int persistent_length(const OpenCl* d, const Run* runs, int count)
 	{
 		Box own = box_of(&runs[k], box);
 		bool long_one = likely_items(d, &runs[k]) > (own == BOX_solve ? PERSISTENT_SOLVE : PERSISTENT_ITEMS);
-		if ((long_one && !d->any_size) || (d->laps && own != box))
+		if ((long_one && !d->any_size) || (d->laps && own != box) || takes_group(&runs[k]))
 			break;
 	}
 	return k > 1 ? k : 0;

@@ -107,6 +107,16 @@ INLINE bool scan_together(const Pools* p, Run run, __global uint* table, __local
 	return true;
 }
 
+// Items of a run, each by one work-item. What takes a group is launched by itself: with it compilation for
+// a CPU takes twice as long.
+#define CASE_ONE(name)                                        \
+	case STAGE_##name:                                        \
+		for (int i = run.begin + begin; i < end; i += stride) \
+			name##_item(&pools, i);                           \
+		break;
+#define CASE_WIDE(name) CASE_ONE(name)
+#define CASE_GROUP(name)
+
 INLINE int run_end(Run run, const Pools* p)
 {
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
@@ -148,11 +158,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		bool well = true;
 		switch (run.stage)
 		{
-#define X(name, width, box)                                   \
-	case STAGE_##name:                                        \
-		for (int i = run.begin + begin; i < end; i += stride) \
-			name##_item(&pools, i);                           \
-		break;
+#define X(name, width, box) CASE_##width(name)
 #include "stages/stages.def"
 #undef X
 		case PRIMITIVE_SORT:

@@ -22,15 +22,47 @@ enum
 	RELAY_SPINS
 };
 
+// the same of relay_hubs
+enum
+{
+	HUBS_ROWS = ARGUMENT_STEP + 1,
+	HUBS_NOTES,
+	HUBS_SUBSTEPS,
+	HUBS_PASSES,
+	HUBS_BOUND,
+	HUBS_SPINS,
+	HUBS_PARTS,
+	HUBS_GROUPS
+};
+
 scree_status rows_reserve(OpenCl* d, const Solve* solve)
 {
 	return scratch_reserve(d, &d->rows, (size_t)solve->bodies * RELAY_WORDS * sizeof(cl_ulong));
+}
+
+// groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
+static size_t hub_groups(const OpenCl* d, const Solve* solve)
+{
+	size_t most = d->relay_hubs_groups > 1 ? (size_t)d->relay_hubs_groups / 2 : 1, hubs = (size_t)solve->hubs;
+	return hubs < most ? hubs : most;
+}
+
+static size_t other_groups(const OpenCl* d, const Solve* solve)
+{
+	size_t most = (size_t)d->relay_hubs_groups - hub_groups(d, solve),
+	       groups = groups_of(solve->constraints, d->relay_hubs.group);
+	return groups < most ? groups : most;
 }
 
 scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
 	TRY(rows_reserve(d, solve));
 	bool registers = solve->constraints <= d->relay_groups * (int)d->relay.group;
+	if (solve->hubs > 0)
+	{
+		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(solve->constraints + solve->hubs)));
+		registers = (size_t)solve->constraints <= other_groups(d, solve) * d->relay_hubs.group;
+	}
 	return scratch_reserve(d, &d->notes, registers ? 1 : (size_t)solve->constraints * NOTE_FLOAT4S * sizeof(cl_float4));
 }
 
@@ -62,6 +94,12 @@ scree_status relay_open(OpenCl* d)
 	if (d->device.type & CL_DEVICE_TYPE_CPU)
 		d->relay.group = 1;
 	d->relay_groups = d->device.type & CL_DEVICE_TYPE_CPU ? 1 : d->device.about.units * (int)(most / d->relay.group);
+	TRY(CALL(GetKernelWorkGroupInfo, d->relay_hubs.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	         NULL));
+	if (d->device.type & CL_DEVICE_TYPE_CPU)
+		d->relay_hubs.group = 1;
+	d->relay_hubs_groups =
+	    d->device.type & CL_DEVICE_TYPE_CPU ? 1 : d->device.about.units * (int)(most / d->relay_hubs.group);
 
 	cl_int error;
 	cl_mem rows = NULL, fault = NULL;
@@ -87,16 +125,36 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.kernel, d->solve_end.kernel};
-	for (int i = 0; i < 2; ++i)
+	cl_kernel kernels[] = {d->relay.kernel, d->relay_hubs.kernel, d->solve_end.kernel};
+	for (int i = 0; i < 3; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
 	scratch_release(&d->rows);
 	scratch_release(&d->notes);
+	scratch_release(&d->parts);
+}
+
+static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
+{
+	cl_int spins = SPINS, groups = (cl_int)hub_groups(d, solve);
+	cl_kernel kernel = d->relay_hubs.kernel;
+	TRY(kernel_step(d, &d->relay_hubs));
+	TRY(CALL(SetKernelArg, kernel, HUBS_ROWS, sizeof(cl_mem), &d->rows.buffer));
+	TRY(CALL(SetKernelArg, kernel, HUBS_NOTES, sizeof(cl_mem), &d->notes.buffer));
+	TRY(CALL(SetKernelArg, kernel, HUBS_SUBSTEPS, sizeof(cl_int), &solve->substeps));
+	TRY(CALL(SetKernelArg, kernel, HUBS_PASSES, sizeof(cl_int), &solve->passes));
+	TRY(CALL(SetKernelArg, kernel, HUBS_BOUND, sizeof(cl_int), &solve->bound));
+	TRY(CALL(SetKernelArg, kernel, HUBS_SPINS, sizeof spins, &spins));
+	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
+	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
+	size_t all = d->relay_hubs_groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
+	return launch(d, kernel, all * d->relay_hubs.group, d->relay_hubs.group);
 }
 
 scree_status relay_run(OpenCl* d, const Solve* solve)
 {
+	if (solve->hubs > 0)
+		return relay_hubs_run(d, solve);
 	cl_int spins = SPINS;
 	cl_kernel kernel = d->relay.kernel;
 	TRY(kernel_step(d, &d->relay));

@@ -94,6 +94,28 @@ INLINE void relay_pass_on(const Pools* p, const Relay* r, Side side, int q, Body
 		p->base[side.body] = make_float4(base[0], base[1], base[2], 0.0f);
 }
 
+// What the last one of a pass will move a body on with.
+INLINE void relay_bring(const Pools* p, Side side, int q, float m[8], float base[4])
+{
+	if (!side.moves || !side.last)
+		return;
+	body_motion(p, side.body, m);
+	if (q == 0)
+	{
+		BodyState state = p->body[side.body];
+		base[0] = state.vx;
+		base[1] = state.vy;
+		base[2] = state.w;
+	}
+	else if (!(q & 1))
+	{
+		Float4 old = p->base[side.body];
+		base[0] = old.x;
+		base[1] = old.y;
+		base[2] = old.z;
+	}
+}
+
 // What a side needs before its turn comes: the row of a body that does not move, and what the last one will move on with.
 INLINE void relay_ready(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
@@ -106,24 +128,7 @@ INLINE void relay_ready(const Pools* p, const Relay* r, Side side, int q, Body* 
 		body->d = vec(row[4], row[5]);
 		body->da = row[6];
 	}
-	if (side.moves && side.last)
-	{
-		body_motion(p, side.body, m);
-		if (q == 0)
-		{
-			BodyState state = p->body[side.body];
-			base[0] = state.vx;
-			base[1] = state.vy;
-			base[2] = state.w;
-		}
-		else if (!(q & 1))
-		{
-			Float4 old = p->base[side.body];
-			base[0] = old.x;
-			base[1] = old.y;
-			base[2] = old.z;
-		}
-	}
+	relay_bring(p, side, q, m, base);
 }
 
 // Waits until three components of two rows have come. False when that took too long, here or elsewhere.
@@ -144,11 +149,12 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	return true;
 }
 
-// Pass q of a constraint, which the whole group takes in step, for no two of a group share a body. False when some never
-// came to its turn.
-INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, volatile __local int* fault)
+// Pass q of a constraint. False when it never came to its turn. In step means that the whole group takes it at once, for no
+// two of a group share a body, and fails as a whole.
+INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, bool in_step, volatile __local int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
+	bool well = true;
 	if (!u->inert)
 	{
 		Body *a = &u->c.a, *b = &u->c.b;
@@ -159,7 +165,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 		relay_ready(p, r, sb, q, b, motion_b, base_b);
 		bool moved = q > 1, passed = q > 0;
 		uint move = relay_turn(q & ~1, 0);
-		bool well = relay_wait(p, r, sa.moves && moved, row_a + 2, move, &a->d, &a->da, sb.moves && moved, row_b + 2,
+		well = relay_wait(p, r, sa.moves && moved, row_a + 2, move, &a->d, &a->da, sb.moves && moved, row_b + 2,
 		                       move, &b->d, &b->da);
 		body_turn(a);
 		body_turn(b);
@@ -171,8 +177,12 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 		if (!well)
 			*fault = 1;
 	}
-	barrier(CLK_LOCAL_MEM_FENCE);
-	if (*fault)
+	if (in_step)
+	{
+		barrier(CLK_LOCAL_MEM_FENCE);
+		well = !*fault;
+	}
+	if (!well)
 	{
 		*(volatile __global int*)&p->counters->fault = FAULT_BLOWN;
 		return false;
@@ -213,14 +223,14 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	Runner u;
 	for (int i = begin; i < constraints; i += stride)
 	{
-		u = runner_prepare(p, i);
+		u = runner_prepare(p, i, false);
 		if (constraints > stride)
 			runner_leave(&u, notes, constraints, i);
 	}
 	if (constraints <= stride)
 	{
 		for (int q = 0; q < passes; ++q)
-			if (!relay_task(p, &r, begin, q, &u, &fault))
+			if (!relay_task(p, &r, begin, q, &u, true, &fault))
 				return;
 		if (!u.inert)
 			runner_stow(p, begin, &u);
@@ -230,7 +240,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 			for (int i = begin; i < constraints; i += stride)
 			{
 				u = runner_return(notes, constraints, i);
-				if (!relay_task(p, &r, i, q, &u, &fault))
+				if (!relay_task(p, &r, i, q, &u, true, &fault))
 					return;
 				if (u.inert)
 					continue;

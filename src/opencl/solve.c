@@ -28,8 +28,10 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 		case STAGE_prepare:
 			solve->constraints = runs[k].end;
 			break;
-		case STAGE_overflow_key:
-			solve->overflow = true;
+		case STAGE_hub:
+			solve->hubs = runs[k].end;
+			if (runs[k].argument == HUB_REBOUND)
+				solve->passes = 2;
 			break;
 		case STAGE_warm_start:
 			if (solve->color_count++ == 0)
@@ -68,10 +70,12 @@ static bool relayed(const OpenCl* d, const Solve* solve)
 int solve_length(OpenCl* d, const Run* runs, int count)
 {
 	Solve solve;
-	// the overflow set needs sums over many constraints
-	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve) || solve.overflow)
+	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve))
 		return 0;
 	bool relay = relayed(d, &solve);
+	// a hub's spokes lie in many tiles
+	if (!relay && solve.hubs > 0)
+		return 0;
 	if (!relay && d->solver != SOLVER_TILES && !tiles_pay(d, &solve))
 		return 0;
 	scree_status status = relay ? relay_reserve(d, &solve) : tiles_reserve(d, &solve);

@@ -84,13 +84,16 @@ typedef struct // one body of a constraint
 	bool moves, last; // last: no other constraint of the body comes after this one
 } Side;
 
-INLINE Side side_of(const Pools* p, int body, int color)
+// The side of a constraint of some color. With hubs, bodies may have been with one before.
+INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
 	Word64 mask = p->color_mask[body];
 	side.body = body;
 	side.moves = p->body[body].inv_mass > 0.0f;
 	side.before = (int)popcount(mask & (((Word64)1 << color) - (Word64)1));
+	if (hubs && p->touching[body] > (int)popcount(mask))
+		++side.before;
 	side.last = mask >> color == (Word64)1;
 	return side;
 }
@@ -145,7 +148,7 @@ INLINE Runner runner_make(const Pools* p, int i, ContactPoints points)
 }
 
 // Constraint i, which may be none.
-INLINE Runner runner_prepare(const Pools* p, int i)
+INLINE Runner runner_prepare(const Pools* p, int i, bool hubs)
 {
 	Runner u;
 	int slot = p->constraint_contact[i];
@@ -157,8 +160,8 @@ INLINE Runner runner_prepare(const Pools* p, int i)
 		prepare_extras(p, i, points);
 	u = runner_make(p, i, points);
 	int color = p->contact_color[slot];
-	u.side[0] = side_of(p, u.c.ia, color);
-	u.side[1] = side_of(p, u.c.ib, color);
+	u.side[0] = side_of(p, u.c.ia, color, hubs);
+	u.side[1] = side_of(p, u.c.ib, color, hubs);
 	return u;
 }
 
@@ -310,7 +313,7 @@ __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int 
 		return;
 	for (int i = (int)get_global_id(0); i < bodies; i += (int)get_global_size(0))
 	{
-		if (p->color_mask[i] == 0 || !(p->body[i].inv_mass > 0.0f))
+		if (p->touching[i] == 0 || !(p->body[i].inv_mass > 0.0f))
 		{
 			float row[8];
 			body_alone(p, substeps, i, passes, row);

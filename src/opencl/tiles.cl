@@ -225,7 +225,7 @@ INLINE uint tile_place(const Pools* p, const Tiles* t, int body)
 // The side of a constraint on the border: of the body's constraints, those before the first on the border do not count.
 INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 {
-	Side side = side_of(p, body, color);
+	Side side = side_of(p, body, color, false);
 	if (side.moves)
 	{
 		Word64 inner = ((Word64)1 << t->border[body]) - (Word64)1, lower = ((Word64)1 << color) - (Word64)1;

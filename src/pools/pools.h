@@ -9,11 +9,23 @@
 // each color of the constraints is padded to a multiple of this many: what a GPU takes in step never spans two colors
 #define COLOR_PADDING 32
 
-// Colors 0 to COLORS - 1 hold constraints of which no two share a body that can move; color COLORS is the overflow set.
-// One bit of BodyState's mask a color: more would need a wider mask.
+// Colors 0 to COLORS - 1 hold constraints of which no two share a body that can move; color COLORS is that of the spokes,
+// the contacts of hubs. One bit of BodyState's mask a color: more would need a wider mask.
 #define COLORS     63
 #define COLOR_NONE (-1)
 #define COLOR_MASK 0x7fffffffffffffffUL // a body with all colors taken
+
+// bits that colors are sorted by while there are no hubs
+#define COLOR_BITS 7
+
+// A body with more contacts is a hub. Two bodies that are none leave at least one color free: 31 other contacts each.
+#define HUB_CONTACTS 32
+
+// what the stage hub does: Run.argument
+#define HUB_WARM_START 0
+#define HUB_BIAS       1
+#define HUB_RELAX      2
+#define HUB_REBOUND    3
 
 // Coloring rounds before the host looks whether any contact is left. Even: rounds alternate between two lists.
 #define MAX_ROUNDS 64
@@ -27,8 +39,7 @@
 #define ORDER_VISITS 16
 #define STRAY_UNIT   64 // of Counters.strayed: 16.7 million leaves cannot overflow it
 
-#define HASH_SUMS      1024
-#define OVERFLOW_CHUNK 64
+#define HASH_SUMS 1024
 
 #define MAX_CORNERS 8 // of a core
 
@@ -143,9 +154,26 @@ typedef struct
 	float total_impulse1[MAX_LANES], total_impulse2[MAX_LANES]; // N s: normal impulses of all substeps
 } Extras;
 
+typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
+{
+	float parts[MAX_LANES];     // into which the light end is split: one a spoke, and one for the hub that it may be
+	float hub_parts[MAX_LANES]; // of the first spoke of a hub: the same of the hub
+	float hub_x[MAX_LANES], hub_y[MAX_LANES], hub_w[MAX_LANES]; // of the first spoke: velocity of the hub's part
+	float vx[MAX_LANES], vy[MAX_LANES], w[MAX_LANES];           // of the light end's part
+	float inv_mass[MAX_LANES], inv_inertia[MAX_LANES];          // of the whole light end
+	float gap1[MAX_LANES], gap2[MAX_LANES];                     // m
+	float push_x[MAX_LANES], push_y[MAX_LANES], arm1[MAX_LANES], arm2[MAX_LANES]; // of a unit impulse on the hub
+	float slope1[MAX_LANES], slope2[MAX_LANES];                               // m/s: of the energy along either impulse
+	float mass1[MAX_LANES], mass2[MAX_LANES], cross[MAX_LANES];               // 1/kg: velocities by unit impulses
+	float inverse1[MAX_LANES], inverse2[MAX_LANES], inverse[MAX_LANES];       // of mass1, of mass2, of the determinant
+	float old1[MAX_LANES], old2[MAX_LANES], new1[MAX_LANES], new2[MAX_LANES]; // N s
+	float limit1[MAX_LANES], limit2[MAX_LANES];
+} Spokes;
+
 // a component of constraint i of the pools p
 #define constraint_at(p, component, i) ((p)->constraints[(i) / MAX_LANES].component[(i) % MAX_LANES])
 #define extra_at(p, component, i)      ((p)->extras[(i) / MAX_LANES].component[(i) % MAX_LANES])
+#define spoke_at(p, component, k)      ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
 
 typedef struct // 32 bytes: one sector, gathered at random by the solver
 {
@@ -215,7 +243,7 @@ typedef struct // constants of one step, by value to every stage
 	int bounces;          // some attribute has restitution
 	int round;            // some attribute has a radius
 	int collidables;      // slots in use
-	int pair_capacity, contact_capacity;
+	int pair_capacity, contact_capacity, constraint_capacity;
 	int contact_limit;       // most contacts that the world may have
 	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is spread over so many work-items
 	int key_bits;            // bits of a collidable's index in a pair's key
@@ -227,9 +255,11 @@ typedef struct
 	// kept from step to step
 	int contacts;                // slots of the contact pool in use, free ones below it included
 	int alive;                   // contacts alive, the ones released in the last step included
-	int touching;                // contacts with a color, or in the overflow set
-	int color_begin[COLORS + 2]; // first constraint of each color; color COLORS is the overflow set
+	int touching;                // contacts with a color, spokes included
+	int color_begin[COLORS + 2]; // first constraint of each color; color COLORS is that of spokes
 	int color_count[COLORS + 1]; // constraints of each color, padding not counted
+	int hubs;                    // bodies solved with all of their contacts
+	int split;                   // ends of spokes, when some body is split into parts, else 0
 	int strayed[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times STRAY_UNIT
 	// of this step
 	int moved;        // collidables whose enlarged box changed
@@ -252,6 +282,8 @@ typedef struct
 	int look;         // the same where it must look at some, else 0
 	int released;     // contacts whose boxes parted
 	int began, ended; // contacts that began and ceased to touch
+	int gathered;     // contact slots to search for those of bodies that became hubs, else 0
+	int entered;      // 1 when a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
 	int arrange;                   // contact slots to sort by color: 0 when none began or ended
 	int color_first[COLORS + 2];   // first and behind the last of each color among the sorted keys

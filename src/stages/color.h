@@ -10,11 +10,11 @@
 // to touch are colored in a step, usually a few.
 //
 // Contacts with bodies that cannot move take the highest free color: they are solved last, and have the last word.
-// Where no color is free, the contact goes to the overflow set. Masks only grow during the rounds, so that this can be
-// said before the contact's turn, and a body with thousands of new contacts needs 63 rounds and not thousands.
+// The contacts of hubs (spoke.h) take no color and no part in the rounds; all others find a free one. So a body with
+// thousands of new contacts costs no rounds.
 #ifndef COLOR_H
 #define COLOR_H
-#include "pools/pools.h"
+#include "stages/spoke.h"
 
 // A bijection of the 32-bit numbers that leaves no visible order (odd multipliers and xor-shifts can be undone, so no
 // two slots share a priority). Without it a row of contacts in rising slots would be colored one a round.
@@ -43,6 +43,8 @@ STAGE(color_claim)
 	Int2 bodies = p->contact_bodies[slot];
 	Word priority = color_priority(slot);
 	GLOBAL Word* claim = p->argument & 1 ? p->claim1 : p->claim0;
+	if (hub_wants(p, bodies))
+		return;
 	if (p->body[bodies.x].inv_mass > 0.0f)
 		atomic_max_word(&claim[bodies.x], priority);
 	if (p->body[bodies.y].inv_mass > 0.0f)
@@ -53,6 +55,12 @@ STAGE(color_take)
 {
 	int slot = color_source(p, i), round = p->argument;
 	Int2 bodies = p->contact_bodies[slot];
+	if (hub_wants(p, bodies))
+	{
+		p->contact_color[slot] = COLORS;
+		raise_int(&p->counters->entered, 1);
+		return;
+	}
 	Word priority = color_priority(slot);
 	GLOBAL Word* claim = round & 1 ? p->claim1 : p->claim0;
 	GLOBAL Word* next_claim = round & 1 ? p->claim0 : p->claim1;
@@ -60,11 +68,6 @@ STAGE(color_take)
 	Word64 mask_a = moves_a ? read_shared_word64(&p->color_mask[bodies.x]) : (Word64)0;
 	Word64 mask_b = moves_b ? read_shared_word64(&p->color_mask[bodies.y]) : (Word64)0;
 	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
-	if (free == 0)
-	{
-		p->contact_color[slot] = COLORS;
-		return;
-	}
 	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
 	{
 		// what was claimed two rounds ago would outbid the round after this
@@ -107,14 +110,27 @@ STAGE(color_reset)
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// Some contact began or ended to touch: are the constraints laid out anew? Only when all have their color. argument is
-// the place in uncolored of the last round's rest.
+// The bits of a key that are sorted by: its color, and of a spoke COLORS and the body of its hub more. All are set when the
+// contact does not touch. argument is the number of bits.
+
+INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
+
+INLINE int color_of_key(Word64 key, int bits)
+{
+	Word64 name = key >> 32;
+	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
+}
+
+// Some contact began or ended to touch: are the constraints laid out anew? Only when all have their color, and keys have
+// bits for hubs where there are any. argument is the place in uncolored of the last round's rest, and the bits of keys
+// times 256.
 STAGE(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
-	int left = c->uncolored[p->argument];
+	int left = c->uncolored[p->argument & 255];
 	c->kept = 0;
-	c->arrange = left == 0 ? c->contacts : 0;
+	c->entered = c->entered || c->color_count[COLORS] > 0;
+	c->arrange = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS) ? c->contacts : 0;
 	for (int k = 0; k < COLORS + 2 && c->arrange > 0; ++k)
 	{
 		c->color_first[k] = 0;
@@ -127,7 +143,10 @@ STAGE(color_arrange)
 STAGE(color_key)
 {
 	int color = p->contact_color[i], c = p->contact_constraint[i];
-	p->key[i] = (Word64)(color == COLOR_NONE ? COLORS + 1 : color) << 32 | (Word64)i;
+	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color;
+	if (color == COLORS)
+		name += (Word64)hub_owner(p, p->contact_bodies[i]);
+	p->key[i] = name << 32 | (Word64)i;
 	if (c < 0)
 		return;
 	p->contact_impulse[i] = make_float4(constraint_at(p, normal_impulse1, c), constraint_at(p, normal_impulse2, c),
@@ -135,30 +154,64 @@ STAGE(color_key)
 	p->contact_rolling_impulse[i] = extra_at(p, rolling_impulse, c);
 }
 
-// where a color begins and ends among the sorted keys
+// Where a color begins and ends among the sorted keys, and a hub. Where a hub begins scan is 1, so that it will count them.
 STAGE(color_edge)
 {
-	int color = (int)(p->key[i] >> 32), last = p->counters->arrange - 1;
-	if (i == 0 || (int)(p->key[i - 1] >> 32) != color)
+	int last = p->counters->arrange - 1, bits = p->argument;
+	Word64 name = p->key[i] >> 32;
+	int begins = i == 0 || p->key[i - 1] >> 32 != name, ends = i == last || p->key[i + 1] >> 32 != name;
+	if (bits > COLOR_BITS)
+		p->scan[i] = 0;
+	if (!begins && !ends)
+		return;
+	int color = color_of_key(p->key[i], bits);
+	if (begins && (i == 0 || color_of_key(p->key[i - 1], bits) != color))
 		p->counters->color_first[color] = i;
-	if (i == last || (int)(p->key[i + 1] >> 32) != color)
+	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
 		p->counters->color_last[color] = i + 1;
+	if (color != COLORS)
+		return;
+	p->scan[i] = begins;
+	// two work-items write the two halves: an OpenCL compiler may write all of a vector for one component of it
+	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
+	if (begins)
+		keys[0] = i;
+	if (ends)
+		keys[1] = i + 1;
 }
 
+// The number of the hub of sorted key i, a spoke's.
+INLINE int color_hub(const Pools* p, int i)
+{
+	int begins = i == 0 || p->key[i - 1] >> 32 != p->key[i] >> 32;
+	return p->scan[i] - !begins;
+}
+
+// Where each color begins among the constraints. If there is no room for all, the host makes some and comes again.
 STAGE(color_range)
 {
 	GLOBAL Counters* c = p->counters;
 	int begin = 0, touching = 0;
+	c->hubs = 0;
+	c->split = 0;
 	for (int k = 0; k <= COLORS; ++k)
 	{
 		int count = c->color_last[k] - c->color_first[k];
 		c->color_begin[k] = begin;
 		c->color_count[k] = count;
+		if (k == COLORS && count > 0)
+		{
+			// hub_first leaves so much room
+			c->hubs = color_hub(p, c->color_last[k] - 1) + 1;
+			count += MAX_LANES * (c->hubs + 1);
+		}
 		begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
-		touching += count;
+		touching += c->color_count[k];
 	}
 	c->color_begin[COLORS + 1] = begin;
 	c->touching = touching;
+	if (begin > p->step.constraint_capacity)
+		c->arrange = 0;
 	(void)i;
 }
 
@@ -168,6 +221,7 @@ INLINE void color_pad(const Pools* p, int place)
 	p->constraint_contact[place] = -1;
 	constraint_at(p, body_a, place) = 0;
 	constraint_at(p, body_b, place) = 0;
+	constraint_at(p, friction, place) = 0.0f;
 	extra_at(p, restitution, place) = 0.0f;
 	extra_at(p, rolling, place) = 0.0f;
 	extra_at(p, tangent_speed, place) = 0.0f;
@@ -180,14 +234,44 @@ INLINE void color_pad(const Pools* p, int place)
 	extra_at(p, rolling_impulse, place) = 0.0f;
 }
 
+// The same among the spokes of a hub: a contact with nothing, in one place, so that it adds nothing to sums.
+INLINE void color_pad_spoke(const Pools* p, int place, int hub)
+{
+	color_pad(p, place);
+	constraint_at(p, body_b, place) = hub;
+	constraint_at(p, normal_x, place) = 0.0f;
+	constraint_at(p, normal_y, place) = 0.0f;
+	constraint_at(p, offset_x, place) = 0.0f;
+	constraint_at(p, offset_y, place) = 0.0f;
+	constraint_at(p, anchor1_x, place) = 0.0f;
+	constraint_at(p, anchor1_y, place) = 0.0f;
+	constraint_at(p, anchor2_x, place) = 0.0f;
+	constraint_at(p, anchor2_y, place) = 0.0f;
+	extra_at(p, fall, place) = 0.0f;
+	extra_at(p, rebound1, place) = 0.0f;
+	extra_at(p, rebound2, place) = 0.0f;
+	extra_at(p, total_impulse1, place) = 0.0f;
+	extra_at(p, total_impulse2, place) = 0.0f;
+}
+
 // what does not change while the layout stands
 STAGE(color_place)
 {
-	int color = (int)(p->key[i] >> 32), slot = (int)(p->key[i] & (Word64)0xffffffffu);
+	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);
 	if (color > COLORS)
 		return;
 	const GLOBAL Counters* c = p->counters;
 	int place = c->color_begin[color] + (i - c->color_first[color]);
+	if (color == COLORS)
+	{
+		int hub = (int)(p->key[i] >> 32) - COLORS, n = color_hub(p, i);
+		Int2 keys = p->hub_keys[hub];
+		p->hub[n] = hub;
+		place = hub_first(p, n, keys.x) + (i - keys.x);
+		int end = i + 1 == c->color_last[COLORS] ? c->color_begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
+		for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
+			color_pad_spoke(p, k, hub);
+	}
 	Int2 bodies = p->contact_bodies[slot];
 	Float4 surface = p->contact_surface[slot], impulse = p->contact_impulse[slot];
 	p->contact_constraint[slot] = place;
@@ -204,7 +288,7 @@ STAGE(color_place)
 	constraint_at(p, tangent_impulse1, place) = impulse.z;
 	constraint_at(p, tangent_impulse2, place) = impulse.w;
 	extra_at(p, rolling_impulse, place) = p->contact_rolling_impulse[slot];
-	if (i + 1 == c->color_last[color])
+	if (color < COLORS && i + 1 == c->color_last[color])
 		for (int k = place + 1; k < c->color_begin[color + 1]; ++k)
 			color_pad(p, k);
 }

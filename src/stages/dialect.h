@@ -235,16 +235,19 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 }
 #endif
 #define load_rows8(base, first, out) gather_rows8(base, first, out)
+// one row, whatever the number of lanes
+#define read_row8(base, index, out) gather_rows8(base, index, out)
 #else
+#define read_row8(base, index, out) memcpy(out, (base) + 8 * (size_t)(index), 32)
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
 // a difference, for -0 + 0 is +0
-#define splat(x)           ((x) - (Real){0})
-#define load(array, i)     (*(const Real*)((array) + (i)))
-#define load_int(array, i) (*(const Int*)((array) + (i)))
-#define store(array, i, x) (*(Real*)((array) + (i)) = (x))
-#define real_bits(x)       ((Int)(x))
-#define lane(x, k)         ((x)[k])
+#define splat(x)                    ((x) - (Real){0})
+#define load(array, i)              (*(const Real*)((array) + (i)))
+#define load_int(array, i)          (*(const Int*)((array) + (i)))
+#define store(array, i, x)          (*(Real*)((array) + (i)) = (x))
+#define real_bits(x)                ((Int)(x))
+#define lane(x, k)                  ((x)[k])
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Real root(Real x)
@@ -261,6 +264,23 @@ INLINE Real maximum(Real a, Real b) { return choose(a, b, a < b); }
 INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
 
 // STAGE(name) { ... } says what happens to item i of the pools p; WIDE_STAGE(name) to items i to i + LANES - 1.
+//
+// GROUP_STAGE(name) { ... } says what a group of work-items does together to item i, with GROUP_FLOATS floats of bench that
+// they share. What the item consists of is split among them: group_lane() is where one of them begins and group_width() how
+// far it goes on. On a CPU a worker is the whole group, and takes LANES at a time.
+#define GROUP_FLOATS 3072
+#ifdef __OPENCL_C_VERSION__
+#define BENCH         __local
+#define group_lane()  ((int)get_local_id(0))
+#define group_width() ((int)get_local_size(0))
+// all of the group wait for each other, and see what each has written to bench and pools
+#define group_meet() barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
+#else
+#define BENCH
+#define group_lane()  0
+#define group_width() LANES
+#define group_meet()
+#endif
 #ifdef __OPENCL_C_VERSION__
 // parentheses around a kernel's name, because a macro (store) may have the same
 #define STAGE(name)                                                                                   \
@@ -274,6 +294,17 @@ INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
 	}                                                                                                 \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_STAGE(name) STAGE(name)
+#define GROUP_STAGE(name)                                                                             \
+	INLINE void name##_group(const Pools* p, int i, BENCH float* bench);                              \
+	__kernel void(name)(POOL_ARGUMENTS Step step, Run run)                                            \
+	{                                                                                                 \
+		__local float bench[GROUP_FLOATS];                                                            \
+		Pools pools = {POOL_NAMES step, run.argument};                                                \
+		int end = run.count < 0 ? run.end : min(run.end, ((__global int*)pools.counters)[run.count]); \
+		for (int i = run.begin + (int)get_group_id(0); i < end; i += (int)get_num_groups(0))          \
+			name##_group(&pools, i, bench);                                                           \
+	}                                                                                                 \
+	INLINE void name##_group(const Pools* p, int i, BENCH float* bench)
 #else
 #define STAGE_JOIN_(name, lanes) name##_lanes##lanes
 #define STAGE_JOIN(name, lanes)  STAGE_JOIN_(name, lanes)
@@ -286,5 +317,14 @@ INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
 	}                                                                       \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_STAGE(name) STAGE(name)
+#define GROUP_STAGE(name)                                                   \
+	INLINE void name##_group(const Pools* p, int i, float* bench);          \
+	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end) \
+	{                                                                       \
+		_Alignas(64) float bench[GROUP_FLOATS];                             \
+		for (int i = begin; i < end; ++i)                                   \
+			name##_group(p, i, bench);                                      \
+	}                                                                       \
+	INLINE void name##_group(const Pools* p, int i, float* bench)
 #endif
 #endif

@@ -19,6 +19,15 @@
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
+// Counts a contact that begins to touch. A body that may have too many now, and has some with colors, calls for a search
+// (spoke.h).
+INLINE void contact_count(const Pools* p, int body)
+{
+	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
+	    read_shared_word64(&p->color_mask[body]) != 0)
+		raise_int(&p->counters->gathered, p->counters->contacts);
+}
+
 // gives the color of a contact that no longer touches back to its bodies
 INLINE void contact_uncolor(const Pools* p, int i)
 {
@@ -32,6 +41,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 		atomic_and_word64(&p->color_mask[bodies.x], others);
 		atomic_and_word64(&p->color_mask[bodies.y], others);
 	}
+	atomic_add_int(&p->touching[bodies.x], -1);
+	atomic_add_int(&p->touching[bodies.y], -1);
 	p->contact_color[i] = COLOR_NONE;
 	p->contact_constraint[i] = -1;
 	p->contact_impulse[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -179,6 +190,9 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		contact_uncolor(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
 	{
+		Int2 bodies = p->contact_bodies[i];
+		contact_count(p, bodies.x);
+		contact_count(p, bodies.y);
 		p->began[atomic_add_int(&p->counters->began, 1)] = i;
 		raise_int(&p->counters->changed, 1);
 	}

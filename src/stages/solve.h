@@ -66,10 +66,14 @@ INLINE Real pair_gap(const Pair* c, int k, Real separation)
 
 INLINE Real pair_mass(const Pair* c, int k, Vec n) { return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n); }
 
-// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. With soft null the
-// overlap is left alone: what bodies gained by being pushed out is taken from them again. What is to bounce (rebound) and
-// did not meet within this substep keeps its speed then, or it would bounce before it is there, or not at all.
-INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
+typedef struct // of a point's push: what it adds to the normal velocity, and how soft it is
+{
+	Real bias, mass_scale, impulse_scale;
+} PairGoal;
+
+// Of a point s apart. With soft null the overlap is left alone: what bodies gained by being pushed out is taken from them
+// again. Contacts with what is fixed, cannot move, are stiffer, so that nothing sinks into the ground.
+INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
 {
 	Int apart = s > splat(0.0f);
 
@@ -78,8 +82,6 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 	Real mass_scale = splat(1.0f), impulse_scale = splat(0.0f);
 	if (soft)
 	{
-		// contacts with what cannot move are stiffer, so that nothing sinks into the ground
-		Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate),
 		                   splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
 		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
@@ -88,11 +90,30 @@ INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step*
 		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed),
 		                       impulse_scale, apart);
 	}
+	PairGoal goal;
+	goal.bias = bias;
+	goal.mass_scale = mass_scale;
+	goal.impulse_scale = impulse_scale;
+	return goal;
+}
 
-	Real change = -mass * (mass_scale * pair_approach(*c, k, c->n) + bias) - impulse_scale * old;
+// Whether a point that is to bounce has not met yet.
+INLINE Int pair_waits(Real s, Real old, Real rebound)
+{
+	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
+}
+
+// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. What is to bounce
+// (rebound) and did not meet within this substep keeps its speed when it is relaxed, or it would bounce before it is there,
+// or not at all.
+INLINE Real pair_normal(Pair* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
+{
+	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
+	PairGoal goal = pair_goal(s, fixed, step, soft);
+	Real change = -mass * (goal.mass_scale * pair_approach(*c, k, c->n) + goal.bias) - goal.impulse_scale * old;
 	Real impulse = push_of(old + change);
 	if (step->bounces && !soft)
-		impulse = choose(impulse, splat(0.0f), apart & (rebound > splat(0.0f)) & (old == splat(0.0f)));
+		impulse = choose(impulse, splat(0.0f), pair_waits(s, old, rebound));
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
 	return impulse;
 }

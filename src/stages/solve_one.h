@@ -36,10 +36,9 @@ INLINE Body prepare_body(const Pools* p, int index)
 INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
 {
 	Motion motion = p->motion[body];
-	Word64 mask = p->color_mask[body];
 	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
 	float gained = p->step.dt * p->step.dt * vec_dot(gravity, gravity);
-	if (vec_dot(b.v, b.v) < gained && (mask & (mask - (Word64)1)) != 0)
+	if (vec_dot(b.v, b.v) < gained && p->touching[body] > 1)
 		return vec(0.0f, 0.0f);
 	return vec(motion.free_x * (motion.gravity_scale * gravity.x + b.inv_mass * motion.fx),
 	           motion.free_y * (motion.gravity_scale * gravity.y + b.inv_mass * motion.fy));

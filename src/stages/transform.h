@@ -33,6 +33,8 @@ STAGE(step_begin)
 	c->released = 0;
 	c->began = 0;
 	c->ended = 0;
+	c->gathered = 0;
+	c->entered = 0;
 	c->penetration = 0;
 	for (int k = 0; k <= MAX_ROUNDS; ++k)
 		c->uncolored[k] = 0;

@@ -342,7 +342,7 @@ static scree_status run_read(const Turn* t)
 	if (status == SCREE_OK)
 	{
 		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts, c.touching,
-		              c.colors, c.overflow,       c.new_contacts, c.nonfinite};
+		              c.colors, c.spokes,         c.new_contacts, c.nonfinite};
 		word = mixed(mixed(word, more, sizeof more), &c.penetration, sizeof c.penetration);
 	}
 	scree_pose pose = {0};

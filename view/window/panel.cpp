@@ -206,7 +206,7 @@ static void draw_times(const Viewer* v)
 	const scree_counters* c = &play->counters;
 	ImGui::Text("%d bodies, %d moving", c->bodies, c->dynamic_bodies);
 	ImGui::Text("%d contacts, %d touching", c->contacts, c->touching);
-	ImGui::Text("%d colors, %d in overflow", c->colors, c->overflow);
+	ImGui::Text("%d colors, %d contacts of hubs", c->colors, c->spokes);
 	ImGui::Text("%d boxes moved, %d new contacts", c->moved, c->new_contacts);
 	ImGui::Text("deepest overlap %.4f m", static_cast<double>(c->penetration));
 	ImGui::Text("%.1f MB on the device", static_cast<double>(c->device_bytes) * 1e-6);

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+// hub.h -- hubs, bodies with many contacts: each is solved together with all of its contacts, exactly.
+//
+// This work is based on:
+// Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation, 2012:
+// a body that several hubs push at once is split into parts.
+//
+// A contact of a hub is a spoke; the body at its other end is the light end. For a given velocity of the hub each spoke has an
+// answer of its own (answer.h). Sums of the answers, and of how they change with the hub's velocity, leave three equations
+// for the hub, which Newton's method solves. docs/solver.md has the formulas.
+#ifndef HUB_H
+#define HUB_H
+#include "stages/answer.h"
+
+// Sums over spokes have a fixed order, whoever adds: HUB_COLUMNS of them, each over every HUB_COLUMNS-th spoke, then by halves.
+// As many as a group of a GPU has work-items, so that all of them take part.
+#define HUB_LEVELS  8
+#define HUB_COLUMNS (1 << HUB_LEVELS)
+#define HUB_SUMS    11
+
+// Newton's method has found the hub's velocity when a round changes it by less than this part.
+#define HUB_ROUNDS 2
+#define HUB_CLOSE  1.0e-5f
+
+// Goes over the spokes k of hub h, in columns.
+#define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
+#define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
+
+// Adds up the columns of the bench, by halves, for each of so many sums.
+INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench)
+{
+	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, level = HUB_LEVELS - 1;
+	while (1 << level >= used)
+		--level;
+	for (; level >= 0; --level)
+	{
+		int span = 1 << level;
+		group_meet();
+		if (span >= LANES && LANES > 1)
+			for (int q = 0; q < sums; ++q)
+				for (int c = 0; c < span && c + span < used; c += LANES)
+				{
+					BENCH float* column = bench + q * HUB_COLUMNS + c;
+					store(column, 0, load(column, 0) + load(column, span));
+				}
+		else
+			for (int k = group_lane(); k < sums << level; k += group_width() / LANES)
+			{
+				BENCH float* column = bench + (k >> level) * HUB_COLUMNS + (k & (span - 1));
+				if ((k & (span - 1)) + span < used)
+					column[0] += column[span];
+			}
+		used = span;
+	}
+	group_meet();
+}
+
+// Lays down the problems of all spokes, or the impulses of the last step where warm is set.
+INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, BENCH float* bench)
+{
+	HUB_EACH_COLUMN(c, h)
+	{
+		Real push[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
+		HUB_EACH_OF(i, c, h)
+		if (warm)
+			spoke_warm(p, h, i, what, push);
+		else
+			spoke_pose(p, h, i, what, push);
+		for (int q = 0; q < 3; ++q)
+			store(bench + q * HUB_COLUMNS, c, push[q]);
+	}
+}
+
+// All spokes answer to the hub's velocity.
+INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
+{
+	HUB_EACH_COLUMN(c, h)
+	{
+		HubSum part;
+		Real zero = splat(0.0f);
+		for (int q = 0; q < 3; ++q)
+			part.push[q] = zero;
+		for (int q = 0; q < 6; ++q)
+			part.stiffness[q] = zero;
+		part.slope = part.bend = zero;
+		HUB_EACH_OF(i, c, h) spoke_answer(p, h, i, what, &part);
+		for (int q = 0; q < 3; ++q)
+			store(bench + q * HUB_COLUMNS, c, part.push[q]);
+		for (int q = 0; q < 6; ++q)
+			store(bench + (3 + q) * HUB_COLUMNS, c, part.stiffness[q]);
+		store(bench + 9 * HUB_COLUMNS, c, part.slope);
+		store(bench + 10 * HUB_COLUMNS, c, part.bend);
+	}
+}
+
+INLINE float hub_mass(const Hub* h) { return 1.0f / h->inv_mass; }
+INLINE float hub_inertia(const Hub* h) { return h->inv_inertia > 0.0f ? 1.0f / h->inv_inertia : 0.0f; }
+
+// twice the kinetic energy of a velocity
+INLINE float hub_energy(const Hub* h, const float v[3])
+{
+	return hub_mass(h) * (v[0] * v[0] + v[1] * v[1]) + hub_inertia(h) * v[2] * v[2];
+}
+
+// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T.
+INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
+{
+	float mass = hub_mass(h), inertia = hub_inertia(h);
+	float xx = mass + sum[3], xy = sum[4], yy = mass + sum[5], xw = sum[6], yw = sum[7], ww = inertia + sum[8];
+	float x = sum[0] - mass * (h->now[0] - h->free[0]), y = sum[1] - mass * (h->now[1] - h->free[1]),
+	      w = sum[2] - inertia * (h->now[2] - h->free[2]);
+	float yx = xy / xx, wx = xw / xx, second = yy - yx * xy, wy = (yw - yx * xw) / second;
+	float third = ww - wx * xw - wy * wy * second;
+	y = y - yx * x;
+	w = w - wx * x - wy * y;
+	// what cannot turn has no third equation
+	d[2] = inertia > 0.0f ? w / third : 0.0f;
+	d[1] = y / second - wy * d[2];
+	d[0] = x / xx - yx * d[1] - wx * d[2];
+}
+
+// Whether the hub's velocity has been found: no round changes it much any more, against what it is or a substep of gravity.
+INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
+{
+	float fall[3] = {step->h * step->gravity_x, step->h * step->gravity_y, 0.0f};
+	return !(hub_energy(h, d) > HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall)));
+}
+
+// All spokes give the same part of their answers, the one that leaves least energy: all of it when the hub's velocity was
+// found, and never so much that an unfinished search adds energy.
+INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
+{
+	// in this order, for squares of great impulses are not finite
+	float bend =
+	    sum[10] + h->inv_mass * sum[0] * sum[0] + h->inv_mass * sum[1] * sum[1] + h->inv_inertia * sum[2] * sum[2];
+	float part = bend > 0.0f ? -sum[9] / bend : 0.0f;
+	part = part < 1.0f ? part : 1.0f;
+	part = part > 0.0f ? part : 0.0f;
+	HUB_EACH_COLUMN(c, h)
+	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
+	h->now[0] = h->free[0] + part * (h->inv_mass * sum[0]);
+	h->now[1] = h->free[1] + part * (h->inv_mass * sum[1]);
+	h->now[2] = h->free[2] + part * (h->inv_inertia * sum[2]);
+}
+
+// What part of the impulses of the last step a hub begins with, given their sum: all, unless they would give it more than
+// START_SHARE of max_speed, as in a jam of which others have gone. A spin counts by its energy.
+INLINE float hub_start(const Step* step, const Hub* h, const float* sum)
+{
+	float d[3] = {h->inv_mass * sum[0], h->inv_mass * sum[1], h->inv_inertia * sum[2]};
+	float square = h->inv_mass * hub_energy(h, d), most = START_SHARE * step->max_speed;
+	return square > most * most ? most / square_root(square) : 1.0f;
+}
+
+// A block: impulses of one kind of all spokes, and the velocity that they leave the hub with. There is one place where sums
+// are added up: each more takes a compiler of OpenCL for CPUs minutes.
+INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
+{
+	float sum[HUB_SUMS], d[3];
+	for (int q = 0; q < 3; ++q)
+		h->from[q] = h->free[q] = h->now[q];
+	int found = 0;
+	for (int round = -1; round <= (warm ? -1 : HUB_ROUNDS) && !found; ++round)
+	{
+		if (round < 0)
+			hub_pose(p, h, what, warm, bench);
+		else
+			hub_ask(p, h, what, bench);
+		int sums = round < 0 ? 3 : HUB_SUMS;
+		hub_add_up(h, sums, bench);
+		for (int q = 0; q < sums; ++q)
+			sum[q] = bench[q * HUB_COLUMNS];
+		group_meet();
+		float start = round < 0 && warm ? hub_start(&p->step, h, sum) : 1.0f;
+		if (start < 1.0f)
+		{
+			HUB_EACH_COLUMN(c, h)
+			HUB_EACH_OF(i, c, h) spoke_scale(p, h, i, what, start);
+			for (int q = 0; q < 3; ++q)
+				sum[q] = start * sum[q];
+		}
+		if (round < 0)
+		{
+			h->free[0] += h->inv_mass * sum[0];
+			h->free[1] += h->inv_mass * sum[1];
+			h->free[2] += h->inv_inertia * sum[2];
+			for (int q = 0; q < 3; ++q)
+				h->now[q] = h->free[q];
+		}
+		else if (round < HUB_ROUNDS)
+		{
+			hub_newton(h, sum, d);
+			found = hub_found(&p->step, h, d);
+			for (int q = 0; q < 3; ++q)
+				h->now[q] = found ? h->now[q] : h->now[q] + d[q];
+		}
+	}
+	if (!warm)
+		hub_give(p, h, what, sum);
+}
+
+// The kind of block number k of a pass, -1 behind the last.
+INLINE int hub_what(const Step* step, int pass, int k)
+{
+	// friction first, as in relax_pass; rolling resistance last, by the load that is left
+	if (pass == HUB_WARM_START || pass == HUB_RELAX)
+		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->extras ? HUB_ROLL : -1;
+	return k > 0 ? -1 : pass == HUB_BIAS ? HUB_SOFT : HUB_BOUNCE;
+}
+
+// A pass over the spokes of a hub whose light ends are known (spoke_begin).
+INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
+{
+	for (int k = 0, what = 0; what >= 0; ++k)
+	{
+		what = hub_what(&p->step, pass, k);
+		if (what >= 0)
+			hub_block(p, h, what, pass == HUB_WARM_START, bench);
+	}
+	if (pass == HUB_RELAX && p->step.extras)
+		HUB_EACH_COLUMN(c, h)
+	HUB_EACH_OF(i, c, h)
+	pair_total(p, i, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0));
+}
+
+// Hub number n, with its body as it is now.
+INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
+{
+	Hub h;
+	HubSpan span = hub_span_of(p, n);
+	float parts = spoke_at(p, hub_parts, spoke_of(p, span.first));
+	h.body = span.body;
+	h.first = span.first;
+	h.count = span.count;
+	h.inv_mass = parts * row[3];
+	h.inv_inertia = parts * row[7];
+	for (int q = 0; q < 3; ++q)
+		h.now[q] = row[q];
+	h.whole.v = vec(splat(row[0]), splat(row[1]));
+	h.whole.w = splat(row[2]);
+	h.whole.inv_mass = splat(row[3]);
+	h.whole.d = vec(splat(row[4]), splat(row[5]));
+	h.whole.da = splat(row[6]);
+	h.whole.inv_inertia = splat(row[7]);
+	body_turn(&h.whole);
+	return h;
+}
+
+// A light end goes back where it came from. What is split into parts leaves the change of this one to hub_merge.
+INLINE void spoke_end(const Pools* p, const Hub* h, int i)
+{
+	int m = spoke_of(p, i);
+	Real row[4] = {load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0), load(&spoke_at(p, w, m), 0),
+	               load(&spoke_at(p, inv_mass, m), 0)};
+	Int whole = load(&spoke_at(p, parts, m), 0) == splat(1.0f);
+	scatter_rows4of8((GLOBAL float*)p->body, spoke_light(p, h, i), row, whole & (row[3] > splat(0.0f)));
+}
+
+// A pass over hub n by a group, with bodies in their pool.
+INLINE void hub_pass(const Pools* p, int n, int pass, BENCH float* bench)
+{
+	float row[8];
+	read_row8((GLOBAL float*)p->body, hub_span_of(p, n).body, row);
+	Hub h = hub_begin(p, n, row);
+	HUB_EACH_COLUMN(c, &h)
+	HUB_EACH_OF(i, c, &h) spoke_begin(p, &h, i, body_gather(p, spoke_light(p, &h, i)));
+	hub_work(p, &h, pass, bench);
+	HUB_EACH_COLUMN(c, &h)
+	HUB_EACH_OF(i, c, &h) spoke_end(p, &h, i);
+	if (group_lane() != 0)
+		return;
+	int m = spoke_of(p, h.first);
+	spoke_at(p, hub_x, m) = h.now[0];
+	spoke_at(p, hub_y, m) = h.now[1];
+	spoke_at(p, hub_w, m) = h.now[2];
+	if (spoke_at(p, hub_parts, m) == 1.0f)
+	{
+		p->body[h.body].vx = h.now[0];
+		p->body[h.body].vy = h.now[1];
+		p->body[h.body].w = h.now[2];
+	}
+}
+
+// argument is the pass
+GROUP_STAGE(hub) { hub_pass(p, i, p->argument, bench); }
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// hub_one.h -- what hubs need of single items: contacts that become spokes, light ends in parts, and together again.
+#ifndef HUB_ONE_H
+#define HUB_ONE_H
+#include "stages/body.h"
+#include "stages/spoke.h"
+
+// All contacts of a body that became a hub give their colors back.
+STAGE(hub_enter)
+{
+	int color = p->contact_color[i];
+	Int2 bodies = p->contact_bodies[i];
+	if (color == COLOR_NONE || color == COLORS || !hub_wants(p, bodies))
+		return;
+	Word64 others = ~((Word64)1 << color);
+	atomic_and_word64(&p->color_mask[bodies.x], others);
+	atomic_and_word64(&p->color_mask[bodies.y], others);
+	p->contact_color[i] = COLORS;
+	raise_int(&p->counters->entered, 1);
+}
+
+// the number of a hub, -1 for what is none
+INLINE int hub_number(const Pools* p, int body)
+{
+	int low = 0, high = p->counters->hubs;
+	while (low < high)
+	{
+		int middle = low + (high - low) / 2;
+		if (p->hub[middle] < body)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
+}
+
+// The hub of spoke k, and the body at its other end: as it was laid out, whatever the user has made of masses since.
+INLINE int spoke_hub_of(const Pools* p, int k)
+{
+	int c = p->counters->color_begin[COLORS] + k, a = constraint_at(p, body_a, c), n = hub_number(p, a);
+	if (n < 0)
+		return constraint_at(p, body_b, c);
+	HubSpan span = hub_span_of(p, n);
+	return c >= span.first && c < span.first + span.count ? a : constraint_at(p, body_b, c);
+}
+
+INLINE int spoke_light_of(const Pools* p, int k)
+{
+	int c = p->counters->color_begin[COLORS] + k;
+	return constraint_at(p, body_a, c) ^ constraint_at(p, body_b, c) ^ spoke_hub_of(p, k);
+}
+
+// The light end of spoke i, to be sorted by. What cannot move, and padding, goes last.
+STAGE(hub_key)
+{
+	Word64 name = (Word64)0xffffffffu;
+	if (p->constraint_contact[p->counters->color_begin[COLORS] + i] >= 0)
+	{
+		int light = spoke_light_of(p, i);
+		if (p->body[light].inv_mass > 0.0f)
+			name = (Word64)light;
+	}
+	p->key[i] = name << 32 | (Word64)i;
+	spoke_at(p, parts, i) = 1.0f;
+	spoke_at(p, hub_parts, i) = 1.0f;
+}
+
+// the first of the sorted keys from low up to high that is not below another
+INLINE int hub_bound(const Pools* p, int low, int high, Word64 key)
+{
+	while (low < high)
+	{
+		int middle = low + (high - low) / 2;
+		if (p->key[middle] < key)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+// Into how many parts each light end is split: as many for each hub, and these among the spokes that it has of that hub.
+// argument is the number of spokes. A body's ends are side by side among the keys, and of these the ones of each hub.
+STAGE(hub_order)
+{
+	Word64 body = p->key[i] >> 32;
+	int spoke = (int)(p->key[i] & (Word64)0xffffffffu);
+	p->spoke_order[i] = -1;
+	if (body == (Word64)0xffffffffu)
+		return;
+	int first = hub_bound(p, 0, i, body << 32), end = hub_bound(p, i + 1, p->argument, (body + (Word64)1) << 32);
+	int own = hub_number(p, (int)body), hubs = own >= 0, beside = 0;
+	for (int k = first; k < end; ++hubs)
+	{
+		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, (int)(p->key[k] & (Word64)0xffffffffu))));
+		Word64 behind = (Word64)(spoke_of(p, span.first) + span.count);
+		int next = hub_bound(p, k + 1, end, body << 32 | behind);
+		if (k <= i && i < next)
+			beside = next - k;
+		k = next;
+	}
+	p->spoke_order[i] = spoke;
+	p->spoke_run[i] = make_int2(first, end);
+	spoke_at(p, parts, spoke) = (float)(hubs * beside);
+	if (hubs * beside == 1)
+		return;
+	raise_int(&p->counters->split, p->argument);
+	if (own >= 0 && i == first)
+		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
+}
+
+// A body that is split gets what its parts got, each by its share of the mass, by the first of its ends: the hub that it may
+// be, then the spokes in their order.
+STAGE(hub_merge)
+{
+	int spoke = p->spoke_order[i];
+	Int2 run = p->spoke_run[i];
+	if (spoke < 0 || run.x != i || spoke_at(p, parts, spoke) == 1.0f)
+		return;
+	int body = spoke_light_of(p, spoke), n = hub_number(p, body);
+	float row[8], x = 0.0f, y = 0.0f, w = 0.0f;
+	read_row8((GLOBAL float*)p->body, body, row);
+	if (n >= 0)
+	{
+		int first = spoke_of(p, hub_span_of(p, n).first);
+		float parts = spoke_at(p, hub_parts, first);
+		x = (spoke_at(p, hub_x, first) - row[0]) / parts;
+		y = (spoke_at(p, hub_y, first) - row[1]) / parts;
+		w = (spoke_at(p, hub_w, first) - row[2]) / parts;
+	}
+	for (int k = run.x; k < run.y; ++k)
+	{
+		int m = p->spoke_order[k];
+		float parts = spoke_at(p, parts, m);
+		x = x + (spoke_at(p, vx, m) - row[0]) / parts;
+		y = y + (spoke_at(p, vy, m) - row[1]) / parts;
+		w = w + (spoke_at(p, w, m) - row[2]) / parts;
+	}
+	p->body[body].vx = row[0] + x;
+	p->body[body].vy = row[1] + y;
+	p->body[body].w = row[2] + w;
+}
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// spoke.h -- which bodies are hubs, whose spoke a contact is, and where the spokes of a hub lie.
+//
+// A body with more than HUB_CONTACTS contacts is a hub when another begins: all of them become spokes, and stay so for as
+// long as they touch. So nothing flips between two layouts where the number of contacts goes up and down.
+#ifndef SPOKE_H
+#define SPOKE_H
+#include "pools/pools.h"
+
+INLINE int hub_crowded(const Pools* p, int body)
+{
+	return p->touching[body] > HUB_CONTACTS && p->body[body].inv_mass > 0.0f;
+}
+
+// whether a contact that has no color becomes a spoke
+INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
+
+// Whose spoke a contact is: of the end with more contacts; but where both have many, of the lighter one, which what is heavy
+// on either side of it may crush: it is the hub that is solved exactly.
+INLINE int hub_owner(const Pools* p, Int2 bodies)
+{
+	int a = bodies.x, b = bodies.y, touching_a = p->touching[a], touching_b = p->touching[b];
+	float mass_a = p->body[a].inv_mass, mass_b = p->body[b].inv_mass;
+	if (!(mass_a > 0.0f && mass_b > 0.0f))
+		return mass_a > 0.0f ? a : b;
+	if (touching_a > HUB_CONTACTS && touching_b > HUB_CONTACTS && mass_a != mass_b)
+		return mass_a > mass_b ? a : b;
+	if (touching_a != touching_b)
+		return touching_a > touching_b ? a : b;
+	return a < b ? a : b;
+}
+
+typedef struct
+{
+	int body, first, count; // its spokes among the constraints, padding included
+} HubSpan;
+
+// Each hub begins with a block of its own: so much is left between two that no sum over those before is needed.
+INLINE int hub_first(const Pools* p, int n, int key)
+{
+	const GLOBAL Counters* c = p->counters;
+	int before = (key - c->color_first[COLORS] + MAX_LANES - 1) / MAX_LANES;
+	return c->color_begin[COLORS] + MAX_LANES * (before + n);
+}
+
+// Where the spokes of hub number n are.
+INLINE HubSpan hub_span_of(const Pools* p, int n)
+{
+	HubSpan span;
+	span.body = p->hub[n];
+	Int2 keys = p->hub_keys[span.body];
+	span.first = hub_first(p, n, keys.x);
+	span.count = (keys.y - keys.x + MAX_LANES - 1) / MAX_LANES * MAX_LANES;
+	return span;
+}
+
+// places of spokes, padding included
+INLINE int spoke_places(const Pools* p)
+{
+	return p->counters->color_begin[COLORS + 1] - p->counters->color_begin[COLORS];
+}
+
+// number of constraint i among the spokes
+INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->color_begin[COLORS]; }
+
+#endif

@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: MIT
+// test_hubs.c -- bodies with many contacts: plates that carry crates rest, fly and bounce as others do, everywhere alike.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define CRATE 0.2f // half of a crate
+#define PITCH 0.5f
+#define PLATE 0.2f // half of a plate's height
+#define G     10.0
+
+typedef struct
+{
+	int crates, plates; // crates on each plate
+	float density;      // of the plates
+	float friction, restitution, rolling;
+} Stack;
+
+static scree_attribute surface(scree_world* world, scree_shape shape, float density, const Stack* s)
+{
+	scree_attribute_def def = surface_of(shape);
+	def.density = density;
+	def.friction = s->friction;
+	def.restitution = s->restitution;
+	def.rolling_resistance = s->rolling;
+	return add_attribute(world, &def);
+}
+
+// Crates side by side on a plate, their undersides at height y. Writes them behind each other from bodies on.
+static void add_crates(scree_world* world, const Stack* s, float y, scree_body* bodies)
+{
+	scree_attribute crate = surface(world, box_shape(CRATE, CRATE), 1.0f, s);
+	for (int k = 0; k < s->crates; ++k)
+		bodies[k] =
+		    add_body(world, SCREE_DYNAMIC, crate, PITCH * ((float)k - 0.5f * (float)(s->crates - 1)), y + CRATE, 0.0f);
+}
+
+// Plates and crates in turns on a floor, touching. bodies: the plates, then the crates.
+static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
+{
+	float half = 0.5f * PITCH * (float)s->crates + 1.0f, y = 0.0f;
+	Stack floor = {.friction = s->friction};
+	add_body(world, SCREE_STATIC, surface(world, box_shape(half + 20.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+	scree_attribute plate = surface(world, box_shape(half, PLATE), s->density, s);
+	for (int k = 0; k < s->plates; ++k)
+	{
+		bodies[k] = add_body(world, SCREE_DYNAMIC, plate, 0.0f, y + PLATE, 0.0f);
+		y += 2.0f * PLATE;
+		add_crates(world, s, y, bodies + s->plates + k * s->crates);
+		y += 2.0f * CRATE;
+	}
+}
+
+static int body_count(const Stack* s) { return s->plates * (1 + s->crates); }
+
+typedef struct
+{
+	double x, y, turn, energy; // momentum, kg m/s and kg m^2/s about the origin; J
+} Sums;
+
+static Sums sums_of(scree_world* world, const scree_body* bodies, int count)
+{
+	Sums s = {0};
+	for (int k = 0; k < count; ++k)
+	{
+		scree_mass mass;
+		OK(scree_body_get_mass(world, bodies[k], &mass));
+		scree_velocity v = velocity_of(world, bodies[k]);
+		scree_vec at = position_of(world, bodies[k]);
+		double x = v.linear.x, y = v.linear.y, w = v.angular;
+		s.x += mass.mass * x;
+		s.y += mass.mass * y;
+		s.turn += mass.inertia * w + mass.mass * (at.x * y - at.y * x);
+		s.energy += 0.5 * mass.mass * (x * x + y * y) + 0.5 * mass.inertia * w * w;
+	}
+	return s;
+}
+
+// The deepest overlap of any step, m.
+static double deepest(scree_world* world, int steps)
+{
+	double depth = 0.0;
+	for (int k = 0; k < steps; ++k)
+	{
+		run_steps(world, 1);
+		double now = counters_of(world).penetration;
+		depth = now > depth ? now : depth;
+	}
+	return depth;
+}
+
+static void check_rest(const Stack* s, int steps, double limit)
+{
+	scree_world* world = open_world(-(float)G);
+	scree_body* bodies = calloc((size_t)body_count(s), sizeof *bodies);
+	add_stack(world, s, bodies);
+	double depth = deepest(world, steps);
+	scree_counters counters = counters_of(world);
+	Sums sums = sums_of(world, bodies, body_count(s));
+	print_message("%5d crates, %d plates of density %.2f: %5d spokes, deepest %.3f mm, %.1e J a body\n", s->crates,
+	              s->plates, (double)s->density, counters.spokes, 1e3 * depth, sums.energy / body_count(s));
+	assert_int_equal(counters.spokes, s->plates * s->crates + (s->plates - 1) * s->crates + 1);
+	assert_int_equal(counters.colors, 0);
+	assert_true(depth < limit);
+	assert_true(sums.energy < 1e-9 * body_count(s));
+	free(bodies);
+	scree_destroy_world(world);
+}
+
+// A plate under crates overlaps by 1 mm at most, however many they are; light plates and stacks of plates by 2 mm.
+static void plates_carry_crates(void** state)
+{
+	(void)state;
+	const int most = quick() ? 1000 : 5000;
+	const int crates[] = {64, 80, 200, 1000, most};
+	for (int k = 0; k < 5; ++k)
+	{
+		check_rest(&(Stack){crates[k], 1, 1.0f, 0.6f, 0.0f, 0.0f}, 120, 0.001);
+		check_rest(&(Stack){crates[k], 1, 0.05f, 0.6f, 0.0f, 0.0f}, 120, 0.002);
+	}
+	check_rest(&(Stack){300, 2, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
+	check_rest(&(Stack){300, 2, 0.05f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
+	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
+}
+
+// Combs, bodies of so many teeth, lie on each other around x: hubs that touch hubs in many places, heavy and light ones in
+// turns.
+static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
+{
+	Stack floor = {.friction = 0.6f};
+	for (int k = 0; k < combs; ++k)
+	{
+		scree_body_def def = scree_default_body_def();
+		def.attribute = surface(world, box_shape(CRATE, CRATE), k % 2 ? other_density : 1.0f, &floor);
+		def.pose.position = (scree_vec){x - 0.5f * PITCH * (float)(teeth - 1), CRATE * (float)(2 * k + 1)};
+		scree_body comb;
+		OK(scree_create_body(world, &def, &comb));
+		for (int t = 1; t < teeth; ++t)
+		{
+			scree_collidable_def tooth = scree_default_collidable_def();
+			tooth.attribute = def.attribute;
+			tooth.body = comb;
+			tooth.pose.position.x = PITCH * (float)t;
+			OK(scree_create_collidable(world, &tooth, NULL));
+		}
+	}
+}
+
+static void check_combs(int teeth, int combs, float other_density)
+{
+	Stack floor = {.friction = 0.6f};
+	scree_world* world = open_world(-(float)G);
+	add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+	add_combs(world, teeth, combs, other_density, 0.0f);
+	double depth = deepest(world, 300), rest = deepest(world, 60);
+	print_message("%d combs of %d teeth, densities 1 and %g: deepest %.3f mm, at rest %.3f mm\n", combs, teeth,
+	              (double)other_density, 1e3 * depth, 1e3 * rest);
+	assert_int_equal(counters_of(world).spokes, combs * teeth);
+	assert_true(depth < 0.008 && rest < 0.0002);
+	scree_destroy_world(world);
+}
+
+static void combs_rest_on_combs(void** state)
+{
+	(void)state;
+	check_combs(40, 2, 1.0f);
+	check_combs(80, 3, 1.0f);
+	check_combs(80, 3, 0.05f);
+	check_combs(40, 5, 20.0f);
+	check_combs(80, 4, 1.0f);
+}
+
+// A minute later a plate and its crates are where they were.
+static void plate_stays(void** state)
+{
+	(void)state;
+	Stack s = {64, 1, 1.0f, 0.6f, 0.0f, 0.0f};
+	scree_body bodies[65];
+	scree_world* world = open_world(-(float)G);
+	add_stack(world, &s, bodies);
+	run_steps(world, 60);
+	scree_vec before[65];
+	for (int k = 0; k < 65; ++k)
+		before[k] = position_of(world, bodies[k]);
+	run_steps(world, quick() ? 600 : 3600);
+	for (int k = 0; k < 65; ++k)
+	{
+		NEAR(position_of(world, bodies[k]).x, before[k].x, 1e-5);
+		NEAR(position_of(world, bodies[k]).y, before[k].y, 1e-5);
+		NEAR(angle_of(world, bodies[k]), 0.0, 1e-5);
+	}
+	scree_destroy_world(world);
+}
+
+// A plate without gravity strikes crates at 50 m/s: momentum and angular momentum are kept, energy is never gained.
+static void impacts_keep_momentum(void** state)
+{
+	(void)state;
+	const float densities[] = {1.0f, 0.05f, 10.0f};
+	for (int k = 0; k < 3; ++k)
+	{
+		Stack s = {200, 1, densities[k], 0.6f, 0.0f, 0.0f};
+		scree_body bodies[201];
+		scree_world* world = open_world(0.0f);
+		bodies[0] =
+		    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(51.0f, PLATE), s.density, &s), 1.0f, 0.0f, 0.0f);
+		OK(scree_body_set_velocity(world, bodies[0], (scree_velocity){{3.0f, 50.0f}, 0.05f}));
+		add_crates(world, &s, PLATE + 0.1f, bodies + 1);
+		Sums before = sums_of(world, bodies, 201), now = before;
+		int spokes = 0;
+		double depth = 0.0;
+		for (int step = 0; step < 60; ++step)
+		{
+			double energy = now.energy;
+			run_steps(world, 1);
+			now = sums_of(world, bodies, 201);
+			assert_true(now.energy <= energy * (1.0 + 1e-6));
+			NEAR(now.x, before.x, 1e-4 * fabs(before.y));
+			NEAR(now.y, before.y, 1e-4 * fabs(before.y));
+			NEAR(now.turn, before.turn, 1e-4 * 50.0 * fabs(before.y));
+			scree_counters c = counters_of(world);
+			spokes = c.spokes > spokes ? c.spokes : spokes;
+			depth = c.penetration > depth ? c.penetration : depth;
+		}
+		assert_true(spokes > 32);
+		assert_true(depth < 0.01);
+		scree_destroy_world(world);
+	}
+}
+
+// On a tilted plane (gravity is tilted instead), Coulomb: below the friction angle all stay, above it a plate with its crates
+// slides with a = g (sin - friction cos) if the crates stay on it.
+static void hubs_slide_by_coulomb(void** state)
+{
+	(void)state;
+	const double friction = 0.4, angles[] = {0.3, 0.5};
+	for (int k = 0; k < 2; ++k)
+	{
+		Stack s = {64, 1, 1.0f, (float)friction, 0.0f, 0.0f};
+		scree_body bodies[65];
+		scree_world* world = open_world(-(float)G);
+		add_stack(world, &s, bodies);
+		OK(scree_set_gravity(world, (scree_vec){(float)(G * sin(angles[k])), -(float)(G * cos(angles[k]))}));
+		run_steps(world, 60);
+		double slides = G * (sin(angles[k]) - friction * cos(angles[k]));
+		for (int b = 0; b < 65; ++b)
+			NEAR(velocity_of(world, bodies[b]).linear.x, slides > 0.0 ? slides : 0.0,
+			     slides > 0.0 ? 0.02 * slides : 1e-4);
+		scree_destroy_world(world);
+	}
+}
+
+// Balls of restitution e dropped on a plate that lies on the ground leave with e times the speed at which they came.
+static void hubs_bounce(void** state)
+{
+	(void)state;
+	Stack s = {64, 1, 100.0f, 0.0f, 0.5f, 0.0f};
+	scree_body balls[64], plate;
+	scree_world* world = open_world(-(float)G);
+	Stack dull = {.density = 100.0f};
+	add_body(world, SCREE_STATIC, surface(world, box_shape(40.0f, 1.0f), 1.0f, &dull), 0.0f, -1.0f, 0.0f);
+	plate =
+	    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(20.0f, PLATE), s.density, &dull), 0.0f, PLATE, 0.0f);
+	scree_attribute ball = surface(world, circle_shape(CRATE), 1.0f, &s);
+	for (int k = 0; k < 64; ++k)
+		balls[k] = add_body(world, SCREE_DYNAMIC, ball, PITCH * ((float)k - 31.5f), 2.0f * PLATE + CRATE + 1.0f, 0.0f);
+	double fastest = 0.0, up = 0.0;
+	int spokes = 0;
+	for (int k = 0; k < 45; ++k)
+	{
+		run_steps(world, 1);
+		double v = velocity_of(world, balls[7]).linear.y;
+		fastest = v < fastest ? v : fastest;
+		up = v > up ? v : up;
+		spokes = counters_of(world).spokes > spokes ? counters_of(world).spokes : spokes;
+	}
+	assert_int_equal(spokes, 65);
+	NEAR(up, -0.5 * fastest, 0.03 * -fastest);
+	NEAR(velocity_of(world, plate).linear.y, 0.0, 0.01);
+	scree_destroy_world(world);
+}
+
+// Rolling resistance with a lever c slows rollers on a plate: v = v0 - 2 c g t / (3 r), for a disc has I = m r^2 / 2. Without
+// it they roll on.
+static void hubs_resist_rolling(void** state)
+{
+	(void)state;
+	double left[2];
+	for (int resists = 0; resists < 2; ++resists)
+	{
+		Stack s = {48, 1, 1.0f, 0.8f, 0.0f, resists ? 0.05f : 0.0f};
+		scree_body rollers[48];
+		scree_world* world = open_world(-(float)G);
+		Stack floor = {.friction = 0.8f};
+		add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+		add_body(world, SCREE_DYNAMIC, surface(world, box_shape(40.0f, PLATE), 5.0f, &floor), 0.0f, PLATE, 0.0f);
+		scree_attribute roller = surface(world, circle_shape(CRATE), 1.0f, &s);
+		for (int k = 0; k < 48; ++k)
+		{
+			rollers[k] = add_body(world, SCREE_DYNAMIC, roller, PITCH * (float)(k - 24), 2.0f * PLATE + CRATE, 0.0f);
+			OK(scree_body_set_velocity(world, rollers[k], (scree_velocity){{1.0f, 0.0f}, -1.0f / CRATE}));
+		}
+		run_steps(world, 120);
+		left[resists] = velocity_of(world, rollers[20]).linear.x;
+		assert_int_equal(counters_of(world).spokes, 49);
+		scree_destroy_world(world);
+	}
+	assert_true(left[0] > 0.9);
+	NEAR(left[1], 1.0 - 2.0 * 0.05 * CRATE * G * 2.0 / (3.0 * CRATE), 0.02);
+}
+
+// A body that cannot turn, and one of little inertia, carry crates as well.
+static void locked_hubs_carry(void** state)
+{
+	(void)state;
+	Stack s = {100, 1, 1.0f, 0.6f, 0.0f, 0.0f};
+	scree_body bodies[101];
+	scree_world* world = open_world(-(float)G);
+	add_stack(world, &s, bodies);
+	OK(scree_body_set_locks(world, bodies[0], SCREE_LOCK_ROTATION));
+	assert_true(deepest(world, 120) < 0.001);
+	scree_destroy_world(world);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// everywhere alike
+// ---------------------------------------------------------------------------------------------------------------
+
+// Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many places,
+// all surfaces, something that drives it all: bodies are destroyed and come while it runs.
+static void build_all(scree_world* world, const void* context)
+{
+	(void)context;
+	Stack s = {60, 2, 0.5f, 0.6f, 0.0f, 0.0f}, round = {60, 1, 1.0f, 0.4f, 0.4f, 0.1f};
+	scree_body bodies[122];
+	add_stack(world, &s, bodies);
+	float top = 4.0f * PLATE + 4.0f * CRATE;
+	scree_body lid =
+	    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f, top + PLATE, 0.0f);
+	add_body(world, SCREE_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f, top + 3.0f * PLATE, 0.0f);
+	OK(scree_body_set_velocity(world, lid, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	scree_attribute ball = surface(world, circle_shape(CRATE), 1.0f, &round),
+	                tooth = surface(world, box_shape(0.1f, 0.1f), 1.0f, &s);
+	for (int k = 0; k < 80; ++k)
+		add_body(world, SCREE_DYNAMIC, ball, -16.0f + PITCH * (float)(k % 40), top + 1.5f + (float)(k / 40), 0.0f);
+
+	// a comb of 40 teeth falls on the upper plate
+	scree_body_def def = scree_default_body_def();
+	def.attribute = tooth;
+	def.pose.position = (scree_vec){8.0f, top + 1.0f};
+	scree_body comb;
+	OK(scree_create_body(world, &def, &comb));
+	for (int k = 1; k < 40; ++k)
+	{
+		scree_collidable_def part = scree_default_collidable_def();
+		part.attribute = tooth;
+		part.body = comb;
+		part.pose.position.x = 0.25f * (float)(k % 2 ? (k + 1) / 2 : -k / 2);
+		OK(scree_create_collidable(world, &part, NULL));
+	}
+
+	add_body(world, SCREE_STATIC, surface(world, box_shape(20.0f, 1.0f), 1.0f, &s), 60.0f, -1.0f, 0.0f);
+	add_combs(world, 40, 4, 0.3f, 60.0f);
+
+	// a belt that turns under the plates' end
+	scree_body belt = add_box(world, SCREE_KINEMATIC, 1.0f, 0.2f, 15.5f, -0.1f);
+	OK(scree_body_set_velocity(world, belt, (scree_velocity){{0.0f, 0.0f}, 0.8f}));
+}
+
+static void act_all(scree_world* world, int step, const void* context)
+{
+	(void)context;
+	scree_body bodies[512];
+	int count;
+	OK(scree_get_bodies(world, bodies, 512, &count));
+	if (step % 3 == 2)
+		OK(scree_body_set_pose(world, bodies[10 + step % 40],
+		                       (scree_pose){{0.3f * (float)(step % 20), 5.0f}, scree_make_rot(0.1f * (float)step)}));
+	if (step == 30) // the upper plate, a hub at both of its sides
+		OK(scree_destroy_body(world, bodies[2]));
+	if (step == 40)
+		OK(scree_body_set_type(world, bodies[1], SCREE_KINEMATIC));
+	if (step == 50)
+		OK(scree_body_set_type(world, bodies[1], SCREE_DYNAMIC));
+	if (step == 55)
+		add_box(world, SCREE_DYNAMIC, 12.0f, 0.2f, 0.0f, 4.0f);
+}
+
+static void hubs_are_equal(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	Story story = {.name = "hubs",
+	               .def = scree_default_world_def(),
+	               .dt = STEP,
+	               .substeps = SUBSTEPS,
+	               .steps = quick() ? 60 : 120,
+	               .build = build_all,
+	               .act = act_all};
+	scree_counters last;
+	uint64_t hash = check_parity(&story, ways, count, &last);
+	print_message("%d steps, %d bodies, %d contacts, %d colors, %d spokes: %016llx\n", story.steps, last.bodies,
+	              last.contacts, last.colors, last.spokes, (unsigned long long)hash);
+	assert_int_equal(last.nonfinite, 0);
+	assert_true(last.spokes > 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(plates_carry_crates),   cmocka_unit_test(plate_stays),
+	    cmocka_unit_test(impacts_keep_momentum), cmocka_unit_test(hubs_slide_by_coulomb),
+	    cmocka_unit_test(hubs_bounce),           cmocka_unit_test(hubs_resist_rolling),
+	    cmocka_unit_test(locked_hubs_carry),     cmocka_unit_test(combs_rest_on_combs),
+	    cmocka_unit_test(hubs_are_equal),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
