@@ -82,7 +82,7 @@ static int collidable_run(const scree_world* world, int k)
 // long runs, pool by pool
 // ---------------------------------------------------------------------------------------------------------------
 
-static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_motion,
+static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pose_low, POOL_motion,
                                     POOL_local_center, POOL_color_mask, POOL_guarded};
 
 static void body_item(const scree_world* world, PoolId pool, const BodyRow* row, void* item)

@@ -61,7 +61,6 @@
 #define MOVED_BOX  1 // its box differs from old_box
 #define MOVED_FAR  2 // it may go further in this step than the speculative distance allows for
 #define MOVED_ON   4 // it is not at rest in this step
-#define MOVED_FAST 8 // a pair of which neither is fast keeps its manifold under load
 
 // kinds of collidables
 #define KIND_DEAD      0

@@ -3,7 +3,7 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "pools/pools.h"
-#include "stages/finite.h"
+#include "stages/pose.h"
 
 // The velocity of a body, nothing along what is locked.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
@@ -41,13 +41,12 @@ INLINE Vec command_arm(const Pools* p, int body, float x, float y)
 // The center of mass moves within the body; what it was doing as a rigid body goes on.
 INLINE void command_mass(const Pools* p, int i, Float4 value)
 {
-	Float4 pose = p->pose[i];
 	Float2 old = p->local_center[i];
-	Vec shift = vec_turn(vec(pose.z, pose.w), vec(value.z - old.x, value.w - old.y));
+	Vec turn = vec(p->pose[i].z, p->pose[i].w), shift = vec_turn(turn, vec(value.z - old.x, value.w - old.y));
 	BodyState state = p->body[i];
 	Vec v = vec_add(vec(state.vx, state.vy), vec_spin(state.w, shift));
 	p->local_center[i] = make_float2(value.z, value.w);
-	p->pose[i] = make_float4(pose.x + shift.x, pose.y + shift.y, pose.z, pose.w);
+	pose_move(p, i, shift, turn);
 	p->body[i].inv_mass = value.x;
 	p->body[i].inv_inertia = value.y;
 	command_velocity(p, i, v);
@@ -75,6 +74,7 @@ INLINE void command_body(const Pools* p, int i, Float4 pose)
 	p->body[i] = state;
 	p->motion[i] = motion;
 	p->pose[i] = pose;
+	p->pose_low[i] = make_float2(0.0f, 0.0f);
 	p->local_center[i] = make_float2(0.0f, 0.0f);
 	p->color_mask[i] = 0;
 }
@@ -127,6 +127,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		Float2 center = p->local_center[i];
 		Vec position = vec_add(v, vec_turn(vec(value.z, value.w), vec(center.x, center.y)));
 		p->pose[i] = make_float4(position.x, position.y, value.z, value.w);
+		p->pose_low[i] = make_float2(0.0f, 0.0f);
 		break;
 	}
 	case COMMAND_MASS:

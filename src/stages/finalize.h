@@ -3,9 +3,7 @@
 #ifndef FINALIZE_H
 #define FINALIZE_H
 #include "stages/guard.h"
-
-// m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
-#define FINALIZE_EDGE 1.0e8f
+#include "stages/pose.h"
 
 // zero times what is not finite is not a number
 INLINE int finalize_finite(Vec v, float w, Vec d, float da)
@@ -17,7 +15,7 @@ STAGE(finalize)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
-	Float4 pose = p->pose[i];
+	Vec turn = vec(p->pose[i].z, p->pose[i].w);
 	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
 	float w = body->w, da = body->da;
 	if (!finalize_finite(v, w, d, da))
@@ -43,12 +41,10 @@ STAGE(finalize)
 	v = sweep_velocity(&p->step, v);
 	if (da != 0.0f)
 	{
-		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
-		float unit = 1.0f / square_root(vec_dot(q, q));
-		pose.z = unit * q.x;
-		pose.w = unit * q.y;
+		turn = vec_turn(vec_rotation(da), turn);
+		turn = vec_scale(1.0f / square_root(vec_dot(turn, turn)), turn);
 	}
-	p->pose[i] = make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
+	pose_move(p, i, d, turn);
 	body->vx = v.x;
 	body->vy = v.y;
 	body->w = within(w, p->step.max_spin);

@@ -39,6 +39,7 @@ STAGE(hash_bodies)
 		h = hash_float(
 		    hash_float(hash_float(hash_float(h, motion.linear_damping), motion.angular_damping), motion.free_x),
 		    motion.free_y);
+		h = hash_float(hash_float(h, p->pose_low[k].x), p->pose_low[k].y);
 		sum += hash_float(hash_float(h, p->local_center[k].x), p->local_center[k].y);
 	}
 	p->hash[i] = sum;

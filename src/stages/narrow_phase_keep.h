@@ -88,7 +88,10 @@ WIDE_STAGE(narrow_phase_keep)
 		// what cannot close the gap in the step is not pushed
 		Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
 		                     (minimum(at[2], at[3]) - shift) / splat(sweep_end(&p->step)));
-		Int passes = on & ((closing.most < limit) == 0) & ((touches == 0) | ((moved & MOVED_FAST) != 0));
+		Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
+		Real lag = absolute(vec_cross(vec_turn(then_a, vec(at[0], at[1])), closing.near)) +
+		           turns * minimum(closing.a.reach, closing.b.reach);
+		Int passes = on & (((closing.most < limit) == 0) | (touches & (lag > splat(SWEEP_LAG))));
 		anew |= wanders & lane_bits(passes | (far & (closing.most > splat(SPECULATIVE_DISTANCE))));
 	}
 	Word look = anew | (there & lane_bits((moved & MOVED_BOX) != 0));

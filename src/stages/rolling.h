@@ -18,9 +18,11 @@
 #define ROLLING_STIFFNESS 0.3f
 
 // A rolling body stops: the load acts so far before the center, in reaches, at most. That is a rolling resistance of a ten
-// thousandth, a tenth of steel's on steel. Below this it is so much of the turn of a step.
+// thousandth, a tenth of steel's on steel. Below this it takes so much of a turn in a step, or what lies on a slope too
+// slight for that would creep down.
 #define ROLLING_LEVER 1.0e-4f
 #define ROLLING_TURN  0.3f
+#define ROLLING_LIGHT 0.003f // k dt^2: what is less loaded is braked no harder
 
 // What is stiff is held in part, and found anew now and then, which would keep it swinging: there the lever may be longer.
 #define ROLLING_STIFF_LEVER 0.05f
@@ -145,8 +147,8 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real follows = ROLLING_STIFFNESS / stiffness;
 	share = choose(share, share * follows, stiff);
 
-	// a lever against the relative turn, along the tangent; where the contact is stiff less, or it would turn it back
-	Real rate = choose(splat(ROLLING_TURN), ROLLING_TURN / stiffness, stiffness > splat(1.0f));
+	// a lever against the relative turn, along the tangent; no more than the load can take of it, or it would turn it back
+	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
 	Real most = choose(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
 	Real lever = -reach * minimum(maximum(turn, -most), most);

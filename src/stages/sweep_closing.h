@@ -10,9 +10,12 @@
 // m a step: what moves less, or draws near by less, is as good as at rest
 #define SWEEP_REST (0.03f * LINEAR_SLOP)
 
-// m a step: what is under load and draws near by less keeps its manifold; faster, arms that lag behind would cost angular
-// momentum
+// m a step: what is under load and draws near by less keeps its manifold
 #define SWEEP_HOLD LINEAR_SLOP
+
+// m a step: and that only as long as it slides, and its arms turn, by less. Arms that lag behind cost angular momentum, and
+// let what turns with a drum overlap.
+#define SWEEP_LAG (0.3f * LINEAR_SLOP)
 
 typedef struct // of a body until the end of the step
 {

@@ -115,7 +115,7 @@ STAGE(transform)
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
 		if (travel > 0.5f * SWEEP_REST)
-			how = travel > 0.5f * SWEEP_HOLD ? MOVED_ON | MOVED_FAST : MOVED_ON;
+			how = MOVED_ON;
 		if (travel > 0.5f * SPECULATIVE_DISTANCE)
 		{
 			// where it will be belongs to the tight box too. What leaves its box in every step needs no margin.

@@ -16,6 +16,7 @@ typedef struct
 static const Named named[] = {
     {POOL_body, {"vx", "vy", "w", "inv_mass", "dx", "dy", "da", "inv_inertia"}},
     {POOL_pose, {"x", "y", "cos", "sin"}},
+    {POOL_pose_low, {"low_x", "low_y"}},
     {POOL_motion, {"fx", "fy", "torque", "gravity_scale", "linear_damping", "angular_damping", "free_x", "free_y"}},
     {POOL_local_center, {"x", "y"}},
     {POOL_color_mask, {"low", "high"}},
@@ -155,7 +156,7 @@ int state_frozen(scree_world* world)
 }
 
 // the pools whose words are all floats, and state
-static const PoolId states[] = {POOL_body,           POOL_pose, POOL_motion, POOL_local_center, POOL_collidable_pose,
+static const PoolId states[] = {POOL_body,           POOL_pose, POOL_pose_low, POOL_motion, POOL_local_center, POOL_collidable_pose,
                                 POOL_contact_surface};
 
 static bool words_finite(const char* pool, const float* words, int items, int each, char sentence[256])
