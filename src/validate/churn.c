@@ -23,12 +23,6 @@ static double seconds(void)
 	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static int rising(const void* a, const void* b)
-{
-	double x = *(const double*)a, y = *(const double*)b;
-	return (x > y) - (x < y);
-}
-
 // Circles that drift in a square where each has 2 m, of which some jump to random places in every step.
 static double median_step(Validation* v, int count, Churn churn, int moved, int steps)
 {
@@ -65,8 +59,7 @@ static double median_step(Validation* v, int count, Churn churn, int moved, int 
 		if (step >= WARM_UP)
 			times[step - WARM_UP] = seconds() - begin;
 	}
-	qsort(times, (size_t)steps, sizeof *times, rising);
-	double median = times[steps / 2];
+	double median = middle(times, steps);
 	free(bodies);
 	free(poses);
 	free(times);

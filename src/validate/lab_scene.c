@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lab_scene.c -- a scene file as a lab: built into a Scree world, and read back from there body by body.
 #include "lab_scene.h"
-#include "scene/scene.h"
 #include "validate.h"
 #include <stdlib.h>
 
@@ -68,10 +67,11 @@ static bool add_bodies(Lab* lab, scree_world* model)
 	return good;
 }
 
-Lab* lab_scene(Validation* v, const char* name)
+Lab* lab_scene(Validation* v, const char* name, const SceneSetting* setting)
 {
 	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
-	Scene* scene = scene_find(name, v->executable, path, sentence) ? scene_load(path, NULL, 0, sentence) : NULL;
+	Scene* scene =
+	    scene_find(name, v->executable, path, sentence) ? scene_load(path, setting, setting != NULL, sentence) : NULL;
 	LabDef def = lab_def();
 	scree_world* model = NULL;
 	if (!scene)

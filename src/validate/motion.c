@@ -37,6 +37,22 @@ static void free_flight(Validation* v)
 	lab_close(lab);
 }
 
+// A millimetre a second, where a step is a fraction of the last digit of a coordinate.
+static void drift(Validation* v)
+{
+	begin(v, "drifts for a minute at 1 mm/s, 1 km from the origin");
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def surface = box_of(0.5, 0.5);
+	lab_throw(lab, &surface, 1000.0f, -1000.0f, 0.0f, (scree_velocity){{1e-3f, -1e-3f}, 0.0f});
+	lab_step(lab, 3600);
+	lab_read(lab);
+	double x = (double)lab->poses[0].position.x - 1000.06, y = (double)lab->poses[0].position.y + 1000.06;
+	row(v, "off its place", 1e3 * hypot(x, y), "mm", AT_MOST, 1.0);
+	lab_close(lab);
+}
+
 // A body set on a slope, which is a floor turned by the angle.
 static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, double friction, double angle)
 {
@@ -130,6 +146,7 @@ static void dominoes(Validation* v)
 void motion_experiment(Validation* v)
 {
 	free_flight(v);
+	drift(v);
 	slope(v);
 	rolling(v);
 	dominoes(v);

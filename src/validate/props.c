@@ -93,20 +93,21 @@ static scree_attribute_def mixed(int kind, double size)
 	}
 }
 
-int add_heap(Lab* lab, int count, bool all)
+int add_heap(Lab* lab, int count, bool all, double x)
 {
 	uint64_t seed = 7;
 	int columns = (int)ceil(sqrt(2.0 * count));
 	double half = 0.4 * columns, high = 0.8 * ceil((double)count / columns) + 2.0;
 	scree_attribute_def wall = box_of(0.5, high);
-	add_floor(lab, half + 1.0);
-	lab_put(lab, SCREE_STATIC, &wall, (float)(-half - 0.5), (float)high, 0.0f);
-	lab_put(lab, SCREE_STATIC, &wall, (float)(half + 0.5), (float)high, 0.0f);
+	scree_attribute_def floor = box_of(half + 1.0, 0.5);
+	lab_put(lab, SCREE_STATIC, &floor, (float)x, -0.5f, 0.0f);
+	lab_put(lab, SCREE_STATIC, &wall, (float)(x - half - 0.5), (float)high, 0.0f);
+	lab_put(lab, SCREE_STATIC, &wall, (float)(x + half + 0.5), (float)high, 0.0f);
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
 	{
 		scree_attribute_def surface = mixed(k % (all ? 6 : 2), random_between(&seed, 0.2, 0.36));
-		lab_put(lab, SCREE_DYNAMIC, &surface, (float)(0.8 * (k % columns - 0.5 * (columns - 1))),
+		lab_put(lab, SCREE_DYNAMIC, &surface, (float)(x + 0.8 * (k % columns - 0.5 * (columns - 1))),
 		        (float)(0.5 + 0.8 * (k / columns)), (float)random_between(&seed, -3.0, 3.0));
 	}
 	return first;

@@ -19,8 +19,8 @@ int add_floor(Lab* lab, double half_width);
 int add_column(Lab* lab, int count, double x, double jitter);
 
 // Mixed bodies, or boxes and circles alone, of 0.4 to 0.7 m across in a bin with a floor and walls, in rows above it, at
-// random angles.
-int add_heap(Lab* lab, int count, bool mixed);
+// random angles; x is the middle of the bin.
+int add_heap(Lab* lab, int count, bool mixed, double x);
 
 // Mixed bodies of some sizes at random places and angles of a rectangle, whatever else is there.
 int add_jumble(Lab* lab, int count, double small, double large, scree_box place, uint64_t* seed);

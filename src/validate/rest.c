@@ -2,6 +2,7 @@
 // rest.c -- what lies still stays there: circles on a floor, capsules, rounded boxes, heaps of mixed bodies.
 #include "props.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #define ENERGY 1.0e-6 // J a body, at most
@@ -130,9 +131,9 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 }
 
 // After so many steps: energy and the fastest body in the last second, and the way of the slow ones in the time behind.
-static void judge(Validation* v, Lab* lab, int first, const char* name, int count, int until, int behind)
+static void judge(Validation* v, Lab* lab, int first, const char* name, int until, int behind)
 {
-	begin(v, "heap of %d %s after %d steps", count, name, until);
+	begin(v, "heap of %d %s after %d steps", lab->count - first, name, until);
 	v->steps = until;
 	Calm calm = calm_of(lab, first);
 	v->steps = until;
@@ -143,19 +144,20 @@ static void judge(Validation* v, Lab* lab, int first, const char* name, int coun
 	row(v, "deepest overlap", 1e3 * lab_overlap(lab, NULL), "mm", SHOWN, 0.0);
 }
 
-static void heap(Validation* v, int count, bool mixed)
+static void heap(Validation* v, int count, bool mixed, double x)
 {
-	const char* name = mixed ? "mixed bodies" : "boxes and circles";
+	char name[64];
+	snprintf(name, sizeof name, "%s%s", mixed ? "mixed bodies" : "boxes and circles", x > 0.0 ? " at x = 100 m" : "");
 	int half = v->quick ? 1800 : 3600, all = v->quick ? 0 : 20000, behind = v->quick ? 600 : 3600;
 	LabDef def = lab_def();
 	Lab* lab = lab_open(v, &def);
-	int first = add_heap(lab, count, mixed);
+	int first = add_heap(lab, count, mixed, x);
 	lab_step(lab, half - 60);
-	judge(v, lab, first, name, count, half, behind);
+	judge(v, lab, first, name, half, behind);
 	if (all > 0)
 	{
 		lab_step(lab, all - 60 - half - behind);
-		judge(v, lab, first, name, count, all, behind);
+		judge(v, lab, first, name, all, behind);
 	}
 	lab_close(lab);
 }
@@ -166,10 +168,11 @@ void rest_experiment(Validation* v)
 	single(v, "capsules", 1);
 	single(v, "rounded boxes", 2);
 	single(v, "boxes", 3);
-	heap(v, v->quick ? 60 : 600, true);
+	heap(v, v->quick ? 60 : 600, true, 0.0);
 	if (v->quick)
 		return;
-	heap(v, 400, true);
-	heap(v, 2000, true);
-	heap(v, 600, false);
+	heap(v, 400, true, 0.0);
+	heap(v, 2000, true, 0.0);
+	heap(v, 600, false, 0.0);
+	heap(v, 400, true, 100.0);
 }

@@ -95,6 +95,18 @@ void row(Validation* v, const char* quantity, double value, const char* unit, Li
 	v->where[0] = 0;
 }
 
+static int rising(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+double middle(double* values, int count)
+{
+	qsort(values, (size_t)count, sizeof *values, rising);
+	return values[count / 2];
+}
+
 void* demand(void* memory)
 {
 	if (memory)

@@ -58,6 +58,9 @@ uint64_t validate_hash(Validation* v);
 // Memory that was asked for; without it the program ends with a sentence.
 void* demand(void* memory);
 
+// The middle one of values, which it puts in order.
+double middle(double* values, int count);
+
 // The same numbers on every machine, by Sebastiano Vigna, splitmix64, 2015.
 double random_between(uint64_t* seed, double low, double high);
 
