@@ -156,8 +156,8 @@ int state_frozen(scree_world* world)
 }
 
 // the pools whose words are all floats, and state
-static const PoolId states[] = {POOL_body,           POOL_pose, POOL_pose_low, POOL_motion, POOL_local_center, POOL_collidable_pose,
-                                POOL_contact_surface};
+static const PoolId states[] = {
+    POOL_body, POOL_pose, POOL_pose_low, POOL_motion, POOL_local_center, POOL_collidable_pose, POOL_contact_surface};
 
 static bool words_finite(const char* pool, const float* words, int items, int each, char sentence[256])
 {
