@@ -58,9 +58,9 @@
 #define NO_POINT 1.0e6f
 
 // bits of the pool moved
-#define MOVED_BOX  1 // its box differs from old_box
-#define MOVED_FAR  2 // it may go further in this step than the speculative distance allows for
-#define MOVED_ON   4 // it is not at rest in this step
+#define MOVED_BOX 1 // its box differs from old_box
+#define MOVED_FAR 2 // it may go further in this step than the speculative distance allows for
+#define MOVED_ON  4 // it is not at rest in this step
 
 // kinds of collidables
 #define KIND_DEAD      0

@@ -31,9 +31,10 @@ INLINE void pose_move(const Pools* p, int i, Vec d, Vec rotation)
 {
 	Float4 pose = p->pose[i];
 	Float2 low = p->pose_low[i];
-	float x = pose_sum(pose.x, d.x + low.x, &low.x), y = pose_sum(pose.y, d.y + low.y, &low.y);
+	float lack_x, lack_y;
+	float x = pose_sum(pose.x, d.x + low.x, &lack_x), y = pose_sum(pose.y, d.y + low.y, &lack_y);
 	p->pose[i] = make_float4(x, y, rotation.x, rotation.y);
-	p->pose_low[i] = low;
+	p->pose_low[i] = make_float2(lack_x, lack_y);
 }
 
 #endif
