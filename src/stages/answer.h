@@ -26,6 +26,8 @@ typedef struct // a hub at work
 {
 	int body, first, count;      // its spokes, padding included
 	float inv_mass, inv_inertia; // of its part
+	float mass, inertia;         // the same; an inertia of 0 does not turn
+	float gyration;              // m^2, inertia over mass
 	float most;                  // what a spoke may add to a sum: with all of them it is a float
 	float from[3];               // velocity when the block began
 	float free[3];               // the same without impulses beyond their limits

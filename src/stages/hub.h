@@ -16,45 +16,61 @@
 // As many as a group of a GPU has work-items, so that all of them take part.
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
+#define HUB_JOINED  4
 
 // Newton's method has found the hub's velocity when a round changes it by less than this part.
 #define HUB_ROUNDS 2
 #define HUB_CLOSE  1.0e-5f
 
-// m^2, of inertia over mass: times the square of HUB_SPEED it is a float
+// m^2: times the square of HUB_SPEED it is a float
 #define HUB_GYRATION 1.0e13f
 
 // Goes over the spokes k of hub h, in columns.
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// Adds up the columns of the bench, by halves, for each of so many sums.
+// Adds up the columns of the bench, by halves, for each of so many sums: up to HUB_JOINED halvings between two meetings.
 INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench)
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, level = HUB_LEVELS - 1;
 	while (1 << level >= used)
 		--level;
-	for (; level >= 0; --level)
+	for (; LANES > 1 && 1 << level >= LANES; --level)
 	{
 		int span = 1 << level;
-		group_meet();
-		if (span >= LANES && LANES > 1)
-			for (int q = 0; q < sums; ++q)
-				for (int c = 0; c < span && c + span < used; c += LANES)
-				{
-					BENCH float* column = bench + q * HUB_COLUMNS + c;
-					store(column, 0, load(column, 0) + load(column, span));
-				}
-		else
-			for (int k = group_lane(); k < sums << level; k += group_width() / LANES)
+		for (int q = 0; q < sums; ++q)
+			for (int c = 0; c < span && c + span < used; c += LANES)
 			{
-				BENCH float* column = bench + (k >> level) * HUB_COLUMNS + (k & (span - 1));
-				if ((k & (span - 1)) + span < used)
-					column[0] += column[span];
+				BENCH float* column = bench + q * HUB_COLUMNS + c;
+				store(column, 0, load(column, 0) + load(column, span));
 			}
 		used = span;
 	}
-	group_meet();
+	while (level >= 0)
+	{
+		int joined = level + 1 < HUB_JOINED ? level + 1 : HUB_JOINED, left = level + 1 - joined, span = 1 << level;
+		bench_meet();
+		for (int k = group_lane(); k < sums << left; k += group_width() / LANES)
+		{
+			int c = k & ((1 << left) - 1);
+			BENCH float* column = bench + (k >> left) * HUB_COLUMNS + c;
+			float sum[1 << (HUB_JOINED - 1)];
+			for (int j = 0; j < 1 << (HUB_JOINED - 1); ++j)
+				if (j < 1 << (joined - 1))
+				{
+					int at = j << left;
+					sum[j] = c + at + span < used ? column[at] + column[at + span] : column[at];
+				}
+			for (int half = 1 << (HUB_JOINED - 2); half > 0; half >>= 1)
+				for (int j = 0; j < half; ++j)
+					if (half < 1 << (joined - 1))
+						sum[j] += sum[j + half];
+			column[0] = sum[0];
+		}
+		used = 1 << left;
+		level = left - 1;
+	}
+	bench_meet();
 }
 
 // Lays down the problems of all spokes, or the impulses of the last step where warm is set.
@@ -87,9 +103,6 @@ INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
 	}
 }
 
-INLINE float hub_mass(const Hub* h) { return 1.0f / h->inv_mass; }
-INLINE float hub_inertia(const Hub* h) { return h->inv_inertia > 0.0f ? 1.0f / h->inv_inertia : 0.0f; }
-
 // Whether the hub may have such a velocity. Not a number is none.
 INLINE int hub_bears(const float v[3])
 {
@@ -111,16 +124,14 @@ INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 // (m/s)^2: twice the kinetic energy of a velocity, a kilogram
 INLINE float hub_energy(const Hub* h, const float v[3])
 {
-	float gyration = h->inv_mass * hub_inertia(h); // m^2
-	gyration = gyration < HUB_GYRATION ? gyration : HUB_GYRATION;
-	return v[0] * v[0] + v[1] * v[1] + gyration * v[2] * v[2];
+	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
 }
 
 // The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. H takes nothing from a pivot, but rounding may:
 // none is below what the hub alone has.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
-	float mass = hub_mass(h), inertia = hub_inertia(h);
+	float mass = h->mass, inertia = h->inertia;
 	float xx = mass + sum[3], xy = sum[4], yy = mass + sum[5], xw = sum[6], yw = sum[7], ww = inertia + sum[8];
 	float x = sum[0] - mass * (h->now[0] - h->free[0]), y = sum[1] - mass * (h->now[1] - h->free[1]),
 	      w = sum[2] - inertia * (h->now[2] - h->free[2]);
@@ -192,7 +203,7 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 		hub_add_up(h, sums, bench);
 		for (int q = 0; q < sums; ++q)
 			sum[q] = bench[q * HUB_COLUMNS];
-		group_meet();
+		bench_meet();
 		if (round < 0)
 		{
 			float gain[3];
@@ -251,6 +262,10 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	h.count = span.count;
 	h.inv_mass = parts * row[3];
 	h.inv_inertia = parts * row[7];
+	h.mass = 1.0f / h.inv_mass;
+	h.inertia = h.inv_inertia > 0.0f ? 1.0f / h.inv_inertia : 0.0f;
+	h.gyration = h.inv_mass * h.inertia;
+	h.gyration = h.gyration < HUB_GYRATION ? h.gyration : HUB_GYRATION;
 	h.most = 1.0e38f / (float)span.count;
 	for (int q = 0; q < 3; ++q)
 		h.now[q] = row[q];
