@@ -61,10 +61,10 @@ INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench)
 					int at = j << left;
 					sum[j] = c + at + span < used ? column[at] + column[at + span] : column[at];
 				}
-			for (int half = 1 << (HUB_JOINED - 2); half > 0; half >>= 1)
-				for (int j = 0; j < half; ++j)
-					if (half < 1 << (joined - 1))
-						sum[j] += sum[j + half];
+			for (int by = 1 << (HUB_JOINED - 2); by > 0; by >>= 1)
+				for (int j = 0; j < by; ++j)
+					if (by < 1 << (joined - 1))
+						sum[j] += sum[j + by];
 			column[0] = sum[0];
 		}
 		used = 1 << left;
