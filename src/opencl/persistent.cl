@@ -86,10 +86,21 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
-INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m)
+// A meeting, of the group that is alone with its run where it is.
+INLINE bool meet_or_wait(Meeting* m, bool alone)
 {
-	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
+	if (!alone)
+		return meet(m);
+	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+	return true;
+}
+
+// As the launches of primitives.c; the parts of groups that are not there are taken by those that are. Alone means that there is
+// one part.
+INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m, bool alone)
+{
+	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0);
+	uint groups = alone ? SORT_BLOCKS : (uint)get_num_groups(0), items = alone ? PERSISTENT_GROUP : (uint)get_global_size(0);
 	int from = run.argument & 255, end = run.argument >> 8;
 	__global Word64 *key = p->key, *other = p->key_other;
 	for (int shift = from; shift < end; shift += SORT_DIGIT_BITS)
@@ -97,18 +108,18 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local
 		uint mask = (1u << min(SORT_DIGIT_BITS, end - shift)) - 1;
 		for (uint block = first; block < SORT_BLOCKS; block += groups)
 			sort_count_part(key, n, table, block, shift, mask, bench->sum);
-		if (!meet(m))
+		if (!meet_or_wait(m, alone))
 			return false;
 		for (uint block = first; block < SORT_BLOCKS; block += groups)
 			sort_place_part(key, other, n, table, block, shift, mask, bench);
-		if (!meet(m))
+		if (!meet_or_wait(m, alone))
 			return false;
 		__global Word64* swapped = key;
 		key = other;
 		other = swapped;
 	}
 	if (key != p->key)
-		for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
+		for (uint i = (uint)get_global_id(0); i < n; i += items)
 			p->key[i] = key[i];
 	return true;
 }
@@ -143,7 +154,8 @@ INLINE int run_end(Run run, const Pools* p)
 // Whether the first group is faster alone than all with a meeting behind.
 INLINE bool takes_one_group(Run run, int end)
 {
-	return run.stage < STAGE_COUNT && end - run.begin <= (int)get_local_size(0);
+	int most = run.stage == PRIMITIVE_SORT ? SORT_GRAIN : run.stage < STAGE_COUNT && run.stage >= 0 ? PERSISTENT_GROUP : 0;
+	return end - run.begin <= most;
 }
 
 // list holds PERSISTENT_HEADER ints, the first two for meetings and one for the first group to say where it has come to,
@@ -212,7 +224,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 #include "stages/stages.def"
 #undef X
 		case PRIMITIVE_SORT:
-			well = sort_together(&pools, run, table, &bench, &m);
+			well = sort_together(&pools, run, table, &bench, &m, alone);
 			break;
 		case PRIMITIVE_SCAN:
 			well = scan_together(&pools, run, table, bench.sum, &m);
@@ -223,11 +235,9 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		}
 		if (!well)
 			return;
-		if (alone)
-			barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-		else if (next == count)
+		if (!alone && next == count)
 			break;
-		else if (!meet(&m))
+		if (!meet_or_wait(&m, alone))
 			return;
 	}
 	// after a meeting all have read where it began

@@ -16,7 +16,6 @@
 // As many as a group of a GPU has work-items, so that all of them take part.
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
-#define HUB_JOINED  4
 
 // Newton's method has found the hub's velocity when a round changes it by less than this part.
 #define HUB_ROUNDS 2
@@ -29,47 +28,61 @@
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// Adds up the columns of the bench, by halves, for each of so many sums: up to HUB_JOINED halvings between two meetings.
-INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench)
+// By halves, the 16 numbers that lie so far from each other; those from so many on are zero.
+INLINE float hub_halve(const BENCH float* x, int stride, int used)
+{
+	float sum[16];
+	for (int j = 0; j < 16; ++j)
+		sum[j] = j < used ? x[j * stride] : 0.0f;
+	for (int j = 0; j < 8; ++j)
+		sum[j] += sum[j + 8];
+	for (int j = 0; j < 4; ++j)
+		sum[j] += sum[j + 4];
+	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+// Adds up the columns of the bench, by halves, for each of so many sums. A group does so in two rounds of 16.
+INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, level = HUB_LEVELS - 1;
-	while (1 << level >= used)
-		--level;
-	for (; LANES > 1 && 1 << level >= LANES; --level)
+	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = bench;
+	int stride = HUB_COLUMNS;
+	if (group_width() > LANES)
 	{
-		int span = 1 << level;
-		for (int q = 0; q < sums; ++q)
-			for (int c = 0; c < span && c + span < used; c += LANES)
-			{
-				BENCH float* column = bench + q * HUB_COLUMNS + c;
-				store(column, 0, load(column, 0) + load(column, span));
-			}
-		used = span;
-	}
-	while (level >= 0)
-	{
-		int joined = level + 1 < HUB_JOINED ? level + 1 : HUB_JOINED, left = level + 1 - joined, span = 1 << level;
+		// one more than 16, for the banks of local memory
 		bench_meet();
-		for (int k = group_lane(); k < sums << left; k += group_width() / LANES)
+		for (int k = group_lane(); k < 16 * sums; k += group_width())
 		{
-			int c = k & ((1 << left) - 1);
-			BENCH float* column = bench + (k >> left) * HUB_COLUMNS + c;
-			float sum[1 << (HUB_JOINED - 1)];
-			for (int j = 0; j < 1 << (HUB_JOINED - 1); ++j)
-				if (j < 1 << (joined - 1))
-				{
-					int at = j << left;
-					sum[j] = c + at + span < used ? column[at] + column[at + span] : column[at];
-				}
-			for (int by = 1 << (HUB_JOINED - 2); by > 0; by >>= 1)
-				for (int j = 0; j < by; ++j)
-					if (by < 1 << (joined - 1))
-						sum[j] += sum[j + by];
-			column[0] = sum[0];
+			int c = k & 15;
+			half_way[(k >> 4) * 17 + c] =
+			    hub_halve(bench + (k >> 4) * HUB_COLUMNS + c, HUB_COLUMNS / 16, (used - c + 15) / 16);
 		}
-		used = 1 << left;
-		level = left - 1;
+		bench_meet();
+		for (int k = group_lane(); k < sums; k += group_width())
+			half_way[k * 17] = hub_halve(half_way + k * 17, 1, 16);
+		bench_meet();
+		total = half_way;
+		stride = 17;
 	}
+	else
+		for (; level >= 0; --level)
+		{
+			int span = 1 << level;
+			for (int q = 0; q < sums && span < used; ++q)
+			{
+				BENCH float* column = bench + q * HUB_COLUMNS;
+				int c = 0;
+				for (; span >= LANES && c < span && c + span < used; c += LANES)
+					store(column + c, 0, load(column + c, 0) + load(column + c, span));
+				for (; c < span && c + span < used; ++c)
+					column[c] += column[c + span];
+			}
+			used = used < span ? used : span;
+		}
+
+	// what has a sign although it is zero owes it to how many columns there are
+	for (int q = 0; q < HUB_SUMS; ++q)
+		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 	bench_meet();
 }
 
@@ -189,7 +202,7 @@ INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 // are added up: each more takes a compiler of OpenCL for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
 {
-	float sum[HUB_SUMS], d[3];
+	float sum[HUB_SUMS] = {0.0f}, d[3];
 	for (int q = 0; q < 3; ++q)
 		h->from[q] = h->free[q] = h->now[q];
 	int found = 0;
@@ -200,10 +213,7 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 		else
 			hub_ask(p, h, what, bench);
 		int sums = round < 0 ? 3 : HUB_SUMS;
-		hub_add_up(h, sums, bench);
-		for (int q = 0; q < sums; ++q)
-			sum[q] = bench[q * HUB_COLUMNS];
-		bench_meet();
+		hub_add_up(h, sums, bench, sum);
 		if (round < 0)
 		{
 			float gain[3];
