@@ -95,22 +95,21 @@ INLINE bool meet_or_wait(Meeting* m, bool alone)
 	return true;
 }
 
-// As the launches of primitives.c; the parts of groups that are not there are taken by those that are. Alone means that there is
-// one part.
+// As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
 INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m, bool alone)
 {
-	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0);
-	uint groups = alone ? SORT_BLOCKS : (uint)get_num_groups(0), items = alone ? PERSISTENT_GROUP : (uint)get_global_size(0);
+	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
+	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
 	int from = run.argument & 255, end = run.argument >> 8;
 	__global Word64 *key = p->key, *other = p->key_other;
 	for (int shift = from; shift < end; shift += SORT_DIGIT_BITS)
 	{
 		uint mask = (1u << min(SORT_DIGIT_BITS, end - shift)) - 1;
-		for (uint block = first; block < SORT_BLOCKS; block += groups)
+		for (uint block = first; block < blocks; block += groups)
 			sort_count_part(key, n, table, block, shift, mask, bench->sum);
 		if (!meet_or_wait(m, alone))
 			return false;
-		for (uint block = first; block < SORT_BLOCKS; block += groups)
+		for (uint block = first; block < blocks; block += groups)
 			sort_place_part(key, other, n, table, block, shift, mask, bench);
 		if (!meet_or_wait(m, alone))
 			return false;
@@ -119,7 +118,7 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local
 		other = swapped;
 	}
 	if (key != p->key)
-		for (uint i = (uint)get_global_id(0); i < n; i += items)
+		for (uint i = (uint)get_global_id(0); i < n; i += groups * PERSISTENT_GROUP)
 			p->key[i] = key[i];
 	return true;
 }
@@ -177,7 +176,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		mine = ((__global const Run*)(list + PERSISTENT_HEADER))[lane];
 	volatile __global int* met = list;
 	Meeting m = {met, &pools.counters->fault, &healthy, met[1], spins};
-	bool alone = false;
+	bool single = get_num_groups(0) == 1, alone = single;
 	for (int next = 0;;)
 	{
 		if (lane == 0)
@@ -193,7 +192,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		Run run = chosen;
 		int end = next < count ? run_end(run, &pools) : 0;
 		bool shares = next == count || !takes_one_group(run, end);
-		if (alone && shares)
+		if (alone && shares && !single)
 		{
 			if (lane == 0)
 				met[2] = next;
@@ -203,7 +202,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		}
 		if (next == count)
 			break;
-		if (!alone && !shares && get_num_groups(0) > 1)
+		if (!alone && !shares)
 		{
 			alone = get_group_id(0) == 0;
 			if (!(alone ? meet_others(&m) : meet(&m)))
