@@ -56,6 +56,24 @@ INLINE bool meet(Meeting* m)
 	return *m->healthy;
 }
 
+// The first group waits here until all others have arrived at the next meeting. False as in meet.
+INLINE bool meet_others(const Meeting* m)
+{
+	if (get_local_id(0) == 0)
+	{
+		int spins = m->spins;
+		uint others = (uint)m->arrivals + (uint)get_num_groups(0) - 1u;
+		while ((int)((uint)*m->arrived - others) < 0 && spins > 0)
+			--spins;
+		if (spins <= 0)
+			*m->fault = FAULT_BLOWN;
+		DEVICE_FENCE();
+		*m->healthy = *m->fault == 0;
+	}
+	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+	return *m->healthy;
+}
+
 // Meeting number k of the probe: writes k for a work-item of another group, and looks for the k - 1 that a third wrote.
 // The reads are plain and come back to the same places, so that a stale cache shows.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
@@ -68,29 +86,39 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
-INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m)
+// A meeting, of the group that is alone with its run where it is.
+INLINE bool meet_or_wait(Meeting* m, bool alone)
 {
-	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
+	if (!alone)
+		return meet(m);
+	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+	return true;
+}
+
+// As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
+INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m, bool alone)
+{
+	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
+	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
 	int from = run.argument & 255, end = run.argument >> 8;
 	__global Word64 *key = p->key, *other = p->key_other;
 	for (int shift = from; shift < end; shift += SORT_DIGIT_BITS)
 	{
 		uint mask = (1u << min(SORT_DIGIT_BITS, end - shift)) - 1;
-		for (uint block = first; block < SORT_BLOCKS; block += groups)
+		for (uint block = first; block < blocks; block += groups)
 			sort_count_part(key, n, table, block, shift, mask, bench->sum);
-		if (!meet(m))
+		if (!meet_or_wait(m, alone))
 			return false;
-		for (uint block = first; block < SORT_BLOCKS; block += groups)
+		for (uint block = first; block < blocks; block += groups)
 			sort_place_part(key, other, n, table, block, shift, mask, bench);
-		if (!meet(m))
+		if (!meet_or_wait(m, alone))
 			return false;
 		__global Word64* swapped = key;
 		key = other;
 		other = swapped;
 	}
 	if (key != p->key)
-		for (uint i = (uint)get_global_id(0); i < n; i += (uint)get_global_size(0))
+		for (uint i = (uint)get_global_id(0); i < n; i += groups * PERSISTENT_GROUP)
 			p->key[i] = key[i];
 	return true;
 }
@@ -111,7 +139,7 @@ INLINE bool scan_together(const Pools* p, Run run, __global uint* table, __local
 // a CPU takes twice as long.
 #define CASE_ONE(name)                                        \
 	case STAGE_##name:                                        \
-		for (int i = run.begin + begin; i < end; i += stride) \
+		for (int i = run.begin + from; i < end; i += by)      \
 			name##_item(&pools, i);                           \
 		break;
 #define CASE_WIDE(name) CASE_ONE(name)
@@ -122,9 +150,19 @@ INLINE int run_end(Run run, const Pools* p)
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
 }
 
-// list holds PERSISTENT_HEADER ints, the first two for meetings, then count runs: one a work-item of a group at most. Each
-// work-item keeps a run and reads its bound after every meeting, so that all bounds together cost one look at memory,
-// and runs without items cost nothing.
+// Whether the first group is faster alone than all with a meeting behind.
+INLINE bool takes_one_group(Run run, int end)
+{
+	int most = run.stage == PRIMITIVE_SORT ? SORT_GRAIN : run.stage < STAGE_COUNT && run.stage >= 0 ? PERSISTENT_GROUP : 0;
+	return end - run.begin <= most;
+}
+
+// list holds PERSISTENT_HEADER ints, the first two for meetings and one for the first group to say where it has come to,
+// then count runs: one a work-item of a group at most. Each work-item keeps a run and reads its bound after every meeting,
+// so that all bounds together cost one look at memory, and runs without items cost nothing.
+//
+// The first group does short runs alone as long as one follows the other, while the rest are at the meeting behind them. It
+// begins when they all are, for bounds change as soon as it does.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {
@@ -138,6 +176,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		mine = ((__global const Run*)(list + PERSISTENT_HEADER))[lane];
 	volatile __global int* met = list;
 	Meeting m = {met, &pools.counters->fault, &healthy, met[1], spins};
+	bool single = get_num_groups(0) == 1, alone = single;
 	for (int next = 0;;)
 	{
 		if (lane == 0)
@@ -149,11 +188,33 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		if (found == lane)
 			chosen = mine;
 		barrier(CLK_LOCAL_MEM_FENCE);
-		if (found == count)
-			break;
-		next = found + 1;
+		next = found;
 		Run run = chosen;
-		int end = run_end(run, &pools);
+		int end = next < count ? run_end(run, &pools) : 0;
+		bool shares = next == count || !takes_one_group(run, end);
+		if (alone && shares && !single)
+		{
+			if (lane == 0)
+				met[2] = next;
+			alone = false;
+			if (!meet(&m))
+				return;
+		}
+		if (next == count)
+			break;
+		if (!alone && !shares)
+		{
+			alone = get_group_id(0) == 0;
+			if (!(alone ? meet_others(&m) : meet(&m)))
+				return;
+			if (!alone)
+			{
+				next = met[2];
+				continue;
+			}
+		}
+		++next;
+		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
 		bool well = true;
 		switch (run.stage)
@@ -162,7 +223,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 #include "stages/stages.def"
 #undef X
 		case PRIMITIVE_SORT:
-			well = sort_together(&pools, run, table, &bench, &m);
+			well = sort_together(&pools, run, table, &bench, &m, alone);
 			break;
 		case PRIMITIVE_SCAN:
 			well = scan_together(&pools, run, table, bench.sum, &m);
@@ -173,9 +234,9 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		}
 		if (!well)
 			return;
-		if (next == count)
+		if (!alone && next == count)
 			break;
-		if (!meet(&m))
+		if (!meet_or_wait(&m, alone))
 			return;
 	}
 	// after a meeting all have read where it began

@@ -10,6 +10,9 @@
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
+// A warp works when all of its constraints can: the fewer it has, the sooner.
+#define MOST_SPREAD 8
+
 // arguments behind the step
 enum
 {
@@ -19,7 +22,8 @@ enum
 	RELAY_SUBSTEPS,
 	RELAY_PASSES,
 	RELAY_BOUND,
-	RELAY_SPINS
+	RELAY_SPINS,
+	RELAY_SPREAD
 };
 
 // the same of relay_hubs
@@ -31,6 +35,7 @@ enum
 	HUBS_PASSES,
 	HUBS_BOUND,
 	HUBS_SPINS,
+	HUBS_SPREAD,
 	HUBS_PARTS,
 	HUBS_GROUPS
 };
@@ -47,10 +52,25 @@ static size_t hub_groups(const OpenCl* d, const Solve* solve)
 	return hubs < most ? hubs : most;
 }
 
+static size_t other_most(const OpenCl* d, const Solve* solve)
+{
+	return (size_t)d->relay_hubs_groups - hub_groups(d, solve);
+}
+
+// How many work-items a constraint has, of which one works, where the device has room for them.
+static int spread_of(int constraints, size_t places)
+{
+	int spread = 1, most = getenv("SCREE_SPREAD") ? atoi(getenv("SCREE_SPREAD")) : MOST_SPREAD;
+	while (spread < most && 2 * (size_t)spread * (size_t)constraints <= places)
+		spread *= 2;
+	return spread;
+}
+
 static size_t other_groups(const OpenCl* d, const Solve* solve)
 {
-	size_t most = (size_t)d->relay_hubs_groups - hub_groups(d, solve),
-	       groups = groups_of(solve->constraints, d->relay_hubs.group);
+	size_t most = other_most(d, solve), group = d->relay_hubs.group;
+	int spread = spread_of(solve->constraints, most * group);
+	size_t groups = groups_of(solve->constraints * spread, group);
 	return groups < most ? groups : most;
 }
 
@@ -145,6 +165,8 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, HUBS_PASSES, sizeof(cl_int), &solve->passes));
 	TRY(CALL(SetKernelArg, kernel, HUBS_BOUND, sizeof(cl_int), &solve->bound));
 	TRY(CALL(SetKernelArg, kernel, HUBS_SPINS, sizeof spins, &spins));
+	cl_int spread = spread_of(solve->constraints, other_most(d, solve) * d->relay_hubs.group);
+	TRY(CALL(SetKernelArg, kernel, HUBS_SPREAD, sizeof spread, &spread));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
 	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
 	size_t all = d->relay_hubs_groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
@@ -165,7 +187,10 @@ scree_status relay_run(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof(cl_int), &solve->passes));
 	TRY(CALL(SetKernelArg, kernel, RELAY_BOUND, sizeof(cl_int), &solve->bound));
 	TRY(CALL(SetKernelArg, kernel, RELAY_SPINS, sizeof spins, &spins));
-	size_t group = d->relay.group, groups = groups_of(solve->constraints, group);
+	size_t group = d->relay.group;
+	cl_int spread = spread_of(solve->constraints, (size_t)d->relay_groups * group);
+	TRY(CALL(SetKernelArg, kernel, RELAY_SPREAD, sizeof spread, &spread));
+	size_t groups = groups_of(solve->constraints * spread, group);
 	groups = groups < (size_t)d->relay_groups ? groups : (size_t)d->relay_groups;
 	return launch(d, kernel, groups * group, group);
 }

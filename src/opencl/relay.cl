@@ -200,7 +200,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 // All tasks of all constraints. Bodies that no constraint holds are solve_end's. notes has NOTE_FLOAT4S rows a constraint
 // when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
 __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints, int substeps,
-                    int passes, int bound, int spins)
+                    int passes, int bound, int spins, int spread)
 {
 	volatile __local int fault;
 	Pools pools = {POOL_NAMES step, 0};
@@ -208,8 +208,9 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	Relay r = {rows, substeps, passes, spins};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
-	int begin = (int)get_global_id(0), stride = (int)get_global_size(0);
-	if (begin == 0)
+	int place = (int)get_global_id(0), stride = (int)get_global_size(0) / spread;
+	int begin = place % spread == 0 ? place / spread : constraints;
+	if (place == 0)
 	{
 		p->counters->nonfinite = 0;
 		p->counters->held = 0;

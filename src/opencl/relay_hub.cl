@@ -162,7 +162,7 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 // As relay. The first hub_groups groups take hubs; the others take constraints, or all of it is left to one group. parts has
 // room for spokes and hubs.
 __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int substeps, int passes,
-                         int bound, int spins, __global ulong* parts, int hub_groups)
+                         int bound, int spins, int spread, __global ulong* parts, int hub_groups)
 {
 	volatile __local int fault;
 	__local float bench[GROUP_FLOATS];
@@ -174,8 +174,9 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 	int group = (int)get_group_id(0), groups = (int)get_num_groups(0), lane = group_lane(), width = group_width();
 	bool for_hubs = group < hub_groups, for_colors = groups == 1 || !for_hubs;
 	int constraints = p->counters->color_begin[COLORS], hubs = p->counters->hubs, spokes = spoke_places(p);
-	int begin = groups == 1 ? lane : (group - hub_groups) * width + lane;
-	int stride = groups == 1 ? width : (groups - hub_groups) * width;
+	int place = groups == 1 ? lane : (group - hub_groups) * width + lane;
+	int stride = (groups == 1 ? width : (groups - hub_groups) * width) / spread;
+	int begin = place % spread == 0 ? place / spread : constraints;
 	if (get_global_id(0) == 0)
 	{
 		p->counters->nonfinite = 0;

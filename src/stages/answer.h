@@ -26,18 +26,24 @@ typedef struct // a hub at work
 {
 	int body, first, count;      // its spokes, padding included
 	float inv_mass, inv_inertia; // of its part
+	float mass, inertia;         // the same; an inertia of 0 does not turn
+	float gyration;              // m^2, inertia over mass
+	float most;                  // what a spoke may add to a sum: with all of them it is a float
 	float from[3];               // velocity when the block began
 	float free[3];               // the same without impulses beyond their limits
 	float now[3];
 	Body whole; // as the passes hold it
 } Hub;
 
-typedef struct // of the answers
-{
-	Real push[3];      // impulse on the hub: x, y, angular
-	Real stiffness[6]; // how it changes with the hub's velocity: xx, xy, yy, xw, yw, ww
-	Real slope, bend;  // of the energy along the answers
-} HubSum;
+// Sums of the answers: 0 to 2 impulse on the hub (x, y, angular), 3 to 8 how it changes with the hub's velocity (xx, xy, yy, xw,
+// yw, ww), 9 and 10 slope and bend of the energy along the answers.
+#define HUB_SUMS 11
+
+// 1/kg: what an impulse moves less than this does not move; its inverse is a float
+#define LEAST_RESISTS 1.0e-37f
+
+// m/s, rad/s: what is faster is solved no more
+#define HUB_SPEED 1.0e12f
 
 typedef struct // of a spoke: how impulses of 1 at its points act
 {
@@ -128,6 +134,24 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	s.v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
 	s.w = load(&spoke_at(p, w, m), 0);
 	return s;
+}
+
+// Whether a spoke may add x to a sum. Not a number is not within.
+INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
+
+// What impulses at both points add to the hub's sums; and whether that, and the velocity that they give the light end, is
+// finite.
+INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
+{
+	Real both = impulse[0] + impulse[1];
+	push[0] = s->n.x * both;
+	push[1] = s->n.y * both;
+	push[2] = s->hub[0] * impulse[0] + s->hub[1] * impulse[1];
+	Int adds = spoke_adds(h, push[0]) & spoke_adds(h, push[1]) & spoke_adds(h, push[2]);
+	for (int k = 0; k < 2; ++k)
+		adds = adds & spoke_adds(h, impulse[k]) &
+		       spoke_adds(h, (s->mass + s->inertia * s->light[k] * s->light[k]) * impulse[k] * impulse[k]);
+	return adds;
 }
 
 // Impulses at both points change the light end's velocity.
@@ -271,13 +295,13 @@ INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 }
 
 // The problem of a spoke, laid down for as long as it is asked. Impulses beyond their limits are taken back at once, for no
-// solution may keep them, and so are those of a spoke whose velocity is no number, which has no other answer; taken is the
-// sum of what that does to the hub.
+// solution may keep them, and so are those of a spoke whose velocity is no number or beyond HUB_SPEED, which has no other
+// answer; taken is the sum of what that does to the hub.
 INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
-	Real zero = splat(0.0f), most = splat(MOST_FLOAT), limit[2] = {zero, zero};
-	Real old[2], beyond[2], speed[2], mass[2], inverse[2], slope[2];
+	Real zero = splat(0.0f), most = splat(HUB_SPEED), limit[2] = {zero, zero};
+	Real old[2], held[2], beyond[2], push[3], speed[2], mass[2], inverse[2], slope[2];
 	spoke_impulses(p, i, what, old);
 	spoke_speeds(h, &s, speed);
 	Int well = (absolute(speed[0]) <= most) & (absolute(speed[1]) <= most);
@@ -286,18 +310,22 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	for (int k = 0; k < 2; ++k)
 	{
 		limit[k] = choose(zero, limit[k], well);
-		Real held = choose(zero, limited ? grip_of(old[k], limit[k]) : old[k], well);
-		beyond[k] = held - old[k];
-		old[k] = held;
+		held[k] = choose(zero, limited ? grip_of(old[k], limit[k]) : old[k], well);
+		beyond[k] = held[k] - old[k];
 	}
+	Int adds = spoke_sum(h, &s, beyond, push);
+	for (int k = 0; k < 2; ++k)
+	{
+		beyond[k] = choose(zero, beyond[k], adds);
+		old[k] = choose(old[k], held[k], adds);
+	}
+	for (int q = 0; q < 3; ++q)
+		taken[q] += choose(zero, push[q], adds);
 	spoke_push(p, i, s, beyond[0], beyond[1]);
 	s.v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
 	s.w = load(&spoke_at(p, w, m), 0);
-	taken[0] += s.n.x * (beyond[0] + beyond[1]);
-	taken[1] += s.n.y * (beyond[0] + beyond[1]);
-	taken[2] += s.hub[0] * beyond[0] + s.hub[1] * beyond[1];
 
-	Real cross = choose(zero, s.mass + s.inertia * s.light[0] * s.light[1], well);
+	Real cross = s.mass + s.inertia * s.light[0] * s.light[1];
 	float yield = what == HUB_BOUNCE ? BOUNCE_YIELD : HUB_YIELD;
 	spoke_speeds(h, &s, speed);
 	for (int k = 0; k < 2; ++k)
@@ -308,7 +336,14 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 		// a little more than the mass itself, so that two points in one place have an answer
 		mass[k] = 1.0001f * (s.mass + s.inertia * s.light[k] * s.light[k]) +
 		          yield * (hub_mass + h->inv_inertia * s.hub[k] * s.hub[k]) + soft;
-		slope[k] = choose(zero, speed[k] + bias + soft * old[k], well);
+		slope[k] = speed[k] + bias + soft * old[k];
+		well = well & (absolute(slope[k]) <= most) & (mass[k] <= splat(MOST_FLOAT));
+	}
+	cross = choose(zero, cross, well);
+	for (int k = 0; k < 2; ++k)
+	{
+		mass[k] = choose(zero, mass[k], well);
+		slope[k] = choose(zero, slope[k], well);
 	}
 	if (limited)
 	{
@@ -327,7 +362,7 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 		cross = takes1 * takes2 * cross;
 	}
 	for (int k = 0; k < 2; ++k)
-		inverse[k] = choose(zero, 1.0f / mass[k], (mass[k] > zero) & well);
+		inverse[k] = choose(zero, 1.0f / mass[k], mass[k] > splat(LEAST_RESISTS));
 	store(&spoke_at(p, push_x, m), 0, s.n.x);
 	store(&spoke_at(p, push_y, m), 0, s.n.y);
 	store(&spoke_at(p, arm1, m), 0, s.hub[0]);
@@ -359,12 +394,15 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.light[k] * s.light[k];
 			old[k] = pair_start(&p->step, old[k], choose(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
 		}
-		spoke_keep(p, i, what, old[0], old[1]);
 	}
+	Real one[3];
+	Int adds = spoke_sum(h, &s, old, one);
+	for (int k = 0; k < 2; ++k)
+		old[k] = choose(splat(0.0f), old[k], adds);
+	for (int q = 0; q < 3; ++q)
+		push[q] += choose(splat(0.0f), one[q], adds);
 	spoke_push(p, i, s, old[0], old[1]);
-	push[0] += s.n.x * (old[0] + old[1]);
-	push[1] += s.n.y * (old[0] + old[1]);
-	push[2] += s.hub[0] * old[0] + s.hub[1] * old[1];
+	spoke_keep(p, i, what, old[0], old[1]);
 }
 
 // No more than a share of them.
@@ -420,7 +458,7 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 }
 
 // What a spoke answers to the hub's velocity.
-INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, HubSum* sum)
+INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum[HUB_SUMS])
 {
 	int m = spoke_of(p, i);
 	Real x = load(&spoke_at(p, push_x, m), 0), y = load(&spoke_at(p, push_y, m), 0);
@@ -449,25 +487,31 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, HubSum* 
 		}
 		r.cross = takes[0] * takes[1] * r.cross;
 	}
-	store(&spoke_at(p, new1, m), 0, r.impulse[0]);
-	store(&spoke_at(p, new2, m), 0, r.impulse[1]);
 
 	Real change[2] = {r.impulse[0] - old[0], r.impulse[1] - old[1]}, both = change[0] + change[1];
-	sum->push[0] += x * both;
-	sum->push[1] += y * both;
-	sum->push[2] += arm[0] * change[0] + arm[1] * change[1];
+	Real add[HUB_SUMS] = {x * both, y * both, arm[0] * change[0] + arm[1] * change[1]};
 	Real stiff = r.own[0] + r.own[1] + 2.0f * r.cross;
 	Real lever = r.own[0] * arm[0] + r.own[1] * arm[1] + r.cross * (arm[0] + arm[1]);
-	sum->stiffness[0] += x * x * stiff;
-	sum->stiffness[1] += x * y * stiff;
-	sum->stiffness[2] += y * y * stiff;
-	sum->stiffness[3] += x * lever;
-	sum->stiffness[4] += y * lever;
-	sum->stiffness[5] += r.own[0] * arm[0] * arm[0] + r.own[1] * arm[1] * arm[1] + 2.0f * r.cross * arm[0] * arm[1];
+	add[3] = x * x * stiff;
+	add[4] = x * y * stiff;
+	add[5] = y * y * stiff;
+	add[6] = x * lever;
+	add[7] = y * lever;
+	add[8] = r.own[0] * arm[0] * arm[0] + r.own[1] * arm[1] * arm[1] + 2.0f * r.cross * arm[0] * arm[1];
 	Real freely = x * fx + y * fy;
-	sum->slope += change[0] * (slope[0] + (freely + arm[0] * fw)) + change[1] * (slope[1] + (freely + arm[1] * fw));
-	sum->bend +=
-	    mass[0] * change[0] * change[0] + mass[1] * change[1] * change[1] + 2.0f * cross * change[0] * change[1];
+	add[9] = change[0] * (slope[0] + (freely + arm[0] * fw)) + change[1] * (slope[1] + (freely + arm[1] * fw));
+	Real bend[2] = {mass[0] * change[0] * change[0], mass[1] * change[1] * change[1]};
+	add[10] = bend[0] + bend[1] + 2.0f * cross * change[0] * change[1];
+
+	// what goes beyond a float, or has no answer, stays as it is
+	Int adds = (absolute(r.impulse[0]) <= splat(MOST_IMPULSE)) & (absolute(r.impulse[1]) <= splat(MOST_IMPULSE)) &
+	           spoke_adds(h, bend[0]) & spoke_adds(h, bend[1]);
+	for (int q = 0; q < HUB_SUMS; ++q)
+		adds = adds & spoke_adds(h, add[q]);
+	for (int q = 0; q < HUB_SUMS; ++q)
+		sum[q] += choose(splat(0.0f), add[q], adds);
+	store(&spoke_at(p, new1, m), 0, choose(old[0], r.impulse[0], adds));
+	store(&spoke_at(p, new2, m), 0, choose(old[1], r.impulse[1], adds));
 }
 
 // A spoke gives a part of its answer. A part of 1 may leave what rounding leaves.

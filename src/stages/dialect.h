@@ -275,11 +275,14 @@ INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
 #define group_width() ((int)get_local_size(0))
 // all of the group wait for each other, and see what each has written to bench and pools
 #define group_meet() barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
+// the same of bench alone
+#define bench_meet() barrier(CLK_LOCAL_MEM_FENCE)
 #else
 #define BENCH
 #define group_lane()  0
 #define group_width() LANES
 #define group_meet()
+#define bench_meet()
 #endif
 #ifdef __OPENCL_C_VERSION__
 // parentheses around a kernel's name, because a macro (store) may have the same

@@ -16,43 +16,74 @@
 // As many as a group of a GPU has work-items, so that all of them take part.
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
-#define HUB_SUMS    11
 
 // Newton's method has found the hub's velocity when a round changes it by less than this part.
 #define HUB_ROUNDS 2
 #define HUB_CLOSE  1.0e-5f
 
+// m^2: times the square of HUB_SPEED it is a float
+#define HUB_GYRATION 1.0e13f
+
 // Goes over the spokes k of hub h, in columns.
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// Adds up the columns of the bench, by halves, for each of so many sums.
-INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench)
+// By halves, the 16 numbers that lie so far from each other; those from so many on are zero.
+INLINE float hub_halve(const BENCH float* x, int stride, int used)
+{
+	float sum[16];
+	for (int j = 0; j < 16; ++j)
+		sum[j] = j < used ? x[j * stride] : 0.0f;
+	for (int j = 0; j < 8; ++j)
+		sum[j] += sum[j + 8];
+	for (int j = 0; j < 4; ++j)
+		sum[j] += sum[j + 4];
+	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+// Adds up the columns of the bench, by halves, for each of so many sums. A group does so in two rounds of 16.
+INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, level = HUB_LEVELS - 1;
-	while (1 << level >= used)
-		--level;
-	for (; level >= 0; --level)
+	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = bench;
+	int stride = HUB_COLUMNS;
+	if (group_width() > LANES)
 	{
-		int span = 1 << level;
-		group_meet();
-		if (span >= LANES && LANES > 1)
-			for (int q = 0; q < sums; ++q)
-				for (int c = 0; c < span && c + span < used; c += LANES)
-				{
-					BENCH float* column = bench + q * HUB_COLUMNS + c;
-					store(column, 0, load(column, 0) + load(column, span));
-				}
-		else
-			for (int k = group_lane(); k < sums << level; k += group_width() / LANES)
-			{
-				BENCH float* column = bench + (k >> level) * HUB_COLUMNS + (k & (span - 1));
-				if ((k & (span - 1)) + span < used)
-					column[0] += column[span];
-			}
-		used = span;
+		// one more than 16, for the banks of local memory
+		bench_meet();
+		for (int k = group_lane(); k < 16 * sums; k += group_width())
+		{
+			int c = k & 15;
+			half_way[(k >> 4) * 17 + c] =
+			    hub_halve(bench + (k >> 4) * HUB_COLUMNS + c, HUB_COLUMNS / 16, (used - c + 15) / 16);
+		}
+		bench_meet();
+		for (int k = group_lane(); k < sums; k += group_width())
+			half_way[k * 17] = hub_halve(half_way + k * 17, 1, 16);
+		bench_meet();
+		total = half_way;
+		stride = 17;
 	}
-	group_meet();
+	else
+		for (; level >= 0; --level)
+		{
+			int span = 1 << level;
+			for (int q = 0; q < sums && span < used; ++q)
+			{
+				BENCH float* column = bench + q * HUB_COLUMNS;
+				int c = 0;
+				for (; span >= LANES && c < span && c + span < used; c += LANES)
+					store(column + c, 0, load(column + c, 0) + load(column + c, span));
+				for (; c < span && c + span < used; ++c)
+					column[c] += column[c + span];
+			}
+			used = used < span ? used : span;
+		}
+
+	// what has a sign although it is zero owes it to how many columns there are
+	for (int q = 0; q < HUB_SUMS; ++q)
+		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
+	bench_meet();
 }
 
 // Lays down the problems of all spokes, or the impulses of the last step where warm is set.
@@ -76,41 +107,51 @@ INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
 	{
-		HubSum part;
-		Real zero = splat(0.0f);
-		for (int q = 0; q < 3; ++q)
-			part.push[q] = zero;
-		for (int q = 0; q < 6; ++q)
-			part.stiffness[q] = zero;
-		part.slope = part.bend = zero;
-		HUB_EACH_OF(i, c, h) spoke_answer(p, h, i, what, &part);
-		for (int q = 0; q < 3; ++q)
-			store(bench + q * HUB_COLUMNS, c, part.push[q]);
-		for (int q = 0; q < 6; ++q)
-			store(bench + (3 + q) * HUB_COLUMNS, c, part.stiffness[q]);
-		store(bench + 9 * HUB_COLUMNS, c, part.slope);
-		store(bench + 10 * HUB_COLUMNS, c, part.bend);
+		Real part[HUB_SUMS];
+		for (int q = 0; q < HUB_SUMS; ++q)
+			part[q] = splat(0.0f);
+		HUB_EACH_OF(i, c, h) spoke_answer(p, h, i, what, part);
+		for (int q = 0; q < HUB_SUMS; ++q)
+			store(bench + q * HUB_COLUMNS, c, part[q]);
 	}
 }
 
-INLINE float hub_mass(const Hub* h) { return 1.0f / h->inv_mass; }
-INLINE float hub_inertia(const Hub* h) { return h->inv_inertia > 0.0f ? 1.0f / h->inv_inertia : 0.0f; }
-
-// twice the kinetic energy of a velocity
-INLINE float hub_energy(const Hub* h, const float v[3])
+// Whether the hub may have such a velocity. Not a number is none.
+INLINE int hub_bears(const float v[3])
 {
-	return hub_mass(h) * (v[0] * v[0] + v[1] * v[1]) + hub_inertia(h) * v[2] * v[2];
+	int bears = 1;
+	for (int q = 0; q < 3; ++q)
+		bears = bears && v[q] >= -HUB_SPEED && v[q] <= HUB_SPEED;
+	return bears;
 }
 
-// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T.
+// What sums of impulses change the hub's velocity by. Whether it bears that.
+INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
+{
+	gain[0] = h->inv_mass * sum[0];
+	gain[1] = h->inv_mass * sum[1];
+	gain[2] = h->inv_inertia * sum[2];
+	return hub_bears(gain);
+}
+
+// (m/s)^2: twice the kinetic energy of a velocity, a kilogram
+INLINE float hub_energy(const Hub* h, const float v[3])
+{
+	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
+}
+
+// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. H takes nothing from a pivot, but rounding may:
+// none is below what the hub alone has.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
-	float mass = hub_mass(h), inertia = hub_inertia(h);
+	float mass = h->mass, inertia = h->inertia;
 	float xx = mass + sum[3], xy = sum[4], yy = mass + sum[5], xw = sum[6], yw = sum[7], ww = inertia + sum[8];
 	float x = sum[0] - mass * (h->now[0] - h->free[0]), y = sum[1] - mass * (h->now[1] - h->free[1]),
 	      w = sum[2] - inertia * (h->now[2] - h->free[2]);
-	float yx = xy / xx, wx = xw / xx, second = yy - yx * xy, wy = (yw - yx * xw) / second;
-	float third = ww - wx * xw - wy * wy * second;
+	float yx = xy / xx, wx = xw / xx, second = yy - yx * xy;
+	second = second > mass ? second : mass;
+	float wy = (yw - yx * xw) / second, third = ww - wx * xw - wy * wy * second;
+	third = third > inertia ? third : inertia;
 	y = y - yx * x;
 	w = w - wx * x - wy * y;
 	// what cannot turn has no third equation
@@ -120,35 +161,40 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 }
 
 // Whether the hub's velocity has been found: no round changes it much any more, against what it is or a substep of gravity.
+// Of an answer beyond all bounds nothing is taken.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
-	float fall[3] = {step->h * step->gravity_x, step->h * step->gravity_y, 0.0f};
-	return !(hub_energy(h, d) > HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall)));
+	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
+	float fall[3] = {x < most && x > -most ? x : most, y < most && y > -most ? y : most, 0.0f};
+	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
 // All spokes give the same part of their answers, the one that leaves least energy: all of it when the hub's velocity was
 // found, and never so much that an unfinished search adds energy.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
-	// in this order, for squares of great impulses are not finite
-	float bend =
-	    sum[10] + h->inv_mass * sum[0] * sum[0] + h->inv_mass * sum[1] * sum[1] + h->inv_inertia * sum[2] * sum[2];
-	float part = bend > 0.0f ? -sum[9] / bend : 0.0f;
-	part = part < 1.0f ? part : 1.0f;
-	part = part > 0.0f ? part : 0.0f;
+	float gain[3], part = 0.0f, down = -sum[9];
+	if (hub_gains(h, sum, gain))
+	{
+		// in this order, for squares of great impulses are not finite
+		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
+		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
+			part = down < bend ? down / bend : 1.0f;
+		for (int q = 0; q < 3; ++q)
+			h->now[q] = h->free[q] + part * gain[q];
+	}
+	else
+		for (int q = 0; q < 3; ++q)
+			h->now[q] = h->free[q];
 	HUB_EACH_COLUMN(c, h)
 	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
-	h->now[0] = h->free[0] + part * (h->inv_mass * sum[0]);
-	h->now[1] = h->free[1] + part * (h->inv_mass * sum[1]);
-	h->now[2] = h->free[2] + part * (h->inv_inertia * sum[2]);
 }
 
-// What part of the impulses of the last step a hub begins with, given their sum: all, unless they would give it more than
-// START_SHARE of max_speed, as in a jam of which others have gone. A spin counts by its energy.
-INLINE float hub_start(const Step* step, const Hub* h, const float* sum)
+// What part of the impulses of the last step a hub begins with, given what they change its velocity by: all, unless they
+// would give it more than START_SHARE of max_speed, as in a jam of which others have gone. A spin counts by its energy.
+INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 {
-	float d[3] = {h->inv_mass * sum[0], h->inv_mass * sum[1], h->inv_inertia * sum[2]};
-	float square = h->inv_mass * hub_energy(h, d), most = START_SHARE * step->max_speed;
+	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
 	return square > most * most ? most / square_root(square) : 1.0f;
 }
 
@@ -156,7 +202,7 @@ INLINE float hub_start(const Step* step, const Hub* h, const float* sum)
 // are added up: each more takes a compiler of OpenCL for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
 {
-	float sum[HUB_SUMS], d[3];
+	float sum[HUB_SUMS] = {0.0f}, d[3];
 	for (int q = 0; q < 3; ++q)
 		h->from[q] = h->free[q] = h->now[q];
 	int found = 0;
@@ -167,25 +213,17 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 		else
 			hub_ask(p, h, what, bench);
 		int sums = round < 0 ? 3 : HUB_SUMS;
-		hub_add_up(h, sums, bench);
-		for (int q = 0; q < sums; ++q)
-			sum[q] = bench[q * HUB_COLUMNS];
-		group_meet();
-		float start = round < 0 && warm ? hub_start(&p->step, h, sum) : 1.0f;
-		if (start < 1.0f)
-		{
-			HUB_EACH_COLUMN(c, h)
-			HUB_EACH_OF(i, c, h) spoke_scale(p, h, i, what, start);
-			for (int q = 0; q < 3; ++q)
-				sum[q] = start * sum[q];
-		}
+		hub_add_up(h, sums, bench, sum);
 		if (round < 0)
 		{
-			h->free[0] += h->inv_mass * sum[0];
-			h->free[1] += h->inv_mass * sum[1];
-			h->free[2] += h->inv_inertia * sum[2];
+			float gain[3];
+			int bears = hub_gains(h, sum, gain);
+			float start = !bears ? 0.0f : warm ? hub_start(&p->step, h, gain) : 1.0f;
+			if (warm && start < 1.0f)
+				HUB_EACH_COLUMN(c, h)
+			HUB_EACH_OF(i, c, h) spoke_scale(p, h, i, what, start);
 			for (int q = 0; q < 3; ++q)
-				h->now[q] = h->free[q];
+				h->now[q] = h->free[q] = bears ? h->free[q] + start * gain[q] : h->free[q];
 		}
 		else if (round < HUB_ROUNDS)
 		{
@@ -234,6 +272,11 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	h.count = span.count;
 	h.inv_mass = parts * row[3];
 	h.inv_inertia = parts * row[7];
+	h.mass = 1.0f / h.inv_mass;
+	h.inertia = h.inv_inertia > 0.0f ? 1.0f / h.inv_inertia : 0.0f;
+	h.gyration = h.inv_mass * h.inertia;
+	h.gyration = h.gyration < HUB_GYRATION ? h.gyration : HUB_GYRATION;
+	h.most = 1.0e38f / (float)span.count;
 	for (int q = 0; q < 3; ++q)
 		h.now[q] = row[q];
 	h.whole.v = vec(splat(row[0]), splat(row[1]));

@@ -61,6 +61,9 @@ INLINE float prepare_velocity(Body a, Body b, Vec r, ContactPoints points)
 	return vec_dot(v, points.normal);
 }
 
+// m/s^2: with the longest gap and step it is still a float, and so is its square
+#define MOST_FALL 1.0e18f
+
 // What may bounce within the step, and how fast. What hardly moves will not in one step.
 INLINE void prepare_bounce(const Pools* p, int i, ContactPoints points)
 {
@@ -74,7 +77,8 @@ INLINE void prepare_bounce(const Pools* p, int i, ContactPoints points)
 		if (minimum(v1, v2) < -0.25f * p->step.restitution_threshold)
 		{
 			Vec fall_a = prepare_acceleration(p, ia, a), fall_b = prepare_acceleration(p, ib, b);
-			fall = number_of(vec_dot(vec_sub(fall_b, fall_a), points.normal));
+			fall = vec_dot(vec_sub(fall_b, fall_a), points.normal);
+			fall = fall >= -MOST_FALL && fall <= MOST_FALL ? fall : 0.0f;
 			rebound1 = prepare_rebound(&p->step, e, v1, fall, points.separation[0]);
 			rebound2 = prepare_rebound(&p->step, e, v2, fall, points.separation[1]);
 		}

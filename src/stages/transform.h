@@ -100,7 +100,10 @@ STAGE(transform)
 		return;
 	}
 
+	// what has no body moves as little as body 0, the ground
 	Placed placed = collidable_place(p, i);
+	int moves = placed.body >= 0;
+	placed.body = moves ? placed.body : 0;
 	p->placed[i] = placed;
 	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
 
@@ -108,7 +111,7 @@ STAGE(transform)
 	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
 	int how = 0;
-	if (placed.body >= 0)
+	if (moves)
 	{
 		Sweep sweep = sweep_of(p, placed, attribute);
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
