@@ -467,7 +467,8 @@ SCREE_API scree_status scree_set_velocities(scree_world* world, const scree_body
 SCREE_API scree_status scree_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                        int count); // teleport; velocities stay
 SCREE_API scree_status scree_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
-                                       int count); // of the bodies' origins
+                                       int count); // of the bodies' origins; the world keeps more digits
+                                                   // than a float has: set again, a body may be off by half the last
 SCREE_API scree_status scree_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
                                             int count);
 
