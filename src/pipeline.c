@@ -199,7 +199,7 @@ static scree_status split(scree_world* world, const Step* step)
 	// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
 	RunList* list = &pipeline->list;
 	add(list, STAGE_hub_key, 0, spokes, NO_COUNT, 0);
-	add_sort(list, spokes, NO_COUNT, 32, 32 + body_bits);
+	add_sort(list, spokes, NO_COUNT, pipeline->counters.hubs > 1 ? HUB_KEY_TURN : 32, 32 + body_bits);
 	add(list, STAGE_hub_order, 0, spokes, NO_COUNT, spokes);
 	pipeline->split = true;
 	return list_run(world, step, list);
@@ -208,12 +208,14 @@ static scree_status split(scree_world* world, const Step* step)
 // A pass over the hubs and the colors. Whether any body is split is known on the host only when nothing changed.
 static void add_pass(RunList* list, const Counters* c, int bound, int stage, int pass)
 {
-	if (c->hubs > 0)
-		add(list, STAGE_hub, 0, c->hubs, bound, pass);
-	if (c->hubs > 0 && bound == NO_COUNT)
-		add(list, STAGE_hub_merge, 0, pipeline_spokes(c), COUNT(split), 0);
-	else if (c->hubs > 0 && c->split > 0)
-		add(list, STAGE_hub_merge, 0, pipeline_spokes(c), bound, 0);
+	for (int turn = 0; turn < HUB_TURNS && turn < c->hubs; ++turn)
+	{
+		add(list, STAGE_hub, 0, (c->hubs - turn + HUB_TURNS - 1) / HUB_TURNS, bound, pass | turn << 8);
+		if (bound == NO_COUNT)
+			add(list, STAGE_hub_merge, 0, pipeline_spokes(c), COUNT(split), turn);
+		else if (c->split > 0)
+			add(list, STAGE_hub_merge, 0, pipeline_spokes(c), bound, turn);
+	}
 	for (int color = 0; color < COLORS; ++color)
 		if (c->color_count[color] > 0)
 			add(list, stage, c->color_begin[color], c->color_begin[color] + padded(c->color_count[color]), bound, 0);

@@ -174,7 +174,7 @@ static void combs_rest_on_combs(void** state)
 	check_combs(80, 3, 1.0f);
 	check_combs(80, 3, 0.05f);
 	check_combs(40, 5, 20.0f);
-	check_combs(80, 4, 1.0f);
+	check_combs(80, 5, 1.0f);
 }
 
 // A minute later a plate and its crates are where they were.

@@ -100,11 +100,11 @@ scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
 
 scree_status scratch_drop(OpenCl* d)
 {
-	Scratch* scratch[TILE_BUFFERS + 2] = {&d->rows, &d->notes};
+	Scratch* scratch[TILE_BUFFERS + 3] = {&d->rows, &d->notes, &d->parts};
 	for (int k = 0; k < TILE_BUFFERS; ++k)
-		scratch[k + 2] = &d->tiles.buffers[k];
+		scratch[k + 3] = &d->tiles.buffers[k];
 	TRY(finish(d));
-	for (int k = 0; k < TILE_BUFFERS + 2; ++k)
+	for (int k = 0; k < TILE_BUFFERS + 3; ++k)
 	{
 		d->backend->bytes -= scratch[k]->bytes;
 		scratch_release(scratch[k]);

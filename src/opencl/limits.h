@@ -39,9 +39,9 @@
 
 // work-items of a group of the relay, which go in step: COLOR_PADDING, so that no two of them share a body
 #define RELAY_GROUP 32
-// 64-bit words of a body in the relay, and turns of a pass: one a color, and one more
+// 64-bit words of a body in the relay, and turns of a pass: one a color, one a turn of hubs, and one more
 #define RELAY_WORDS 4
-#define RELAY_TURNS 64
+#define RELAY_TURNS 68
 // bound of a wait, in looks at a word of half a microsecond or so: 2 s
 #define RELAY_SPINS_MOST (1 << 22)
 // float4s and float2s of a constraint that does not stay in registers

@@ -2,15 +2,14 @@
 // relay.c -- launches the solve as one relay (relay.cl).
 #include "error.h"
 #include "opencl/opencl.h"
-#include <stdlib.h>
-#include <string.h>
 
 // bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe
 #define SPINS        RELAY_SPINS_MOST
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// A warp works when all of its constraints can: the fewer it has, the sooner.
+// Work-items a constraint, at most. A warp goes on when all of its constraints can: the fewer it has, the sooner. On an H200 the
+// solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32.
 #define MOST_SPREAD 8
 
 // arguments behind the step
@@ -60,8 +59,8 @@ static size_t other_most(const OpenCl* d, const Solve* solve)
 // How many work-items a constraint has, of which one works, where the device has room for them.
 static int spread_of(int constraints, size_t places)
 {
-	int spread = 1, most = getenv("SCREE_SPREAD") ? atoi(getenv("SCREE_SPREAD")) : MOST_SPREAD;
-	while (spread < most && 2 * (size_t)spread * (size_t)constraints <= places)
+	int spread = 1;
+	while (spread < MOST_SPREAD && 2 * (size_t)spread * (size_t)constraints <= places)
 		spread *= 2;
 	return spread;
 }

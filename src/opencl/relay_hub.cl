@@ -5,18 +5,19 @@
 // ends as the pass before leaves them, solves them together (hub.h), and hands each on to its first color. A body that is
 // split into parts is handed on by one work-item, when all of its parts have come.
 //
-// Tasks are taken in the order of passes and, within a pass, hubs, split bodies, colors: the first that is not done waits for
+// Tasks are taken in the order of passes and, within a pass, the turns of hubs, colors; and within a turn, hubs, split bodies: the first that is not done waits for
 // none.
 #include "opencl/relay.cl"
 
-// A body where a pass begins.
-INLINE Side relay_side(const Pools* p, int body)
+// A body in a turn of hubs.
+INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
+	uint turns = (uint)p->hub_turns[body];
 	side.body = body;
-	side.before = 0;
+	side.before = (int)popcount(turns & ((1u << turn) - 1u));
 	side.moves = p->body[body].inv_mass > 0.0f;
-	side.last = p->color_mask[body] == 0;
+	side.last = p->color_mask[body] == 0 && turns >> turn == 1u;
 	return side;
 }
 
@@ -25,7 +26,7 @@ INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* 
 {
 	float row[8];
 	volatile __global ulong* words = r->rows + RELAY_WORDS * (ulong)side.body;
-	bool waits = side.moves && q > 0;
+	bool waits = side.moves && (q > 0 || side.before > 0);
 	if (waits)
 		body_row(p, side.body, row);
 	else
@@ -37,12 +38,12 @@ INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* 
 	b->da = row[6];
 	b->inv_inertia = row[7];
 	bool well = relay_wait(p, r, waits && q > 1, words + 2, relay_turn(q & ~1, 0), &b->d, &b->da, waits, words,
-	                       relay_turn(q, 0), &b->v, &b->w);
+	                       relay_turn(q, side.before), &b->v, &b->w);
 	body_turn(b);
 	return well;
 }
 
-// A body goes on from pass q's hubs with another velocity, to its first color or to the next pass.
+// A body goes on from a hub of pass q with another velocity, to the next hub, to its first color or to the next pass.
 INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
 {
 	Body b;
@@ -93,7 +94,8 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
                       __local float* bench, volatile __local int* fault)
 {
 	Body b;
-	Side own = relay_side(p, hub_span_of(p, n).body);
+	int turn = hub_turn(n);
+	Side own = relay_side(p, hub_span_of(p, n).body, turn);
 	bool well = relay_fetch(p, r, own, q, &b);
 	float row[8] = {b.v.x, b.v.y, b.w, b.inv_mass, b.d.x, b.d.y, b.da, b.inv_inertia};
 	Hub h = hub_begin(p, n, row);
@@ -101,7 +103,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	HUB_EACH_OF(i, c, &h)
 	{
 		Body light;
-		well = relay_fetch(p, r, relay_side(p, spoke_light(p, &h, i)), q, &light) && well;
+		well = relay_fetch(p, r, relay_side(p, spoke_light(p, &h, i), turn), q, &light) && well;
 		spoke_begin(p, &h, i, light);
 	}
 	if (!well)
@@ -119,41 +121,41 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		float vx = hub ? h.now[0] : spoke_at(p, vx, m), vy = hub ? h.now[1] : spoke_at(p, vy, m),
 		      w = hub ? h.now[2] : spoke_at(p, w, m), count = hub ? spoke_at(p, hub_parts, m) : spoke_at(p, parts, m);
 		if (count == 1.0f)
-			relay_hand_on(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k)), q, vx, vy, w);
+			relay_hand_on(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k), turn), q, vx, vy, w);
 		else
 			relay_leave_part(parts, hub ? spoke_places(p) + n : m, q, vx, vy, w);
 	}
 }
 
-// Pass q of the body that sorted end i begins, if it is split; as hub_merge.
-INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q)
+// A turn of pass q of the body that sorted end i begins, if it is split; as hub_merge.
+INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
-	int spoke = p->spoke_order[i];
-	Int2 run = p->spoke_run[i];
-	if (spoke < 0 || run.x != i || spoke_at(p, parts, spoke) == 1.0f)
+	int spoke = hub_merged(p, i, turn);
+	if (spoke < 0)
 		return true;
-	int body = spoke_light_of(p, spoke), n = hub_number(p, body);
-	Side side = relay_side(p, body);
+	Int2 run = p->spoke_run[i];
+	int body = spoke_light_of(p, spoke), n = hub_within(p, body, turn);
+	Side side = relay_side(p, body, turn);
 	Body b;
 	Vec part, sum = vec(0.0f, 0.0f);
-	float turn, w = 0.0f;
+	float spin, w = 0.0f;
 	if (!relay_fetch(p, r, side, q, &b))
 		return false;
 	if (n >= 0)
 	{
-		if (!relay_take_part(p, r, parts, spoke_places(p) + n, q, &part, &turn))
+		if (!relay_take_part(p, r, parts, spoke_places(p) + n, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, n).first));
 		sum = vec((part.x - b.v.x) / count, (part.y - b.v.y) / count);
-		w = (turn - b.w) / count;
+		w = (spin - b.w) / count;
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
-		if (!relay_take_part(p, r, parts, p->spoke_order[k], q, &part, &turn))
+		if (!relay_take_part(p, r, parts, p->spoke_order[k] / HUB_TURNS, q, &part, &spin))
 			return false;
-		float count = spoke_at(p, parts, p->spoke_order[k]);
+		float count = spoke_at(p, parts, p->spoke_order[k] / HUB_TURNS);
 		sum = vec_add(sum, vec((part.x - b.v.x) / count, (part.y - b.v.y) / count));
-		w = w + (turn - b.w) / count;
+		w = w + (spin - b.w) / count;
 	}
 	relay_hand_on(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
 	return true;
@@ -215,11 +217,16 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 		bool well = true;
 		if (for_hubs)
 		{
-			for (int n = group; n < hubs; n += hub_groups)
-				relay_hub(p, &r, parts, n, q, bench, &fault);
-			if (p->counters->split > 0)
-				for (int i = group * width + lane; i < spokes && well; i += hub_groups * width)
-					well = relay_merge(p, &r, parts, i, q);
+			for (int turn = 0; turn < HUB_TURNS && turn < hubs; ++turn)
+			{
+				for (int n = group; n < hubs; n += hub_groups)
+					if (hub_turn(n) == turn)
+						relay_hub(p, &r, parts, n, q, bench, &fault);
+				if (p->counters->split > 0)
+					for (int i = group * width + lane; i < spokes && well; i += hub_groups * width)
+						well = relay_merge(p, &r, parts, i, q, turn);
+				group_meet();
+			}
 			if (!well)
 				fault = 1;
 			group_meet();

@@ -29,8 +29,10 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 			solve->constraints = runs[k].end;
 			break;
 		case STAGE_hub:
-			solve->hubs = runs[k].end;
-			if (runs[k].argument == HUB_REBOUND)
+			// a run a turn
+			if ((runs[k].argument & 255) == HUB_WARM_START)
+				solve->hubs += runs[k].end;
+			if ((runs[k].argument & 255) == HUB_REBOUND)
 				solve->passes = 2;
 			break;
 		case STAGE_warm_start:

@@ -84,7 +84,7 @@ typedef struct // one body of a constraint
 	bool moves, last; // last: no other constraint of the body comes after this one
 } Side;
 
-// The side of a constraint of some color. With hubs, bodies may have been with one before.
+// The side of a constraint of some color. With hubs, bodies may have been with some before.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -93,7 +93,7 @@ INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 	side.moves = p->body[body].inv_mass > 0.0f;
 	side.before = (int)popcount(mask & (((Word64)1 << color) - (Word64)1));
 	if (hubs && p->touching[body] > (int)popcount(mask))
-		++side.before;
+		side.before += (int)popcount((uint)p->hub_turns[body]);
 	side.last = mask >> color == (Word64)1;
 	return side;
 }

@@ -21,6 +21,12 @@
 // A body with more contacts is a hub. Two bodies that are none leave at least one color free: 31 other contacts each.
 #define HUB_CONTACTS 32
 
+// Hubs are solved in so many turns of a pass, by their numbers: those that touch in most cases one after the other.
+#define HUB_TURNS 4
+
+// A key of light ends: body from bit 32 on, turn of the hub from this one on, number of the spoke.
+#define HUB_KEY_TURN 30
+
 // what the stage hub does: Run.argument
 #define HUB_WARM_START 0
 #define HUB_BIAS       1

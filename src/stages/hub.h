@@ -324,7 +324,7 @@ INLINE void hub_pass(const Pools* p, int n, int pass, BENCH float* bench)
 	}
 }
 
-// argument is the pass
-GROUP_STAGE(hub) { hub_pass(p, i, p->argument, bench); }
+// Item i of a turn. argument is the pass, and the turn times 256.
+GROUP_STAGE(hub) { hub_pass(p, HUB_TURNS * i + (p->argument >> 8), p->argument & 255, bench); }
 
 #endif

@@ -50,17 +50,25 @@ INLINE int spoke_light_of(const Pools* p, int k)
 	return constraint_at(p, body_a, c) ^ constraint_at(p, body_b, c) ^ spoke_hub_of(p, k);
 }
 
-// The light end of spoke i, to be sorted by. What cannot move, and padding, goes last.
+INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_TURN) - (Word64)1)); }
+
+// The light end of spoke i, to be sorted by, and the turn of its hub. What cannot move, and padding, goes last.
 STAGE(hub_key)
 {
-	Word64 name = (Word64)0xffffffffu;
-	if (p->constraint_contact[p->counters->color_begin[COLORS] + i] >= 0)
+	Word64 name = (Word64)0xffffffffu, turn = 0;
+	int c = p->counters->color_begin[COLORS] + i;
+	if (p->constraint_contact[c] >= 0)
 	{
-		int light = spoke_light_of(p, i);
+		int hub = spoke_hub_of(p, i), n = hub_number(p, hub), light = spoke_light_of(p, i);
+		if (hub_span_of(p, n).first == c)
+			p->hub_turns[hub] = 1 << hub_turn(n);
 		if (p->body[light].inv_mass > 0.0f)
+		{
 			name = (Word64)light;
+			turn = (Word64)hub_turn(n);
+		}
 	}
-	p->key[i] = name << 32 | (Word64)i;
+	p->key[i] = name << 32 | turn << HUB_KEY_TURN | (Word64)i;
 	spoke_at(p, parts, i) = 1.0f;
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
@@ -79,45 +87,74 @@ INLINE int hub_bound(const Pools* p, int low, int high, Word64 key)
 	return low;
 }
 
-// Into how many parts each light end is split: as many for each hub, and these among the spokes that it has of that hub.
-// argument is the number of spokes. A body's ends are side by side among the keys, and of these the ones of each hub.
+// Into how many parts each light end is split: as many for each hub of a turn, and these among the spokes that it has of that
+// hub. argument is the number of spokes. A body's ends are side by side among the keys, of these the ones of each turn, and
+// of these the ones of each hub.
 STAGE(hub_order)
 {
-	Word64 body = p->key[i] >> 32;
-	int spoke = (int)(p->key[i] & (Word64)0xffffffffu);
+	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_TURN;
+	int spoke = hub_key_spoke(p->key[i]), turn = (int)(group & (Word64)(HUB_TURNS - 1));
 	p->spoke_order[i] = -1;
 	if (body == (Word64)0xffffffffu)
 		return;
-	int first = hub_bound(p, 0, i, body << 32), end = hub_bound(p, i + 1, p->argument, (body + (Word64)1) << 32);
-	int own = hub_number(p, (int)body), hubs = own >= 0, beside = 0;
+	int first = hub_bound(p, 0, i, group << HUB_KEY_TURN),
+	    end = hub_bound(p, i + 1, p->argument, (group + (Word64)1) << HUB_KEY_TURN);
+	int own = hub_number(p, (int)body), shares = own >= 0 && hub_turn(own) == turn, hubs = shares, beside = 0;
 	for (int k = first; k < end; ++hubs)
 	{
-		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, (int)(p->key[k] & (Word64)0xffffffffu))));
+		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, hub_key_spoke(p->key[k]))));
 		Word64 behind = (Word64)(spoke_of(p, span.first) + span.count);
-		int next = hub_bound(p, k + 1, end, body << 32 | behind);
+		int next = hub_bound(p, k + 1, end, group << HUB_KEY_TURN | behind);
 		if (k <= i && i < next)
 			beside = next - k;
 		k = next;
 	}
-	p->spoke_order[i] = spoke;
+	if (i == first && (i == 0 || p->key[i - 1] >> 32 != body))
+	{
+		int turns = own >= 0 ? 1 << hub_turn(own) : 0;
+		for (int t = 0, k = i; t < HUB_TURNS; ++t)
+		{
+			int next = hub_bound(p, k, p->argument, (body * HUB_TURNS + (Word64)(t + 1)) << HUB_KEY_TURN);
+			turns |= k < next ? 1 << t : 0;
+			k = next;
+		}
+		p->hub_turns[(int)body] = turns;
+	}
+	p->spoke_order[i] = spoke * HUB_TURNS + turn;
 	p->spoke_run[i] = make_int2(first, end);
 	spoke_at(p, parts, spoke) = (float)(hubs * beside);
 	if (hubs * beside == 1)
 		return;
 	raise_int(&p->counters->split, p->argument);
-	if (own >= 0 && i == first)
+	if (shares && i == first)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
+// The spoke of sorted end i, if its body is split in a turn and this is the first of its ends; else -1.
+INLINE int hub_merged(const Pools* p, int i, int turn)
+{
+	int order = p->spoke_order[i], spoke = order / HUB_TURNS;
+	if (order < 0 || order % HUB_TURNS != turn || p->spoke_run[i].x != i || spoke_at(p, parts, spoke) == 1.0f)
+		return -1;
+	return spoke;
+}
+
+// The hub that the light end of a spoke is, if it is split in the same turn; else -1.
+INLINE int hub_within(const Pools* p, int body, int turn)
+{
+	int n = hub_number(p, body);
+	return n >= 0 && hub_turn(n) == turn ? n : -1;
+}
+
 // A body that is split gets what its parts got, each by its share of the mass, by the first of its ends: the hub that it may
-// be, then the spokes in their order.
+// be, then the spokes in their order. argument is the turn.
 STAGE(hub_merge)
 {
-	int spoke = p->spoke_order[i];
-	Int2 run = p->spoke_run[i];
-	if (spoke < 0 || run.x != i || spoke_at(p, parts, spoke) == 1.0f)
+	int spoke = hub_merged(p, i, p->argument);
+	if (spoke < 0)
 		return;
-	int body = spoke_light_of(p, spoke), n = hub_number(p, body);
+	Int2 run = p->spoke_run[i];
+	int body = spoke_light_of(p, spoke), n = hub_within(p, body, p->argument);
 	float row[8], x = 0.0f, y = 0.0f, w = 0.0f;
 	read_row8((GLOBAL float*)p->body, body, row);
 	if (n >= 0)
@@ -130,7 +167,7 @@ STAGE(hub_merge)
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
-		int m = p->spoke_order[k];
+		int m = p->spoke_order[k] / HUB_TURNS;
 		float parts = spoke_at(p, parts, m);
 		x = x + (spoke_at(p, vx, m) - row[0]) / parts;
 		y = y + (spoke_at(p, vy, m) - row[1]) / parts;

@@ -54,6 +54,9 @@ INLINE HubSpan hub_span_of(const Pools* p, int n)
 	return span;
 }
 
+// in which turn of a pass hub number n is solved
+INLINE int hub_turn(int n) { return n % HUB_TURNS; }
+
 // places of spokes, padding included
 INLINE int spoke_places(const Pools* p)
 {
