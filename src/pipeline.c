@@ -248,6 +248,7 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 	if (step->bounces)
 		add_pass(list, c, bound, STAGE_bounce, HUB_REBOUND);
 	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
+	add(list, STAGE_guard, 0, world->bodies.used, COUNT(guarded), 0);
 	return list_run(world, step, list);
 }
 

@@ -54,7 +54,8 @@ typedef struct // the runs of a whole solve, to be launched in another form than
 	const Run* colors; // the first of a run a color
 	int color_count;
 	cl_int hubs;
-	int length; // runs
+	const Run* guard; // the last run
+	int length;       // runs
 } Solve;
 
 enum // kernels of tiles.cl that take all pools, in the order in which they are launched

@@ -46,6 +46,9 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 		case STAGE_finalize:
 			solve->bodies = runs[k].end;
 			solve->passes += 2 * solve->substeps;
+			break;
+		case STAGE_guard:
+			solve->guard = &runs[k];
 			solve->length = k + 1;
 			return solve->length;
 		}
@@ -87,7 +90,7 @@ int solve_length(OpenCl* d, const Run* runs, int count)
 	return 0;
 }
 
-// Moves what no constraint pushes, and finalizes all bodies.
+// Moves what no constraint pushes, and finalizes all bodies; then those that go far.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;
@@ -98,7 +101,8 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
 	size_t group = d->solve_end.group;
 	d->box = BOX_finalize;
-	return launch(d, kernel, groups_of(solve->bodies, group) * group, group);
+	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
+	return stage_run(d, solve->guard);
 }
 
 scree_status solve_run(OpenCl* d, const Run* runs, int count)

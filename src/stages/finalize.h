@@ -13,11 +13,24 @@ INLINE int finalize_finite(Vec v, float w, Vec d, float da)
 	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
 }
 
+// A body goes its way: its pose at the end of the step.
+INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
+{
+	Float4 pose = p->pose[i];
+	if (da != 0.0f)
+	{
+		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
+		float unit = 1.0f / square_root(vec_dot(q, q));
+		pose.z = unit * q.x;
+		pose.w = unit * q.y;
+	}
+	p->pose[i] = make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
+}
+
 STAGE(finalize)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
-	Float4 pose = p->pose[i];
 	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
 	float w = body->w, da = body->da;
 	if (!finalize_finite(v, w, d, da))
@@ -32,23 +45,13 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	if (body->inv_mass > 0.0f)
-	{
-		float share = guard(p, i, d, da);
-		d = vec_scale(share, d);
-		da = share * da;
-	}
+	if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
+		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = i;
+	else
+		finalize_pose(p, i, d, da);
 
 	// impulses of the last substep may have exceeded the limits
 	v = sweep_velocity(&p->step, v);
-	if (da != 0.0f)
-	{
-		Vec q = vec_turn(vec_rotation(da), vec(pose.z, pose.w));
-		float unit = 1.0f / square_root(vec_dot(q, q));
-		pose.z = unit * q.x;
-		pose.w = unit * q.y;
-	}
-	p->pose[i] = make_float4(within(pose.x + d.x, FINALIZE_EDGE), within(pose.y + d.y, FINALIZE_EDGE), pose.z, pose.w);
 	body->vx = v.x;
 	body->vy = v.y;
 	body->w = within(w, p->step.max_spin);
@@ -58,6 +61,15 @@ STAGE(finalize)
 		p->motion[i].fy = 0.0f;
 		p->motion[i].torque = 0.0f;
 	}
+}
+
+// Item i of the bodies that go far: as far as nothing static is in their way.
+STAGE(guard)
+{
+	int body = p->guard_list[i];
+	Vec d = vec(p->body[body].dx, p->body[body].dy);
+	float da = p->body[body].da, share = guard_body(p, body, d, da);
+	finalize_pose(p, body, vec_scale(share, d), share * da);
 }
 
 #endif
