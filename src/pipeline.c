@@ -77,6 +77,7 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 static void tree_order(RunList* list, const Tree* tree, int t, int count)
 {
 	tree_refit(list, tree, t, count);
+	add(list, STAGE_tree_root, 0, 1, count, t);
 	add(list, STAGE_tree_code, 0, tree->leaves, count, t);
 	add_sort(list, tree->leaves, count, 32, 64);
 	add(list, STAGE_tree_order, 0, tree->leaves, count, t);

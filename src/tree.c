@@ -14,7 +14,7 @@ int tree_nodes(int leaves)
 		leaves = (leaves + ARITY - 1) / ARITY;
 		nodes += padded(leaves);
 	}
-	return nodes;
+	return nodes + ARITY; // the root, behind the highest level
 }
 
 // where the tree lies in the pools, and its levels; the device is told what changed

@@ -80,7 +80,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 	box = box_grow(box_union(box, then), swing);
 	const GLOBAL Tree* tree = p->tree + 1;
 	float least = 1.0f;
-	TreeWalk walk = tree_walk(p, tree, box);
+	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
 	for (int j = tree_next(p, tree, box, &walk); j >= 0; j = tree_next(p, tree, box, &walk))
 		if (filter_accepts(p->filter[i], p->filter[j]))
 			least = minimum(least, guard_time(p, p->placed[j], placed, way, thickness));
