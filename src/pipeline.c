@@ -138,7 +138,6 @@ static void broad_phase(RunList* list, const Step* step)
 	add(list, STAGE_contact_free, 0, contacts, COUNT(search), 0);
 	add(list, STAGE_contact_begin, 0, 1, COUNT(pairs), 0);
 	add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
-	add(list, STAGE_contact_end, 0, 1, COUNT(pairs), 0);
 }
 
 static void narrow_phase(RunList* list, const Step* step)

@@ -107,7 +107,7 @@ INLINE float bits_float(int i)
 INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
 #define square_root(x)          __builtin_sqrtf(x)
 
-#define fetch_soon(place)       __builtin_prefetch(place)
+#define fetch_soon(place) __builtin_prefetch(place)
 
 INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }
 INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(place, x, __ATOMIC_RELAXED); }

@@ -140,9 +140,10 @@ INLINE Word hilbert_distance(Word x, Word y)
 // The box around all leaves, behind the nodes of the highest level. argument is the tree.
 STAGE(tree_root)
 {
-	GLOBAL Float4* top = p->node_box + p->tree[p->argument].begin[p->tree[p->argument].top];
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	GLOBAL Float4* top = p->node_box + tree->begin[tree->top];
 	Float4 box = box_empty();
-	for (int k = 0; k < ARITY; ++k)
+	for (int k = 0; k < tree->count[tree->top]; ++k)
 		box = box_union(box, top[k]);
 	top[ARITY] = box;
 	(void)i;
