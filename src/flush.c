@@ -368,7 +368,7 @@ static scree_status send_commands(scree_world* world, int most, char* memory)
 	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
 	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
 	Step step = {0};
-	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT};
+	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
 	return b->f->run(b, &step, &run, 1);
 }
 
