@@ -104,7 +104,7 @@ static scree_status transform(scree_world* world, const Step* step)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		if (!tree_wants_order(state))
+		if (!tree_wants_order(state, pipeline->jumps))
 		{
 			if (pipeline->jumps)
 				tree_settle(list, &state->tree, t);
@@ -462,7 +462,7 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	    traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces, step.round);
 	for (int t = 0; t < 2; ++t)
 	{
-		tree_count(&pipeline->trees[t], &pipeline->counters, t);
+		tree_count(&pipeline->trees[t], &pipeline->counters, t, pipeline->jumps);
 		status = pipeline->counters.order[t] ? tree_ordered(world, t) : SCREE_OK;
 		if (status)
 			return status;

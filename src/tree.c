@@ -4,6 +4,8 @@
 #include "world.h"
 #include <string.h>
 
+#define CHURN_STEPS 4
+
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
 int tree_nodes(int leaves)
@@ -138,17 +140,23 @@ scree_status tree_flush(scree_world* world)
 // every box a walk visits about 2 c nodes more, which add up to c * c a leaf. That is four changes of every box where
 // nothing jumps; neighbors on the curve are still near each other then. Eight won another 3 % of broad phase in scenes
 // that tumble, and would lose more where bodies fly.
-bool tree_wants_order(const TreeState* state)
+//
+// Where boxes jump, the device decides, for which it looks at all leaves. Where it decided so in the last step, they are put
+// in order without a look, but in every fourth step.
+bool tree_wants_order(const TreeState* state, bool jumps)
 {
+	if (jumps && state->churned % CHURN_STEPS != 0 && state->tree.leaves > ARITY)
+		return true;
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
 	return state->tree.leaves > ARITY && changes * changes + state->strayed / leaves > ORDER_VISITS;
 }
 
-void tree_count(TreeState* state, const Counters* counters, int t)
+void tree_count(TreeState* state, const Counters* counters, int t, bool jumps)
 {
 	if (t == 0)
 		state->unsorted += counters->moved;
 	state->strayed += (double)counters->moved * counters->strayed[t] / STRAY_UNIT;
+	state->churned = jumps && (counters->order[t] || state->churned % CHURN_STEPS != 0) ? state->churned + 1 : 0;
 }
 
 // does collidable k belong to tree t?

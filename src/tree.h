@@ -10,11 +10,11 @@ int tree_nodes(int leaves);
 // sends new leaves to the device
 scree_status tree_flush(scree_world* world);
 
-// whether the leaves of tree t are so far out of order that sorting them pays
-bool tree_wants_order(const TreeState* state);
+// whether the leaves of a tree are, or will be for boxes that jump, so far out of order that sorting them pays
+bool tree_wants_order(const TreeState* state, bool jumps);
 
-// after a step: what its walks visited in vain
-void tree_count(TreeState* state, const Counters* counters, int t);
+// after a step, in which boxes may have jumped: what its walks visited in vain
+void tree_count(TreeState* state, const Counters* counters, int t, bool jumps);
 
 // after the leaves were sorted: dead ones, which are last, are dropped
 scree_status tree_ordered(scree_world* world, int t);
