@@ -167,9 +167,12 @@ static scree_status destroy(scree_world* world, const char* function, const char
 			status = refuse(SCREE_STALE, at, "", "is in the batch a second time");
 		if (status == SCREE_OK)
 		{
-			world->host_bodies[index].marked = true;
-			collidables += world->host_bodies[index].collidables;
+			HostBody* host = world->host_bodies + index;
+			host->marked = true;
+			collidables += host->collidables;
 			++marked;
+			if (host->first_collidable >= 0)
+				fetch_soon(world->host_collidables + host->first_collidable);
 		}
 	}
 	for (int k = 0; k < marked; ++k)

@@ -104,10 +104,15 @@ static scree_status transform(scree_world* world, const Step* step)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		if (!tree_wants_order(state, pipeline->jumps))
+		state->ordered = false;
+		if (!tree_wants_order(state))
 		{
-			if (pipeline->jumps)
+			state->ordered = pipeline->jumps && tree_churns(state);
+			if (state->ordered)
+				tree_order(list, &state->tree, t, NO_COUNT);
+			else if (pipeline->jumps)
 				tree_settle(list, &state->tree, t);
+			state->touched = state->touched || state->ordered;
 			continue;
 		}
 		tree_order(list, &state->tree, t, NO_COUNT);
@@ -462,8 +467,9 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	    traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces, step.round);
 	for (int t = 0; t < 2; ++t)
 	{
-		tree_count(&pipeline->trees[t], &pipeline->counters, t, pipeline->jumps);
-		status = pipeline->counters.order[t] ? tree_ordered(world, t) : SCREE_OK;
+		tree_count(&pipeline->trees[t], &pipeline->counters, t);
+		bool ordered = pipeline->counters.order[t] || pipeline->trees[t].ordered;
+		status = ordered ? tree_ordered(world, t) : SCREE_OK;
 		if (status)
 			return status;
 	}

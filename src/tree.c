@@ -4,7 +4,12 @@
 #include "world.h"
 #include <string.h>
 
+// Whether boxes jump so far that the leaves must be put in order, the device says, which looks at all of them. Where it said
+// so, they are put in order in the next steps without a look; one step of so many asks again.
 #define CHURN_STEPS 4
+
+// so many collidables that left before they are looked at, they are fetched
+#define LEFT_SOON 8
 
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
@@ -140,23 +145,20 @@ scree_status tree_flush(scree_world* world)
 // every box a walk visits about 2 c nodes more, which add up to c * c a leaf. That is four changes of every box where
 // nothing jumps; neighbors on the curve are still near each other then. Eight won another 3 % of broad phase in scenes
 // that tumble, and would lose more where bodies fly.
-//
-// Where boxes jump, the device decides, for which it looks at all leaves. Where it decided so in the last step, they are put
-// in order without a look, but in every fourth step.
-bool tree_wants_order(const TreeState* state, bool jumps)
+bool tree_wants_order(const TreeState* state)
 {
-	if (jumps && state->churned % CHURN_STEPS != 0 && state->tree.leaves > ARITY)
-		return true;
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
 	return state->tree.leaves > ARITY && changes * changes + state->strayed / leaves > ORDER_VISITS;
 }
 
-void tree_count(TreeState* state, const Counters* counters, int t, bool jumps)
+bool tree_churns(const TreeState* state) { return state->tree.leaves > ARITY && state->churned % CHURN_STEPS != 0; }
+
+void tree_count(TreeState* state, const Counters* counters, int t)
 {
 	if (t == 0)
 		state->unsorted += counters->moved;
 	state->strayed += (double)counters->moved * counters->strayed[t] / STRAY_UNIT;
-	state->churned = jumps && (counters->order[t] || state->churned % CHURN_STEPS != 0) ? state->churned + 1 : 0;
+	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
 // does collidable k belong to tree t?
@@ -190,7 +192,11 @@ scree_status tree_ordered(scree_world* world, int t)
 	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)
 		drop(world, t, k);
 	for (int k = 0; k < state->left_count; ++k)
+	{
+		if (k + LEFT_SOON < state->left_count)
+			fetch_soon(world->host_collidables + state->left[k + LEFT_SOON]);
 		drop(world, t, state->left[k]);
+	}
 	state->left_count = 0;
 	state->shrunk = false;
 	return tree_layout(world, t);

@@ -10,11 +10,14 @@ int tree_nodes(int leaves);
 // sends new leaves to the device
 scree_status tree_flush(scree_world* world);
 
-// whether the leaves of a tree are, or will be for boxes that jump, so far out of order that sorting them pays
-bool tree_wants_order(const TreeState* state, bool jumps);
+// whether the leaves of a tree are so far out of order that sorting them pays
+bool tree_wants_order(const TreeState* state);
 
-// after a step, in which boxes may have jumped: what its walks visited in vain
-void tree_count(TreeState* state, const Counters* counters, int t, bool jumps);
+// whether boxes that jump in this step will put them so far out of order
+bool tree_churns(const TreeState* state);
+
+// after a step: what its walks visited in vain
+void tree_count(TreeState* state, const Counters* counters, int t);
 
 // after the leaves were sorted: dead ones, which are last, are dropped
 scree_status tree_ordered(scree_world* world, int t);
