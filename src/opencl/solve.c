@@ -22,7 +22,7 @@ enum
 
 static int solve_find(const Run* runs, int count, Solve* solve)
 {
-	*solve = (Solve){.passes = 1, .bound = runs->count}; // of all runs alike
+	*solve = (Solve){.passes = 1, .bound = runs->count}; // of all runs alike but that of guard
 	if (runs[0].stage != STAGE_solve_begin)
 		return 0;
 	for (int k = 0; k < count; ++k)
