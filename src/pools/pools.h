@@ -41,6 +41,9 @@
 
 #define HASH_SUMS 1024
 
+// A world of fewer collidables fits a CPU's second-level cache, and its rows are not fetched ahead.
+#define FETCH_COLLIDABLES 8192
+
 #define MAX_CORNERS 8 // of a core
 
 // contacts begin at this separation, so that they are in place before bodies meet: four times the slop

@@ -57,7 +57,8 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 WIDE_STAGE(narrow_phase_keep)
 {
 	int live = p->counters->live;
-	for (int k = i + KEEP_SOON; k < i + KEEP_SOON + LANES && k < live; ++k)
+	int soon = p->step.collidables < FETCH_COLLIDABLES ? 0 : i + KEEP_SOON + LANES;
+	for (int k = i + KEEP_SOON; k < soon && k < live; ++k)
 	{
 		Int2 pair = p->pair[k], bodies = p->contact_bodies[k];
 		fetch_soon(p->placed + (pair.x & ~(pair.x >> 31)));

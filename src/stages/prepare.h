@@ -57,7 +57,8 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 
 WIDE_STAGE(prepare)
 {
-	for (int k = i + PREPARE_SOON; k < i + PREPARE_SOON + LANES && k < p->counters->color_begin[COLORS + 1]; ++k)
+	int soon = p->step.collidables < FETCH_COLLIDABLES ? 0 : i + PREPARE_SOON + LANES;
+	for (int k = i + PREPARE_SOON; k < soon && k < p->counters->color_begin[COLORS + 1]; ++k)
 	{
 		int slot = p->constraint_contact[k];
 		Int2 pair = p->constraint_pair[k];

@@ -177,21 +177,8 @@ STAGE(tree_order)
 		p->counters->strayed[p->argument] = 0;
 }
 
-// Of the eight nodes of a level from first on, those that overlap a box: a bit each. What a walk will read of them is
-// fetched.
-INLINE Word64 tree_hits(const Pools* p, const GLOBAL Tree* tree, int level, int first, Float4 box)
-{
-	Word64 hits = (Word64)overlaps8(p->node_box + tree->begin[level] + first, box);
-	for (Word64 rest = hits; rest != 0; rest &= rest - (Word64)1)
-	{
-		int child = first + 63 - leading_zeros(rest & (~rest + (Word64)1));
-		if (level == 0)
-			fetch_soon(p->old_box + p->leaf[tree->leaf_begin + child]);
-		else
-			fetch_soon(p->node_box + tree->begin[level - 1] + ARITY * child);
-	}
-	return hits;
-}
+// bit k is set when the box overlaps child k of the eight from first on
+INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
 // of the eight nodes of a level from first on, those that have leaves from leaf from up to, not including, end: a bit each
 INLINE Word64 tree_span(int level, int first, int from, int end)
@@ -220,7 +207,7 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	walk.from = from;
 	walk.end = end;
 	walk.nodes = nodes;
-	walk.masks = tree_hits(p, tree, walk.level, 0, box);
+	walk.masks = tree_hits(p, tree->begin[walk.level], box);
 	if (end)
 		walk.masks &= tree_span(walk.level, 0, from, end);
 	walk.masks = walk.masks << (8 * walk.level);
@@ -252,7 +239,7 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 		walk->first = ARITY * child;
 		if (--walk->level == 0 && --walk->nodes < 0)
 			return TREE_LEFT;
-		Word64 hits = tree_hits(p, tree, walk->level, walk->first, box);
+		Word64 hits = tree_hits(p, tree->begin[walk->level] + walk->first, box);
 		if (walk->end)
 			hits &= tree_span(walk->level, walk->first, walk->from, walk->end);
 		walk->masks |= hits << (8 * walk->level);
