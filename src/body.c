@@ -42,10 +42,28 @@ static bool has_attribute(const scree_body_def* def)
 	return def->attribute.index != 0 || def->attribute.generation != 0;
 }
 
-// Checks a definition and makes of it what the host and the device keep.
-static scree_status check_def(const scree_world* world, Where at, const scree_body_def* def, HostBody* host,
-                              BodyRow* row, HostCollidable* collidable)
+static scree_status check_def(const scree_world* world, Where at, const scree_body_def* def)
 {
+	int attribute = 0;
+	scree_pose pose = def->pose;
+	TRY(check_cookie(at, def->cookie, COOKIE_BODY, "scree_default_body_def"));
+	TRY(check_type(at, ".type", def->type));
+	TRY(check_pose(at, ".pose", &pose));
+	TRY(check_velocity(at, ".velocity", def->velocity));
+	TRY(check_real(at, ".gravity_scale", def->gravity_scale, -FLT_MAX, FLT_MAX));
+	TRY(check_real(at, ".linear_damping", def->linear_damping, 0.0f, FLT_MAX));
+	TRY(check_real(at, ".angular_damping", def->angular_damping, 0.0f, FLT_MAX));
+	TRY(check_locks(at, ".locks", def->locks));
+	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
+}
+
+// A body by a definition that has been checked; slot is that of its collidable, if it has one.
+static int put(scree_world* world, Where at, const scree_body_def* def, int slot)
+{
+	int index = slots_take(&world->bodies);
+	bool moves = def->type == SCREE_DYNAMIC;
+	world->dynamic_bodies += moves;
+	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
 	                   .locks = def->locks,
 	                   .gravity_scale = def->gravity_scale,
@@ -53,21 +71,29 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 	                   .angular_damping = def->angular_damping,
 	                   .first_collidable = -1,
 	                   .last_collidable = -1,
-	                   .user = def->user};
-	*row = (BodyRow){.pose = def->pose, .velocity = body_velocity_allowed(host, def->velocity), .locks = def->locks};
-	*collidable = (HostCollidable){.pose.rotation.c = 1.0f, .filter = def->filter};
-
-	TRY(check_cookie(at, def->cookie, COOKIE_BODY, "scree_default_body_def"));
-	TRY(check_type(at, ".type", def->type));
-	TRY(check_pose(at, ".pose", &row->pose));
-	TRY(check_velocity(at, ".velocity", def->velocity));
-	TRY(check_real(at, ".gravity_scale", def->gravity_scale, -FLT_MAX, FLT_MAX));
-	TRY(check_real(at, ".linear_damping", def->linear_damping, 0.0f, FLT_MAX));
-	TRY(check_real(at, ".angular_damping", def->angular_damping, 0.0f, FLT_MAX));
-	TRY(check_locks(at, ".locks", def->locks));
+	                   .user = def->user,
+	                   .waiting = host->waiting};
 	if (has_attribute(def))
-		TRY(check_attribute(world, at, ".attribute", def->attribute, &collidable->attribute));
-	return SCREE_OK;
+	{
+		HostCollidable made = {.body = index, .pose.rotation.c = 1.0f, .filter = def->filter};
+		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
+		collidable_put(world, slot, &made);
+	}
+	host->mass = mass_of_body(world, index);
+
+	scree_pose pose = def->pose;
+	check_pose(at, ".pose", &pose); // takes rounding out
+	pending_body(world, (BodyRow){.index = index,
+	                              .pose = pose,
+	                              .center = host->mass.center,
+	                              .velocity = body_velocity_allowed(host, def->velocity),
+	                              .inv_mass = mass_inverse(host),
+	                              .inv_inertia = mass_inverse_inertia(host),
+	                              .gravity_scale = moves ? def->gravity_scale : 0.0f,
+	                              .linear_damping = moves ? def->linear_damping : 0.0f,
+	                              .angular_damping = moves ? def->angular_damping : 0.0f,
+	                              .locks = def->locks});
+	return index;
 }
 
 static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
@@ -87,13 +113,10 @@ static scree_status create(scree_world* world, const char* function, const char*
 {
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, defs, count));
-	HostBody host;
-	BodyRow row;
-	HostCollidable made;
 	int collidables = 0;
 	for (int k = 0; k < count; ++k)
 	{
-		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs + k, &host, &row, &made));
+		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs + k));
 		collidables += has_attribute(defs + k);
 	}
 	TRY(reserve(world, function, count, collidables));
@@ -109,28 +132,8 @@ static scree_status create(scree_world* world, const char* function, const char*
 
 	for (int k = 0, next = 0; k < count; ++k)
 	{
-		check_def(world, (Where){function, argument, k}, defs + k, &host, &row, &made);
-		int index = slots_take(&world->bodies);
-		host.waiting = world->host_bodies[index].waiting;
-		world->host_bodies[index] = host;
-		if (has_attribute(defs + k))
-		{
-			made.body = index;
-			collidable_put(world, slots[next++], &made);
-		}
-
-		HostBody* kept = world->host_bodies + index;
-		kept->mass = mass_of_body(world, index);
-		bool moves = host.type == SCREE_DYNAMIC;
-		world->dynamic_bodies += moves;
-		row.index = index;
-		row.center = kept->mass.center;
-		row.inv_mass = mass_inverse(kept);
-		row.inv_inertia = mass_inverse_inertia(kept);
-		row.gravity_scale = moves ? host.gravity_scale : 0.0f;
-		row.linear_damping = moves ? host.linear_damping : 0.0f;
-		row.angular_damping = moves ? host.angular_damping : 0.0f;
-		pending_body(world, row);
+		int slot = has_attribute(defs + k) ? slots[next++] : -1;
+		int index = put(world, (Where){function, argument, k}, defs + k, slot);
 		if (bodies)
 			bodies[k] = body_handle(world, index);
 	}
@@ -164,9 +167,12 @@ static scree_status destroy(scree_world* world, const char* function, const char
 			status = refuse(SCREE_STALE, at, "", "is in the batch a second time");
 		if (status == SCREE_OK)
 		{
-			world->host_bodies[index].marked = true;
-			collidables += world->host_bodies[index].collidables;
+			HostBody* host = world->host_bodies + index;
+			host->marked = true;
+			collidables += host->collidables;
 			++marked;
+			if (host->first_collidable >= 0)
+				fetch_soon(world->host_collidables + host->first_collidable);
 		}
 	}
 	for (int k = 0; k < marked; ++k)

@@ -3,7 +3,6 @@
 // commands, grouped by the item that they change.
 #include "geometry.h"
 #include "world.h"
-#include <stdlib.h>
 #include <string.h>
 
 // A shorter run of rows travels as commands: on a GPU a transfer costs as much as some hundred commands.
@@ -11,6 +10,11 @@
 
 #define BODY_COMMANDS       5 // that make up one row
 #define COLLIDABLE_COMMANDS 3
+
+static scree_status no_memory(size_t bytes)
+{
+	return fail(SCREE_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
+}
 
 static Float4 pose_value(scree_pose pose)
 {
@@ -21,36 +25,89 @@ static Float4 pose_value(scree_pose pose)
 // rows in the order of their slots
 // ---------------------------------------------------------------------------------------------------------------
 
-static int compare_bodies(const void* a, const void* b)
+#define DIGIT_BITS 8
+#define DIGITS     (1 << DIGIT_BITS)
+
+typedef struct // a row on its way to the place of its slot
 {
-	int x = ((const BodyRow*)a)->index, y = ((const BodyRow*)b)->index;
-	return (x > y) - (x < y);
+	uint32_t index, row;
+} Place;
+
+// Sorts places by their index, of which bits are set: by one digit after the other. other has room for as many.
+static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
+{
+	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)
+	{
+		int begins[DIGITS] = {0}, sum = 0;
+		for (int k = 0; k < count; ++k)
+			++begins[places[k].index >> shift & (DIGITS - 1)];
+		for (int digit = 0; digit < DIGITS; ++digit)
+		{
+			int size = begins[digit];
+			begins[digit] = sum;
+			sum += size;
+		}
+		for (int k = 0; k < count; ++k)
+			other[begins[places[k].index >> shift & (DIGITS - 1)]++] = places[k];
+		Place* sorted = other;
+		other = places;
+		places = sorted;
+	}
+	return places;
 }
 
-static int compare_collidables(const void* a, const void* b)
+// The index with which row k of so many bytes begins.
+static uint32_t row_index(const void* rows, size_t bytes, int k)
 {
-	int x = ((const CollidableRow*)a)->index, y = ((const CollidableRow*)b)->index;
-	return (x > y) - (x < y);
+	uint32_t index;
+	memcpy(&index, (const char*)rows + (size_t)k * bytes, sizeof index);
+	return index;
 }
 
-static void sort_rows(scree_world* world)
+// Memory to sort rows in, which begin with their index; 0 where they are sorted, as those of a new world are.
+static size_t sort_bytes(const void* rows, int count, size_t bytes)
+{
+	int k = 1;
+	while (k < count && row_index(rows, bytes, k - 1) < row_index(rows, bytes, k))
+		++k;
+	return k < count ? (size_t)count * (2 * sizeof(Place) + bytes) : 0;
+}
+
+static void sort_rows(void* rows, int count, size_t bytes, char* memory)
+{
+	if (sort_bytes(rows, count, bytes) == 0)
+		return;
+	Place *places = (Place*)memory, *other = places + count;
+	char *to = rows, *from = (char*)(other + count);
+	uint32_t bits = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		places[k] = (Place){row_index(rows, bytes, k), (uint32_t)k};
+		bits |= places[k].index;
+	}
+	memcpy(from, rows, (size_t)count * bytes);
+	places = sort_places(places, other, count, bits);
+	for (int k = 0; k < count; ++k)
+		memcpy(to + (size_t)k * bytes, from + places[k].row * bytes, bytes);
+}
+
+// Both lists of rows.
+static scree_status sort_pending(scree_world* world)
 {
 	Pending* p = &world->pending;
-	int k = 1;
-	while (k < p->body_count && p->bodies[k - 1].index < p->bodies[k].index)
-		++k;
-	if (k < p->body_count)
-		qsort(p->bodies, (size_t)p->body_count, sizeof *p->bodies, compare_bodies);
-	for (k = 0; k < p->body_count; ++k)
+	size_t bodies = sort_bytes(p->bodies, p->body_count, sizeof *p->bodies),
+	       collidables = sort_bytes(p->collidables, p->collidable_count, sizeof *p->collidables);
+	size_t bytes = 1 + (bodies > collidables ? bodies : collidables);
+	char* memory = world_scratch(world, bytes);
+	if (!memory)
+		return no_memory(bytes);
+	sort_rows(p->bodies, p->body_count, sizeof *p->bodies, memory);
+	for (int k = 0; k < p->body_count; ++k)
 		world->host_bodies[p->bodies[k].index].waiting.row = k + 1;
-
-	k = 1;
-	while (k < p->collidable_count && p->collidables[k - 1].index < p->collidables[k].index)
-		++k;
-	if (k < p->collidable_count)
-		qsort(p->collidables, (size_t)p->collidable_count, sizeof *p->collidables, compare_collidables);
-	for (k = 0; k < p->collidable_count; ++k)
+	sort_rows(p->collidables, p->collidable_count, sizeof *p->collidables, memory);
+	for (int k = 0; k < p->collidable_count; ++k)
 		world->host_collidables[p->collidables[k].index].waiting.row = k + 1;
+	return SCREE_OK;
 }
 
 // The ends of the runs of neighboring slots that begin at row k.
@@ -368,7 +425,7 @@ static scree_status send_commands(scree_world* world, int most, char* memory)
 	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
 	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
 	Step step = {0};
-	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT};
+	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
 	return b->f->run(b, &step, &run, 1);
 }
 
@@ -381,7 +438,7 @@ static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 static scree_status flush(scree_world* world)
 {
 	Pending* p = &world->pending;
-	sort_rows(world);
+	TRY(sort_pending(world));
 	int body_rows = 0, collidable_rows = 0, commands = p->command_count;
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
@@ -411,7 +468,7 @@ static scree_status flush(scree_world* world)
 	bytes = larger(bytes, (size_t)commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
 	char* memory = world_scratch(world, bytes);
 	if (!memory)
-		return fail(SCREE_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
+		return no_memory(bytes);
 
 	world->pipeline.jumps |= places(p);
 	TRY(write_attributes(world, memory));

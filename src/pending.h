@@ -8,7 +8,7 @@
 #include "pools/pools.h"
 #include "scree/scree.h"
 
-typedef struct // the row of a body; all zero but the rotation for one that is destroyed
+typedef struct // the row of a body, sorted by index; all zero but the rotation for one that is destroyed
 {
 	int index;
 	int since;       // commands before this one belong to what the slot held before
@@ -20,7 +20,7 @@ typedef struct // the row of a body; all zero but the rotation for one that is d
 	uint32_t locks;
 } BodyRow;
 
-typedef struct // the row of a collidable
+typedef struct // the row of a collidable, the same
 {
 	int index;
 	int since;

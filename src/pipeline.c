@@ -77,6 +77,7 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 static void tree_order(RunList* list, const Tree* tree, int t, int count)
 {
 	tree_refit(list, tree, t, count);
+	add(list, STAGE_tree_root, 0, 1, count, t);
 	add(list, STAGE_tree_code, 0, tree->leaves, count, t);
 	add_sort(list, tree->leaves, count, 32, 64);
 	add(list, STAGE_tree_order, 0, tree->leaves, count, t);
@@ -103,10 +104,15 @@ static scree_status transform(scree_world* world, const Step* step)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
+		state->ordered = false;
 		if (!tree_wants_order(state))
 		{
-			if (pipeline->jumps)
+			state->ordered = pipeline->jumps && tree_churns(state);
+			if (state->ordered)
+				tree_order(list, &state->tree, t, NO_COUNT);
+			else if (pipeline->jumps)
 				tree_settle(list, &state->tree, t);
+			state->touched = state->touched || state->ordered;
 			continue;
 		}
 		tree_order(list, &state->tree, t, NO_COUNT);
@@ -137,7 +143,6 @@ static void broad_phase(RunList* list, const Step* step)
 	add(list, STAGE_contact_free, 0, contacts, COUNT(search), 0);
 	add(list, STAGE_contact_begin, 0, 1, COUNT(pairs), 0);
 	add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
-	add(list, STAGE_contact_end, 0, 1, COUNT(pairs), 0);
 }
 
 static void narrow_phase(RunList* list, const Step* step)
@@ -250,6 +255,7 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 	if (step->bounces)
 		add_pass(list, c, bound, STAGE_bounce, HUB_REBOUND);
 	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
+	add(list, STAGE_guard, 0, world->bodies.used, COUNT(guarded), 0);
 	return list_run(world, step, list);
 }
 
@@ -464,7 +470,8 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	for (int t = 0; t < 2; ++t)
 	{
 		tree_count(&pipeline->trees[t], &pipeline->counters, t);
-		status = pipeline->counters.order[t] ? tree_ordered(world, t) : SCREE_OK;
+		bool ordered = pipeline->counters.order[t] || pipeline->trees[t].ordered;
+		status = ordered ? tree_ordered(world, t) : SCREE_OK;
 		if (status)
 			return status;
 	}

@@ -11,6 +11,8 @@ typedef struct // host side of one tree of the broad phase; src/tree.c
 	int added_count, added_capacity;
 	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
 	double strayed;   // nodes visited in vain since then because of boxes that jumped
+	int churned;      // steps in a row in which boxes jumped so far that the leaves were put in order
+	bool ordered;     // the step at work puts the leaves in order because boxes will have jumped
 	bool touched;     // some box of this tree changed by the user's doing
 	int* left; // collidables that were destroyed or went to the other tree since the leaves were last put in order
 	int left_count, left_capacity;

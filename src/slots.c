@@ -3,6 +3,8 @@
 #include "slots.h"
 #include "error.h"
 
+#define WORD 64
+
 bool slots_reserve(Slots* slots, int more)
 {
 	int needed = slots->used + (more > slots->free_count ? more - slots->free_count : 0);
@@ -11,16 +13,21 @@ bool slots_reserve(Slots* slots, int more)
 	int capacity = slots->capacity + slots->capacity / 2;
 	capacity = capacity < needed ? needed : capacity;
 
-	// an array that has grown when the other could not is no harm: capacity still tells the truth
-	size_t old = (size_t)slots->capacity, bytes = (size_t)capacity * sizeof(uint32_t);
-	uint32_t* generation = scree_reallocate(slots->generation, old * sizeof(uint32_t), bytes);
+	// an array that has grown when another could not is no harm: capacity still tells the truth
+	size_t old = (size_t)slots->capacity, now = (size_t)capacity;
+	uint32_t* generation = scree_reallocate(slots->generation, old * sizeof(uint32_t), now * sizeof(uint32_t));
 	if (!generation)
 		return false;
 	slots->generation = generation;
-	int* heap = scree_reallocate(slots->free, old * sizeof(int), (size_t)capacity * sizeof(int));
-	if (!heap)
-		return false;
-	slots->free = heap;
+	for (int level = 0; level < SLOT_LEVELS; ++level)
+	{
+		old = (old + WORD - 1) / WORD;
+		now = (now + WORD - 1) / WORD;
+		uint64_t* words = scree_reallocate(slots->free[level], old * sizeof(uint64_t), now * sizeof(uint64_t));
+		if (!words)
+			return false;
+		slots->free[level] = words;
+	}
 	slots->capacity = capacity;
 	return true;
 }
@@ -28,32 +35,36 @@ bool slots_reserve(Slots* slots, int more)
 void slots_close(Slots* slots)
 {
 	scree_release(slots->generation);
-	scree_release(slots->free);
+	for (int level = 0; level < SLOT_LEVELS; ++level)
+		scree_release(slots->free[level]);
 }
 
 static void push(Slots* slots, int slot)
 {
-	int* heap = slots->free;
-	int at = slots->free_count++;
-	for (; at > 0 && heap[(at - 1) / 2] > slot; at = (at - 1) / 2)
-		heap[at] = heap[(at - 1) / 2];
-	heap[at] = slot;
+	++slots->free_count;
+	for (int level = 0; level < SLOT_LEVELS; ++level, slot /= WORD)
+	{
+		uint64_t* word = &slots->free[level][slot / WORD];
+		bool known = *word != 0;
+		*word |= (uint64_t)1 << slot % WORD;
+		if (known)
+			return;
+	}
 }
 
 static int pop(Slots* slots)
 {
-	int* heap = slots->free;
-	int lowest = heap[0], last = heap[--slots->free_count], at = 0;
-	for (int child = 1; child < slots->free_count; child = 2 * at + 1)
+	--slots->free_count;
+	int lowest = 0;
+	for (int level = SLOT_LEVELS - 1; level >= 0; --level)
+		lowest = WORD * lowest + __builtin_ctzll(slots->free[level][lowest]);
+	for (int level = 0, slot = lowest; level < SLOT_LEVELS; ++level, slot /= WORD)
 	{
-		if (child + 1 < slots->free_count && heap[child + 1] < heap[child])
-			++child;
-		if (heap[child] >= last)
+		uint64_t* word = &slots->free[level][slot / WORD];
+		*word &= ~((uint64_t)1 << slot % WORD);
+		if (*word != 0)
 			break;
-		heap[at] = heap[child];
-		at = child;
 	}
-	heap[at] = last;
 	return lowest;
 }
 

@@ -5,10 +5,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define SLOT_LEVELS 5 // of words of 64 bits: enough for 2^30 slots
+
 typedef struct
 {
 	uint32_t* generation; // of each slot; odd while the slot is in use
-	int* free;            // free slots below used, a heap with the lowest on top
+	// Level 0 has a bit for each slot that is free and below used; every other level has one for each word of the level
+	// below that is not zero.
+	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
 } Slots;
 

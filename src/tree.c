@@ -4,6 +4,13 @@
 #include "world.h"
 #include <string.h>
 
+// Whether boxes jump so far that the leaves must be put in order, the device says, which looks at all of them. Where it said
+// so, they are put in order in the next steps without a look; one step of so many asks again.
+#define CHURN_STEPS 4
+
+// so many collidables that left before they are looked at, they are fetched
+#define LEFT_SOON 8
+
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
 int tree_nodes(int leaves)
@@ -14,7 +21,7 @@ int tree_nodes(int leaves)
 		leaves = (leaves + ARITY - 1) / ARITY;
 		nodes += padded(leaves);
 	}
-	return nodes;
+	return nodes + ARITY; // the root, behind the highest level
 }
 
 // where the tree lies in the pools, and its levels; the device is told what changed
@@ -144,11 +151,14 @@ bool tree_wants_order(const TreeState* state)
 	return state->tree.leaves > ARITY && changes * changes + state->strayed / leaves > ORDER_VISITS;
 }
 
+bool tree_churns(const TreeState* state) { return state->tree.leaves > ARITY && state->churned % CHURN_STEPS != 0; }
+
 void tree_count(TreeState* state, const Counters* counters, int t)
 {
 	if (t == 0)
 		state->unsorted += counters->moved;
 	state->strayed += (double)counters->moved * counters->strayed[t] / STRAY_UNIT;
+	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
 // does collidable k belong to tree t?
@@ -182,7 +192,11 @@ scree_status tree_ordered(scree_world* world, int t)
 	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)
 		drop(world, t, k);
 	for (int k = 0; k < state->left_count; ++k)
+	{
+		if (k + LEFT_SOON < state->left_count)
+			fetch_soon(world->host_collidables + state->left[k + LEFT_SOON]);
 		drop(world, t, state->left[k]);
+	}
 	state->left_count = 0;
 	state->shrunk = false;
 	return tree_layout(world, t);

@@ -10,8 +10,11 @@ int tree_nodes(int leaves);
 // sends new leaves to the device
 scree_status tree_flush(scree_world* world);
 
-// whether the leaves of tree t are so far out of order that sorting them pays
+// whether the leaves of a tree are so far out of order that sorting them pays
 bool tree_wants_order(const TreeState* state);
+
+// whether boxes that jump in this step will put them so far out of order
+bool tree_churns(const TreeState* state);
 
 // after a step: what its walks visited in vain
 void tree_count(TreeState* state, const Counters* counters, int t);

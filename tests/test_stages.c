@@ -101,6 +101,7 @@ static void check_curve(Backend* b, float corner_x, float corner_y, float spacin
 	put(b, POOL_tree, 1, &tree);
 	put(b, POOL_node_box, count + 1, boxes);
 	put(b, POOL_leaf, count, leaves);
+	run_one(b, &(Step){0}, STAGE_tree_root, 1, NO_COUNT, 0);
 	run_one(b, &(Step){0}, STAGE_tree_code, count, NO_COUNT, 0);
 	run_sort(b, count, 32, 64);
 	run_one(b, &(Step){0}, STAGE_tree_order, count, NO_COUNT, 0);
@@ -623,7 +624,6 @@ static void slots_are_lowest_first(void** state)
 			run_one(b, &step, STAGE_contact_free, room, COUNT(search), 0);
 			run_one(b, &step, STAGE_contact_begin, 1, NO_COUNT, 0);
 			run_one(b, &step, STAGE_contact_create, room, COUNT(created), 0);
-			run_one(b, &step, STAGE_contact_end, 1, NO_COUNT, 0);
 			get(b, POOL_counters, 1, &counters);
 			get(b, POOL_pair, 9, pairs);
 

@@ -25,6 +25,11 @@
 // fewest keys worth a group of their own
 #define SORT_GRAIN 512
 
+// In the persistent kernel up to so many keys are sorted at once: as many as fit where a pass has its masks. Work-items that
+// count for a key.
+#define SORT_FEW  2048
+#define SORT_TEAM 32
+
 #define SCAN_BLOCKS 512
 // a work-item takes this many neighbours at a time
 #define SCAN_ITEMS 4

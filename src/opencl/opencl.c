@@ -28,6 +28,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		held_close(d);
+		pinned_close(d, &d->staging);
 		shared_close(d);
 		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
@@ -40,7 +41,6 @@ static void opencl_close(Backend* b)
 		if (d->context)
 			opencl.ReleaseContext(d->context);
 		scree_release(d->laps);
-		scree_release(d->staging);
 		scree_release(d);
 	}
 	scree_release(b);
@@ -174,14 +174,14 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	b->memory = d->device.about.memory;
 	b->walkers = d->device.about.units * STAGE_GROUP;
 	b->walk_nodes = WALK_NODES;
-	TRY(staging_open(d, options->timings));
 
 	TRY(context_open(d, options->opengl));
 	cl_int error;
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(held_open(d));
+	TRY(pinned_open(d, HELD_BYTES, &d->held));
+	TRY(staging_open(d, options->timings));
 	solve_open(d);
 	d->together = persistent_wanted(d);
 	TRY(program_build(d->context, &d->device, d->together ? " -DTOGETHER" : "", opencl_program, opencl_program_length,

@@ -38,6 +38,12 @@ typedef struct // a buffer that is no pool: what it holds is lost when it grows
 	size_t bytes;
 } Scratch;
 
+typedef struct // of the host, that a device can read and write while the host works
+{
+	cl_mem buffer;
+	unsigned char* memory;
+} Pinned;
+
 // hands memory over between OpenCL and others: clEnqueueAcquire... and clEnqueueRelease... have one form
 typedef cl_int(CL_API_CALL* Handover)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*, cl_event*);
 
@@ -54,7 +60,8 @@ typedef struct // the runs of a whole solve, to be launched in another form than
 	const Run* colors; // the first of a run a color
 	int color_count;
 	cl_int hubs;
-	int length; // runs
+	const Run* guard; // the last run
+	int length;       // runs
 } Solve;
 
 enum // kernels of tiles.cl that take all pools, in the order in which they are launched
@@ -157,9 +164,8 @@ typedef struct
 	// share.c
 	Shared shared;
 
-	// what read_begin copies, in memory that a device can write while the host works
-	cl_mem held_buffer;
-	void* held;
+	// what read_begin copies
+	Pinned held;
 	size_t held_bytes, held_staged;
 	cl_event held_event;
 
@@ -167,8 +173,8 @@ typedef struct
 	cl_mem copies[2];
 	size_t copy_bytes;
 
-	// data on its way to the device: the driver may still read it until the queue has been waited for
-	unsigned char* staging;
+	// data on its way to the device, which may still read it until the queue has been waited for
+	Pinned staging;
 	size_t staged;
 
 	// milliseconds by box; laps is null unless BackendOptions.timings
@@ -180,6 +186,9 @@ typedef struct
 
 // Makes room for uploads, and for laps when timings are asked for.
 scree_status staging_open(OpenCl* d, bool timings);
+
+scree_status pinned_open(OpenCl* d, size_t bytes, Pinned* pinned);
+void pinned_close(OpenCl* d, Pinned* pinned);
 
 // groups of so many work-items for so many items, at least one
 static inline size_t groups_of(int items, size_t group) { return items > 0 ? ((size_t)items + group - 1) / group : 1; }
@@ -264,7 +273,6 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory);
 scree_status opencl_show(Backend* b, const Run* run);
 
 // a transfer from the device in two halves; src/backend.h
-scree_status held_open(OpenCl* d);
 void held_close(OpenCl* d);
 scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count);
 scree_status opencl_read_end(Backend* b, void* items);

@@ -43,7 +43,7 @@ INLINE uint group_scan(__local uint* sum, uint x)
 	return all - x;
 }
 
-typedef struct // local memory of a group
+typedef struct __attribute__((aligned(8))) // local memory of a group; member lies behind 1 KiB
 {
 	uint sum[PRIMITIVE_GROUP];
 	uint member[2][SORT_WORDS][SORT_DIGITS];
@@ -118,6 +118,37 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 		side ^= 1;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Puts few keys where they belong by bits from to end, those of equal bits in the order they had: each behind as many as
+// are smaller. All groups keep all keys, SORT_TEAM work-items count for one.
+INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
+                     __local Bench* bench)
+{
+	const uint teams = PRIMITIVE_GROUP / SORT_TEAM;
+	uint t = (uint)get_local_id(0), team = t / SORT_TEAM, member = t % SORT_TEAM;
+	__local Word64* keys = (__local Word64*)bench->member;
+	int left = 64 - end;
+	for (uint i = t; i < n; i += PRIMITIVE_GROUP)
+		keys[i] = key[i] << left >> (left + from);
+	for (uint first = (uint)get_group_id(0) * teams; first < n; first += (uint)get_num_groups(0) * teams)
+	{
+		uint k = first + team, before = 0;
+		if (t < teams)
+			bench->sum[t] = 0;
+		barrier(CLK_LOCAL_MEM_FENCE);
+		if (k < n)
+		{
+			Word64 mine = keys[k];
+			for (uint j = member; j < n; j += SORT_TEAM)
+				before += keys[j] < mine || (keys[j] == mine && j < k);
+			atomic_add(&bench->sum[team], before);
+		}
+		barrier(CLK_LOCAL_MEM_FENCE);
+		if (member == 0 && k < n)
+			key_other[bench->sum[team]] = key[k];
+		barrier(CLK_LOCAL_MEM_FENCE);
+	}
 }
 
 // The sum of a part.

@@ -8,6 +8,9 @@
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
 
+// groups of guard a compute unit
+#define GUARD_GROUPS 16
+
 // arguments of solve_end behind the step
 enum
 {
@@ -19,7 +22,7 @@ enum
 
 static int solve_find(const Run* runs, int count, Solve* solve)
 {
-	*solve = (Solve){.passes = 1, .bound = runs->count}; // of all runs alike
+	*solve = (Solve){.passes = 1, .bound = runs->count}; // of all runs alike but that of guard
 	if (runs[0].stage != STAGE_solve_begin)
 		return 0;
 	for (int k = 0; k < count; ++k)
@@ -48,6 +51,9 @@ static int solve_find(const Run* runs, int count, Solve* solve)
 		case STAGE_finalize:
 			solve->bodies = runs[k].end;
 			solve->passes += 2 * solve->substeps;
+			break;
+		case STAGE_guard:
+			solve->guard = &runs[k];
 			solve->length = k + 1;
 			return solve->length;
 		}
@@ -89,7 +95,17 @@ int solve_length(OpenCl* d, const Run* runs, int count)
 	return 0;
 }
 
-// Moves what no constraint pushes, and finalizes all bodies.
+// The stage guard, whose items are few as a rule: groups that fill the device, and no more to find that out.
+static scree_status guard_run(OpenCl* d, const Run* run)
+{
+	Kernel* kernel = &d->stages[STAGE_guard];
+	TRY(kernel_step(d, kernel));
+	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_RUN, sizeof *run, run));
+	size_t groups = groups_of(run->end, kernel->group), most = (size_t)d->device.about.units * GUARD_GROUPS;
+	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
+}
+
+// Moves what no constraint pushes, and finalizes all bodies; then those that go far.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;
@@ -100,7 +116,8 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
 	size_t group = d->solve_end.group;
 	d->box = BOX_finalize;
-	return launch(d, kernel, groups_of(solve->bodies, group) * group, group);
+	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
+	return guard_run(d, solve->guard);
 }
 
 scree_status solve_run(OpenCl* d, const Run* runs, int count)

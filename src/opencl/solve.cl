@@ -304,7 +304,7 @@ INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
 		runner_relax(p, i, u);
 }
 
-// What no constraint pushed moves alone, and all bodies are finalized.
+// What no constraint pushed moves alone, and all bodies are finalized but for what guard does.
 __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};

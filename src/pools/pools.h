@@ -47,6 +47,9 @@
 
 #define HASH_SUMS 1024
 
+// A world of fewer collidables fits a CPU's second-level cache, and its rows are not fetched ahead.
+#define FETCH_COLLIDABLES 8192
+
 #define MAX_CORNERS 8 // of a core
 
 // contacts begin at this separation, so that they are in place before bodies meet: four times the slop
@@ -296,6 +299,7 @@ typedef struct
 	int penetration;     // bits of the deepest overlap, m
 	int nonfinite;       // bodies frozen because their state was not finite
 	int first_nonfinite; // lowest index of these
+	int guarded;         // bodies that went so far that guard looks at their way
 	int held;            // bodies that stopped before something static; guard
 	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;

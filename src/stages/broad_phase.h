@@ -29,10 +29,8 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i, in rising order: those from leaf from up to, not
-// including, end, or, with end 0, all. masks holds, 8 bits a level, which of the eight siblings on the current path are
-// still to be visited. A walk visits so many nodes over leaves, at least one, and returns the leaf at which it has to go
-// on, or 0 when it is done.
+// Visits the leaves of tree t that overlap the box of collidable i: those from leaf from up to, not including, end, or,
+// with end 0, all. Returns the leaf at which the walk has to go on after so many nodes over leaves, or 0 when it is done.
 INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -40,40 +38,14 @@ INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int
 	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
 		return 0;
 	Float4 box = p->box[i];
-	int level = tree->top, first = 0;
-	Word64 masks = tree_hits(p, tree->begin[level], box);
-	if (end)
-		masks &= tree_span(level, 0, from, end);
-	masks = masks << (8 * level);
+	TreeWalk walk = tree_walk(p, tree, box, from, end, nodes);
 	for (;;)
 	{
-		Word64 siblings = masks >> (8 * level) & (Word64)255;
-		if (siblings == 0)
-		{
-			if (level == tree->top)
-				return 0;
-			++level;
-			first = first / ARITY & ~(ARITY - 1);
-			continue;
-		}
-		Word64 lowest = siblings & (~siblings + (Word64)1);
-		int child = first + 63 - leading_zeros(lowest);
-		masks ^= lowest << (8 * level);
-		if (level == 0)
-		{
-			if (!broad_phase_leaf(p, i, p->leaf[tree->leaf_begin + child]))
-				return 0;
-		}
-		else
-		{
-			first = ARITY * child;
-			if (--level == 0 && --nodes < 0)
-				return first;
-			Word64 hits = tree_hits(p, tree->begin[level] + first, box);
-			if (end)
-				hits &= tree_span(level, first, from, end);
-			masks |= hits << (8 * level);
-		}
+		int j = tree_next(p, tree, box, &walk);
+		if (j == TREE_LEFT)
+			return walk.first;
+		if (j == TREE_DONE || !broad_phase_leaf(p, i, j))
+			return 0;
 	}
 }
 
@@ -88,10 +60,19 @@ STAGE(broad_phase_begin)
 	(void)i;
 }
 
+// so many walks before they begin, their boxes are fetched
+#define BROAD_PHASE_SOON 4
+
 // A box that overlaps thousands of leaves would keep one work-item busy when all others are done: what it leaves undone
 // is listed.
 STAGE(broad_phase)
 {
+	if (i + BROAD_PHASE_SOON < p->counters->moved)
+	{
+		int soon = p->moved_list[i + BROAD_PHASE_SOON];
+		fetch_soon(p->box + soon);
+		fetch_soon(p->old_box + soon);
+	}
 	int k = p->moved_list[i], kind = p->collidable_kind[k], trees = kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 	for (int t = 0; t < trees; ++t)
 	{

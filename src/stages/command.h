@@ -162,9 +162,34 @@ INLINE void command_apply(const Pools* p, Command c)
 	}
 }
 
-// Item i is a group: the commands of one body or one collidable.
+// so many groups before they are applied, the rows that they make anew are fetched
+#define COMMAND_SOON 6
+
+// Item i is a group: the commands of one body or one collidable. argument is how many groups there are.
 STAGE(command)
 {
+	if (i + COMMAND_SOON < p->argument)
+	{
+		int first = p->command_group[i + COMMAND_SOON], soon = p->command[first].index;
+		if (p->command[first].kind == COMMAND_BODY)
+		{
+			fetch_soon(p->body + soon);
+			fetch_soon(p->motion + soon);
+			fetch_soon(p->pose + soon);
+			fetch_soon(p->guarded + soon);
+			fetch_soon(p->local_center + soon);
+			fetch_soon(p->color_mask + soon);
+		}
+		if (p->command[first].kind == COMMAND_COLLIDABLE)
+		{
+			fetch_soon(p->collidable_pose + soon);
+			fetch_soon(p->collidable_attribute + soon);
+			fetch_soon(p->collidable_body + soon);
+			fetch_soon(p->box + soon);
+			fetch_soon(p->old_box + soon);
+			fetch_soon(p->filter + soon);
+		}
+	}
 	for (int k = p->command_group[i]; k < p->command_group[i + 1]; ++k)
 		command_apply(p, p->command[k]);
 }

@@ -29,7 +29,7 @@ STAGE(contact_free)
 		p->free_slot[p->scan[i]] = i;
 }
 
-// is there room for the contacts?
+// Is there room for the contacts, and how many are there with them?
 STAGE(contact_begin)
 {
 	GLOBAL Counters* c = p->counters;
@@ -43,6 +43,10 @@ STAGE(contact_begin)
 		c->kept = 0;
 	}
 	c->created = c->stalled ? 0 : c->sort_pairs;
+	if (c->created > 0 && c->needed > c->contacts)
+		c->contacts = c->needed;
+	c->alive = c->alive + c->created;
+	c->live = c->stalled ? 0 : c->contacts;
 	(void)i;
 }
 
@@ -96,8 +100,8 @@ STAGE(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
-	int dead = p->counters->dead;
-	int slot = i < dead ? p->free_slot[i] : p->counters->contacts + (i - dead);
+	// the last of those for which no slot was free is the last of all
+	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
 	int first = contact_first(p, a, b);
 	if (first == b)
 	{
@@ -125,16 +129,6 @@ STAGE(contact_create)
 	p->contact_surface[slot] =
 	    make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
 	                surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
-}
-
-STAGE(contact_end)
-{
-	GLOBAL Counters* c = p->counters;
-	if (c->created > 0 && c->needed > c->contacts)
-		c->contacts = c->needed;
-	c->alive = c->alive + c->created;
-	c->live = c->stalled ? 0 : c->contacts;
-	(void)i;
 }
 
 #endif

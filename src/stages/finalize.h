@@ -11,11 +11,22 @@ INLINE int finalize_finite(Vec v, float w, Vec d, float da)
 	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
 }
 
+// A body goes its way: its pose at the end of the step.
+INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
+{
+	Vec turn = vec(p->pose[i].z, p->pose[i].w);
+	if (da != 0.0f)
+	{
+		turn = vec_turn(vec_rotation(da), turn);
+		turn = vec_scale(1.0f / square_root(vec_dot(turn, turn)), turn);
+	}
+	pose_move(p, i, d, turn);
+}
+
 STAGE(finalize)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
-	Vec turn = vec(p->pose[i].z, p->pose[i].w);
 	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
 	float w = body->w, da = body->da;
 	if (!finalize_finite(v, w, d, da))
@@ -30,21 +41,13 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	if (body->inv_mass > 0.0f)
-	{
-		float share = guard(p, i, d, da);
-		d = vec_scale(share, d);
-		da = share * da;
-	}
+	if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
+		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = i;
+	else
+		finalize_pose(p, i, d, da);
 
 	// impulses of the last substep may have exceeded the limits
 	v = sweep_velocity(&p->step, v);
-	if (da != 0.0f)
-	{
-		turn = vec_turn(vec_rotation(da), turn);
-		turn = vec_scale(1.0f / square_root(vec_dot(turn, turn)), turn);
-	}
-	pose_move(p, i, d, turn);
 	body->vx = v.x;
 	body->vy = v.y;
 	body->w = within(w, p->step.max_spin);
@@ -54,6 +57,15 @@ STAGE(finalize)
 		p->motion[i].fy = 0.0f;
 		p->motion[i].torque = 0.0f;
 	}
+}
+
+// Item i of the bodies that go far: as far as nothing static is in their way.
+STAGE(guard)
+{
+	int body = p->guard_list[i];
+	Vec d = vec(p->body[body].dx, p->body[body].dy);
+	float da = p->body[body].da, share = guard_body(p, body, d, da);
+	finalize_pose(p, body, vec_scale(share, d), share * da);
 }
 
 #endif

@@ -6,6 +6,9 @@
 // its thickness is swept against the static collidables on it: by its own displacement alone, so that no order matters.
 // It makes as much of the way as leaves it a little inside; its velocity stays, and the next step has a contact for it.
 //
+// Such bodies are few, and the work is long: finalize lists them for a stage of their own. Within finalize it cost a GPU
+// the registers of all bodies: 1M in motion took 0.159 ms instead of 0.043 on an H200.
+//
 // This work is based on:
 // Erin Catto, Continuous Collision, GDC 2013: what moves is stopped by what does not, at a target inside the surface.
 #ifndef GUARD_H
@@ -77,7 +80,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 	box = box_grow(box_union(box, then), swing);
 	const GLOBAL Tree* tree = p->tree + 1;
 	float least = 1.0f;
-	TreeWalk walk = tree_walk(p, tree, box);
+	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
 	for (int j = tree_next(p, tree, box, &walk); j >= 0; j = tree_next(p, tree, box, &walk))
 		if (filter_accepts(p->filter[i], p->filter[j]))
 			least = minimum(least, guard_time(p, p->placed[j], placed, way, thickness));
@@ -85,7 +88,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 }
 
 // How much of its way a body makes.
-RARE float guard_body(const Pools* p, int body, Vec path, float turn)
+INLINE float guard_body(const Pools* p, int body, Vec path, float turn)
 {
 	float least = 1.0f;
 	for (int k = p->guarded[body].first; k > 0; k = p->next_collidable[k - 1])
@@ -95,11 +98,12 @@ RARE float guard_body(const Pools* p, int body, Vec path, float turn)
 	return least;
 }
 
-INLINE float guard(const Pools* p, int body, Vec path, float turn)
+// Whether a body goes far enough to be looked at.
+INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	Guarded guarded = p->guarded[body];
 	float way = absolute(path.x) + absolute(path.y) + absolute(turn) * guarded.reach;
-	return way > guarded.way && p->tree[1].leaves > 0 ? guard_body(p, body, path, turn) : 1.0f;
+	return way > guarded.way && p->tree[1].leaves > 0;
 }
 
 #endif

@@ -198,8 +198,24 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	}
 }
 
+// so many contacts before they are looked at, their rows are fetched: pairs lie anywhere in the pools
+#define NARROW_PHASE_SOON 12
+
 STAGE(narrow_phase)
 {
+	int soon = i + NARROW_PHASE_SOON;
+	if (p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live && p->contact_flags[soon] & CONTACT_LOOK)
+	{
+		Int2 pair = p->pair[soon], bodies = p->contact_bodies[soon];
+		fetch_soon(p->placed + pair.x);
+		fetch_soon(p->placed + pair.y);
+		fetch_soon(p->box + pair.x);
+		fetch_soon(p->box + pair.y);
+		fetch_soon(p->old_box + pair.x);
+		fetch_soon(p->old_box + pair.y);
+		fetch_soon(p->body + bodies.x);
+		fetch_soon(p->body + bodies.y);
+	}
 	Word flags = p->contact_flags[i];
 	if (flags & CONTACT_LOOK)
 		narrow_phase_look(p, i, flags);

@@ -49,11 +49,23 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 	return there & ((load1 > zero) | (load2 > zero));
 }
 
+// so many contacts before they are looked at, their rows are fetched
+#define KEEP_SOON 32
+
 // Marks what narrow_phase looks at: what is new, has moved against each other, will meet within the step, or will pass by;
 // and what may have parted.
 WIDE_STAGE(narrow_phase_keep)
 {
 	int live = p->counters->live;
+	int soon = p->step.collidables < FETCH_COLLIDABLES ? 0 : i + KEEP_SOON + LANES;
+	for (int k = i + KEEP_SOON; k < soon && k < live; ++k)
+	{
+		Int2 pair = p->pair[k], bodies = p->contact_bodies[k];
+		fetch_soon(p->placed + (pair.x & ~(pair.x >> 31)));
+		fetch_soon(p->placed + (pair.y & ~(pair.y >> 31)));
+		fetch_soon(p->body + bodies.x);
+		fetch_soon(p->body + bodies.y);
+	}
 	Int flags = load_int(p->contact_flags, i), ia, ib;
 	load_int2(p->pair, i, &ia, &ib);
 	Word there = lane_bits((ia >= 0) & (indices(i) < live));

@@ -52,8 +52,20 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	return points;
 }
 
+// so many constraints before they are prepared, what they gather is fetched
+#define PREPARE_SOON 32
+
 WIDE_STAGE(prepare)
 {
+	int soon = p->step.collidables < FETCH_COLLIDABLES ? 0 : i + PREPARE_SOON + LANES;
+	for (int k = i + PREPARE_SOON; k < soon && k < p->counters->color_begin[COLORS + 1]; ++k)
+	{
+		int slot = p->constraint_contact[k];
+		Int2 pair = p->constraint_pair[k];
+		fetch_soon(p->contact_found + (slot & ~(slot >> 31)));
+		fetch_soon(p->placed + pair.x);
+		fetch_soon(p->placed + pair.y);
+	}
 	ContactPoints points = prepare_points(p, i, load_int(p->constraint_contact, i));
 	store(&constraint_at(p, normal_x, i), 0, points.normal.x);
 	store(&constraint_at(p, normal_y, i), 0, points.normal.y);

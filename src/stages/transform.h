@@ -35,6 +35,7 @@ STAGE(step_begin)
 	c->ended = 0;
 	c->gathered = 0;
 	c->entered = 0;
+	c->guarded = 0;
 	c->penetration = 0;
 	for (int k = 0; k <= MAX_ROUNDS; ++k)
 		c->uncolored[k] = 0;

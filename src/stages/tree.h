@@ -59,6 +59,12 @@ STAGE(tree_stray)
 	Float4 now = box_empty(), before = box_empty();
 	float area = 0.0f;
 	int leaves = 0, jumped = 0;
+	for (int k = ARITY * (i + 1); k < ARITY * (i + 2) && k < tree->leaves; ++k)
+	{
+		int leaf = p->leaf[tree->leaf_begin + k];
+		fetch_soon(p->box + leaf);
+		fetch_soon(p->old_box + leaf);
+	}
 	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
 	{
 		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
@@ -131,14 +137,24 @@ INLINE Word hilbert_distance(Word x, Word y)
 	return hilbert_spread(high & all) << 1 | hilbert_spread(low);
 }
 
+// The box around all leaves, behind the nodes of the highest level. argument is the tree.
+STAGE(tree_root)
+{
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	GLOBAL Float4* top = p->node_box + tree->begin[tree->top];
+	Float4 box = box_empty();
+	for (int k = 0; k < tree->count[tree->top]; ++k)
+		box = box_union(box, top[k]);
+	top[ARITY] = box;
+	(void)i;
+}
+
 // Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
 // last, where the host drops them.
 STAGE(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
-	Float4 bounds = box_empty();
-	for (int k = 0; k < tree->count[tree->top]; ++k)
-		bounds = box_union(bounds, p->node_box[tree->begin[tree->top] + k]);
+	Float4 bounds = p->node_box[tree->begin[tree->top] + ARITY];
 	Word code = 0xffffffffu;
 	Float4 box = p->node_box[tree->begin[0] + i];
 	if (!box_is_empty(box))
@@ -164,23 +180,44 @@ STAGE(tree_order)
 // bit k is set when the box overlaps child k of the eight from first on
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
-typedef struct // through the leaves that overlap a box
+// of the eight nodes of a level from first on, those that have leaves from leaf from up to, not including, end: a bit each
+INLINE Word64 tree_span(int level, int first, int from, int end)
+{
+	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
+	if (low >= ARITY || high < 0)
+		return 0;
+	Word64 span = low > 0 ? (Word64)255 << low : (Word64)255;
+	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
+}
+
+typedef struct // through the leaves that overlap a box, in rising order
 {
 	Word64 masks;     // 8 bits a level: which of the eight siblings on the current path are still to be visited
 	int level, first; // where it is: the first of eight siblings
+	int from, end;    // leaves from and up to, not including; end 0: all
+	int nodes;        // over leaves that it may still visit
 } TreeWalk;
 
-// of a tree that has leaves
-INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box)
+// Begins a walk through leaves from up to, not including, end, or with end 0 through all, of a tree that has leaves.
+INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeWalk walk;
 	walk.level = tree->top;
 	walk.first = 0;
-	walk.masks = tree_hits(p, tree->begin[walk.level], box) << (8 * walk.level);
+	walk.from = from;
+	walk.end = end;
+	walk.nodes = nodes;
+	walk.masks = tree_hits(p, tree->begin[walk.level], box);
+	if (end)
+		walk.masks &= tree_span(walk.level, 0, from, end);
+	walk.masks = walk.masks << (8 * walk.level);
 	return walk;
 }
 
-// The next collidable whose leaf overlaps the box, -1 behind the last.
+// The next collidable whose leaf overlaps the box; TREE_DONE behind the last, TREE_LEFT when the walk has visited as many
+// nodes over leaves as it may: walk.first is the leaf at which it has to go on.
+#define TREE_DONE (-1)
+#define TREE_LEFT (-2)
 INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)
 {
 	for (;;)
@@ -189,7 +226,7 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 		if (siblings == 0)
 		{
 			if (walk->level == tree->top)
-				return -1;
+				return TREE_DONE;
 			++walk->level;
 			walk->first = walk->first / ARITY & ~(ARITY - 1);
 			continue;
@@ -199,20 +236,14 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 		walk->masks ^= lowest << (8 * walk->level);
 		if (walk->level == 0)
 			return p->leaf[tree->leaf_begin + child];
-		--walk->level;
 		walk->first = ARITY * child;
-		walk->masks |= tree_hits(p, tree->begin[walk->level] + walk->first, box) << (8 * walk->level);
+		if (--walk->level == 0 && --walk->nodes < 0)
+			return TREE_LEFT;
+		Word64 hits = tree_hits(p, tree->begin[walk->level] + walk->first, box);
+		if (walk->end)
+			hits &= tree_span(walk->level, walk->first, walk->from, walk->end);
+		walk->masks |= hits << (8 * walk->level);
 	}
-}
-
-// of the eight nodes of a level from first on, those that have leaves from leaf from up to, not including, end: a bit each
-INLINE Word64 tree_span(int level, int first, int from, int end)
-{
-	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
-	if (low >= ARITY || high < 0)
-		return 0;
-	Word64 span = low > 0 ? (Word64)255 << low : (Word64)255;
-	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
 }
 
 #endif
