@@ -102,7 +102,7 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
 	int from = run.argument & 255, end = run.argument >> 8;
 	__global Word64 *key = p->key, *other = p->key_other;
-	if (n <= SORT_FEW)
+	if (n <= SORT_FEW && !alone)
 	{
 		// a pass takes two meetings, and there are up to eight
 		sort_few(key, other, n, from, end, bench);
