@@ -41,49 +41,51 @@ INLINE float hub_halve(const BENCH float* x, int stride, int used)
 	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-// Adds up the columns of the bench, by halves, for each of so many sums. A group does so in two rounds of 16.
+// The columns of one worker, by halves.
+INLINE void hub_add_columns(int used, int sums, BENCH float* bench)
+{
+	for (int span = HUB_COLUMNS / 2; span > 0; span /= 2)
+	{
+		for (int q = 0; q < sums && span < used; ++q)
+		{
+			BENCH float* column = bench + q * HUB_COLUMNS;
+			int c = 0;
+			for (; span >= LANES && c < span && c + span < used; c += LANES)
+				store(column + c, 0, load(column + c, 0) + load(column + c, span));
+			for (; c < span && c + span < used; ++c)
+				column[c] += column[c + span];
+		}
+		used = used < span ? used : span;
+	}
+}
+
+// Adds up the columns of the bench, by halves, for each of so many sums. A group does so in two rounds of 16. It meets at few
+// places, and at none that depends on anything: else a compiler of OpenCL for CPUs takes many minutes.
 INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB_SUMS])
 {
-	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, level = HUB_LEVELS - 1;
-	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = bench;
-	int stride = HUB_COLUMNS;
-	if (group_width() > LANES)
+	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
+	// one more than 16, for the banks of local memory
+	int stride = wide ? 17 : HUB_COLUMNS;
+	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = wide ? half_way : bench;
+	for (int round = 0; round < 2; ++round)
 	{
-		// one more than 16, for the banks of local memory
 		bench_meet();
-		for (int k = group_lane(); k < 16 * sums; k += group_width())
+		if (!wide && round == 0)
+			hub_add_columns(used, sums, bench);
+		for (int k = group_lane(); wide && round == 0 && k < 16 * sums; k += group_width())
 		{
 			int c = k & 15;
 			half_way[(k >> 4) * 17 + c] =
 			    hub_halve(bench + (k >> 4) * HUB_COLUMNS + c, HUB_COLUMNS / 16, (used - c + 15) / 16);
 		}
-		bench_meet();
-		for (int k = group_lane(); k < sums; k += group_width())
+		for (int k = group_lane(); wide && round == 1 && k < sums; k += group_width())
 			half_way[k * 17] = hub_halve(half_way + k * 17, 1, 16);
-		bench_meet();
-		total = half_way;
-		stride = 17;
 	}
-	else
-		for (; level >= 0; --level)
-		{
-			int span = 1 << level;
-			for (int q = 0; q < sums && span < used; ++q)
-			{
-				BENCH float* column = bench + q * HUB_COLUMNS;
-				int c = 0;
-				for (; span >= LANES && c < span && c + span < used; c += LANES)
-					store(column + c, 0, load(column + c, 0) + load(column + c, span));
-				for (; c < span && c + span < used; ++c)
-					column[c] += column[c + span];
-			}
-			used = used < span ? used : span;
-		}
+	bench_meet();
 
 	// what has a sign although it is zero owes it to how many columns there are
 	for (int q = 0; q < HUB_SUMS; ++q)
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
-	bench_meet();
 }
 
 // Lays down the problems of all spokes, or the impulses of the last step where warm is set.
