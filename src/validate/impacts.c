@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define APART 4.0 // m between runs
+#define APART  4.0 // m between runs
+#define RUSHES 8   // pile-ups of a kind
 
 static Lab* open_empty(Validation* v)
 {
@@ -177,11 +178,8 @@ static Momentum momentum_of(Lab* lab)
 
 // Mixed bodies that rush together from all sides and turn about the middle; every second bounces if asked to. Within a step,
 // points of action stay where it found them and bodies move on: so angular momentum drifts less with shorter steps.
-static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
+static Lab* rush_of(Validation* v, int across, double rush, double restitution, int rate, uint64_t seed)
 {
-	uint64_t seed = 3;
-	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,
-	      restitution, rate);
 	LabDef def = lab_def();
 	def.gravity = (scree_vec){0.0f, 0.0f};
 	def.dt = 1.0f / (float)rate;
@@ -199,20 +197,34 @@ static void pile_up(Validation* v, int across, double rush, double restitution, 
 		    (float)random_between(&seed, -3.0, 3.0)};
 		lab_throw(lab, &surface, (float)x, (float)y, 0.3f * (float)k, velocity);
 	}
-	Momentum before = momentum_of(lab);
+	return lab;
+}
+
+// How far momentum drifts is chance: of several such pile-ups the mean for angular momentum, else the worst.
+static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
+{
+	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,
+	      restitution, rate);
 	double linear = 0.0, angular = 0.0, energy = 0.0;
-	for (int step = 0; step < 2 * rate; ++step)
+	for (int run = 0; run < RUSHES; ++run)
 	{
-		lab_step(lab, 1);
-		Momentum now = momentum_of(lab);
-		linear = fmax(linear, hypot(now.x - before.x, now.y - before.y) / before.size);
-		angular = fmax(angular, fabs(now.spin - before.spin) / before.size);
-		energy = fmax(energy, now.energy / before.energy);
+		Lab* lab = rush_of(v, across, rush, restitution, rate, (uint64_t)run + 1);
+		Momentum before = momentum_of(lab);
+		double turn = 0.0;
+		for (int step = 0; step < 2 * rate; ++step)
+		{
+			lab_step(lab, 1);
+			Momentum now = momentum_of(lab);
+			linear = fmax(linear, hypot(now.x - before.x, now.y - before.y) / before.size);
+			turn = fmax(turn, fabs(now.spin - before.spin) / before.size);
+			energy = fmax(energy, now.energy / before.energy);
+		}
+		angular += turn / RUSHES;
+		lab_close(lab);
 	}
 	row(v, "drift of momentum over sum of m v", linear, "", AT_MOST, 1e-5);
-	row(v, "drift of angular momentum over sum of m v", angular, "m", AT_MOST, drift);
+	row(v, "mean drift of angular momentum over sum of m v", angular, "m", AT_MOST, drift);
 	row(v, "most energy of what it was", 100.0 * energy, "%", AT_MOST, 100.1);
-	lab_close(lab);
 }
 
 void impacts_experiment(Validation* v)
