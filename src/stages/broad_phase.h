@@ -67,7 +67,7 @@ STAGE(broad_phase_begin)
 // is listed.
 STAGE(broad_phase)
 {
-	if (i + BROAD_PHASE_SOON < p->counters->moved)
+	if (FETCHES && i + BROAD_PHASE_SOON < p->counters->moved)
 	{
 		int soon = p->moved_list[i + BROAD_PHASE_SOON];
 		fetch_soon(p->box + soon);

@@ -168,7 +168,7 @@ INLINE void command_apply(const Pools* p, Command c)
 // Item i is a group: the commands of one body or one collidable. argument is how many groups there are.
 STAGE(command)
 {
-	if (i + COMMAND_SOON < p->argument)
+	if (FETCHES && i + COMMAND_SOON < p->argument)
 	{
 		int first = p->command_group[i + COMMAND_SOON], soon = p->command[first].index;
 		if (p->command[first].kind == COMMAND_BODY)

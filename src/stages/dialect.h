@@ -59,6 +59,7 @@ typedef int2 Int2;
 #define write_shared_word(place, x)   (*(volatile __global uint*)(place) = (x))
 #define write_shared_word64(place, x) (*(volatile __global ulong*)(place) = (x))
 // other work-items have enough to do while one waits for memory
+#define FETCHES           0
 #define fetch_soon(place) ((void)0)
 
 #else
@@ -107,6 +108,7 @@ INLINE float bits_float(int i)
 INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
 #define square_root(x)          __builtin_sqrtf(x)
 
+#define FETCHES           1
 #define fetch_soon(place) __builtin_prefetch(place)
 
 INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }

@@ -57,7 +57,7 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 WIDE_STAGE(narrow_phase_keep)
 {
 	int live = p->counters->live;
-	int soon = p->step.collidables < FETCH_COLLIDABLES ? 0 : i + KEEP_SOON + LANES;
+	int soon = FETCHES && p->step.collidables >= FETCH_COLLIDABLES ? i + KEEP_SOON + LANES : 0;
 	for (int k = i + KEEP_SOON; k < soon && k < live; ++k)
 	{
 		Int2 pair = p->pair[k], bodies = p->contact_bodies[k];

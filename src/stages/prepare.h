@@ -57,7 +57,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 
 WIDE_STAGE(prepare)
 {
-	int soon = p->step.collidables < FETCH_COLLIDABLES ? 0 : i + PREPARE_SOON + LANES;
+	int soon = FETCHES && p->step.collidables >= FETCH_COLLIDABLES ? i + PREPARE_SOON + LANES : 0;
 	for (int k = i + PREPARE_SOON; k < soon && k < p->counters->color_begin[COLORS + 1]; ++k)
 	{
 		int slot = p->constraint_contact[k];
