@@ -9,7 +9,7 @@
 #define RELAY_CONSTRAINTS 1000000
 
 // groups of guard a compute unit
-#define GUARD_GROUPS 16
+#define GUARD_GROUPS 4
 
 // arguments of solve_end behind the step
 enum

@@ -49,13 +49,6 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// The same in the frame of b, which is placed at f.
-INLINE Reach reach_back(Reach r, Frame f)
-{
-	r.near = vec_neg(vec_turn_back(f.rotation, r.near));
-	return r;
-}
-
 // Along a normal from a to b: what the velocity cannot close in time does not count.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
@@ -110,7 +103,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
-// The manifold of a, which has the reference edge, and b, which has edges too. separation is the largest over the edges of both.
+// The manifold of a, which has the reference edge, and b. separation is the largest over the edges of both.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
@@ -192,9 +185,10 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 		m.made = 0;
 	if (cut_low)
 		m.made |= m.count == 0 ? FOUND_CORNER1 : FOUND_CORNER2;
-	manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
-	             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
-	             within);
+	if (b->count > 1)
+		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
+		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
+		             within);
 	return m;
 }
 
@@ -214,48 +208,11 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// The manifold of a, which has edges, and b, which is a circle: on the edge that the center is before, or at its end.
-INLINE Manifold corner_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
-{
-	Axis axis = best_axis(a, b, f);
-	Manifold m = no_manifold();
-	m.gap = axis.separation - a->radius - b->radius;
-	m.normal = shape_normal(a, axis.edge);
-	if (m.gap > reach_along(reach, m.normal))
-		return m;
-	int i = axis.edge, i2 = shape_next(a, i);
-	Vec start = shape_corner(a, i), end = shape_corner(a, i2), right = vec(-m.normal.y, m.normal.x);
-	Vec center = frame_point(f, shape_corner(b, 0)), from = vec_sub(center, vec_scale(axis.separation, m.normal));
-	Real height = axis.separation;
-	int feature = FEATURE_EDGE + i, before = vec_dot(vec_sub(center, start), right) < 0.0f;
-	if (before || vec_dot(vec_sub(center, end), right) > 0.0f)
-	{
-		Vec corner = before ? start : end, delta = vec_sub(center, corner);
-		Real distance = root(vec_dot(delta, delta));
-
-		// a thin core has no inside; of others a center within counts as before the edge
-		if (distance > NEAREST_TOLERANCE && (axis.separation > 0.0f || a->count < 3))
-		{
-			m.normal = vec_scale(1.0f / distance, delta);
-			m.made = FOUND_CORNERS;
-			from = corner;
-			height = distance;
-			feature = before ? i : i2;
-		}
-	}
-	manifold_add(&m, from, height, a->radius, b->radius, feature_pair(feature, 0), reach_along(reach, m.normal));
-	return m;
-}
-
 // The manifold of two shapes in the frame of a, where b is placed at f: points with a separation within reach.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)
 		return circles_manifold(a, b, f, reach);
-	if (a->count == 1)
-		return manifold_swap(corner_manifold(b, a, frame_inverse(f), reach_back(reach, f)), f);
-	if (b->count == 1)
-		return corner_manifold(a, b, f, reach);
 
 	Real radius = a->radius + b->radius;
 	Axis on_a = best_axis(a, b, f);
@@ -264,8 +221,9 @@ INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Fr
 	if (none.gap > reach_along(reach, shape_normal(a, on_a.edge)))
 		return none;
 	Frame back = frame_inverse(f);
-	Reach back_reach = reach_back(reach, f);
 	Axis on_b = best_axis(b, a, back);
+	Reach back_reach = reach;
+	back_reach.near = vec_neg(vec_turn_back(f.rotation, reach.near));
 	none.gap = maximum(none.gap, on_b.separation - radius);
 	if (on_b.separation - radius > reach_along(back_reach, shape_normal(b, on_b.edge)))
 		return none;

@@ -54,11 +54,13 @@ INLINE Frame frame_inverse(Frame f)
 	return back;
 }
 
-// The edge of a, which is no circle, along whose normal b is furthest. Vertices are read where they are and normals
+// The edge of a along whose normal b is furthest. A circle has no edges. Vertices are read where they are and normals
 // turned to meet them, so that no array has to be kept per item.
 INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Axis best = {NO_AXIS, 0, 0};
+	if (a->count == 1)
+		return best;
 	for (int i = 0; i < a->count; ++i)
 	{
 		Vec normal = shape_normal(a, i);

@@ -24,21 +24,24 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	gather_rows8((GLOBAL float*)p->placed, ib, b);
 	gather_rows8((GLOBAL float*)p->contact_found, 2 * slot, found);
 	gather_rows8((GLOBAL float*)p->contact_found, 2 * slot + 1, found + 8);
-	ContactPoints points = contact_points_held(a, b, found);
+	Int flags = there & 0, rolls = flags;
 	if (p->step.round)
 	{
-		Int flags = gather_int((const GLOBAL int*)p->contact_flags, slot);
-		Int rolls = there & ((flags & (int)FOUND_ROLLS) != 0);
-		if (lane_bits(rolls))
-		{
-			Int feature[2];
-			feature[0] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot);
-			feature[1] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot + 1);
-			ContactPoints rolling =
-			    rolling_step(p, a, b, found, flags, feature, load(&constraint_at(p, normal_impulse1, i), 0),
-			                 load(&constraint_at(p, normal_impulse2, i), 0), points);
-			points = contact_points_choose(points, rolling, rolls);
-		}
+		flags = gather_int((const GLOBAL int*)p->contact_flags, slot);
+		rolls = there & ((flags & (int)FOUND_ROLLS) != 0);
+	}
+	ContactPoints points;
+	if (LANES > 1 || !lane_bits(rolls))
+		points = contact_points_held(a, b, found);
+	if (lane_bits(rolls))
+	{
+		Int feature[2];
+		feature[0] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot);
+		feature[1] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot + 1);
+		ContactPoints rolling =
+		    rolling_step(p, a, b, found, flags, feature, load(&constraint_at(p, normal_impulse1, i), 0),
+		                 load(&constraint_at(p, normal_impulse2, i), 0));
+		points = LANES > 1 ? contact_points_choose(points, rolling, rolls) : rolling;
 	}
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	points.normal = vec_choose(zero, points.normal, there);

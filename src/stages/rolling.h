@@ -121,10 +121,9 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 
 INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
-// The points of a contact for the step, of which held are those that it has if it is held; load1 and load2 are its normal
-// impulses of a substep, N s.
+// The points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
 INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real found[16], Int flags,
-                                  const Int feature[2], Real load1, Real load2, ContactPoints held)
+                                  const Int feature[2], Real load1, Real load2)
 {
 	Real body_a[8], body_b[8];
 	gather_rows8((GLOBAL float*)p->body, real_bits(a[7]), body_a);
@@ -153,7 +152,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real most = choose(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
 	Real lever = -reach * minimum(maximum(turn, -most), most);
 	Vec along = vec_scale(lever, vec(points.normal.y, -points.normal.x));
-	ContactPoints both = points;
+	ContactPoints held = contact_points_held(a, b, found), both = points;
 	both.normal = rolling_between(held.normal, points.normal, share);
 	both.offset = rolling_between(held.offset, points.offset, share);
 	for (int k = 0; k < 2; ++k)
