@@ -111,6 +111,8 @@ INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
 #define FETCHES           1
 #define fetch_soon(place) __builtin_prefetch(place)
 
+#define gather_fixed_rows8(base, index, out) gather_rows8(base, index, out)
+
 INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }
 INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(place, x, __ATOMIC_RELAXED); }
 INLINE int read_shared(int* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
@@ -195,9 +197,8 @@ INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
 // passes may hold what another compute unit has changed since.
 #ifdef __OPENCL_C_VERSION__
 #define ROW volatile __global float4*
-INLINE void gather_rows8(__global float* base, int index, float out[8])
+INLINE void row_parts(float4 low, float4 high, float out[8])
 {
-	float4 low = ((ROW)base)[2 * index], high = ((ROW)base)[2 * index + 1];
 	out[0] = low.x;
 	out[1] = low.y;
 	out[2] = low.z;
@@ -206,6 +207,16 @@ INLINE void gather_rows8(__global float* base, int index, float out[8])
 	out[5] = high.y;
 	out[6] = high.z;
 	out[7] = high.w;
+}
+INLINE void gather_rows8(__global float* base, int index, float out[8])
+{
+	row_parts(((ROW)base)[2 * index], ((ROW)base)[2 * index + 1], out);
+}
+// rows that no work-item changes while the kernel reads them: from any cache
+INLINE void gather_fixed_rows8(const __global float* base, int index, float out[8])
+{
+	const __global float4* row = (const __global float4*)base + 2 * index;
+	row_parts(row[0], row[1], out);
 }
 INLINE void store_rows8(__global float* base, int first, const float in[8])
 {

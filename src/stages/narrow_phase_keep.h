@@ -27,8 +27,8 @@ INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], cons
 	load_int2(p->contact_bodies, i, &ia, &ib);
 	Int shape_a = real_bits(a[6]), shape_b = real_bits(b[6]);
 	Real body_a[8], body_b[8];
-	gather_rows8((GLOBAL float*)p->body, ia, body_a);
-	gather_rows8((GLOBAL float*)p->body, ib, body_b);
+	gather_fixed_rows8((GLOBAL float*)p->body, ia, body_a);
+	gather_fixed_rows8((GLOBAL float*)p->body, ib, body_b);
 	const GLOBAL float *radius = &p->attribute->radius, *reach = &p->attribute->reach;
 	Sweep sweep_a = sweep_with(sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]), vec(a[4], a[5]),
 	                           sweep_shape(reach, shape_a) - sweep_shape(radius, shape_a));
@@ -73,9 +73,9 @@ WIDE_STAGE(narrow_phase_keep)
 	ib = ib & ~(ib >> 31);
 	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
 	Real a[8], b[8], found[8];
-	gather_rows8((GLOBAL float*)p->placed, ia, a);
-	gather_rows8((GLOBAL float*)p->placed, ib, b);
-	gather_rows8((GLOBAL float*)p->contact_found, 2 * indices(i) + 1, found);
+	gather_fixed_rows8((GLOBAL float*)p->placed, ia, a);
+	gather_fixed_rows8((GLOBAL float*)p->placed, ib, b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * indices(i) + 1, found);
 
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), then_a = vec(found[4], found[5]);
 	Vec turn = vec(found[2], found[3]), then_b = vec_turn(then_a, turn);
@@ -93,7 +93,7 @@ WIDE_STAGE(narrow_phase_keep)
 	if (wanders)
 	{
 		Real at[8];
-		gather_rows8((GLOBAL float*)p->contact_found, 2 * indices(i), at);
+		gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * indices(i), at);
 		Closing closing = narrow_phase_closing(p, i, a, b);
 		Int touches = ((flags & (int)FOUND_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
 

@@ -20,10 +20,10 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	load_int2(p->constraint_pair, i, &ia, &ib);
 	slot = slot & ~(slot >> 31);
 	Real a[8], b[8], found[16];
-	gather_rows8((GLOBAL float*)p->placed, ia, a);
-	gather_rows8((GLOBAL float*)p->placed, ib, b);
-	gather_rows8((GLOBAL float*)p->contact_found, 2 * slot, found);
-	gather_rows8((GLOBAL float*)p->contact_found, 2 * slot + 1, found + 8);
+	gather_fixed_rows8((GLOBAL float*)p->placed, ia, a);
+	gather_fixed_rows8((GLOBAL float*)p->placed, ib, b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * slot, found);
+	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * slot + 1, found + 8);
 	Int flags = there & 0, rolls = flags;
 	if (p->step.round)
 	{

@@ -126,8 +126,8 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
                                   const Int feature[2], Real load1, Real load2)
 {
 	Real body_a[8], body_b[8];
-	gather_rows8((GLOBAL float*)p->body, real_bits(a[7]), body_a);
-	gather_rows8((GLOBAL float*)p->body, real_bits(b[7]), body_b);
+	gather_fixed_rows8((GLOBAL float*)p->body, real_bits(a[7]), body_a);
+	gather_fixed_rows8((GLOBAL float*)p->body, real_bits(b[7]), body_b);
 	Advance advance_a = sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]),
 	        advance_b = sweep_advance_of(&p->step, vec(body_b[0], body_b[1]), body_b[2]);
 	ContactPoints points = rolling_points(p->attribute, a, b, found, flags, feature, advance_a, advance_b);
