@@ -204,7 +204,8 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 STAGE(narrow_phase)
 {
 	int soon = i + NARROW_PHASE_SOON;
-	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live && p->contact_flags[soon] & CONTACT_LOOK)
+	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&
+	    p->contact_flags[soon] & CONTACT_LOOK)
 	{
 		Int2 pair = p->pair[soon], bodies = p->contact_bodies[soon];
 		fetch_soon(p->placed + pair.x);
