@@ -184,7 +184,9 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(staging_open(d, options->timings));
 	solve_open(d);
 	d->together = persistent_wanted(d);
-	TRY(program_build(d->context, &d->device, d->together ? " -DTOGETHER" : "", opencl_program, opencl_program_length,
+	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
+	const char* together = cpu ? " -DTOGETHER -DONE_GROUP" : " -DTOGETHER";
+	TRY(program_build(d->context, &d->device, d->together ? together : "", opencl_program, opencl_program_length,
 	                  &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)

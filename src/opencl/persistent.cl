@@ -26,6 +26,13 @@ enum
 #define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
 #endif
 
+// Whether there may be several groups: not on a CPU, whose compiler takes many minutes for meetings that depend on anything.
+#ifdef ONE_GROUP
+#define SEVERAL false
+#else
+#define SEVERAL true
+#endif
+
 typedef struct // of all groups
 {
 	volatile __global int* arrived; // goes on from launch to launch
@@ -89,7 +96,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 // A meeting, of the group that is alone with its run where it is.
 INLINE bool meet_or_wait(Meeting* m, bool alone)
 {
-	if (!alone)
+	if (!SEVERAL || !alone)
 		return meet(m);
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	return true;
@@ -185,7 +192,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		mine = ((__global const Run*)(list + PERSISTENT_HEADER))[lane];
 	volatile __global int* met = list;
 	Meeting m = {met, &pools.counters->fault, &healthy, met[1], spins};
-	bool single = get_num_groups(0) == 1, alone = single;
+	bool single = SEVERAL && get_num_groups(0) == 1, alone = single;
 	for (int next = 0;;)
 	{
 		if (lane == 0)
@@ -201,7 +208,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		Run run = chosen;
 		int end = next < count ? run_end(run, &pools) : 0;
 		bool shares = next == count || !takes_one_group(run, end);
-		if (alone && shares && !single)
+		if (SEVERAL && alone && shares && !single)
 		{
 			if (lane == 0)
 				met[2] = next;
@@ -211,7 +218,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		}
 		if (next == count)
 			break;
-		if (!alone && !shares)
+		if (SEVERAL && !alone && !shares)
 		{
 			alone = get_group_id(0) == 0;
 			if (!(alone ? meet_others(&m) : meet(&m)))
