@@ -432,8 +432,16 @@ static void star_is_a_hub(void** state)
 // parts of bodies
 // ---------------------------------------------------------------------------------------------------------------
 
-#define HUBS   3
+#define HUBS   9
 #define LIGHTS 40
+
+// Three hubs have spokes: those of numbers 0 and 8 have the same turn.
+enum
+{
+	HUB_A = 1,
+	HUB_B = 6,
+	HUB_C = 9
+};
 
 typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; body 0 cannot move
 {
@@ -447,11 +455,11 @@ typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; b
 	Constraints constraints[HUBS * 64 / MAX_LANES];
 } Wheel;
 
-// Hub 1 has 48 spokes, hub 2 has 47 and hub 3 has 33. Lights 0 to 9 are on all three, lights 10 to 29 are on one or two,
-// the rest of the spokes go to what cannot move, and hub 3 is on hub 1 as well.
+// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights 0 to 9 are on all three, lights 10 to 39 are on one or two,
+// the rest of the spokes go to what cannot move, and hub C is on hub A as well.
 static void make_wheel(Wheel* w, uint64_t* seed)
 {
-	const int counts[HUBS] = {48, 47, 33};
+	const int counts[HUBS] = {[HUB_A - 1] = 48, [HUB_B - 1] = 47, [HUB_C - 1] = 33};
 	int place = 0, key = 0;
 	memset(w, 0, sizeof *w);
 	w->counters.hubs = HUBS;
@@ -469,10 +477,10 @@ static void make_wheel(Wheel* w, uint64_t* seed)
 			w->slots[place] = -1;
 		for (int k = 0; k < counts[h]; ++k, ++place)
 		{
-			int light = h == 0 && k == 40       ? 3
-			            : k < 10 + 10 * (h < 2) ? 1 + HUBS + k
-			            : k < 30                ? 1 + HUBS + 20 + 10 * (h == 1) + k % 10
-			                                    : 0;
+			int hub = 1 + h, light = hub == HUB_A && k == 40        ? HUB_C
+			                         : k < 10 + 10 * (hub != HUB_C) ? 1 + HUBS + k
+			                         : k < 30                       ? 1 + HUBS + 20 + 10 * (hub == HUB_B) + k % 10
+			                                                        : 0;
 			w->slots[place] = place;
 			w->ends[place] = k % 2 ? make_int2(1 + h, light) : make_int2(light, 1 + h);
 		}
@@ -498,23 +506,74 @@ static int light_of(const Wheel* w, int k)
 
 static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ light_of(w, k); }
 
-// A body that n hubs reach, itself one of them when it is a hub, is split into as many parts for each, and these among its
-// spokes of that hub. v += (change of its own hub) / n + sum over spokes by rising place of change / (n times spokes beside).
+static int turn_of(int hub) { return (hub - 1) % HUB_TURNS; }
+
+// What a body has of hubs: places of their spokes among their light ends, and how many there are in each turn, itself one of
+// them when it is a hub.
+typedef struct
+{
+	int beside[1 + HUBS], hubs[HUB_TURNS];
+} Share;
+
+static void shares_of(const Wheel* w, Share* shares)
+{
+	memset(shares, 0, (1 + HUBS + LIGHTS) * sizeof *shares);
+	for (int k = 0; k < w->counters.color_begin[COLORS + 1]; ++k)
+		if (w->slots[k] >= 0)
+			++shares[light_of(w, k)].beside[hub_of(w, k)];
+	for (int body = 1; body < 1 + HUBS + LIGHTS; ++body)
+		for (int h = 1; h <= HUBS; ++h)
+			shares[body].hubs[turn_of(h)] += shares[body].beside[h] > 0 || body == h;
+}
+
+static float parts_of(const Wheel* w, const Share* shares, int k)
+{
+	int light = light_of(w, k), hub = hub_of(w, k);
+	return light == 0 ? 1.0f : (float)(shares[light].hubs[turn_of(hub)] * shares[light].beside[hub]);
+}
+
+// v += (change of its own hub) / n + sum over spokes of the turn by rising place of change / (n times spokes beside).
+static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
+{
+	BodyState old = *b;
+	float x = 0.0f, y = 0.0f, spin = 0.0f, n = (float)shares[body].hubs[turn];
+	bool split = false;
+	if (body == HUB_C && turn == turn_of(HUB_C))
+	{
+		x = (1.0f - old.vx) / n;
+		y = (2.0f - old.vy) / n;
+		spin = (3.0f - old.w) / n;
+	}
+	for (int i = 0; i < w->counters.color_begin[COLORS + 1]; ++i)
+	{
+		const Spokes* s = w->spokes + i / MAX_LANES;
+		if (w->slots[i] < 0 || light_of(w, i) != body || turn_of(hub_of(w, i)) != turn)
+			continue;
+		float parts = parts_of(w, shares, i);
+		split = split || parts != 1.0f;
+		x += (s->vx[i % MAX_LANES] - old.vx) / parts;
+		y += (s->vy[i % MAX_LANES] - old.vy) / parts;
+		spin += (s->w[i % MAX_LANES] - old.w) / parts;
+	}
+	if (body == 0 || !split)
+		return;
+	b->vx = old.vx + x;
+	b->vy = old.vy + y;
+	b->w = old.w + spin;
+}
+
+// A body that n hubs of a turn reach is split into as many parts for each, and these among its spokes of that hub.
 static void parts_come_together(void** state)
 {
 	(void)state;
 	uint64_t seed = 7;
 	Wheel* w = malloc(sizeof *w);
 	make_wheel(w, &seed);
-	const int places = w->counters.color_begin[COLORS + 1], hubs[HUBS] = {1, 2, 3};
-	int beside[1 + HUBS + LIGHTS][1 + HUBS] = {0}, hubs_of[1 + HUBS + LIGHTS] = {0};
-	for (int k = 0; k < places; ++k)
-		++beside[light_of(w, k)][hub_of(w, k)];
-	for (int body = 1; body < 1 + HUBS + LIGHTS; ++body)
-		for (int h = 0; h <= HUBS; ++h)
-			hubs_of[body] += beside[body][h] > 0 || body == h;
-	assert_true(hubs_of[3] == 2 && hubs_of[1 + HUBS] == 3 && beside[1 + HUBS + 25][3] == 2 &&
-	            hubs_of[1 + HUBS + 25] == 2);
+	const int places = w->counters.color_begin[COLORS + 1], hubs[HUBS] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+	Share shares[1 + HUBS + LIGHTS];
+	shares_of(w, shares);
+	assert_true(shares[HUB_C].hubs[0] == 2 && shares[1 + HUBS].hubs[0] == 2 && shares[1 + HUBS].hubs[1] == 1 &&
+	            shares[1 + HUBS + 25].beside[HUB_C] == 2 && shares[1 + HUBS + 25].hubs[0] == 2);
 	for (int k = 0; k < backend_count; ++k)
 	{
 		Backend* d = backends[k];
@@ -526,58 +585,34 @@ static void parts_come_together(void** state)
 		put(d, POOL_constraint_contact, HUBS * 64, w->slots);
 		put(d, POOL_constraints, HUBS * 64 / MAX_LANES, w->constraints);
 		run_one(d, &(Step){0}, STAGE_hub_key, places, NO_COUNT, 0);
-		run_sort(d, places, 32, 32 + 7);
+		run_sort(d, places, HUB_KEY_TURN, 32 + 7);
 		run_one(d, &(Step){0}, STAGE_hub_order, places, NO_COUNT, places);
 		get(d, POOL_spokes, places / MAX_LANES, w->spokes);
 		for (int i = 0; i < places; ++i)
 		{
-			int light = light_of(w, i);
 			Spokes* s = w->spokes + i / MAX_LANES;
-			assert_true(s->parts[i % MAX_LANES] ==
-			            (light == 0 ? 1.0f : (float)(hubs_of[light] * beside[light][hub_of(w, i)])));
+			assert_true(s->parts[i % MAX_LANES] == (w->slots[i] < 0 ? 1.0f : parts_of(w, shares, i)));
 			s->vx[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
 			s->vy[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
 			s->w[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
 		}
-		int first = MAX_LANES * ((w->keys[3].x + MAX_LANES - 1) / MAX_LANES + 2);
+		int first = MAX_LANES * ((w->keys[HUB_C].x + MAX_LANES - 1) / MAX_LANES + HUB_C - 1);
 		Spokes* own = w->spokes + first / MAX_LANES;
 		assert_true(own->hub_parts[0] == 2.0f && w->spokes[0].hub_parts[0] == 1.0f);
 		own->hub_x[0] = 1.0f;
 		own->hub_y[0] = 2.0f;
 		own->hub_w[0] = 3.0f;
 		put(d, POOL_spokes, places / MAX_LANES, w->spokes);
-		run_one(d, &(Step){0}, STAGE_hub_merge, places, COUNT(split), 0);
+		for (int turn = 0; turn < HUB_TURNS; ++turn)
+			run_one(d, &(Step){0}, STAGE_hub_merge, places, COUNT(split), turn);
 
 		BodyState after[1 + HUBS + LIGHTS];
 		get(d, POOL_body, 1 + HUBS + LIGHTS, after);
 		for (int body = 0; body < 1 + HUBS + LIGHTS; ++body)
 		{
 			BodyState b = w->bodies[body];
-			float x = 0.0f, y = 0.0f, turn = 0.0f;
-			if (body == 3)
-			{
-				x = (1.0f - b.vx) / 2.0f;
-				y = (2.0f - b.vy) / 2.0f;
-				turn = (3.0f - b.w) / 2.0f;
-			}
-			for (int i = 0; i < places; ++i)
-			{
-				const Spokes* s = w->spokes + i / MAX_LANES;
-				if (light_of(w, i) != body)
-					continue;
-				float parts = (float)(hubs_of[body] * beside[body][hub_of(w, i)]);
-				x += (s->vx[i % MAX_LANES] - b.vx) / parts;
-				y += (s->vy[i % MAX_LANES] - b.vy) / parts;
-				turn += (s->w[i % MAX_LANES] - b.w) / parts;
-			}
-			if (body > 3 && hubs_of[body] == 1)
-				x = y = turn = 0.0f;
-			if (body > 0)
-			{
-				b.vx += x;
-				b.vy += y;
-				b.w += turn;
-			}
+			for (int turn = 0; turn < HUB_TURNS; ++turn)
+				merge(w, shares, body, turn, &b);
 			assert_memory_equal(&after[body], &b, sizeof b);
 		}
 	}

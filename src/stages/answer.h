@@ -304,7 +304,7 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	Real old[2], held[2], beyond[2], push[3], speed[2], mass[2], inverse[2], slope[2];
 	spoke_impulses(p, i, what, old);
 	spoke_speeds(h, &s, speed);
-	Int well = (absolute(speed[0]) <= most) & (absolute(speed[1]) <= most);
+	Int well0 = absolute(speed[0]) <= most, well1 = absolute(speed[1]) <= most, well = well0 & well1;
 	int limited = what == HUB_FRICTION || what == HUB_ROLL, m = spoke_of(p, i);
 	spoke_limits(p, i, what, limit);
 	for (int k = 0; k < 2; ++k)
@@ -504,8 +504,9 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	add[10] = bend[0] + bend[1] + 2.0f * cross * change[0] * change[1];
 
 	// what goes beyond a float, or has no answer, stays as it is
-	Int adds = (absolute(r.impulse[0]) <= splat(MOST_IMPULSE)) & (absolute(r.impulse[1]) <= splat(MOST_IMPULSE)) &
-	           spoke_adds(h, bend[0]) & spoke_adds(h, bend[1]);
+	Int finite0 = absolute(r.impulse[0]) <= splat(MOST_IMPULSE),
+	    finite1 = absolute(r.impulse[1]) <= splat(MOST_IMPULSE);
+	Int adds = finite0 & finite1 & spoke_adds(h, bend[0]) & spoke_adds(h, bend[1]);
 	for (int q = 0; q < HUB_SUMS; ++q)
 		adds = adds & spoke_adds(h, add[q]);
 	for (int q = 0; q < HUB_SUMS; ++q)
