@@ -266,7 +266,8 @@ STAGE(color_place)
 	{
 		int hub = (int)(p->key[i] >> 32) - COLORS, n = color_hub(p, i);
 		Int2 keys = p->hub_keys[hub];
-		p->hub[n] = hub;
+		if (i == keys.x)
+			p->hub[n] = hub;
 		place = hub_first(p, n, keys.x) + (i - keys.x);
 		int end = i + 1 == c->color_last[COLORS] ? c->color_begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
 		for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
