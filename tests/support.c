@@ -179,6 +179,41 @@ scree_counters counters_of(scree_world* world)
 	return counters;
 }
 
+float deepest_of(scree_world* world, int steps)
+{
+	float deepest = 0.0f;
+	for (int k = 0; k < steps; ++k)
+	{
+		run_steps(world, 1);
+		float depth = counters_of(world).penetration;
+		deepest = depth > deepest ? depth : deepest;
+	}
+	return deepest;
+}
+
+Momentum momentum_of(scree_world* world, const scree_body* bodies, int count)
+{
+	Momentum sum = {0};
+	for (int k = 0; k < count; ++k)
+	{
+		scree_mass mass;
+		OK(scree_body_get_mass(world, bodies[k], &mass));
+		scree_pose pose;
+		OK(scree_body_get_pose(world, bodies[k], &pose));
+		scree_rot q = pose.rotation;
+		double x = pose.position.x + q.c * mass.center.x - q.s * mass.center.y;
+		double y = pose.position.y + q.s * mass.center.x + q.c * mass.center.y;
+		scree_velocity v = velocity_of(world, bodies[k]);
+		double vx = v.linear.x, vy = v.linear.y, w = v.angular;
+		sum.x += mass.mass * vx;
+		sum.y += mass.mass * vy;
+		sum.spin += mass.mass * (x * vy - y * vx) + mass.inertia * w;
+		sum.size += mass.mass * hypot(vx, vy);
+		sum.energy += 0.5 * mass.mass * (vx * vx + vy * vy) + 0.5 * mass.inertia * w * w;
+	}
+	return sum;
+}
+
 int read_contacts(scree_world* world, scree_contact** contacts)
 {
 	int count;

@@ -55,6 +55,16 @@ float angle_of(scree_world* world, scree_body body);
 scree_velocity velocity_of(scree_world* world, scree_body body);
 uint64_t hash_of(scree_world* world);
 scree_counters counters_of(scree_world* world);
+float deepest_of(scree_world* world, int steps); // the deepest overlap in so many steps, m
+
+typedef struct
+{
+	double x, y, spin; // sum of m v, and of m r x v + I w about the origin
+	double size;       // sum of m |v|
+	double energy;     // J, kinetic
+} Momentum;
+
+Momentum momentum_of(scree_world* world, const scree_body* bodies, int count);
 
 // Reads all contacts into *contacts, which the caller frees; returns how many.
 int read_contacts(scree_world* world, scree_contact** contacts);

@@ -60,50 +60,14 @@ static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
 
 static int body_count(const Stack* s) { return s->plates * (1 + s->crates); }
 
-typedef struct
-{
-	double x, y, turn, energy; // momentum, kg m/s and kg m^2/s about the origin; J
-} Sums;
-
-static Sums sums_of(scree_world* world, const scree_body* bodies, int count)
-{
-	Sums s = {0};
-	for (int k = 0; k < count; ++k)
-	{
-		scree_mass mass;
-		OK(scree_body_get_mass(world, bodies[k], &mass));
-		scree_velocity v = velocity_of(world, bodies[k]);
-		scree_vec at = position_of(world, bodies[k]);
-		double x = v.linear.x, y = v.linear.y, w = v.angular;
-		s.x += mass.mass * x;
-		s.y += mass.mass * y;
-		s.turn += mass.inertia * w + mass.mass * (at.x * y - at.y * x);
-		s.energy += 0.5 * mass.mass * (x * x + y * y) + 0.5 * mass.inertia * w * w;
-	}
-	return s;
-}
-
-// The deepest overlap of any step, m.
-static double deepest(scree_world* world, int steps)
-{
-	double depth = 0.0;
-	for (int k = 0; k < steps; ++k)
-	{
-		run_steps(world, 1);
-		double now = counters_of(world).penetration;
-		depth = now > depth ? now : depth;
-	}
-	return depth;
-}
-
 static void check_rest(const Stack* s, int steps, double limit)
 {
 	scree_world* world = open_world(-(float)G);
 	scree_body* bodies = calloc((size_t)body_count(s), sizeof *bodies);
 	add_stack(world, s, bodies);
-	double depth = deepest(world, steps);
+	double depth = deepest_of(world, steps);
 	scree_counters counters = counters_of(world);
-	Sums sums = sums_of(world, bodies, body_count(s));
+	Momentum sums = momentum_of(world, bodies, body_count(s));
 	print_message("%5d crates, %d plates of density %.2f: %5d spokes, deepest %.3f mm, %.1e J a body\n", s->crates,
 	              s->plates, (double)s->density, counters.spokes, 1e3 * depth, sums.energy / body_count(s));
 	assert_int_equal(counters.spokes, s->plates * s->crates + (s->plates - 1) * s->crates + 1);
@@ -159,7 +123,7 @@ static void check_combs(int teeth, int combs, float other_density)
 	scree_world* world = open_world(-(float)G);
 	add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
 	add_combs(world, teeth, combs, other_density, 0.0f);
-	double depth = deepest(world, 300), rest = deepest(world, 60);
+	double depth = deepest_of(world, 300), rest = deepest_of(world, 60);
 	print_message("%d combs of %d teeth, densities 1 and %g: deepest %.3f mm, at rest %.3f mm\n", combs, teeth,
 	              (double)other_density, 1e3 * depth, 1e3 * rest);
 	assert_int_equal(counters_of(world).spokes, combs * teeth);
@@ -213,18 +177,18 @@ static void impacts_keep_momentum(void** state)
 		    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(51.0f, PLATE), s.density, &s), 1.0f, 0.0f, 0.0f);
 		OK(scree_body_set_velocity(world, bodies[0], (scree_velocity){{3.0f, 50.0f}, 0.05f}));
 		add_crates(world, &s, PLATE + 0.1f, bodies + 1);
-		Sums before = sums_of(world, bodies, 201), now = before;
+		Momentum before = momentum_of(world, bodies, 201), now = before;
 		int spokes = 0;
 		double depth = 0.0;
 		for (int step = 0; step < 60; ++step)
 		{
 			double energy = now.energy;
 			run_steps(world, 1);
-			now = sums_of(world, bodies, 201);
+			now = momentum_of(world, bodies, 201);
 			assert_true(now.energy <= energy * (1.0 + 1e-6));
 			NEAR(now.x, before.x, 1e-4 * fabs(before.y));
 			NEAR(now.y, before.y, 1e-4 * fabs(before.y));
-			NEAR(now.turn, before.turn, 1e-4 * 50.0 * fabs(before.y));
+			NEAR(now.spin, before.spin, 1e-4 * 50.0 * fabs(before.y));
 			scree_counters c = counters_of(world);
 			spokes = c.spokes > spokes ? c.spokes : spokes;
 			depth = c.penetration > depth ? c.penetration : depth;
@@ -325,7 +289,7 @@ static void locked_hubs_carry(void** state)
 	scree_world* world = open_world(-(float)G);
 	add_stack(world, &s, bodies);
 	OK(scree_body_set_locks(world, bodies[0], SCREE_LOCK_ROTATION));
-	assert_true(deepest(world, 120) < 0.001);
+	assert_true(deepest_of(world, 120) < 0.001);
 	scree_destroy_world(world);
 }
 

@@ -351,33 +351,6 @@ static void impact_on_a_line(void** state)
 	}
 }
 
-typedef struct
-{
-	double x, y, spin; // sum of m v, and of m r x v + I w
-	double size;       // sum of m |v|
-} Momentum;
-
-static Momentum momentum_of(scree_world* world, const scree_body* bodies, int count)
-{
-	Momentum sum = {0};
-	for (int k = 0; k < count; ++k)
-	{
-		scree_mass mass;
-		OK(scree_body_get_mass(world, bodies[k], &mass));
-		scree_pose pose;
-		OK(scree_body_get_pose(world, bodies[k], &pose));
-		scree_rot q = pose.rotation;
-		double x = pose.position.x + q.c * mass.center.x - q.s * mass.center.y;
-		double y = pose.position.y + q.s * mass.center.x + q.c * mass.center.y;
-		scree_velocity v = velocity_of(world, bodies[k]);
-		sum.x += mass.mass * v.linear.x;
-		sum.y += mass.mass * v.linear.y;
-		sum.spin += mass.mass * (x * v.linear.y - y * v.linear.x) + mass.inertia * v.angular;
-		sum.size += mass.mass * hypot(v.linear.x, v.linear.y);
-	}
-	return sum;
-}
-
 // Without gravity the sums of m v and of m r x v + I w stay, whatever the bodies do to each other.
 static void momentum(void** state)
 {

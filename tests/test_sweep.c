@@ -37,19 +37,6 @@ static scree_body throw_body(scree_world* world, scree_shape shape, float restit
 	return body;
 }
 
-// deepest overlap of any contact in the steps so far
-static float run_and_measure(scree_world* world, int steps)
-{
-	float deepest = 0.0f;
-	for (int k = 0; k < steps; ++k)
-	{
-		run_steps(world, 1);
-		float depth = counters_of(world).penetration;
-		deepest = depth > deepest ? depth : deepest;
-	}
-	return deepest;
-}
-
 // v(t) = v0: a body that flies over a stack with a centimetre to spare, or down beside it, feels nothing of it.
 static void passes_by(void** state)
 {
@@ -96,7 +83,7 @@ static void thin_wall(void** state)
 			add_box(world, SCREE_STATIC, 0.025f, 5.0f, 0.0f, 0.0f);
 			scree_body body = throw_body(world, shape_of(kind), 0.0f, (scree_vec){-3.0f - (float)phase / PHASES, 0.0f},
 			                             (scree_vec){60.0f, 7.0f});
-			float deepest = run_and_measure(world, 10);
+			float deepest = deepest_of(world, 10);
 			assert_true(position_of(world, body).x < 0.0f);
 			assert_true(deepest <
 			            (kind == 3 ? 0.08f : 0.005f)); // a triangle is hit at a corner and spins by a radian a step
@@ -115,7 +102,7 @@ static void bounces(void** state)
 			add_box(world, SCREE_STATIC, 0.5f, 5.0f, 0.0f, 0.0f);
 			scree_body body = throw_body(world, circle_shape(0.5f), 0.25f * (float)k,
 			                             (scree_vec){-3.0f - (float)phase / PHASES, 0.0f}, (scree_vec){60.0f, 0.0f});
-			float deepest = run_and_measure(world, 10);
+			float deepest = deepest_of(world, 10);
 			NEAR(velocity_of(world, body).linear.x, -15.0 * k, 0.01);
 			assert_true(deepest < 0.005f);
 			scree_destroy_world(world);
@@ -153,7 +140,7 @@ static void blade(void** state)
 			    add_body(world, SCREE_KINEMATIC, add_attribute(world, &def), 0.0f, 0.0f, angle - 0.5f * (float)PI);
 			OK(scree_body_set_velocity(world, turning, (scree_velocity){{0.0f, 0.0f}, 10.0f}));
 			scree_body body = throw_body(world, shape_of(kind), 0.0f, (scree_vec){1.0f, 1.0f}, (scree_vec){0.0f, 0.0f});
-			float deepest = run_and_measure(world, 20);
+			float deepest = deepest_of(world, 20);
 			assert_true(deepest < 0.12f);
 			scree_vec at = position_of(world, body);
 			assert_true(hypotf(at.x - 1.0f, at.y - 1.0f) > 1.0f);

@@ -1,0 +1,504 @@
+// SPDX-License-Identifier: MIT
+// test_colors.c -- the stages that color contacts, lay them out, and split bodies between hubs, against answers worked out by
+// the plainest way.
+#include "stage_support.h"
+
+// for the priorities of contacts; what it says of stages is of no use here
+#include "stages/dialect.h"
+#undef STAGE
+#define STAGE(name) INLINE void name##_item(const Pools* p, int i)
+#include "stages/color.h"
+
+#define KEY_BITS 13 // of a color, or of a hub among MOST_BODIES
+
+// ---------------------------------------------------------------------------------------------------------------
+// colors
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	int bodies, contacts;
+	bool moves[MOST_BODIES];
+	Word64 mask[MOST_BODIES];
+	int touching[MOST_BODIES];
+	Int2 ends[MOST_ITEMS];
+	int color[MOST_ITEMS]; // COLOR_NONE before its turn
+	int began[MOST_ITEMS];
+	int began_count;
+} Graph;
+
+static int by_falling_priority(const void* a, const void* b)
+{
+	Word x = color_priority(*(const int*)a), y = color_priority(*(const int*)b);
+	return (x < y) - (x > y);
+}
+
+// whether an end of a contact can move and has more contacts than there may be
+static bool is_spoke(const Graph* g, Int2 ends)
+{
+	return (g->moves[ends.x] && g->touching[ends.x] > HUB_CONTACTS) ||
+	       (g->moves[ends.y] && g->touching[ends.y] > HUB_CONTACTS);
+}
+
+// Contacts of crowded bodies give their colors back. Then sequential greedy: each contact in the order of falling priority
+// takes the lowest color free on both bodies; the highest when one of them cannot move; those of crowded bodies none.
+static void color_greedily(Graph* g)
+{
+	for (int k = 0; k < g->contacts; ++k)
+	{
+		Int2 ends = g->ends[k];
+		if (g->color[k] == COLOR_NONE || g->color[k] == COLORS || !is_spoke(g, ends))
+			continue;
+		g->mask[ends.x] &= ~((Word64)1 << g->color[k]);
+		g->mask[ends.y] &= ~((Word64)1 << g->color[k]);
+		g->color[k] = COLORS;
+	}
+	int* order = calloc((size_t)g->began_count, sizeof *order);
+	memcpy(order, g->began, (size_t)g->began_count * sizeof *order);
+	qsort(order, (size_t)g->began_count, sizeof *order, by_falling_priority);
+	for (int k = 0; k < g->began_count; ++k)
+	{
+		Int2 ends = g->ends[order[k]];
+		if (is_spoke(g, ends))
+		{
+			g->color[order[k]] = COLORS;
+			continue;
+		}
+		bool both = g->moves[ends.x] && g->moves[ends.y];
+		int color = both ? 0 : COLORS - 1, last = both ? COLORS : -1, next = both ? 1 : -1;
+		for (; color != last; color += next)
+			if (!((g->moves[ends.x] && g->mask[ends.x] >> color & 1) ||
+			      (g->moves[ends.y] && g->mask[ends.y] >> color & 1)))
+				break;
+		assert_int_not_equal(color, last);
+		g->color[order[k]] = color;
+		if (g->moves[ends.x])
+			g->mask[ends.x] |= (Word64)1 << color;
+		if (g->moves[ends.y])
+			g->mask[ends.y] |= (Word64)1 << color;
+	}
+	free(order);
+}
+
+// The same by the stages, and the layout of the constraints.
+static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask)
+{
+	Counters* counters = calloc(1, sizeof *counters);
+	BodyState* bodies = calloc((size_t)g->bodies, sizeof *bodies);
+	for (int k = 0; k < g->bodies; ++k)
+		bodies[k].inv_mass = g->moves[k] ? 1.0f : 0.0f;
+	counters->contacts = g->contacts;
+	counters->began = g->began_count;
+	counters->crowded = g->contacts;
+	const Step step = {.constraint_capacity = MOST_ITEMS};
+	put(b, POOL_counters, 1, counters);
+	put(b, POOL_body, g->bodies, bodies);
+	put(b, POOL_color_mask, g->bodies, g->mask);
+	put(b, POOL_touching, g->bodies, g->touching);
+	put(b, POOL_contact_bodies, g->contacts, g->ends);
+	put(b, POOL_contact_color, g->contacts, g->color);
+	put(b, POOL_began, g->began_count, g->began);
+	run_one(b, &step, STAGE_hub_enter, g->contacts, COUNT(crowded), 0);
+	int done = 0;
+	do
+	{
+		for (int end = done + MAX_ROUNDS / 2; done < end; ++done)
+		{
+			if (done > 0 && done % MAX_ROUNDS == 0)
+				run_one(b, &(Step){0}, STAGE_color_wrap, 1, NO_COUNT, 0);
+			int count = done == 0 ? COUNT(began) : COUNT(uncolored) + done % MAX_ROUNDS;
+			run_one(b, &(Step){0}, STAGE_color_claim, g->contacts, count, done);
+			run_one(b, &(Step){0}, STAGE_color_take, g->contacts, count, done);
+		}
+		get(b, POOL_counters, 1, counters);
+	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
+	run_one(b, &(Step){0}, STAGE_color_reset, g->contacts, COUNT(began), 0);
+	run_one(b, &step, STAGE_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
+	run_one(b, &step, STAGE_color_key, g->contacts, COUNT(arrange), KEY_BITS);
+	run_sort(b, g->contacts, 32, 32 + KEY_BITS);
+	run_one(b, &step, STAGE_color_edge, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, PRIMITIVE_SCAN, g->contacts, COUNT(arrange), 0);
+	run_one(b, &step, STAGE_color_range, 1, NO_COUNT, 0);
+	run_one(b, &step, STAGE_color_place, g->contacts, COUNT(arrange), KEY_BITS);
+	get(b, POOL_contact_color, g->contacts, color);
+	get(b, POOL_color_mask, g->bodies, mask);
+
+	// claims are zero between steps
+	Word* claims = calloc((size_t)g->bodies, sizeof *claims);
+	for (int odd = 0; odd < 2; ++odd)
+	{
+		get(b, odd ? POOL_claim1 : POOL_claim0, g->bodies, claims);
+		for (int k = 0; k < g->bodies; ++k)
+			assert_int_equal(claims[k], 0);
+	}
+	free(claims);
+	free(bodies);
+	free(counters);
+}
+
+// whose spoke a contact is: of the end that can move and has more contacts
+static int owner_of(const Graph* g, Int2 ends)
+{
+	if (!g->moves[ends.x] || !g->moves[ends.y])
+		return g->moves[ends.x] ? ends.x : ends.y;
+	int more = g->touching[ends.x] - g->touching[ends.y];
+	return more > 0 || (more == 0 && ends.x < ends.y) ? ends.x : ends.y;
+}
+
+// The spokes by hub, the hubs by rising body, each from a block of its own on, padded with -1 up to the next.
+static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
+                         int* touching)
+{
+	int spokes = 0, found = 0, begin = counters->color_begin[COLORS], place = begin;
+	for (int body = 0; body < g->bodies; ++body)
+	{
+		int own = 0;
+		for (int slot = 0; slot < g->contacts; ++slot)
+		{
+			if (g->color[slot] != COLORS || owner_of(g, g->ends[slot]) != body)
+				continue;
+			if (own++ == 0)
+			{
+				for (int first = begin + (spokes + MAX_LANES - 1) / MAX_LANES * MAX_LANES + MAX_LANES * found;
+				     place < first; ++place)
+					assert_int_equal(constraints[place], -1);
+				assert_int_equal(place % MAX_LANES, 0);
+				assert_int_equal(hubs[found++], body);
+			}
+			assert_int_equal(constraints[place++], slot);
+		}
+		spokes += own;
+	}
+	assert_int_equal(counters->hubs, found);
+	assert_int_equal(counters->color_count[COLORS], spokes);
+	for (; place < counters->color_begin[COLORS + 1]; ++place)
+		assert_int_equal(constraints[place], -1);
+	*touching += spokes;
+}
+
+// By color, within a color by rising slot, each color padded with -1 to a multiple of COLOR_PADDING.
+static void check_layout(Backend* b, const Graph* g)
+{
+	Counters* counters = calloc(1, sizeof *counters);
+	int* constraints = calloc(MOST_ITEMS, sizeof *constraints);
+	int* places = calloc((size_t)g->contacts, sizeof *places);
+	get(b, POOL_counters, 1, counters);
+	get(b, POOL_constraint_contact, MOST_ITEMS, constraints);
+	get(b, POOL_contact_constraint, g->contacts, places);
+	int* hubs = calloc((size_t)g->bodies, sizeof *hubs);
+	get(b, POOL_hub, g->bodies, hubs);
+	int place = 0, touching = 0;
+	for (int color = 0; color < COLORS; ++color)
+	{
+		assert_int_equal(counters->color_begin[color], place);
+		for (int slot = 0; slot < g->contacts; ++slot)
+		{
+			if (g->color[slot] != color)
+				continue;
+			assert_int_equal(constraints[place], slot);
+			assert_int_equal(places[slot], place);
+			++place;
+			++touching;
+		}
+		assert_int_equal(counters->color_count[color], place - counters->color_begin[color]);
+		for (; place % COLOR_PADDING; ++place)
+			assert_int_equal(constraints[place], -1);
+	}
+	assert_int_equal(counters->color_begin[COLORS], place);
+	check_spokes(g, counters, constraints, hubs, &touching);
+	assert_int_equal(counters->touching, touching);
+	free(hubs);
+	free(counters);
+	free(constraints);
+	free(places);
+}
+
+// Colors the contacts that begin, here and on every backend; the graph is then as the host left it.
+static void check_colors(Graph* g)
+{
+	int* color = calloc((size_t)g->contacts, sizeof *color);
+	Word64* mask = calloc((size_t)g->bodies, sizeof *mask);
+	Graph* before = malloc(sizeof *before);
+	for (int k = 0; k < g->began_count; ++k)
+	{
+		++g->touching[g->ends[g->began[k]].x];
+		++g->touching[g->ends[g->began[k]].y];
+	}
+	*before = *g;
+	color_greedily(g);
+	for (int k = 0; k < backend_count; ++k)
+	{
+		color_by_stages(backends[k], before, color, mask);
+		for (int slot = 0; slot < g->contacts; ++slot)
+			assert_int_equal(color[slot], g->color[slot]);
+		assert_memory_equal(color, g->color, (size_t)g->contacts * sizeof *color);
+		assert_memory_equal(mask, g->mask, (size_t)g->bodies * sizeof *mask);
+		check_layout(backends[k], g);
+	}
+	free(before);
+	free(color);
+	free(mask);
+}
+
+// Half of the contacts begin first, then the other half; one body in fixed_one_in cannot move.
+static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fixed_one_in)
+{
+	Graph* g = calloc(1, sizeof *g);
+	g->bodies = bodies;
+	g->contacts = contacts;
+	for (int k = 0; k < bodies; ++k)
+		g->moves[k] = k > 0 && k % fixed_one_in != 0;
+	for (int k = 0; k < contacts; ++k)
+	{
+		Int2* ends = g->ends + k;
+		do
+			*ends = make_int2(random_below(seed, bodies), random_below(seed, bodies));
+		while (ends->x == ends->y || !(g->moves[ends->x] || g->moves[ends->y]));
+		g->color[k] = COLOR_NONE;
+	}
+	for (int half = 0; half < 2; ++half)
+	{
+		g->began_count = 0;
+		for (int k = contacts - 1; k >= 0; --k)
+			if (k % 2 == half)
+				g->began[g->began_count++] = k;
+		check_colors(g);
+	}
+	free(g);
+}
+
+static void colors_are_those_of_greedy(void** state)
+{
+	(void)state;
+	uint64_t seed = 1;
+	check_random_graph(&seed, 3000, 6000, 10);
+	check_random_graph(&seed, 500, 8000, 4);   // 32 a body: some are hubs, from the second half on
+	check_random_graph(&seed, 60, 6000, 1000); // all are hubs
+	check_random_graph(&seed, 2, 40, 2);       // one body that moves, on one that does not
+}
+
+// One body with a thousand contacts: all become its spokes, whether the others can move or not.
+static void star_is_a_hub(void** state)
+{
+	(void)state;
+	for (int fixed = 0; fixed < 2; ++fixed)
+	{
+		Graph* g = calloc(1, sizeof *g);
+		g->bodies = 1002;
+		g->contacts = g->began_count = 1000;
+		for (int k = 1; k < g->bodies; ++k)
+			g->moves[k] = k == 1 || !fixed;
+		for (int k = 0; k < 1000; ++k)
+		{
+			g->ends[k] = make_int2(1, k + 2);
+			g->color[k] = COLOR_NONE;
+			g->began[k] = k;
+		}
+		check_colors(g);
+		assert_true(g->mask[1] == 0);
+		for (int k = 0; k < 1000; ++k)
+			assert_int_equal(g->color[k], COLORS);
+		free(g);
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// parts of bodies
+// ---------------------------------------------------------------------------------------------------------------
+
+#define HUBS   9
+#define LIGHTS 40
+
+// Three hubs have spokes: those of numbers 0 and 8 have the same turn.
+enum
+{
+	HUB_A = 1,
+	HUB_B = 6,
+	HUB_C = 9
+};
+
+typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; body 0 cannot move
+{
+	Counters counters;
+	BodyState bodies[1 + HUBS + LIGHTS];
+	int touching[1 + HUBS + LIGHTS];
+	Int2 keys[1 + HUBS];
+	Int2 ends[HUBS * 64]; // -1 in padding
+	int slots[HUBS * 64];
+	Spokes spokes[HUBS * 64 / MAX_LANES];
+	Constraints constraints[HUBS * 64 / MAX_LANES];
+} Wheel;
+
+// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights 0 to 9 are on all three, lights 10 to 39 are on one or two,
+// the rest of the spokes go to what cannot move, and hub C is on hub A as well.
+static void make_wheel(Wheel* w, uint64_t* seed)
+{
+	const int counts[HUBS] = {[HUB_A - 1] = 48, [HUB_B - 1] = 47, [HUB_C - 1] = 33};
+	int place = 0, key = 0;
+	memset(w, 0, sizeof *w);
+	w->counters.hubs = HUBS;
+	for (int k = 0; k < 1 + HUBS + LIGHTS; ++k)
+		w->bodies[k] = (BodyState){.vx = random_between(seed, -9.0f, 9.0f),
+		                           .vy = random_between(seed, -9.0f, 9.0f),
+		                           .w = random_between(seed, -9.0f, 9.0f),
+		                           .inv_mass = k == 0 ? 0.0f : 1.0f};
+	for (int h = 0; h < HUBS; ++h)
+	{
+		w->touching[1 + h] = 100 - h;
+		w->keys[1 + h] = make_int2(key, key + counts[h]);
+		int first = MAX_LANES * ((key + MAX_LANES - 1) / MAX_LANES + h);
+		for (; place < first; ++place)
+			w->slots[place] = -1;
+		for (int k = 0; k < counts[h]; ++k, ++place)
+		{
+			int hub = 1 + h, light = hub == HUB_A && k == 40        ? HUB_C
+			                         : k < 10 + 10 * (hub != HUB_C) ? 1 + HUBS + k
+			                         : k < 30                       ? 1 + HUBS + 20 + 10 * (hub == HUB_B) + k % 10
+			                                                        : 0;
+			w->slots[place] = place;
+			w->ends[place] = k % 2 ? make_int2(1 + h, light) : make_int2(light, 1 + h);
+		}
+		key += counts[h];
+	}
+	w->counters.color_begin[COLORS + 1] = (place + MAX_LANES - 1) / MAX_LANES * MAX_LANES;
+	for (; place < HUBS * 64; ++place)
+		w->slots[place] = -1;
+	for (int k = 0; k < HUBS * 64; ++k)
+	{
+		w->constraints[k / MAX_LANES].body_a[k % MAX_LANES] = w->ends[k].x;
+		w->constraints[k / MAX_LANES].body_b[k % MAX_LANES] = w->ends[k].y;
+	}
+}
+
+static int light_of(const Wheel* w, int k)
+{
+	Int2 ends = w->ends[k];
+	if (w->slots[k] < 0)
+		return 0;
+	return w->touching[ends.x] > w->touching[ends.y] ? ends.y : ends.x;
+}
+
+static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ light_of(w, k); }
+
+static int turn_of(int hub) { return (hub - 1) % HUB_TURNS; }
+
+// What a body has of hubs: places of their spokes among their light ends, and how many there are in each turn, itself one of
+// them when it is a hub.
+typedef struct
+{
+	int beside[1 + HUBS], hubs[HUB_TURNS];
+} Share;
+
+static void shares_of(const Wheel* w, Share* shares)
+{
+	memset(shares, 0, (1 + HUBS + LIGHTS) * sizeof *shares);
+	for (int k = 0; k < w->counters.color_begin[COLORS + 1]; ++k)
+		if (w->slots[k] >= 0)
+			++shares[light_of(w, k)].beside[hub_of(w, k)];
+	for (int body = 1; body < 1 + HUBS + LIGHTS; ++body)
+		for (int h = 1; h <= HUBS; ++h)
+			shares[body].hubs[turn_of(h)] += shares[body].beside[h] > 0 || body == h;
+}
+
+static float parts_of(const Wheel* w, const Share* shares, int k)
+{
+	int light = light_of(w, k), hub = hub_of(w, k);
+	return light == 0 ? 1.0f : (float)(shares[light].hubs[turn_of(hub)] * shares[light].beside[hub]);
+}
+
+// v += (change of its own hub) / n + sum over spokes of the turn by rising place of change / (n times spokes beside).
+static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
+{
+	BodyState old = *b;
+	float x = 0.0f, y = 0.0f, spin = 0.0f, n = (float)shares[body].hubs[turn];
+	bool split = false;
+	if (body == HUB_C && turn == turn_of(HUB_C))
+	{
+		x = (1.0f - old.vx) / n;
+		y = (2.0f - old.vy) / n;
+		spin = (3.0f - old.w) / n;
+	}
+	for (int i = 0; i < w->counters.color_begin[COLORS + 1]; ++i)
+	{
+		const Spokes* s = w->spokes + i / MAX_LANES;
+		if (w->slots[i] < 0 || light_of(w, i) != body || turn_of(hub_of(w, i)) != turn)
+			continue;
+		float parts = parts_of(w, shares, i);
+		split = split || parts != 1.0f;
+		x += (s->vx[i % MAX_LANES] - old.vx) / parts;
+		y += (s->vy[i % MAX_LANES] - old.vy) / parts;
+		spin += (s->w[i % MAX_LANES] - old.w) / parts;
+	}
+	if (body == 0 || !split)
+		return;
+	b->vx = old.vx + x;
+	b->vy = old.vy + y;
+	b->w = old.w + spin;
+}
+
+// A body that n hubs of a turn reach is split into as many parts for each, and these among its spokes of that hub.
+static void parts_come_together(void** state)
+{
+	(void)state;
+	uint64_t seed = 7;
+	Wheel* w = malloc(sizeof *w);
+	make_wheel(w, &seed);
+	const int places = w->counters.color_begin[COLORS + 1], hubs[HUBS] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+	Share shares[1 + HUBS + LIGHTS];
+	shares_of(w, shares);
+	assert_true(shares[HUB_C].hubs[0] == 2 && shares[1 + HUBS].hubs[0] == 2 && shares[1 + HUBS].hubs[1] == 1 &&
+	            shares[1 + HUBS + 25].beside[HUB_C] == 2 && shares[1 + HUBS + 25].hubs[0] == 2);
+	for (int k = 0; k < backend_count; ++k)
+	{
+		Backend* d = backends[k];
+		put(d, POOL_counters, 1, &w->counters);
+		put(d, POOL_body, 1 + HUBS + LIGHTS, w->bodies);
+		put(d, POOL_touching, 1 + HUBS + LIGHTS, w->touching);
+		put(d, POOL_hub, HUBS, hubs);
+		put(d, POOL_hub_keys, 1 + HUBS, w->keys);
+		put(d, POOL_constraint_contact, HUBS * 64, w->slots);
+		put(d, POOL_constraints, HUBS * 64 / MAX_LANES, w->constraints);
+		run_one(d, &(Step){0}, STAGE_hub_key, places, NO_COUNT, 0);
+		run_sort(d, places, HUB_KEY_TURN, 32 + 7);
+		run_one(d, &(Step){0}, STAGE_hub_order, places, NO_COUNT, places);
+		get(d, POOL_spokes, places / MAX_LANES, w->spokes);
+		for (int i = 0; i < places; ++i)
+		{
+			Spokes* s = w->spokes + i / MAX_LANES;
+			assert_true(s->parts[i % MAX_LANES] == (w->slots[i] < 0 ? 1.0f : parts_of(w, shares, i)));
+			s->vx[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
+			s->vy[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
+			s->w[i % MAX_LANES] = random_between(&seed, -1.0f, 1.0f);
+		}
+		int first = MAX_LANES * ((w->keys[HUB_C].x + MAX_LANES - 1) / MAX_LANES + HUB_C - 1);
+		Spokes* own = w->spokes + first / MAX_LANES;
+		assert_true(own->hub_parts[0] == 2.0f && w->spokes[0].hub_parts[0] == 1.0f);
+		own->hub_x[0] = 1.0f;
+		own->hub_y[0] = 2.0f;
+		own->hub_w[0] = 3.0f;
+		put(d, POOL_spokes, places / MAX_LANES, w->spokes);
+		for (int turn = 0; turn < HUB_TURNS; ++turn)
+			run_one(d, &(Step){0}, STAGE_hub_merge, places, COUNT(split), turn);
+
+		BodyState after[1 + HUBS + LIGHTS];
+		get(d, POOL_body, 1 + HUBS + LIGHTS, after);
+		for (int body = 0; body < 1 + HUBS + LIGHTS; ++body)
+		{
+			BodyState b = w->bodies[body];
+			for (int turn = 0; turn < HUB_TURNS; ++turn)
+				merge(w, shares, body, turn, &b);
+			assert_memory_equal(&after[body], &b, sizeof b);
+		}
+	}
+	free(w);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(colors_are_those_of_greedy),
+	    cmocka_unit_test(star_is_a_hub),
+	    cmocka_unit_test(parts_come_together),
+	};
+	return cmocka_run_group_tests(tests, open_backends, close_backends);
+}
