@@ -12,30 +12,15 @@
 // solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32.
 #define MOST_SPREAD 8
 
-// arguments behind the step
+// arguments behind the step, of relay and of relay_hubs: the same but for those of one alone
 enum
 {
 	RELAY_ROWS = ARGUMENT_STEP + 1,
-	RELAY_NOTE,
+	RELAY_NOTES,
 	RELAY_COUNT,
 	RELAY_SUBSTEPS,
-	RELAY_PASSES,
-	RELAY_BOUND,
-	RELAY_SPINS,
-	RELAY_SPREAD
-};
-
-// the same of relay_hubs
-enum
-{
-	HUBS_ROWS = ARGUMENT_STEP + 1,
-	HUBS_NOTES,
-	HUBS_SUBSTEPS,
-	HUBS_PASSES,
-	HUBS_BOUND,
-	HUBS_SPINS,
-	HUBS_SPREAD,
-	HUBS_PARTS,
+	HUBS_SUBSTEPS = RELAY_COUNT,
+	HUBS_PARTS = HUBS_SUBSTEPS + 5,
 	HUBS_GROUPS
 };
 
@@ -153,19 +138,25 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->parts);
 }
 
+// What both kernels take; the five from substeps on follow each other.
+static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
+{
+	cl_int spins = SPINS;
+	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_NOTES, sizeof(cl_mem), &d->notes.buffer));
+	const cl_int* values[] = {&solve->substeps, &solve->passes, &solve->bound, &spins, &spread};
+	for (cl_uint k = 0; k < 5; ++k)
+		TRY(CALL(SetKernelArg, kernel, substeps + k, sizeof(cl_int), values[k]));
+	return SCREE_OK;
+}
+
 static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 {
-	cl_int spins = SPINS, groups = (cl_int)hub_groups(d, solve);
 	cl_kernel kernel = d->relay_hubs.kernel;
+	cl_int groups = (cl_int)hub_groups(d, solve),
+	       spread = spread_of(solve->constraints, other_most(d, solve) * d->relay_hubs.group);
 	TRY(kernel_step(d, &d->relay_hubs));
-	TRY(CALL(SetKernelArg, kernel, HUBS_ROWS, sizeof(cl_mem), &d->rows.buffer));
-	TRY(CALL(SetKernelArg, kernel, HUBS_NOTES, sizeof(cl_mem), &d->notes.buffer));
-	TRY(CALL(SetKernelArg, kernel, HUBS_SUBSTEPS, sizeof(cl_int), &solve->substeps));
-	TRY(CALL(SetKernelArg, kernel, HUBS_PASSES, sizeof(cl_int), &solve->passes));
-	TRY(CALL(SetKernelArg, kernel, HUBS_BOUND, sizeof(cl_int), &solve->bound));
-	TRY(CALL(SetKernelArg, kernel, HUBS_SPINS, sizeof spins, &spins));
-	cl_int spread = spread_of(solve->constraints, other_most(d, solve) * d->relay_hubs.group);
-	TRY(CALL(SetKernelArg, kernel, HUBS_SPREAD, sizeof spread, &spread));
+	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
 	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
 	size_t all = d->relay_hubs_groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
@@ -176,19 +167,12 @@ scree_status relay_run(OpenCl* d, const Solve* solve)
 {
 	if (solve->hubs > 0)
 		return relay_hubs_run(d, solve);
-	cl_int spins = SPINS;
 	cl_kernel kernel = d->relay.kernel;
-	TRY(kernel_step(d, &d->relay));
-	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
-	TRY(CALL(SetKernelArg, kernel, RELAY_NOTE, sizeof(cl_mem), &d->notes.buffer));
-	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
-	TRY(CALL(SetKernelArg, kernel, RELAY_SUBSTEPS, sizeof(cl_int), &solve->substeps));
-	TRY(CALL(SetKernelArg, kernel, RELAY_PASSES, sizeof(cl_int), &solve->passes));
-	TRY(CALL(SetKernelArg, kernel, RELAY_BOUND, sizeof(cl_int), &solve->bound));
-	TRY(CALL(SetKernelArg, kernel, RELAY_SPINS, sizeof spins, &spins));
 	size_t group = d->relay.group;
 	cl_int spread = spread_of(solve->constraints, (size_t)d->relay_groups * group);
-	TRY(CALL(SetKernelArg, kernel, RELAY_SPREAD, sizeof spread, &spread));
+	TRY(kernel_step(d, &d->relay));
+	TRY(relay_arguments(d, solve, kernel, RELAY_SUBSTEPS, spread));
+	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
 	size_t groups = groups_of(solve->constraints * spread, group);
 	groups = groups < (size_t)d->relay_groups ? groups : (size_t)d->relay_groups;
 	return launch(d, kernel, groups * group, group);
