@@ -156,6 +156,7 @@ scree_status kernels_bind(OpenCl* d, Per per)
 	{
 		TRY(kernel_bind(d, per, &d->persistent));
 		TRY(kernel_bind(d, per, &d->relay));
+		TRY(kernel_bind(d, per, &d->relay_plain));
 		TRY(kernel_bind(d, per, &d->relay_hubs));
 		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));

@@ -195,6 +195,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
+		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay_plain));
 		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay_hubs));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));

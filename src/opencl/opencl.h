@@ -10,6 +10,7 @@ typedef struct
 	cl_kernel kernel;
 	size_t group;     // work-items of a group
 	uint64_t version; // of the step that its arguments hold
+	int groups;       // of a relay: that run together; 0 when this device takes other forms only
 } Kernel;
 
 // arguments of a kernel behind the buffers
@@ -71,6 +72,7 @@ enum // kernels of tiles.cl that take all pools, in the order in which they are 
 	TILE_COUNT,
 	TILE_ORDER,
 	TILE_PREPARE,
+	TILE_PREPARE_PLAIN, // instead
 	TILE_WARM_START,
 	TILE_BIAS,
 	TILE_RELAX,
@@ -142,12 +144,10 @@ typedef struct
 	bool any_size;   // SCREE_PERSISTENT=1: also where launches are faster
 
 	// relay.c
-	Kernel relay, relay_hubs, solve_end;
-	Scratch rows;     // of words, RELAY_WORDS a body
-	Scratch notes;    // NOTE_FLOAT4S a constraint that does not stay in registers
-	Scratch parts;    // two words a spoke, and a hub
-	int relay_groups; // that run together; 0 when this device takes other forms only
-	int relay_hubs_groups;
+	Kernel relay, relay_plain, relay_hubs, solve_end;
+	Scratch rows;  // of words, RELAY_WORDS a body
+	Scratch notes; // NOTE_FLOAT4S a constraint that does not stay in registers
+	Scratch parts; // two words a spoke, and a hub
 
 	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size
 	enum
@@ -248,6 +248,8 @@ void relay_close(OpenCl* d);
 scree_status relay_reserve(OpenCl* d, const Solve* solve);
 scree_status rows_reserve(OpenCl* d, const Solve* solve);
 scree_status relay_run(OpenCl* d, const Solve* solve);
+// Whether the kernels of a plain world (solve.cl) do for the step.
+bool solve_plain(const OpenCl* d);
 
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);

@@ -32,13 +32,13 @@ scree_status rows_reserve(OpenCl* d, const Solve* solve)
 // groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
 static size_t hub_groups(const OpenCl* d, const Solve* solve)
 {
-	size_t most = d->relay_hubs_groups > 1 ? (size_t)d->relay_hubs_groups / 2 : 1, hubs = (size_t)solve->hubs;
+	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->hubs;
 	return hubs < most ? hubs : most;
 }
 
 static size_t other_most(const OpenCl* d, const Solve* solve)
 {
-	return (size_t)d->relay_hubs_groups - hub_groups(d, solve);
+	return (size_t)d->relay_hubs.groups - hub_groups(d, solve);
 }
 
 // How many work-items a constraint has, of which one works, where the device has room for them.
@@ -58,10 +58,13 @@ static size_t other_groups(const OpenCl* d, const Solve* solve)
 	return groups < most ? groups : most;
 }
 
+static Kernel* relay_kernel(OpenCl* d) { return solve_plain(d) ? &d->relay_plain : &d->relay; }
+
 scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
 	TRY(rows_reserve(d, solve));
-	bool registers = solve->constraints <= d->relay_groups * (int)d->relay.group;
+	const Kernel* relay = relay_kernel(d);
+	bool registers = solve->constraints <= relay->groups * (int)relay->group;
 	if (solve->hubs > 0)
 	{
 		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(solve->constraints + solve->hubs)));
@@ -78,7 +81,7 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault
 	TRY(CALL(SetKernelArg, kernel, 1, sizeof fault, &fault));
 	TRY(CALL(SetKernelArg, kernel, 2, sizeof rounds, &rounds));
 	TRY(CALL(SetKernelArg, kernel, 3, sizeof spins, &spins));
-	TRY(launch(d, kernel, (size_t)d->relay_groups * d->relay.group, d->relay.group));
+	TRY(launch(d, kernel, (size_t)d->relay.groups * d->relay.group, d->relay.group));
 	TRY(CALL(EnqueueReadBuffer, d->queue, fault, CL_TRUE, 0, sizeof found, &found, 0, NULL, NULL));
 	*runs = found == 0;
 	if (found)
@@ -87,23 +90,26 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault
 	return SCREE_OK;
 }
 
+// How many groups run together. A CPU runs work-items to their end one after the other: only one is sure to run, which serves
+// tests.
+static scree_status count_groups(const OpenCl* d, Kernel* kernel)
+{
+	size_t most = 0;
+	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	         NULL));
+	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
+	kernel->group = cpu ? 1 : kernel->group;
+	kernel->groups = cpu ? 1 : d->device.about.units * (int)(most / kernel->group);
+	return SCREE_OK;
+}
+
 scree_status relay_open(OpenCl* d)
 {
 	if (d->most_groups == 0)
 		return SCREE_OK;
-	size_t most = 0;
-	TRY(CALL(GetKernelWorkGroupInfo, d->relay.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
-	         NULL));
-	// a CPU runs work-items to their end one after the other: only one is sure to run, which serves tests
-	if (d->device.type & CL_DEVICE_TYPE_CPU)
-		d->relay.group = 1;
-	d->relay_groups = d->device.type & CL_DEVICE_TYPE_CPU ? 1 : d->device.about.units * (int)(most / d->relay.group);
-	TRY(CALL(GetKernelWorkGroupInfo, d->relay_hubs.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
-	         NULL));
-	if (d->device.type & CL_DEVICE_TYPE_CPU)
-		d->relay_hubs.group = 1;
-	d->relay_hubs_groups =
-	    d->device.type & CL_DEVICE_TYPE_CPU ? 1 : d->device.about.units * (int)(most / d->relay_hubs.group);
+	TRY(count_groups(d, &d->relay));
+	TRY(count_groups(d, &d->relay_plain));
+	TRY(count_groups(d, &d->relay_hubs));
 
 	cl_int error;
 	cl_mem rows = NULL, fault = NULL;
@@ -111,13 +117,13 @@ scree_status relay_open(OpenCl* d)
 	cl_kernel kernel = opencl.CreateKernel(d->program, "relay_probe", &error);
 	scree_status status = opencl_check("clCreateKernel", error);
 	if (!status)
-		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay_groups * d->relay.group, &rows);
+		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.groups * d->relay.group, &rows);
 	if (!status)
 		status = buffer_create(d, sizeof(cl_int), &fault);
 	if (!status)
 		status = probe(d, kernel, rows, fault, &runs);
 	if (!runs)
-		d->relay_groups = 0;
+		d->relay.groups = 0;
 	if (rows)
 		opencl.ReleaseMemObject(rows);
 	if (fault)
@@ -129,8 +135,8 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.kernel, d->relay_hubs.kernel, d->solve_end.kernel};
-	for (int i = 0; i < 3; ++i)
+	cl_kernel kernels[] = {d->relay.kernel, d->relay_plain.kernel, d->relay_hubs.kernel, d->solve_end.kernel};
+	for (int i = 0; i < 4; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
 	scratch_release(&d->rows);
@@ -159,7 +165,7 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
 	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
-	size_t all = d->relay_hubs_groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
+	size_t all = d->relay_hubs.groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
 	return launch(d, kernel, all * d->relay_hubs.group, d->relay_hubs.group);
 }
 
@@ -167,13 +173,12 @@ scree_status relay_run(OpenCl* d, const Solve* solve)
 {
 	if (solve->hubs > 0)
 		return relay_hubs_run(d, solve);
-	cl_kernel kernel = d->relay.kernel;
-	size_t group = d->relay.group;
-	cl_int spread = spread_of(solve->constraints, (size_t)d->relay_groups * group);
-	TRY(kernel_step(d, &d->relay));
-	TRY(relay_arguments(d, solve, kernel, RELAY_SUBSTEPS, spread));
-	TRY(CALL(SetKernelArg, kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
-	size_t groups = groups_of(solve->constraints * spread, group);
-	groups = groups < (size_t)d->relay_groups ? groups : (size_t)d->relay_groups;
-	return launch(d, kernel, groups * group, group);
+	Kernel* relay = relay_kernel(d);
+	size_t most = (size_t)relay->groups;
+	cl_int spread = spread_of(solve->constraints, most * relay->group);
+	TRY(kernel_step(d, relay));
+	TRY(relay_arguments(d, solve, relay->kernel, RELAY_SUBSTEPS, spread));
+	TRY(CALL(SetKernelArg, relay->kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
+	size_t groups = groups_of(solve->constraints * spread, relay->group);
+	return launch(d, relay->kernel, (groups < most ? groups : most) * relay->group, relay->group);
 }

@@ -199,13 +199,9 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 
 // All tasks of all constraints. Bodies that no constraint holds are solve_end's. notes has NOTE_FLOAT4S rows a constraint
 // when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
-__kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints, int substeps,
-                    int passes, int bound, int spins, int spread)
+INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* notes, int constraints, int bound, int spread,
+                        volatile __local int* fault)
 {
-	volatile __local int fault;
-	Pools pools = {POOL_NAMES step, 0};
-	const Pools* p = &pools;
-	Relay r = {rows, substeps, passes, spins};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
 	int place = (int)get_global_id(0), stride = (int)get_global_size(0) / spread;
@@ -217,7 +213,7 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
 	if (get_local_id(0) == 0)
-		fault = 0;
+		*fault = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (begin >= constraints)
 		return;
@@ -230,27 +226,41 @@ __kernel void relay(POOL_ARGUMENTS Step step, __global ulong* rows, __global flo
 	}
 	if (constraints <= stride)
 	{
-		for (int q = 0; q < passes; ++q)
-			if (!relay_task(p, &r, begin, q, &u, true, &fault))
+		for (int q = 0; q < r->passes; ++q)
+			if (!relay_task(p, r, begin, q, &u, true, fault))
 				return;
 		if (!u.inert)
 			runner_stow(p, begin, &u);
 	}
 	else
-		for (int q = 0; q < passes; ++q)
+		for (int q = 0; q < r->passes; ++q)
 			for (int i = begin; i < constraints; i += stride)
 			{
 				u = runner_return(notes, constraints, i);
-				if (!relay_task(p, &r, i, q, &u, true, &fault))
+				if (!relay_task(p, r, i, q, &u, true, fault))
 					return;
 				if (u.inert)
 					continue;
-				if (q + 1 == passes)
+				if (q + 1 == r->passes)
 					runner_stow(p, i, &u);
 				else
 					runner_leave_impulses(&u, notes, constraints, i);
 			}
 }
+
+#define RELAY_KERNEL(name, plain)                                                                                       \
+	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints,     \
+	                   int substeps, int passes, int bound, int spins, int spread)                                  \
+	{                                                                                                               \
+		volatile __local int fault;                                                                                 \
+		Pools pools = {POOL_NAMES step, 0};                                                                         \
+		Relay r = {rows, substeps, passes, spins};                                                                  \
+		if (plain)                                                                                                  \
+			STEP_PLAIN(pools.step);                                                                                 \
+		relay_tasks(&pools, &r, notes, constraints, bound, spread, &fault);                                         \
+	}
+RELAY_KERNEL(relay, 0)
+RELAY_KERNEL(relay_plain, 1)
 
 // Whether work-items advance each on its own, and words arrive whole: in round k each waits for its neighbor's row of
 // the same round, but one in four for another group's row of the round before.

@@ -70,6 +70,8 @@ void solve_open(OpenCl* d)
 		d->solver = SOLVER_TILES;
 }
 
+bool solve_plain(const OpenCl* d) { return !d->step.extras && !d->step.bounces && !d->step.round; }
+
 static bool relayed(const OpenCl* d, const Solve* solve)
 {
 	return d->solver == SOLVER_RELAY || (d->solver == SOLVER_ANY && solve->constraints <= RELAY_CONSTRAINTS);
@@ -78,7 +80,7 @@ static bool relayed(const OpenCl* d, const Solve* solve)
 int solve_length(OpenCl* d, const Run* runs, int count)
 {
 	Solve solve;
-	if (d->relay_groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve))
+	if (d->relay.groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve))
 		return 0;
 	bool relay = relayed(d, &solve);
 	// a hub's spokes lie in many tiles

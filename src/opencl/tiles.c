@@ -17,11 +17,12 @@ static const struct
 	const char* name;
 	size_t group;
 } kernels[TILE_KERNELS] = {
-    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},   [TILE_LIST] = {"tile_list", STAGE_GROUP},
-    [TILE_COUNT] = {"tile_count", STAGE_GROUP},     [TILE_ORDER] = {"tile_order", STAGE_GROUP},
-    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP}, [TILE_WARM_START] = {"tile_warm_start", TILE_GROUP},
-    [TILE_BIAS] = {"tile_bias", TILE_GROUP},        [TILE_RELAX] = {"tile_relax", TILE_GROUP},
-    [TILE_BOUNCE] = {"tile_bounce", TILE_GROUP},    [TILE_BORDER] = {"tile_border", RELAY_GROUP},
+    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},        [TILE_LIST] = {"tile_list", STAGE_GROUP},
+    [TILE_COUNT] = {"tile_count", STAGE_GROUP},          [TILE_ORDER] = {"tile_order", STAGE_GROUP},
+    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP},      [TILE_PREPARE_PLAIN] = {"tile_prepare_plain", STAGE_GROUP},
+    [TILE_WARM_START] = {"tile_warm_start", TILE_GROUP}, [TILE_BIAS] = {"tile_bias", TILE_GROUP},
+    [TILE_RELAX] = {"tile_relax", TILE_GROUP},           [TILE_BOUNCE] = {"tile_bounce", TILE_GROUP},
+    [TILE_BORDER] = {"tile_border", RELAY_GROUP},
 };
 
 scree_status tiles_open(OpenCl* d)
@@ -188,11 +189,11 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
 	       order = t->buffers[TILE_ORDER_BUFFER].buffer;
 	cl_mem notes = d->notes.buffer;
-	TRY(tile_run(d, TILE_PREPARE, stride,
+	TRY(tile_run(d, solve_plain(d) ? TILE_PREPARE_PLAIN : TILE_PREPARE, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
 	                    VALUE(solve->bound))));
-	int border = d->relay_groups * RELAY_GROUP;
-	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay_groups)
+	int border = d->relay.groups * RELAY_GROUP;
+	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.groups)
 		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
 	for (cl_int q = 0; q < solve->passes; ++q)
 	{

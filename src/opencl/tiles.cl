@@ -254,31 +254,24 @@ INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, 
 	pairs[TILE_TANGENT * n] = (float2)(u->tangent[0], u->tangent[1]);
 }
 
-__kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
-                           __global const int* table, __global const int* order, __global float4* notes, int stride,
-                           int rows, int bound)
+// What the passes need of the constraint at place j.
+INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 {
-	Pools pools = {POOL_NAMES step, 0};
-	const Pools* p = &pools;
-	Tiles t = {place, border, 0, table, order, notes, stride, rows};
-	if (!tile_wanted(p, bound))
-		return;
-	int j = (int)get_global_id(0);
 	if (j == 0)
 	{
 		p->counters->nonfinite = 0;
 		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
-	if (j >= table[(rows + 1) * TILE_COLORS])
+	if (j >= t->table[(t->rows + 1) * TILE_COLORS])
 		return;
-	int i = order[j];
-	bool on_border = j >= table[rows * TILE_COLORS];
+	int i = t->order[j];
+	bool on_border = j >= t->table[t->rows * TILE_COLORS];
 	Runner u;
 	u.inert = i < 0;
 	if (u.inert)
 	{
-		runner_leave(&u, notes, stride, j);
+		runner_leave(&u, t->notes, t->stride, j);
 		return;
 	}
 	int slot = p->constraint_contact[i], color = p->contact_color[slot];
@@ -288,10 +281,25 @@ __kernel void tile_prepare(POOL_ARGUMENTS Step step, __global const int* place, 
 	u = runner_make(p, i, points);
 	if (on_border)
 	{
-		u.side[0] = tile_side(p, &t, u.c.ia, color);
-		u.side[1] = tile_side(p, &t, u.c.ib, color);
-		runner_leave(&u, notes, stride, j);
+		u.side[0] = tile_side(p, t, u.c.ia, color);
+		u.side[1] = tile_side(p, t, u.c.ib, color);
+		runner_leave(&u, t->notes, t->stride, j);
 	}
 	else
-		tile_leave(&u, tile_place(p, &t, u.c.ia) | tile_place(p, &t, u.c.ib) << 16, points.offset, &t, j);
+		tile_leave(&u, tile_place(p, t, u.c.ia) | tile_place(p, t, u.c.ib) << 16, points.offset, t, j);
 }
+
+#define TILE_PREPARE_KERNEL(name, plain)                                                                            \
+	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,             \
+	                   __global const int* table, __global const int* order, __global float4* notes, int stride,    \
+	                   int rows, int bound)                                                                         \
+	{                                                                                                               \
+		Pools pools = {POOL_NAMES step, 0};                                                                         \
+		Tiles t = {place, border, 0, table, order, notes, stride, rows};                                            \
+		if (plain)                                                                                                  \
+			STEP_PLAIN(pools.step);                                                                                 \
+		if (tile_wanted(&pools, bound))                                                                             \
+			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                     \
+	}
+TILE_PREPARE_KERNEL(tile_prepare, 0)
+TILE_PREPARE_KERNEL(tile_prepare_plain, 1)
