@@ -142,7 +142,7 @@ static int collidable_run(const scree_world* world, int k)
 static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pose_low, POOL_motion,
                                     POOL_local_center, POOL_color_mask, POOL_guarded};
 
-static void body_item(const scree_world* world, PoolId pool, const BodyRow* row, void* item)
+static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
 	switch (pool)
@@ -268,7 +268,7 @@ static scree_status write_attributes(scree_world* world, char* stage)
 // commands
 // ---------------------------------------------------------------------------------------------------------------
 
-static int body_commands(const scree_world* world, const BodyRow* row, Command* to)
+static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
 	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};

@@ -52,10 +52,11 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / host->mass.inertia : 0.0f;
 }
 
-Guarded body_guarded(const scree_world* world, int body)
+Guarded body_guarded(scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
-	Guarded guarded = {.first = host->first_collidable + 1, .way = FLT_MAX};
+	Guarded guarded = {.first = host->first_collidable + 1, .parts = 1, .way = INFINITY};
+	int count = 0;
 	for (int k = host->first_collidable; host->type == SCREE_DYNAMIC && k >= 0; k = world->host_collidables[k].next)
 	{
 		// guard adds components of the arm: at most 1.4143 times its length; a little more for rounding
@@ -66,16 +67,22 @@ Guarded body_guarded(const scree_world* world, int body)
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach + 1.4143f * hypotf(x, y));
 		guarded.way = way < guarded.way ? way : guarded.way;
 		guarded.reach = reach > guarded.reach ? reach : guarded.reach;
+		++count;
 	}
+	if (count > GUARD_SHARE)
+		guarded.parts = count < GUARD_SHARE * GUARD_PARTS ? count / GUARD_SHARE : GUARD_PARTS;
+	Pipeline* pipeline = &world->pipeline;
+	pipeline->guard_way = guarded.way < pipeline->guard_way ? guarded.way : pipeline->guard_way;
+	pipeline->guard_reach = guarded.reach > pipeline->guard_reach ? guarded.reach : pipeline->guard_reach;
 	return guarded;
 }
 
-Command guarded_command(const scree_world* world, int body)
+Command guarded_command(scree_world* world, int body)
 {
 	Guarded guarded = body_guarded(world, body);
 	return (Command){.kind = COMMAND_GUARDED,
 	                 .index = body,
-	                 .whole = {guarded.first},
+	                 .whole = {guarded.first, guarded.parts},
 	                 .value = make_float4(guarded.way, guarded.reach, 0.0f, 0.0f)};
 }
 
@@ -85,8 +92,7 @@ void mass_set(scree_world* world, int body, scree_mass mass)
 	host->mass = mass;
 	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
 	pending_command(world, COMMAND_MASS, body, value, 0);
-	Command guarded = guarded_command(world, body);
-	pending_command(world, guarded.kind, body, guarded.value, guarded.whole[0]);
+	pending_whole(world, guarded_command(world, body));
 }
 
 scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)

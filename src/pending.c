@@ -40,6 +40,11 @@ void pending_collidable(scree_world* world, int index)
 
 void pending_command(scree_world* world, int kind, int index, Float4 value, int whole)
 {
+	pending_whole(world, (Command){.kind = kind, .index = index, .whole = {whole}, .value = value});
+}
+
+void pending_whole(scree_world* world, Command command)
+{
 	Pending* p = &world->pending;
-	p->commands[p->command_count++] = (Command){.kind = kind, .index = index, .whole = {whole}, .value = value};
+	p->commands[p->command_count++] = command;
 }

@@ -55,5 +55,6 @@ void pending_collidable(scree_world* world, int index);
 
 // A change; whole is Command.whole[0].
 void pending_command(scree_world* world, int kind, int index, Float4 value, int whole);
+void pending_whole(scree_world* world, Command command);
 
 #endif

@@ -255,7 +255,7 @@ static scree_status solve(scree_world* world, const Step* step, int substeps, in
 	if (step->bounces)
 		add_pass(list, c, bound, STAGE_bounce, HUB_REBOUND);
 	add(list, STAGE_finalize, 0, world->bodies.used, bound, 0);
-	add(list, STAGE_guard, 0, world->bodies.used, COUNT(guarded), 0);
+	add(list, STAGE_guard, 0, world->collidables.used, COUNT(guarded), 0);
 	return list_run(world, step, list);
 }
 
@@ -404,6 +404,8 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .extras = world->pipeline.extras,
 	    .bounces = world->pipeline.bounces,
 	    .round = world->pipeline.round,
+	    .guard_way = world->pipeline.guard_way,
+	    .guard_reach = world->pipeline.guard_reach,
 	    .collidables = world->collidables.used,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],

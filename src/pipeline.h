@@ -32,17 +32,18 @@ typedef struct
 	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
 	int member_capacity;
 	RunList list;
-	Step step;           // constants of the last step: kernels that need none keep those
-	int used[PER_COUNT]; // most items that a kind of pool needed since idle was 0
-	int idle;            // steps since pools were last looked at for room to give back
-	int sparse;          // steps with few contacts for their slots
-	bool jumps;          // the user placed or made something since the last step: boxes may jump
-	bool begun;          // the step at work has changed something on the device
-	bool extras;         // some attribute has restitution, rolling resistance or tangent speed
-	bool bounces;        // some attribute has restitution
-	bool round;          // some attribute has a radius
-	bool split;          // the spokes of the layout know into how many parts their light ends are split
-	int rounds;          // coloring rounds that the last step needed
+	Step step;                    // constants of the last step: kernels that need none keep those
+	int used[PER_COUNT];          // most items that a kind of pool needed since idle was 0
+	int idle;                     // steps since pools were last looked at for room to give back
+	int sparse;                   // steps with few contacts for their slots
+	bool jumps;                   // the user placed or made something since the last step: boxes may jump
+	bool begun;                   // the step at work has changed something on the device
+	bool extras;                  // some attribute has restitution, rolling resistance or tangent speed
+	bool bounces;                 // some attribute has restitution
+	bool round;                   // some attribute has a radius
+	float guard_way, guard_reach; // as in Step: bounds of all bodies that there ever were
+	bool split;                   // the spokes of the layout know into how many parts their light ends are split
+	int rounds;                   // coloring rounds that the last step needed
 	int64_t steps;
 	int grown;               // times that a pool grew
 	double milliseconds;     // of the last step, by the wall clock

@@ -2,6 +2,7 @@
 // room.c -- how much room the pools have: made when a stage found too little, given back when most of it was long idle.
 #include "tree.h"
 #include "world.h"
+#include <math.h>
 
 // Room is given back when for so many steps, 2 s of a game, never more than an eighth of it was used; twice what was used
 // stays. So a burst that comes again within that time finds its room, and a pool that has shrunk must fill up fourfold
@@ -85,6 +86,7 @@ scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
 scree_status pipeline_open(scree_world* world)
 {
 	int bodies = world->def.body_capacity;
+	world->pipeline.guard_way = INFINITY;
 	scree_status status = pipeline_reserve(world, ONE, 1);
 	if (!status)
 		status = pipeline_reserve(world, HASH, HASH_SUMS);

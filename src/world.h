@@ -101,8 +101,8 @@ scree_mass mass_of_body(const scree_world* world, int body);
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
 // What the device keeps of a dynamic body for guard, and the command that tells it.
-Guarded body_guarded(const scree_world* world, int body);
-Command guarded_command(const scree_world* world, int body);
+Guarded body_guarded(scree_world* world, int body); // may lower the bounds in Step of what guard looks at
+Command guarded_command(scree_world* world, int body);
 // The mass of a body becomes this one, also on the device. There is room for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 

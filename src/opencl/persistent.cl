@@ -18,14 +18,6 @@ enum
 	PRIMITIVE_SCAN
 };
 
-// Orders this work-item's memory accesses for the whole device, not its group alone, and drops what its first-level
-// cache holds. OpenCL C 1.2 has no such fence; where none is known the probe decides whether mem_fence will do.
-#ifdef __NV_CL_C_VERSION
-#define DEVICE_FENCE() asm volatile("membar.gl;" ::: "memory")
-#else
-#define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
-#endif
-
 // Whether there may be several groups: not on a CPU, whose compiler takes many minutes for meetings that depend on anything.
 #ifdef ONE_GROUP
 #define SEVERAL false

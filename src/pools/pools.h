@@ -58,6 +58,9 @@
 
 // of a body's thickness: how far it may go in a step before guard looks at its way
 #define GUARD_TRAVEL 0.5f
+// fewest collidables of a body for a work-item of guard, and most work-items
+#define GUARD_SHARE 2
+#define GUARD_PARTS 64
 
 // an empty box overlaps nothing
 #define EMPTY_LOW  1.0e30f
@@ -106,9 +109,10 @@ typedef struct // 160 bytes
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
 
-typedef struct // 12 bytes: what guard needs of a body that is dynamic
+typedef struct // 16 bytes: what guard needs of a body that is dynamic
 {
 	int first;   // 1 + index of its first collidable, 0 for none
+	int parts;   // work-items among which its collidables are dealt out
 	float way;   // m: GUARD_TRAVEL times the thickness of its thinnest collidable
 	float reach; // m: no point of it is further from the center of mass
 } Guarded;
@@ -219,7 +223,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
-#define COMMAND_GUARDED         11 // Guarded: whole[0] first, x way, y reach
+#define COMMAND_GUARDED         11 // Guarded: whole first, parts; x way, y reach
 #define COMMAND_PLACE           12 // a collidable without a body: x, y, cos, sin
 #define COMMAND_COLLIDABLE      13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
 #define COMMAND_FILTER          14 // the bits of category and mask; whole: group, kind
@@ -250,6 +254,8 @@ typedef struct // constants of one step, by value to every stage
 	int extras;           // some attribute has restitution, rolling resistance or tangent speed
 	int bounces;          // some attribute has restitution
 	int round;            // some attribute has a radius
+	float guard_way;      // m: no Guarded.way of the world is less
+	float guard_reach;    // m: nor any Guarded.reach more
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity, constraint_capacity;
 	int contact_limit;       // most contacts that the world may have
@@ -299,7 +305,7 @@ typedef struct
 	int penetration;     // bits of the deepest overlap, m
 	int nonfinite;       // bodies frozen because their state was not finite
 	int first_nonfinite; // lowest index of these
-	int guarded;         // bodies that went so far that guard looks at their way
+	int guarded;         // items of guard: bodies that went far, those of many collidables in parts
 	int held;            // bodies that stopped before something static; guard
 	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;

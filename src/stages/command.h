@@ -141,6 +141,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		break;
 	case COMMAND_GUARDED:
 		p->guarded[i].first = c.whole[0];
+		p->guarded[i].parts = c.whole[1];
 		p->guarded[i].way = value.x;
 		p->guarded[i].reach = value.y;
 		break;

@@ -52,6 +52,21 @@ typedef int2 Int2;
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
 	 (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
+// Orders this work-item's memory accesses for the whole device, not its group alone, and drops what its first-level
+// cache holds. OpenCL C 1.2 has no such fence; where none is known mem_fence has to do, which persistent.cl probes.
+#ifdef __NV_CL_C_VERSION
+#define DEVICE_FENCE() asm volatile("membar.gl;" ::: "memory")
+#else
+#define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
+#endif
+// Counts an item in, and says how many came before it: the last one finds what all others left by atomics.
+INLINE int arrive_int(GLOBAL int* place)
+{
+	DEVICE_FENCE();
+	int before = atomic_add(place, 1);
+	DEVICE_FENCE();
+	return before;
+}
 // reads past first-level caches, which other compute units do not keep up to date
 #define read_shared(place)            (*(volatile __global int*)(place))
 #define read_shared_word(place)       (*(volatile __global uint*)(place))
@@ -114,6 +129,7 @@ INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
 #define gather_fixed_rows8(base, index, out) gather_rows8(base, index, out)
 
 INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }
+INLINE int arrive_int(int* place) { return __atomic_fetch_add(place, 1, __ATOMIC_ACQ_REL); }
 INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(place, x, __ATOMIC_RELAXED); }
 INLINE int read_shared(int* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
 INLINE Word read_shared_word(Word* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }

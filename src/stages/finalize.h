@@ -42,7 +42,7 @@ STAGE(finalize)
 		body->da = 0.0f;
 	}
 	if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
-		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = i;
+		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);
 
@@ -62,9 +62,15 @@ STAGE(finalize)
 // Item i of the bodies that go far: as far as nothing static is in their way.
 STAGE(guard)
 {
-	int body = p->guard_list[i];
+	Int2 item = p->guard_list[i];
+	int body = item.x;
+	Guarded guarded = p->guarded[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy);
-	float da = p->body[body].da, share = guard_body(p, body, d, da);
+	float da = p->body[body].da, share = guard_part(p, guarded, item.y, d, da);
+	if (!guard_all(p, guarded, body, &share))
+		return;
+	if (share < 1.0f)
+		atomic_add_int(&p->counters->held, 1);
 	finalize_pose(p, body, vec_scale(share, d), share * da);
 }
 

@@ -190,9 +190,10 @@ INLINE Word64 tree_span(int level, int first, int from, int end)
 	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
 }
 
-typedef struct // through the leaves that overlap a box, in rising order
+typedef struct // through the nodes over leaves that overlap a box, in rising order of leaves
 {
 	Word64 masks;     // 8 bits a level: which of the eight siblings on the current path are still to be visited
+	Word64 leaves;    // of the node where it is, a bit for each leaf that overlaps the box
 	int level, first; // where it is: the first of eight siblings
 	int from, end;    // leaves from and up to, not including; end 0: all
 	int nodes;        // over leaves that it may still visit
@@ -207,6 +208,7 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	walk.from = from;
 	walk.end = end;
 	walk.nodes = nodes;
+	walk.leaves = 0;
 	walk.masks = tree_hits(p, tree->begin[walk.level], box);
 	if (end)
 		walk.masks &= tree_span(walk.level, 0, from, end);
@@ -214,8 +216,12 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	return walk;
 }
 
-// The next collidable whose leaf overlaps the box; TREE_DONE behind the last, TREE_LEFT when the walk has visited as many
-// nodes over leaves as it may: walk.first is the leaf at which it has to go on.
+// the number of the lowest bit that is set
+INLINE int tree_lowest(Word64 bits) { return 63 - leading_zeros(bits & (~bits + (Word64)1)); }
+
+// Goes to the next node over leaves, and returns the first of its leaves; walk->leaves says which overlap the box.
+// TREE_DONE behind the last, TREE_LEFT when the walk has visited as many as it may: walk->first is the leaf at which it
+// has to go on.
 #define TREE_DONE (-1)
 #define TREE_LEFT (-2)
 INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)
@@ -223,6 +229,12 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 	for (;;)
 	{
 		Word64 siblings = walk->masks >> (8 * walk->level) & (Word64)255;
+		if (walk->level == 0 && siblings != 0)
+		{
+			walk->leaves = siblings;
+			walk->masks ^= siblings;
+			return walk->first;
+		}
 		if (siblings == 0)
 		{
 			if (walk->level == tree->top)
@@ -231,12 +243,9 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 			walk->first = walk->first / ARITY & ~(ARITY - 1);
 			continue;
 		}
-		Word64 lowest = siblings & (~siblings + (Word64)1);
-		int child = walk->first + 63 - leading_zeros(lowest);
-		walk->masks ^= lowest << (8 * walk->level);
-		if (walk->level == 0)
-			return p->leaf[tree->leaf_begin + child];
-		walk->first = ARITY * child;
+		int child = tree_lowest(siblings);
+		walk->masks ^= (Word64)1 << (8 * walk->level + child);
+		walk->first = ARITY * (walk->first + child);
 		if (--walk->level == 0 && --walk->nodes < 0)
 			return TREE_LEFT;
 		Word64 hits = tree_hits(p, tree->begin[walk->level] + walk->first, box);
