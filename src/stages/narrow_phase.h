@@ -216,6 +216,14 @@ STAGE(narrow_phase)
 		fetch_soon(p->old_box + pair.y);
 		fetch_soon(p->body + bodies.x);
 		fetch_soon(p->body + bodies.y);
+		int constraint = p->contact_constraint[soon];
+		if (constraint >= 0)
+		{
+			fetch_soon(&constraint_at(p, normal_impulse1, constraint));
+			fetch_soon(&constraint_at(p, normal_impulse2, constraint));
+			fetch_soon(&constraint_at(p, tangent_impulse1, constraint));
+			fetch_soon(&constraint_at(p, tangent_impulse2, constraint));
+		}
 	}
 	Word flags = p->contact_flags[i];
 	if (flags & CONTACT_LOOK)
