@@ -50,7 +50,7 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 }
 
 // so many contacts before they are looked at, their rows are fetched
-#define KEEP_SOON 16
+#define KEEP_SOON 32
 
 // Marks what narrow_phase looks at: what is new, has moved against each other, will meet within the step, or will pass by;
 // and what may have parted.
