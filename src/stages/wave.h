@@ -8,7 +8,7 @@
 #define WAVE_H
 #include "stages/tree.h"
 
-#define WAVE_WALKS  32  // at a time
+#define WAVE_WALKS  32  // at a time; HANDED_ITEMS is a multiple of it
 #define WAVE_SHARE  16  // nodes of one level that a walk may have to look at; one with more goes by itself
 #define WAVE_LEAVES 128 // that overlap, until they are handed on
 
