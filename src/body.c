@@ -57,10 +57,36 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
-// A body by a definition that has been checked; slot is that of its collidable, if it has one.
-static int put(scree_world* world, Where at, const scree_body_def* def, int slot)
+// so many bodies before they are made or destroyed, what the host knows of them is fetched: they may lie anywhere
+#define BODY_SOON 8
+
+static void fetch_rows(const void* rows, int index, size_t bytes)
 {
-	int index = slots_take(&world->bodies);
+	const char* row = (const char*)rows + (size_t)index * bytes;
+	fetch_soon(row);
+	fetch_soon(row + bytes - 1);
+}
+
+// A handle that may be anything.
+static void fetch_body(const scree_world* world, scree_body body)
+{
+	if (body.index >= (uint32_t)world->bodies.used)
+		return;
+	fetch_soon(world->bodies.generation + body.index);
+	fetch_rows(world->host_bodies, (int)body.index, sizeof *world->host_bodies);
+}
+
+static void fetch_collidable(const scree_world* world, int collidable)
+{
+	if (collidable < 0)
+		return;
+	fetch_soon(world->collidables.generation + collidable);
+	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
+}
+
+// A body in a slot that was taken, by a definition that has been checked; slot is that of its collidable, if it has one.
+static void put(scree_world* world, Where at, const scree_body_def* def, int index, int slot)
+{
 	bool moves = def->type == SCREE_DYNAMIC;
 	world->dynamic_bodies += moves;
 	HostBody* host = world->host_bodies + index;
@@ -93,7 +119,6 @@ static int put(scree_world* world, Where at, const scree_body_def* def, int slot
 	                              .linear_damping = moves ? def->linear_damping : 0.0f,
 	                              .angular_damping = moves ? def->angular_damping : 0.0f,
 	                              .locks = def->locks});
-	return index;
 }
 
 static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
@@ -120,22 +145,29 @@ static scree_status create(scree_world* world, const char* function, const char*
 		collidables += has_attribute(defs + k);
 	}
 	TRY(reserve(world, function, count, collidables));
-	int* slots = world_scratch(world, (size_t)collidables * sizeof *slots);
+	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
 	if (!slots)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, collidables);
+		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
+		            collidables);
 	for (int k = 0, next = 0; k < count; ++k)
 	{
 		if (has_attribute(defs + k))
 			slots[next++] = kind_of_type(defs[k].type);
 	}
 	TRY(collidables_take(world, slots, collidables));
+	int* indices = slots + collidables;
+	for (int k = 0; k < count; ++k)
+		indices[k] = slots_take(&world->bodies);
 
 	for (int k = 0, next = 0; k < count; ++k)
 	{
-		int slot = has_attribute(defs + k) ? slots[next++] : -1;
-		int index = put(world, (Where){function, argument, k}, defs + k, slot);
+		if (k + BODY_SOON < count)
+			fetch_rows(world->host_bodies, indices[k + BODY_SOON], sizeof *world->host_bodies);
+		if (next + BODY_SOON < collidables)
+			fetch_collidable(world, slots[next + BODY_SOON]);
+		put(world, (Where){function, argument, k}, defs + k, indices[k], has_attribute(defs + k) ? slots[next++] : -1);
 		if (bodies)
-			bodies[k] = body_handle(world, index);
+			bodies[k] = body_handle(world, indices[k]);
 	}
 	return SCREE_OK;
 }
@@ -161,6 +193,8 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	int marked = 0, collidables = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)
 	{
+		if (marked + BODY_SOON < count)
+			fetch_body(world, bodies[marked + BODY_SOON]);
 		Where at = {function, argument, alone ? ALONE : marked};
 		status = check_body(world, at, "", bodies[marked], &index);
 		if (status == SCREE_OK && world->host_bodies[index].marked)
@@ -171,19 +205,23 @@ static scree_status destroy(scree_world* world, const char* function, const char
 			host->marked = true;
 			collidables += host->collidables;
 			++marked;
-			if (host->first_collidable >= 0)
-				fetch_soon(world->host_collidables + host->first_collidable);
 		}
 	}
-	for (int k = 0; k < marked; ++k)
+	if (status == SCREE_OK)
+		status = pending_reserve(world, function, count, collidables, 0);
+	for (int k = 0; k < marked && status != SCREE_OK; ++k)
 		world->host_bodies[bodies[k].index].marked = false;
 	TRY(status);
 
-	TRY(pending_reserve(world, function, count, collidables, 0));
 	for (int k = 0; k < count; ++k)
 	{
+		if (k + 2 * BODY_SOON < count)
+			fetch_body(world, bodies[k + 2 * BODY_SOON]);
+		if (k + BODY_SOON < count)
+			fetch_collidable(world, world->host_bodies[bodies[k + BODY_SOON].index].first_collidable);
 		int index = (int)bodies[k].index;
 		HostBody* host = world->host_bodies + index;
+		host->marked = false;
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
 		world->dynamic_bodies -= host->type == SCREE_DYNAMIC;

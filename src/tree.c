@@ -9,7 +9,7 @@
 #define CHURN_STEPS 4
 
 // so many collidables that left before they are looked at, they are fetched
-#define LEFT_SOON 8
+#define LEFT_SOON 24
 
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
@@ -181,6 +181,23 @@ static void drop(scree_world* world, int t, int k)
 	--pipeline->trees[t].tree.leaves;
 }
 
+// what drop reads of collidables that come later
+static void fetch_left(const scree_world* world, const TreeState* state, int k)
+{
+	if (k + 2 * LEFT_SOON < state->left_count)
+	{
+		int left = state->left[k + 2 * LEFT_SOON];
+		fetch_soon(world->pipeline.member + left);
+		fetch_soon(world->collidables.generation + left);
+		fetch_soon(&world->host_collidables[left].body);
+	}
+	if (k + LEFT_SOON >= state->left_count)
+		return;
+	int body = world->host_collidables[state->left[k + LEFT_SOON]].body;
+	if (body >= 0)
+		fetch_soon(&world->host_bodies[body].type);
+}
+
 scree_status tree_ordered(scree_world* world, int t)
 {
 	Pipeline* pipeline = &world->pipeline;
@@ -193,8 +210,7 @@ scree_status tree_ordered(scree_world* world, int t)
 		drop(world, t, k);
 	for (int k = 0; k < state->left_count; ++k)
 	{
-		if (k + LEFT_SOON < state->left_count)
-			fetch_soon(world->host_collidables + state->left[k + LEFT_SOON]);
+		fetch_left(world, state, k);
 		drop(world, t, state->left[k]);
 	}
 	state->left_count = 0;

@@ -15,7 +15,7 @@ fail()
 }
 
 # One experiment has a row that does not hold yet, which scree validate shows: churn (a step that replaces a twelfth of 50,000
-# circles takes 6 times that of circles that hardly meet).
+# circles takes 5 to 6 times that of circles that hardly meet; one that teleports a fiftieth 3 times, more on a busy machine).
 names=()
 for name in $("$scree" validate --names); do
 	case $name in

@@ -40,8 +40,13 @@
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
 static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = 64, [STAGE_broad_phase_rest] = 1,  [STAGE_narrow_phase] = 64,  [STAGE_hub] = 1,
-    [STAGE_hash_bodies] = 16, [STAGE_hash_collidables] = 16, [STAGE_hash_contacts] = 16,
+    [STAGE_broad_phase] = HANDED_ITEMS,
+    [STAGE_broad_phase_rest] = 1,
+    [STAGE_narrow_phase] = HANDED_ITEMS,
+    [STAGE_hub] = 1,
+    [STAGE_hash_bodies] = 16,
+    [STAGE_hash_collidables] = 16,
+    [STAGE_hash_contacts] = 16,
 };
 
 static const size_t pool_offsets[POOL_COUNT] = {

@@ -5,5 +5,6 @@
 #include "stages/narrow_phase_keep.h"
 #include "stages/prepare.h"
 #include "stages/solve.h"
+#include "stages/tree_code.h"
 
 #include "cpu/table.h"

@@ -50,6 +50,9 @@
 // A world of fewer collidables fits a CPU's second-level cache, and its rows are not fetched ahead.
 #define FETCH_COLLIDABLES 8192
 
+// Items of broad and narrow phase that a worker of a CPU takes at a time, from a multiple of it on.
+#define HANDED_ITEMS 64
+
 #define MAX_CORNERS 8 // of a core
 
 // contacts begin at this separation, so that they are in place before bodies meet: four times the slop

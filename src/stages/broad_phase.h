@@ -10,6 +10,7 @@
 #define BROAD_PHASE_H
 #include "stages/filter.h"
 #include "stages/tree.h"
+#include "stages/wave.h"
 
 // Those of eight leaves from first on that did not overlap collidable i before: most did. Where nothing else hides that
 // memory is slow, the eight are looked up at once.
@@ -81,28 +82,98 @@ STAGE(broad_phase_begin)
 	(void)i;
 }
 
-// so many walks before they begin, their boxes are fetched
-#define BROAD_PHASE_SOON 4
+// what is static meets nothing in the tree of what is static
+INLINE int broad_phase_trees(int kind) { return kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1; }
 
 // A box that overlaps thousands of leaves would keep one work-item busy when all others are done: what it leaves undone
 // is listed.
+INLINE void broad_phase_alone(const Pools* p, int k, int t)
+{
+	int next = broad_phase_walk(p, k, t, 0, 0, p->step.walk_nodes);
+	if (next == 0)
+		return;
+	p->walk[atomic_add_int(&p->counters->walks, 1)] = make_int2(2 * k + t, next);
+	raise_int(&p->counters->rest, 0x7fffffff);
+}
+
+// The leaves of tree t that overlap the boxes of these walks, but for those that go alone, a bit each. Returns whether
+// the search may go on.
+INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* walkers, const Float4* boxes,
+                              Word alone, const WaveFront* front)
+{
+	int walk[WAVE_LEAVES], leaf[WAVE_LEAVES], count = 0;
+	for (int k = 0; k < front->count; ++k)
+	{
+		int first = front->first[k];
+		Word hits =
+		    alone >> front->walk[k] & 1 ? 0 : overlaps8(p->node_box + tree->begin[0] + first, boxes[front->walk[k]]);
+		while (hits != 0)
+		{
+			int hit = 63 - leading_zeros((Word64)hits);
+			hits ^= 1u << hit;
+			walk[count] = walkers[front->walk[k]];
+			leaf[count] = p->leaf[tree->leaf_begin + first + hit];
+			fetch_soon(p->old_box + leaf[count]);
+			fetch_soon(p->moved + leaf[count]);
+			++count;
+		}
+		if (count <= WAVE_LEAVES - ARITY && k + 1 < front->count)
+			continue;
+		for (int n = 0; n < count; ++n)
+			if (!broad_phase_leaf(p, walk[n], leaf[n]))
+				return 0;
+		count = 0;
+	}
+	return 1;
+}
+
+// Walks i and up, together, through tree t.
+INLINE void broad_phase_wave(const Pools* p, int i, int t)
+{
+	const GLOBAL Tree* tree = p->tree + t;
+	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
+		return;
+	int walkers[WAVE_WALKS], end = i + WAVE_WALKS < p->counters->moved ? i + WAVE_WALKS : p->counters->moved;
+	Float4 boxes[WAVE_WALKS];
+	WaveFront fronts[2];
+	fronts[0].count = 0;
+	for (int k = i; k < end; ++k)
+	{
+		int walker = p->moved_list[k], n = fronts[0].count;
+		if (t >= broad_phase_trees(p->collidable_kind[walker]))
+			continue;
+		walkers[n] = walker;
+		boxes[n] = p->box[walker];
+		fetch_soon(p->old_box + walker);
+		fronts[0].walk[n] = n;
+		fronts[0].first[n] = 0;
+		++fronts[0].count;
+	}
+	int walks = fronts[0].count, front = 0;
+	Word alone = 0;
+	for (int level = tree->top; level > 0; --level, front ^= 1)
+		alone = wave_descend(p, tree, level, boxes, alone, fronts + front, fronts + (front ^ 1));
+	if (!broad_phase_leaves(p, tree, walkers, boxes, alone, fronts + front))
+		return;
+	for (int k = 0; k < walks; ++k)
+		if (alone >> k & 1)
+			broad_phase_alone(p, walkers[k], t);
+}
+
+// On a CPU, what is handed out begins at a multiple of WAVE_WALKS, which go together.
 STAGE(broad_phase)
 {
-	if (FETCHES && i + BROAD_PHASE_SOON < p->counters->moved)
+	if (FETCHES && i % WAVE_WALKS != 0)
+		return;
+	if (FETCHES)
 	{
-		int soon = p->moved_list[i + BROAD_PHASE_SOON];
-		fetch_soon(p->box + soon);
-		fetch_soon(p->old_box + soon);
+		for (int t = 0; t < 2; ++t)
+			broad_phase_wave(p, i, t);
+		return;
 	}
-	int k = p->moved_list[i], kind = p->collidable_kind[k], trees = kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
-	for (int t = 0; t < trees; ++t)
-	{
-		int next = broad_phase_walk(p, k, t, 0, 0, p->step.walk_nodes);
-		if (next == 0)
-			continue;
-		p->walk[atomic_add_int(&p->counters->walks, 1)] = make_int2(2 * k + t, next);
-		raise_int(&p->counters->rest, 0x7fffffff);
-	}
+	int k = p->moved_list[i];
+	for (int t = 0; t < broad_phase_trees(p->collidable_kind[k]); ++t)
+		broad_phase_alone(p, k, t);
 }
 
 // The rests of the long walks, each cut by its leaves into as many parts as there are work-items for it. Where there are

@@ -139,9 +139,22 @@ STAGE(color_arrange)
 	(void)i;
 }
 
+// so many contacts before their keys are made, their impulses are fetched
+#define KEY_SOON 12
+
 // The color of each slot, to be sorted by. Impulses live with the constraints; they come along by way of the slots.
 STAGE(color_key)
 {
+	if (FETCHES && i + KEY_SOON < p->counters->arrange)
+	{
+		int soon = p->contact_constraint[i + KEY_SOON];
+		soon = soon < 0 ? 0 : soon;
+		fetch_soon(&constraint_at(p, normal_impulse1, soon));
+		fetch_soon(&constraint_at(p, normal_impulse2, soon));
+		fetch_soon(&constraint_at(p, tangent_impulse1, soon));
+		fetch_soon(&constraint_at(p, tangent_impulse2, soon));
+		fetch_soon(&extra_at(p, rolling_impulse, soon));
+	}
 	int color = p->contact_color[i], c = p->contact_constraint[i];
 	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color;
 	if (color == COLORS)

@@ -198,7 +198,12 @@ typedef int Int;
 #define real_bits(x)       float_bits(x)
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
-#define root(x) square_root(x)
+INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
+// of what is not negative and less than 2^31
+#define whole(x) ((Int)(x))
+// 64 bits each, of which the higher ones are to be sorted by
+#define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
+#define root(x)                         square_root(x)
 
 // items i to i + LANES - 1 themselves; what they name in an array; and the members of rows of two integers
 #define indices(i)                  (i)
@@ -283,6 +288,13 @@ typedef int Int __attribute__((vector_size(4 * LANES)));
 #define lane(x, k)                  ((x)[k])
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
+INLINE Int choose_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
+#define whole(x)                    __builtin_convertvector(x, Int)
+INLINE void store_keys(Word64* array, int i, Int high, Int low)
+{
+	for (int k = 0; k < LANES; ++k)
+		array[i + k] = (Word64)(Word)high[k] << 32 | (Word64)(Word)low[k];
+}
 INLINE Real root(Real x)
 {
 	for (int k = 0; k < LANES; ++k)

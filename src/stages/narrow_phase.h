@@ -198,14 +198,15 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	}
 }
 
-// so many contacts before they are looked at, their rows are fetched: pairs lie anywhere in the pools
+// So many contacts before they are looked at, their rows are fetched: pairs lie anywhere in the pools. Not of those that
+// may be another worker's, who changes their flags meanwhile.
 #define NARROW_PHASE_SOON 12
 
 STAGE(narrow_phase)
 {
 	int soon = i + NARROW_PHASE_SOON;
 	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&
-	    p->contact_flags[soon] & CONTACT_LOOK)
+	    soon / HANDED_ITEMS == i / HANDED_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)
 	{
 		Int2 pair = p->pair[soon], bodies = p->contact_bodies[soon];
 		fetch_soon(p->placed + pair.x);
@@ -216,6 +217,14 @@ STAGE(narrow_phase)
 		fetch_soon(p->old_box + pair.y);
 		fetch_soon(p->body + bodies.x);
 		fetch_soon(p->body + bodies.y);
+		int constraint = p->contact_constraint[soon];
+		if (constraint >= 0)
+		{
+			fetch_soon(&constraint_at(p, normal_impulse1, constraint));
+			fetch_soon(&constraint_at(p, normal_impulse2, constraint));
+			fetch_soon(&constraint_at(p, tangent_impulse1, constraint));
+			fetch_soon(&constraint_at(p, tangent_impulse2, constraint));
+		}
 	}
 	Word flags = p->contact_flags[i];
 	if (flags & CONTACT_LOOK)

@@ -13,17 +13,27 @@
 #ifndef TREE_H
 #define TREE_H
 #include "stages/box.h"
+#include "stages/tree_code.h"
 
 // A node of so many times the area of its leaves counts as wide: twice that of eight in a row that is bent once.
 #define STRAY_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
+// so many leaves before they are looked at, their boxes are fetched
+#define LEAF_SOON 16
+
 // argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
 STAGE(tree_leaf)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
 	Float4 box = box_empty();
+	if (FETCHES && i + LEAF_SOON < tree->leaves)
+	{
+		int soon = p->leaf[tree->leaf_begin + i + LEAF_SOON];
+		fetch_soon(p->box + soon);
+		fetch_soon(p->collidable_kind + soon);
+	}
 	if (i < tree->leaves)
 	{
 		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
@@ -101,42 +111,6 @@ STAGE(tree_judge)
 	(void)i;
 }
 
-// the 16 bits of x, one at every second place
-INLINE Word hilbert_spread(Word x)
-{
-	x = (x | x << 8) & 0x00ff00ffu;
-	x = (x | x << 4) & 0x0f0f0f0fu;
-	x = (x | x << 2) & 0x33333333u;
-	return (x | x << 1) & 0x55555555u;
-}
-
-// Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
-// largest quadrant down, each quadrant's curve turned into the frame of its parent. How a level is turned is what all
-// levels above do to a turn, one after the other: a, b, c, d hold that of 1, 2, 4, 8 and 16 levels together, a bit a
-// level, so that four rounds do what went level by level. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
-INLINE Word hilbert_distance(Word x, Word y)
-{
-	const Word all = 65535u;
-	Word a = x ^ y, b = all ^ a, c = all ^ (x | y), d = x & (y ^ all);
-	Word next_a = a | b >> 1, next_b = a >> 1 ^ a;
-	Word next_c = (c >> 1 ^ (b & d >> 1)) ^ c, next_d = ((a & c >> 1) ^ d >> 1) ^ d;
-	for (int levels = 2; levels <= 8; levels *= 2)
-	{
-		a = next_a;
-		b = next_b;
-		c = next_c;
-		d = next_d;
-		next_a = (a & a >> levels) ^ (b & b >> levels);
-		next_b = (a & b >> levels) ^ (b & (a ^ b) >> levels);
-		next_c ^= (a & c >> levels) ^ (b & d >> levels);
-		next_d ^= (b & c >> levels) ^ ((a ^ b) & d >> levels);
-	}
-	a = next_c ^ next_c >> 1;
-	b = next_d ^ next_d >> 1;
-	Word low = x ^ y, high = b | (all ^ (low | a));
-	return hilbert_spread(high & all) << 1 | hilbert_spread(low);
-}
-
 // The box around all leaves, behind the nodes of the highest level. argument is the tree.
 STAGE(tree_root)
 {
@@ -147,27 +121,6 @@ STAGE(tree_root)
 		box = box_union(box, top[k]);
 	top[ARITY] = box;
 	(void)i;
-}
-
-// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
-// last, where the host drops them.
-STAGE(tree_code)
-{
-	const GLOBAL Tree* tree = p->tree + p->argument;
-	Float4 bounds = p->node_box[tree->begin[tree->top] + ARITY];
-	Word code = 0xffffffffu;
-	Float4 box = p->node_box[tree->begin[0] + i];
-	if (!box_is_empty(box))
-	{
-		float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
-		float cells = side > 0.0f ? 65535.0f / side : 0.0f;
-		float x = (0.5f * (box.x + box.z) - bounds.x) * cells, y = (0.5f * (box.y + box.w) - bounds.y) * cells;
-		x = x > 0.0f ? x : 0.0f;
-		y = y > 0.0f ? y : 0.0f;
-		code = hilbert_distance(x < 65535.0f ? (Word)x : 65535u, y < 65535.0f ? (Word)y : 65535u);
-		code = code < 0xfffffffeu ? code : 0xfffffffeu;
-	}
-	p->key[i] = (Word64)code << 32 | (Word64)p->leaf[tree->leaf_begin + i];
 }
 
 STAGE(tree_order)

@@ -5,10 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+typedef struct // of a body's first collidable, as a user would keep it
+{
+	scree_attribute attribute;
+	scree_filter filter;
+} First;
+
 typedef struct
 {
 	scree_world* world;
 	scree_body* bodies; // by their index in the lab
+	First* firsts;
 	int count;
 	scree_body* some;     // handles of a batch
 	scree_body_def* defs; // of a batch
@@ -45,6 +52,7 @@ static void close(void* context)
 	State* state = context;
 	scree_destroy_world(state->world);
 	free(state->bodies);
+	free(state->firsts);
 	free(state->some);
 	free(state->defs);
 	free(state);
@@ -90,27 +98,39 @@ static bool add_others(State* state, const Lab* lab, int index)
 	return body->count < 2 || report(scree_body_set_velocity(state->world, state->bodies[index], body->def.velocity));
 }
 
+// The attributes of bodies from first on, which are made for the first time. Whoever makes many alike looks theirs up once.
+static bool find_firsts(State* state, const Lab* lab, int first, int count)
+{
+	const LabPart* last = NULL;
+	scree_attribute attribute = {0};
+	for (int k = first; k < first + count; ++k)
+	{
+		const LabPart* part = &lab->parts[lab->bodies[k].first];
+		if (lab->bodies[k].count == 0)
+			continue;
+		bool same = last && memcmp(&part->surface, &last->surface, sizeof part->surface) == 0;
+		if (!same && !report(scree_create_attribute(state->world, &part->surface, &attribute)))
+			return false;
+		last = part;
+		state->firsts[k] = (First){attribute, part->filter};
+	}
+	return true;
+}
+
 // Creates these bodies, or those from first on where bodies is null, in one batch.
 static bool create_some(State* state, const Lab* lab, const int* bodies, int first, int count)
 {
 	if (!reserve(state, count))
 		return false;
-	const LabPart* last = NULL;
-	scree_attribute attribute = {0};
 	for (int k = 0; k < count; ++k)
 	{
-		const LabBody* body = &lab->bodies[bodies ? bodies[k] : first + k];
-		const LabPart* part = &lab->parts[body->first];
+		int index = bodies ? bodies[k] : first + k;
+		const LabBody* body = &lab->bodies[index];
 		state->defs[k] = body->def;
 		if (body->count == 0)
 			continue;
-		// whoever makes many alike looks their attribute up once
-		bool same = last && memcmp(&part->surface, &last->surface, sizeof part->surface) == 0;
-		if (!same && !report(scree_create_attribute(state->world, &part->surface, &attribute)))
-			return false;
-		last = part;
-		state->defs[k].attribute = attribute;
-		state->defs[k].filter = part->filter;
+		state->defs[k].attribute = state->firsts[index].attribute;
+		state->defs[k].filter = state->firsts[index].filter;
 	}
 	if (!report(scree_create_bodies(state->world, state->defs, count, state->some)))
 		return false;
@@ -131,8 +151,12 @@ static bool create(void* context, const Lab* lab, int first, int count)
 	if (!bodies)
 		return false;
 	state->bodies = bodies;
+	First* firsts = realloc(state->firsts, (size_t)(first + count) * sizeof *firsts);
+	if (!firsts)
+		return false;
+	state->firsts = firsts;
 	state->count = first + count;
-	return create_some(state, lab, NULL, first, count);
+	return find_firsts(state, lab, first, count) && create_some(state, lab, NULL, first, count);
 }
 
 static bool replace(void* context, const Lab* lab, const int* bodies, int count)

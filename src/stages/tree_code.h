@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// tree_code.h -- where the leaves of a tree lie along a Hilbert curve, by which they are put in order.
+#ifndef TREE_CODE_H
+#define TREE_CODE_H
+#include "pools/pools.h"
+
+// the last of the cells along a side
+#define TREE_CELLS 65535.0f
+
+// the 16 bits of x, one at every second place
+INLINE Int hilbert_spread(Int x)
+{
+	x = (x | x << 8) & 0x00ff00ff;
+	x = (x | x << 4) & 0x0f0f0f0f;
+	x = (x | x << 2) & 0x33333333;
+	return (x | x << 1) & 0x55555555;
+}
+
+// Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
+// largest quadrant down, each quadrant's curve turned into the frame of its parent. How a level is turned is what all
+// levels above do to a turn, one after the other: a, b, c, d hold that of 1, 2, 4, 8 and 16 levels together, a bit a
+// level, so that four rounds do what went level by level. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
+INLINE Int hilbert_distance(Int x, Int y)
+{
+	const int all = 65535;
+	Int a = x ^ y, b = all ^ a, c = all ^ (x | y), d = x & (y ^ all);
+	Int next_a = a | b >> 1, next_b = a >> 1 ^ a;
+	Int next_c = (c >> 1 ^ (b & d >> 1)) ^ c, next_d = ((a & c >> 1) ^ d >> 1) ^ d;
+	for (int levels = 2; levels <= 8; levels *= 2)
+	{
+		a = next_a;
+		b = next_b;
+		c = next_c;
+		d = next_d;
+		next_a = (a & a >> levels) ^ (b & b >> levels);
+		next_b = (a & b >> levels) ^ (b & (a ^ b) >> levels);
+		next_c ^= (a & c >> levels) ^ (b & d >> levels);
+		next_d ^= (b & c >> levels) ^ ((a ^ b) & d >> levels);
+	}
+	a = next_c ^ next_c >> 1;
+	b = next_d ^ next_d >> 1;
+	Int low = x ^ y, high = b | (all ^ (low | a));
+	return hilbert_spread(high & all) << 1 | hilbert_spread(low);
+}
+
+// the cell of the middle between two bounds
+INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
+{
+	Real at = (0.5f * (lower + upper) - begin) * cells;
+	return whole(minimum(maximum(at, splat(0.0f)), splat(TREE_CELLS)));
+}
+
+// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
+// last, where the host drops them.
+WIDE_STAGE(tree_code)
+{
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	Float4 bounds = p->node_box[tree->begin[tree->top] + ARITY];
+	float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
+	float cells = side > 0.0f ? TREE_CELLS / side : 0.0f;
+	Real box[4];
+	load_rows4((GLOBAL float*)p->node_box, tree->begin[0] + i, box);
+	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
+	// no box has the place of the dead, which have all bits set
+	code = choose_int(code, code - 1, code == -1);
+	store_keys(p->key, i, choose_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
+}
+
+#endif
