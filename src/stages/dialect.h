@@ -201,6 +201,8 @@ INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 // of what is not negative and less than 2^31
 #define whole(x) ((Int)(x))
+// to the left, into the bit of the sign
+#define shifted(x, bits) ((Int)((Word)(x) << (bits)))
 // 64 bits each, of which the higher ones are to be sorted by
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
@@ -279,6 +281,7 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 #define read_row8(base, index, out) memcpy(out, (base) + 8 * (size_t)(index), 32)
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
+typedef Word Words __attribute__((vector_size(4 * LANES)));
 // a difference, for -0 + 0 is +0
 #define splat(x)                    ((x) - (Real){0})
 #define load(array, i)              (*(const Real*)((array) + (i)))
@@ -290,6 +293,7 @@ typedef int Int __attribute__((vector_size(4 * LANES)));
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Int choose_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
 #define whole(x)                    __builtin_convertvector(x, Int)
+#define shifted(x, bits)            ((Int)((Words)(x) << (bits)))
 INLINE void store_keys(Word64* array, int i, Int high, Int low)
 {
 	for (int k = 0; k < LANES; ++k)

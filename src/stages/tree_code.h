@@ -40,7 +40,7 @@ INLINE Int hilbert_distance(Int x, Int y)
 	a = next_c ^ next_c >> 1;
 	b = next_d ^ next_d >> 1;
 	Int low = x ^ y, high = b | (all ^ (low | a));
-	return hilbert_spread(high & all) << 1 | hilbert_spread(low);
+	return shifted(hilbert_spread(high & all), 1) | hilbert_spread(low);
 }
 
 // the cell of the middle between two bounds
