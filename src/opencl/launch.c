@@ -184,7 +184,9 @@ scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group)
 	return SCREE_OK;
 }
 
-scree_status stage_run(OpenCl* d, const Run* run)
+scree_status stage_run(OpenCl* d, const Run* run) { return stage_run_within(d, run, GROUPS_A_UNIT); }
+
+scree_status stage_run_within(OpenCl* d, const Run* run, size_t groups_a_unit)
 {
 	Kernel* kernel = &d->stages[run->stage];
 	d->box = stage_boxes[run->stage];
@@ -192,7 +194,7 @@ scree_status stage_run(OpenCl* d, const Run* run)
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_RUN, sizeof *run, run));
 	size_t items = (size_t)(run->end - run->begin);
 	size_t groups = stage_widths[run->stage] == WIDTH_GROUP ? items : (items + kernel->group - 1) / kernel->group;
-	size_t most = (size_t)d->device.about.units * GROUPS_A_UNIT;
+	size_t most = (size_t)d->device.about.units * groups_a_unit;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
 }
 

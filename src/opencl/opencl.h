@@ -198,6 +198,7 @@ scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
 
 // Launches a run of a stage.
 scree_status stage_run(OpenCl* d, const Run* run);
+scree_status stage_run_within(OpenCl* d, const Run* run, size_t groups_a_unit); // of at most so many groups
 
 // Copies to a buffer, in order with the launches; the caller's bytes are free at once.
 scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);

@@ -8,7 +8,7 @@
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
 
-// groups of guard a compute unit
+// groups of guard a compute unit: its items are few as a rule, and more groups would only find that out
 #define GUARD_GROUPS 4
 
 // arguments of solve_end behind the step
@@ -97,16 +97,6 @@ int solve_length(OpenCl* d, const Run* runs, int count)
 	return 0;
 }
 
-// The stage guard, whose items are few as a rule: groups that fill the device, and no more to find that out.
-static scree_status guard_run(OpenCl* d, const Run* run)
-{
-	Kernel* kernel = &d->stages[STAGE_guard];
-	TRY(kernel_step(d, kernel));
-	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_RUN, sizeof *run, run));
-	size_t groups = groups_of(run->end, kernel->group), most = (size_t)d->device.about.units * GUARD_GROUPS;
-	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
-}
-
 // Moves what no constraint pushes, and finalizes all bodies; then those that go far.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
@@ -119,7 +109,7 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	size_t group = d->solve_end.group;
 	d->box = BOX_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
-	return guard_run(d, solve->guard);
+	return stage_run_within(d, solve->guard, GUARD_GROUPS);
 }
 
 scree_status solve_run(OpenCl* d, const Run* runs, int count)

@@ -163,11 +163,9 @@ INLINE void broad_phase_wave(const Pools* p, int i, int t)
 // On a CPU, what is handed out begins at a multiple of WAVE_WALKS, which go together.
 STAGE(broad_phase)
 {
-	if (FETCHES && i % WAVE_WALKS != 0)
-		return;
 	if (FETCHES)
 	{
-		for (int t = 0; t < 2; ++t)
+		for (int t = 0; t < 2 && i % WAVE_WALKS == 0; ++t)
 			broad_phase_wave(p, i, t);
 		return;
 	}

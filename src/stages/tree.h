@@ -69,7 +69,7 @@ STAGE(tree_stray)
 	Float4 now = box_empty(), before = box_empty();
 	float area = 0.0f;
 	int leaves = 0, jumped = 0;
-	for (int k = ARITY * (i + 1); k < ARITY * (i + 2) && k < tree->leaves; ++k)
+	for (int k = ARITY * (i + 1); FETCHES && k < ARITY * (i + 2) && k < tree->leaves; ++k)
 	{
 		int leaf = p->leaf[tree->leaf_begin + k];
 		fetch_soon(p->box + leaf);
