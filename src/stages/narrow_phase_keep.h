@@ -2,7 +2,8 @@
 // narrow_phase_keep.h -- which contacts keep the manifold that they have, and at which narrow_phase must look.
 //
 // Where a pair has hardly moved against each other, its points stay the same places on the two collidables, and nothing
-// is written (contact_points.h follows them). In a settled pile that is nearly every pair.
+// is written (contact_points.h follows them). In a settled pile that is nearly every pair. A pair that turns together, as
+// what lies in a drum does, keeps the places too, but its normal and arms turn with it: only the rotation is written.
 #ifndef NARROW_PHASE_KEEP_H
 #define NARROW_PHASE_KEEP_H
 #include "stages/sweep_closing.h"
@@ -10,6 +11,9 @@
 // A manifold is kept while neither of a pair has turned in the world by more than 3.6 degrees since (cosine), nor any
 // point moved too far against the other (narrow_phase_distance).
 #define HOLD_COSINE 0.998f
+
+// And while a pair turns together, it keeps the places for so much of the shift for which one at rest does.
+#define TURN_SHARE 0.3f
 
 // How far any point of b that is near a may have moved in the frame of a since b was at a position and rotation: as far as
 // the one that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
@@ -101,10 +105,17 @@ WIDE_STAGE(narrow_phase_keep)
 		Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
 		                     (minimum(at[2], at[3]) - shift) / splat(sweep_end(&p->step)));
 		Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
-		Real lag = absolute(vec_cross(vec_turn(then_a, vec(at[0], at[1])), closing.near)) +
-		           turns * minimum(closing.a.reach, closing.b.reach);
-		Int passes = on & (((closing.most < limit) == 0) | (touches & (lag > splat(SWEEP_LAG))));
+		Real slide = absolute(vec_cross(vec_turn(then_a, vec(at[0], at[1])), closing.near));
+		Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > splat(SWEEP_LAG));
+		Int in_place = (slide <= splat(SWEEP_LAG)) & (shift <= splat(TURN_SHARE) * found[7]);
+		Int passes = on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
 		anew |= wanders & lane_bits(passes | (far & (closing.most > splat(SPECULATIVE_DISTANCE))));
+
+		Word along = wanders & ~anew & lane_bits(on & lags);
+		for (int k = 0; along >> k != 0; ++k)
+			if (along >> k & 1)
+				p->contact_found[i + k].then =
+				    make_float4(lane(a[2], k), lane(a[3], k), lane(found[6], k), lane(found[7], k));
 	}
 	Word look = anew | (there & lane_bits((moved & MOVED_BOX) != 0));
 	if (look == 0)

@@ -13,8 +13,8 @@
 // m a step: what is under load and draws near by less keeps its manifold
 #define SWEEP_HOLD LINEAR_SLOP
 
-// m a step: and that only as long as it slides, and its arms turn, by less. Arms that lag behind cost angular momentum, and
-// let what turns with a drum overlap.
+// m a step: and that only as long as it slides by less. Where arms turn by more, they are turned along. Arms that lag behind
+// cost angular momentum, and let what turns with a drum overlap.
 #define SWEEP_LAG (0.3f * LINEAR_SLOP)
 
 typedef struct // of a body until the end of the step
