@@ -89,7 +89,8 @@ INLINE Float4 world_box(Placed placed, const GLOBAL Attribute* attribute, float 
 	return box_grow(box, attribute->radius + extra);
 }
 
-STAGE(transform)
+// what left its box, or was placed, is listed
+LIST_STAGE(transform, moved_list, moved)
 {
 	Float4 box = p->box[i];
 	int moved = p->moved[i];
@@ -98,7 +99,7 @@ STAGE(transform)
 		// its contacts see an empty box, and end; the box may be empty already, of a row made anew before it died
 		p->moved[i] = MOVED_BOX;
 		p->box[i] = box_empty();
-		return;
+		return 0;
 	}
 
 	// what has no body moves as little as body 0, the ground
@@ -135,7 +136,7 @@ STAGE(transform)
 			p->old_box[i] = box;
 		if (moved != how)
 			p->moved[i] = how;
-		return;
+		return 0;
 	}
 	Float4 grown = box_grow(tight, margin);
 	p->old_box[i] = box;
@@ -145,7 +146,7 @@ STAGE(transform)
 	// the way of the step belongs to a box, so that what moves by itself never parts from where it was
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
-	p->moved_list[atomic_add_int(&p->counters->moved, 1)] = i;
+	return 1;
 }
 
 // A step that breaks off before it has found all contacts: boxes are what they were, so that the next one finds the same.
