@@ -42,15 +42,16 @@ table()
 				name = experiment[k]
 				print "| " name " | " of[name] " | " held(name, "before") " | " held(name, "now") " | " held(name, "box2d") " |"
 			}
-			for (k = 1; k <= count; ++k) {
-				key = order[k]
-				split(key, part, FS)
-				if (part[1] != last) {
-					last = part[1]
-					print "\n### " last "\n\n| case | quantity | must be | f723e87 | now | Box2D |\n| --- | --- | --- | --- | --- | --- |"
+			for (e = 1; e <= experiments; ++e) {
+				name = experiment[e]
+				print "\n### " name "\n\n| case | quantity | must be | f723e87 | now | Box2D |\n| --- | --- | --- | --- | --- | --- |"
+				for (k = 1; k <= count; ++k) {
+					key = order[k]
+					split(key, part, FS)
+					if (part[1] == name)
+						print "| " part[2] " | " part[3] (unit[key] ? ", " unit[key] : "") " | " limit[key] " | " \
+							value[key, "before"] " | " value[key, "now"] " | " value[key, "box2d"] " |"
 				}
-				print "| " part[2] " | " part[3] (unit[key] ? ", " unit[key] : "") " | " limit[key] " | " \
-					value[key, "before"] " | " value[key, "now"] " | " value[key, "box2d"] " |"
 			}
 		}' "${files[@]}"
 }
