@@ -6,7 +6,7 @@
 #   DEVICE  --device of the other device; default opencl
 # Each run is a process of its own, and the devices take turns. STEPS (500), REPEATS (5), SCENES ("pyramids smash") and
 # SIZES ("100 1000 10000 100000") choose. Prints one row a scene and size, the medians of ms_wait: the time from
-# scree_create_world to the end of the last step's work, without the creation of the bodies. CSV_ALL names a file for
+# scree_world_create to the end of the last step's work, without the creation of the bodies. CSV_ALL names a file for
 # the rows of all runs. Exit 1 when hashes differ.
 set -euo pipefail
 cd "$(dirname "$0")/.."

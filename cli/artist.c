@@ -125,7 +125,7 @@ scree_status artist_draw(Artist* artist, Simulation* simulation, const char* cap
 	// a scene may replace bodies between steps, each by one of the same index
 	int count;
 	picture_bodies(artist->picture, &count);
-	scree_status status = scree_get_bodies(simulation->world, artist->bodies, count, &count);
+	scree_status status = scree_world_get_bodies(simulation->world, artist->bodies, count, &count);
 	if (status == SCREE_OK)
 		status = simulation->f->poses(simulation, artist->bodies, artist->poses, count);
 	if (status == SCREE_OK)

@@ -65,7 +65,7 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 	if (status == SCREE_OK)
 		status = simulation.f->hash(&simulation, &hash);
 	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.f->solve >= 0)
-		status = scree_measure_bandwidth(simulation.world, &bench->bandwidth);
+		status = scree_world_measure_bandwidth(simulation.world, &bench->bandwidth);
 	if (repeat == 0)
 		m->hash = m->other = hash;
 	m->other = hash == m->hash ? m->other : hash;
@@ -77,9 +77,9 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 		m->least = repeat == 0 || middle < m->least ? middle : m->least;
 		m->most = middle > m->most ? middle : m->most;
 	}
-	snprintf(m->device, sizeof m->device, "%s", scree_world_device(simulation.world));
-	m->threads = scree_world_threads(simulation.world);
-	m->lanes = scree_world_lanes(simulation.world);
+	snprintf(m->device, sizeof m->device, "%s", scree_world_get_device(simulation.world));
+	m->threads = scree_world_get_threads(simulation.world);
+	m->lanes = scree_world_get_lanes(simulation.world);
 	simulation_close(&simulation);
 	return report(status);
 }

@@ -245,7 +245,7 @@ static int run_once(const Figure* figure, Curve* curve, const Options* options, 
 	code = report(take_steps(&simulation, most, rows));
 	snprintf(curve->label, sizeof curve->label, "%s", simulation.f->device(&simulation));
 	csv_cell(curve->label);
-	curve->threads_used = simulation.f->one_thread ? 1 : scree_world_threads(simulation.world);
+	curve->threads_used = simulation.f->one_thread ? 1 : scree_world_get_threads(simulation.world);
 	simulation_close(&simulation);
 	return code == EXIT_GOOD ? check_hash(figure, curve, plan, rows->hash) : code;
 }
@@ -289,7 +289,7 @@ static int curves_of(Figure* figure, Curve curves[FIGURE_PIPELINES * FIGURE_PLAC
 	int found = 0, cores = 1;
 	bool alone = options->device && strcmp(options->device, "cpu") == 0, far = false;
 	bool named = options->device && strncmp(options->device, "opencl", 6) == 0;
-	if (scree_get_devices(devices, 16, &found) == SCREE_OK)
+	if (scree_devices_get(devices, 16, &found) == SCREE_OK)
 		for (int k = 0; k < found && k < 16; ++k)
 		{
 			bool opencl = strncmp(devices[k].name, "opencl", 6) == 0;

@@ -36,7 +36,7 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 		if (status == SCREE_OK)
 			status = simulation_go(simulation);
 		if (status == SCREE_OK)
-			status = scree_wait(simulation->world);
+			status = scree_world_wait(simulation->world);
 		double stepped = seconds_now();
 		if (status == SCREE_OK)
 			status = share_update(share);
@@ -80,7 +80,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 		if (*share.sentence)
 			fprintf(stderr, "scree bench: the rows are copied: %s\n", share.sentence);
 		if (status == SCREE_OK)
-			status = scree_world_hash(simulation.world, &frames->world);
+			status = scree_world_get_hash(simulation.world, &frames->world);
 		code = report(status);
 		share_close(&share);
 	}
@@ -93,7 +93,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	if (code == EXIT_GOOD)
 	{
 		char device[160], drawer[128];
-		snprintf(device, sizeof device, "%s", scree_world_device(simulation.world));
+		snprintf(device, sizeof device, "%s", scree_world_get_device(simulation.world));
 		snprintf(drawer, sizeof drawer, "%s", offscreen->renderer);
 		csv_cell(device);
 		csv_cell(drawer);

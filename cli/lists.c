@@ -37,10 +37,10 @@ int devices_command(const Options* options)
 {
 	(void)options;
 	int count = 0;
-	scree_status status = scree_get_devices(NULL, 0, &count);
+	scree_status status = scree_devices_get(NULL, 0, &count);
 	scree_device* devices = calloc((size_t)count + 1, sizeof(scree_device));
 	if (status == SCREE_OK && devices)
-		status = scree_get_devices(devices, count, &count);
+		status = scree_devices_get(devices, count, &count);
 	if (status != SCREE_OK || !devices)
 	{
 		free(devices);

@@ -21,7 +21,7 @@ static int paper_open(const Options* options, Simulation* simulation)
 		        simulation->scene->name);
 		return EXIT_BAD;
 	}
-	scree_status status = scree_get_bodies(simulation->world, NULL, 0, &count);
+	scree_status status = scree_world_get_bodies(simulation->world, NULL, 0, &count);
 	if (status != SCREE_OK)
 		return report(status);
 	State* state = simulation->state = calloc(1, sizeof *state);
@@ -36,11 +36,11 @@ static int paper_open(const Options* options, Simulation* simulation)
 		fprintf(stderr, "scree: out of memory for %d bodies\n", count);
 		return EXIT_FAILED;
 	}
-	status = scree_get_bodies(simulation->world, state->bodies, count, &count);
+	status = scree_world_get_bodies(simulation->world, state->bodies, count, &count);
 	if (status == SCREE_OK)
 	{
 		// a world that was warmed up elsewhere stayed there
-		const char* device = options->warm_device ? options->device : scree_world_device(simulation->world);
+		const char* device = options->warm_device ? options->device : scree_world_get_device(simulation->world);
 		status = paper_create(simulation->world, device, options->allow_unequal_bits, &state->paper);
 	}
 	return report(status);
@@ -84,7 +84,7 @@ static scree_status read_counters(Simulation* simulation, scree_counters* counte
 {
 	State* state = simulation->state;
 	PaperCounters c = paper_counters(state->paper);
-	scree_status status = scree_get_counters(simulation->world, counters);
+	scree_status status = scree_world_get_counters(simulation->world, counters);
 	counters->contacts = counters->touching = c.contacts;
 	counters->penetration = c.penetration;
 	counters->steps = c.steps;

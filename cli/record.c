@@ -20,7 +20,7 @@ scree_status record_step(Simulation* simulation, Record* record)
 	record->traffic = (scree_traffic){0};
 	record->solve_rate = 0;
 	if (status == SCREE_OK && solve >= 0)
-		status = scree_get_traffic(simulation->world, &record->traffic);
+		status = scree_world_get_traffic(simulation->world, &record->traffic);
 	if (solve >= 0 && record->stages[solve] > 0)
 		record->solve_rate = 1e3 * (double)(record->traffic.constraint_bytes + record->traffic.body_bytes) /
 		                     (double)record->stages[solve];

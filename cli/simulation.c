@@ -12,27 +12,27 @@ static int soft_open(const Options* options, Simulation* simulation)
 	return EXIT_GOOD;
 }
 
-static const char* soft_device(const Simulation* simulation) { return scree_world_device(simulation->world); }
+static const char* soft_device(const Simulation* simulation) { return scree_world_get_device(simulation->world); }
 
 static scree_status soft_step(Simulation* simulation, float dt, int substeps)
 {
-	return scree_step(simulation->world, dt, substeps);
+	return scree_world_step(simulation->world, dt, substeps);
 }
 
 static scree_status soft_hash(Simulation* simulation, uint64_t* hash)
 {
-	return scree_world_hash(simulation->world, hash);
+	return scree_world_get_hash(simulation->world, hash);
 }
 
 static scree_status soft_counters(Simulation* simulation, scree_counters* counters)
 {
-	return scree_get_counters(simulation->world, counters);
+	return scree_world_get_counters(simulation->world, counters);
 }
 
 static scree_status soft_timings(Simulation* simulation, float milliseconds[STAGE_COLUMNS])
 {
 	scree_timings t;
-	scree_status status = scree_get_timings(simulation->world, &t);
+	scree_status status = scree_world_get_timings(simulation->world, &t);
 	const float stages[STAGE_COLUMNS] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
 	memcpy(milliseconds, stages, sizeof stages);
 	return status;
@@ -40,7 +40,7 @@ static scree_status soft_timings(Simulation* simulation, float milliseconds[STAG
 
 static scree_status soft_poses(Simulation* simulation, const scree_body* bodies, scree_pose* poses, int count)
 {
-	return scree_get_poses(simulation->world, bodies, poses, count);
+	return scree_bodies_get_poses(simulation->world, bodies, poses, count);
 }
 
 static void soft_close(Simulation* simulation) { simulation->state = NULL; }
@@ -96,7 +96,7 @@ int report(scree_status status)
 {
 	if (status != SCREE_OK)
 		fprintf(stderr, "scree: %s\n", scree_error());
-	return status == SCREE_OK ? EXIT_GOOD : status == SCREE_INVALID ? EXIT_BAD : EXIT_FAILED;
+	return status == SCREE_OK ? EXIT_GOOD : status == SCREE_ERROR_INVALID ? EXIT_BAD : EXIT_FAILED;
 }
 
 // Steps of the soft pipeline, whatever pipeline follows, and a move to where that one wants its world. A pipeline with one
@@ -106,9 +106,9 @@ static scree_status warm_up(const Options* options, Simulation* simulation)
 	const Scene* scene = simulation->scene;
 	scree_status status = SCREE_OK;
 	for (int step = 0; step < options->warm_up && status == SCREE_OK; ++step)
-		status = scree_step(simulation->world, scene->dt, scene->substeps);
+		status = scree_world_step(simulation->world, scene->dt, scene->substeps);
 	if (status == SCREE_OK && options->warm_device && !simulation->f->one_thread)
-		status = scree_move_world(simulation->world, options->device);
+		status = scree_world_move(simulation->world, options->device);
 	return status;
 }
 
@@ -124,7 +124,7 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 	def.timings = timings;
 	def.opengl = options->opengl;
 	double begin = seconds_now();
-	scree_status status = scree_create_world(&def, &simulation->world);
+	scree_status status = scree_world_create(&def, &simulation->world);
 	double opened = seconds_now();
 	if (status == SCREE_OK)
 		status = scene_build(scene, simulation->world);
@@ -141,7 +141,7 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 void simulation_close(Simulation* simulation)
 {
 	simulation->f->close(simulation);
-	scree_destroy_world(simulation->world);
+	scree_world_destroy(simulation->world);
 	*simulation = (Simulation){0};
 }
 

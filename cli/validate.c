@@ -14,14 +14,14 @@ static int list_experiments(void)
 // Whether worlds can be made as the options say; else nothing is printed on standard output.
 static int try_device(const Options* options)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = options->device;
 	def.threads = options->threads;
 	def.lanes = options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	scree_world* world;
-	int code = report(scree_create_world(&def, &world));
-	scree_destroy_world(world);
+	int code = report(scree_world_create(&def, &world));
+	scree_world_destroy(world);
 	return code;
 }
 

@@ -15,7 +15,7 @@ static scree_status take_steps(Simulation* simulation, int steps)
 		if (status != SCREE_OK)
 			return status;
 	}
-	return scree_wait(simulation->world);
+	return scree_world_wait(simulation->world);
 }
 
 static int measure_once(const Options* options, const Scene* scene)
@@ -36,7 +36,7 @@ static int measure_once(const Options* options, const Scene* scene)
 		status = simulation.f->hash(&simulation, &hash);
 	if (status == SCREE_OK)
 		printf("%s,%s,%s,%d,%d,%.1f,%.1f,%.1f,%.1f,%.5f,%016" PRIx64 "\n", scene->name, options->device,
-		       scree_world_device(simulation.world), counters.bodies, steps, 1e3 * simulation.opening,
+		       scree_world_get_device(simulation.world), counters.bodies, steps, 1e3 * simulation.opening,
 		       1e3 * simulation.building, 1e3 * taken, 1e3 * (simulation.opening + taken), (double)counters.penetration,
 		       hash);
 	fflush(stdout);

@@ -16,10 +16,10 @@
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
-scree_attribute_def scree_default_attribute_def(void)
+scree_attribute_def scree_attribute_def_default(void)
 {
 	scree_attribute_def def = {.density = 1.0f, .friction = 0.6f, .cookie = COOKIE_ATTRIBUTE};
-	scree_make_box(0.5f, 0.5f, &def.shape);
+	scree_shape_make_box(0.5f, 0.5f, &def.shape);
 	return def;
 }
 
@@ -37,7 +37,7 @@ static uint32_t name_of(const scree_attribute_def* def)
 static scree_status check_def(const char* function, scree_attribute_def* def)
 {
 	Where at = {function, "def", ALONE};
-	TRY(check_cookie(at, def->cookie, COOKIE_ATTRIBUTE, "scree_default_attribute_def"));
+	TRY(check_cookie(at, def->cookie, COOKIE_ATTRIBUTE, "scree_attribute_def_default"));
 	TRY(shape_finish((Where){function, "def.shape", ALONE}, &def->shape));
 	if (def->density != 0.0f)
 		TRY(check_real(at, ".density (when it is not 0)", def->density, LEAST_DENSITY, MOST_DENSITY));
@@ -78,7 +78,7 @@ static scree_status reserve(scree_world* world, const char* function)
 {
 	int count = world->attribute_count, name_capacity = world->attribute_capacity;
 	if (count >= MAX_ITEMS)
-		return fail(SCREE_INVALID, "%s: a world holds at most %d attributes", function, MAX_ITEMS);
+		return fail(SCREE_ERROR_INVALID, "%s: a world holds at most %d attributes", function, MAX_ITEMS);
 	TRY(GROW(function, world->attribute_names, name_capacity, count + 1));
 	TRY(GROW(function, world->attributes, world->attribute_capacity, count + 1));
 	if (2 * (count + 1) <= world->attribute_table_size)
@@ -87,7 +87,7 @@ static scree_status reserve(scree_world* world, const char* function)
 	int size = world->attribute_table_size > 0 ? 2 * world->attribute_table_size : 64;
 	int* table = scree_allocate((size_t)size * sizeof *table);
 	if (!table)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for a table of %d attributes", function, size / 2);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a table of %d attributes", function, size / 2);
 	scree_release(world->attribute_table);
 	world->attribute_table = table;
 	world->attribute_table_size = size;
@@ -96,9 +96,9 @@ static scree_status reserve(scree_world* world, const char* function)
 	return SCREE_OK;
 }
 
-scree_status scree_create_attribute(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute)
+scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute)
 {
-	const char* function = "scree_create_attribute";
+	const char* function = "scree_attribute_create";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "def", def));
 	TRY(check_pointer(function, "attribute", attribute));
@@ -125,9 +125,9 @@ scree_status scree_create_attribute(scree_world* world, const scree_attribute_de
 	return SCREE_OK;
 }
 
-scree_status scree_get_attribute(const scree_world* world, scree_attribute attribute, scree_attribute_def* def)
+scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute, scree_attribute_def* def)
 {
-	const char* function = "scree_get_attribute";
+	const char* function = "scree_attribute_get_def";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "def", def));
 	int index = 0;
@@ -146,10 +146,10 @@ scree_status check_attribute(const scree_world* world, Where at, const char* mem
                              int* index)
 {
 	if (attribute.index == 0 && attribute.generation == 0)
-		return refuse(SCREE_STALE, at, member, "is null");
+		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (attribute.index >= (uint32_t)world->attribute_count ||
 	    world->attribute_names[attribute.index] != attribute.generation)
-		return refuse(SCREE_STALE, at, member, "(index %u) is no attribute of this world", attribute.index);
+		return refuse(SCREE_ERROR_STALE, at, member, "(index %u) is no attribute of this world", attribute.index);
 	*index = (int)attribute.index;
 	return SCREE_OK;
 }

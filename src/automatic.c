@@ -147,8 +147,8 @@ static void take_opened(scree_world* world)
 		return;
 	}
 	a->alone = true;
-	log_sentence(status == SCREE_NO_DEVICE ? SCREE_LOG_INFO : SCREE_LOG_WARNING,
-	             "scree_step: the world stays on the CPU: %s", scree_error());
+	log_sentence(status == SCREE_ERROR_NO_DEVICE ? SCREE_LOG_INFO : SCREE_LOG_WARNING,
+	             "scree_world_step: the world stays on the CPU: %s", scree_error());
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -186,7 +186,7 @@ static bool change_over(scree_world* world)
 		meter_of(world, world->backend)->count = 0;
 		return true;
 	}
-	log_sentence(SCREE_LOG_WARNING, "scree_step: the world stays on %s: %s", world->device, scree_error());
+	log_sentence(SCREE_LOG_WARNING, "scree_world_step: the world stays on %s: %s", world->device, scree_error());
 	a->other->f->close(a->other);
 	a->other = NULL;
 	a->alone = true;
@@ -212,7 +212,7 @@ static void end_trial(scree_world* world)
 	a->trial = false;
 	bool faster = here->step < before->step;
 	const char *to = world->backend->name, *from = a->other->name;
-	log_sentence(SCREE_LOG_INFO, "scree_step: %s %s: %.4f ms a step, and %.4f ms on %s",
+	log_sentence(SCREE_LOG_INFO, "scree_world_step: %s %s: %.4f ms a step, and %.4f ms on %s",
 	             faster ? "the world moves to" : "the world does not stay on", to, here->step, before->step, from);
 	a->failures = faster ? 0 : a->failures < MOST_FAILURES ? a->failures + 1 : MOST_FAILURES;
 	a->failures_work = here->work;
@@ -286,5 +286,5 @@ scree_status automatic_choose(scree_world* world)
 		end_trial(world);
 	else if (!a->trial && a->other && trial_pays(world))
 		begin_trial(world);
-	return world->broken ? world_check(world, "scree_step") : SCREE_OK;
+	return world->broken ? world_check(world, "scree_world_step") : SCREE_OK;
 }

@@ -88,7 +88,7 @@ typedef struct
 	const char* device; // part of a name, or null for the first that fits
 	int threads, lanes; // 0 for as many as there are
 	bool allow_unequal_bits, timings;
-	bool gpu;                   // OpenCL: only a GPU will do, else SCREE_NO_DEVICE
+	bool gpu;                   // OpenCL: only a GPU will do, else SCREE_ERROR_NO_DEVICE
 	const scree_opengl* opengl; // or null
 } BackendOptions;
 
@@ -97,9 +97,9 @@ _Static_assert(sizeof(Counters) <= HELD_BYTES, "the counters are read in halves"
 
 typedef struct // that OpenGL draws from; who asked for it keeps it
 {
-	scree_sharing how; // not SCREE_COPIED
-	int file;          // SCREE_SHARED_MEMORY: descriptor, the device's own once it has taken it
-	uint32_t buffer;   // SCREE_SHARED_OPENGL: name of a buffer object
+	scree_sharing how; // not SCREE_SHARING_COPIED
+	int file;          // SCREE_SHARING_MEMORY: descriptor, the device's own once it has taken it
+	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
 	size_t bytes;
 } SharedMemory;
 
@@ -145,7 +145,7 @@ struct Backend
 	int walkers;             // work-items over which the rest of a long walk is worth spreading, at least one
 	int walk_nodes;          // over leaves: a walk that visits more is long
 	bool distant;            // waiting for a read costs as much as many runs
-	scree_sharing sharing;   // what share takes; SCREE_COPIED for nothing, and then share and show are null
+	scree_sharing sharing;   // what share takes; SCREE_SHARING_COPIED for nothing, and then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
 	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's
@@ -156,7 +156,7 @@ struct Backend
 scree_status cpu_open(const BackendOptions* options, Backend** backend);
 scree_status opencl_open(const BackendOptions* options, Backend** backend);
 
-// Fill entries for scree_get_devices; return how many devices there are.
+// Fill entries for scree_devices_get; return how many devices there are.
 int cpu_devices(scree_device* devices, int capacity);
 int opencl_devices(scree_device* devices, int capacity);
 const char* opencl_remedy(void);

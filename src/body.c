@@ -3,12 +3,12 @@
 #include "world.h"
 #include <string.h>
 
-scree_body_def scree_default_body_def(void)
+scree_body_def scree_body_def_default(void)
 {
-	return (scree_body_def){.type = SCREE_DYNAMIC,
+	return (scree_body_def){.type = SCREE_BODY_DYNAMIC,
 	                        .pose.rotation.c = 1.0f,
 	                        .gravity_scale = 1.0f,
-	                        .filter = scree_default_filter(),
+	                        .filter = scree_filter_default(),
 	                        .cookie = COOKIE_BODY};
 }
 
@@ -28,9 +28,9 @@ bool scree_body_is_valid(const scree_world* world, scree_body body) { return wor
 scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
 {
 	if (body.index == 0 && body.generation == 0)
-		return refuse(SCREE_STALE, at, member, "is null");
+		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (!is_valid(world, body))
-		return refuse(SCREE_STALE, at, member,
+		return refuse(SCREE_ERROR_STALE, at, member,
 		              "(index %u, generation %u) was destroyed, or is none of this world's bodies", body.index,
 		              body.generation);
 	*index = (int)body.index;
@@ -46,7 +46,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 {
 	int attribute = 0;
 	scree_pose pose = def->pose;
-	TRY(check_cookie(at, def->cookie, COOKIE_BODY, "scree_default_body_def"));
+	TRY(check_cookie(at, def->cookie, COOKIE_BODY, "scree_body_def_default"));
 	TRY(check_type(at, ".type", def->type));
 	TRY(check_pose(at, ".pose", &pose));
 	TRY(check_velocity(at, ".velocity", def->velocity));
@@ -87,7 +87,7 @@ static void fetch_collidable(const scree_world* world, int collidable)
 // A body in a slot that was taken, by a definition that has been checked; slot is that of its collidable, if it has one.
 static void put(scree_world* world, Where at, const scree_body_def* def, int index, int slot)
 {
-	bool moves = def->type == SCREE_DYNAMIC;
+	bool moves = def->type == SCREE_BODY_DYNAMIC;
 	world->dynamic_bodies += moves;
 	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
@@ -124,10 +124,10 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
 {
 	if (world->bodies.alive + count > MAX_ITEMS)
-		return fail(SCREE_INVALID, "%s: %d more bodies beside %d: a world holds at most %d", function, count,
+		return fail(SCREE_ERROR_INVALID, "%s: %d more bodies beside %d: a world holds at most %d", function, count,
 		            world->bodies.alive, MAX_ITEMS);
 	if (!slots_reserve(&world->bodies, count))
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d more bodies", function, count);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more bodies", function, count);
 	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
 	TRY(collidables_reserve(world, function, collidables));
 	return pending_reserve(world, function, count, collidables, 0);
@@ -147,7 +147,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	TRY(reserve(world, function, count, collidables));
 	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
 	if (!slots)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
 		            collidables);
 	for (int k = 0, next = 0; k < count; ++k)
 	{
@@ -172,14 +172,14 @@ static scree_status create(scree_world* world, const char* function, const char*
 	return SCREE_OK;
 }
 
-scree_status scree_create_bodies(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
+scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
 {
-	return create(world, "scree_create_bodies", "defs", defs, count, bodies, false);
+	return create(world, "scree_bodies_create", "defs", defs, count, bodies, false);
 }
 
-scree_status scree_create_body(scree_world* world, const scree_body_def* def, scree_body* body)
+scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
 {
-	return create(world, "scree_create_body", "def", def, 1, body, true);
+	return create(world, "scree_body_create", "def", def, 1, body, true);
 }
 
 static scree_status destroy(scree_world* world, const char* function, const char* argument, const scree_body* bodies,
@@ -198,7 +198,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		Where at = {function, argument, alone ? ALONE : marked};
 		status = check_body(world, at, "", bodies[marked], &index);
 		if (status == SCREE_OK && world->host_bodies[index].marked)
-			status = refuse(SCREE_STALE, at, "", "is in the batch a second time");
+			status = refuse(SCREE_ERROR_STALE, at, "", "is in the batch a second time");
 		if (status == SCREE_OK)
 		{
 			HostBody* host = world->host_bodies + index;
@@ -224,26 +224,26 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		host->marked = false;
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
-		world->dynamic_bodies -= host->type == SCREE_DYNAMIC;
+		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
 		slots_free(&world->bodies, index);
 		pending_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}
 	return SCREE_OK;
 }
 
-scree_status scree_destroy_bodies(scree_world* world, const scree_body* bodies, int count)
+scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count)
 {
-	return destroy(world, "scree_destroy_bodies", "bodies", bodies, count, false);
+	return destroy(world, "scree_bodies_destroy", "bodies", bodies, count, false);
 }
 
-scree_status scree_destroy_body(scree_world* world, scree_body body)
+scree_status scree_body_destroy(scree_world* world, scree_body body)
 {
-	return destroy(world, "scree_destroy_body", "body", &body, 1, true);
+	return destroy(world, "scree_body_destroy", "body", &body, 1, true);
 }
 
-scree_status scree_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
+scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
 {
-	const char* function = "scree_get_bodies";
+	const char* function = "scree_world_get_bodies";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_list(function, "bodies", bodies, capacity, count));
 	int listed = 0;

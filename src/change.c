@@ -71,10 +71,10 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 	}
 	else if (kind == COMMAND_POSE)
 	{
-		if (host->type == SCREE_STATIC && host->collidables > 0)
+		if (host->type == SCREE_BODY_STATIC && host->collidables > 0)
 			tree_touch(world, tree_of_kind(KIND_STATIC));
 	}
-	else if (host->type != SCREE_DYNAMIC)
+	else if (host->type != SCREE_BODY_DYNAMIC)
 		return;
 	pending_command(world, kind, index, value, 0);
 }
@@ -107,56 +107,58 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 // by the array
 // ---------------------------------------------------------------------------------------------------------------
 
-scree_status scree_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
+scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
 {
-	static const Call call = {"scree_apply_forces", COMMAND_FORCE, "bodies", "forces", NULL, false};
+	static const Call call = {"scree_bodies_apply_forces", COMMAND_FORCE, "bodies", "forces", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = forces}, count);
 }
 
-scree_status scree_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count)
+scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count)
 {
-	static const Call call = {"scree_apply_torques", COMMAND_TORQUE, "bodies", "torques", NULL, false};
+	static const Call call = {"scree_bodies_apply_torques", COMMAND_TORQUE, "bodies", "torques", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = torques}, count);
 }
 
-scree_status scree_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses, int count)
+scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                         int count)
 {
-	static const Call call = {"scree_apply_impulses", COMMAND_IMPULSE, "bodies", "impulses", NULL, false};
+	static const Call call = {"scree_bodies_apply_impulses", COMMAND_IMPULSE, "bodies", "impulses", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = impulses}, count);
 }
 
-scree_status scree_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
-                                          int count)
+scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
+                                                 int count)
 {
 	static const Call call = {
-	    "scree_apply_angular_impulses", COMMAND_ANGULAR_IMPULSE, "bodies", "impulses", NULL, false};
+	    "scree_bodies_apply_angular_impulses", COMMAND_ANGULAR_IMPULSE, "bodies", "impulses", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = impulses}, count);
 }
 
-scree_status scree_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
-                                   const scree_vec* points, int count)
+scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
+                                          const scree_vec* points, int count)
 {
-	static const Call call = {"scree_apply_forces_at", COMMAND_FORCE_AT, "bodies", "forces", "points", false};
+	static const Call call = {"scree_bodies_apply_forces_at", COMMAND_FORCE_AT, "bodies", "forces", "points", false};
 	return change(world, &call, bodies, &(Values){.vectors = forces, .points = points}, count);
 }
 
-scree_status scree_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
-                                     const scree_vec* points, int count)
+scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                            const scree_vec* points, int count)
 {
-	static const Call call = {"scree_apply_impulses_at", COMMAND_IMPULSE_AT, "bodies", "impulses", "points", false};
+	static const Call call = {
+	    "scree_bodies_apply_impulses_at", COMMAND_IMPULSE_AT, "bodies", "impulses", "points", false};
 	return change(world, &call, bodies, &(Values){.vectors = impulses, .points = points}, count);
 }
 
-scree_status scree_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities,
-                                  int count)
+scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities,
+                                         int count)
 {
-	static const Call call = {"scree_set_velocities", COMMAND_VELOCITY, "bodies", "velocities", NULL, false};
+	static const Call call = {"scree_bodies_set_velocities", COMMAND_VELOCITY, "bodies", "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.velocities = velocities}, count);
 }
 
-scree_status scree_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
+scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
-	static const Call call = {"scree_set_poses", COMMAND_POSE, "bodies", "poses", NULL, false};
+	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "bodies", "poses", NULL, false};
 	return change(world, &call, bodies, &(Values){.poses = poses}, count);
 }
 

@@ -34,10 +34,10 @@ scree_status check_real(Where at, const char* member, float x, float low, float 
 		return SCREE_OK;
 	Decimal value = decimal(x), least = decimal(low), most = decimal(high);
 	if (low == -FLT_MAX && high == FLT_MAX)
-		return refuse(SCREE_INVALID, at, member, "is %s, must be finite", value.text);
+		return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be finite", value.text);
 	if (high == FLT_MAX)
-		return refuse(SCREE_INVALID, at, member, "is %s, must be finite and at least %s", value.text, least.text);
-	return refuse(SCREE_INVALID, at, member, "is %s, must be from %s to %s", value.text, least.text, most.text);
+		return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be finite and at least %s", value.text, least.text);
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be from %s to %s", value.text, least.text, most.text);
 }
 
 static scree_status check_component(Where at, const char* member, const char* component, float x, float limit)
@@ -65,7 +65,7 @@ scree_status check_pose(Where at, const char* member, scree_pose* pose)
 	{
 		char name[64];
 		snprintf(name, sizeof name, "%s.rotation", member);
-		return refuse(SCREE_INVALID, at, name, "is (%s, %s), the cosine and sine of no angle: see scree_make_rot",
+		return refuse(SCREE_ERROR_INVALID, at, name, "is (%s, %s), the cosine and sine of no angle: see scree_rot_make",
 		              decimal(q.c).text, decimal(q.s).text);
 	}
 	if (square < 1.0 - 5e-7 || square > 1.0 + 5e-7)
@@ -87,25 +87,26 @@ scree_status check_cookie(Where at, int cookie, int expected, const char* defaul
 {
 	if (cookie == expected)
 		return SCREE_OK;
-	return refuse(SCREE_INVALID, at, ".cookie", "is %d: the definition was not made by %s", cookie, default_function);
+	return refuse(SCREE_ERROR_INVALID, at, ".cookie", "is %d: the definition was not made by %s", cookie,
+	              default_function);
 }
 
 scree_status check_pointer(const char* function, const char* argument, const void* pointer)
 {
-	return pointer ? SCREE_OK : fail(SCREE_INVALID, "%s: %s is null", function, argument);
+	return pointer ? SCREE_OK : fail(SCREE_ERROR_INVALID, "%s: %s is null", function, argument);
 }
 
 scree_status check_batch(const char* function, const char* argument, const void* array, int count)
 {
 	if (count < 0 || count > MAX_ITEMS)
-		return fail(SCREE_INVALID, "%s: count is %d, must be from 0 to %d", function, count, MAX_ITEMS);
+		return fail(SCREE_ERROR_INVALID, "%s: count is %d, must be from 0 to %d", function, count, MAX_ITEMS);
 	return count > 0 ? check_pointer(function, argument, array) : SCREE_OK;
 }
 
 scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count)
 {
 	if (capacity < 0)
-		return fail(SCREE_INVALID, "%s: capacity is %d, must be at least 0", function, capacity);
+		return fail(SCREE_ERROR_INVALID, "%s: capacity is %d, must be at least 0", function, capacity);
 	if (capacity > 0)
 		TRY(check_pointer(function, argument, array));
 	return check_pointer(function, "count", count);

@@ -4,7 +4,7 @@
 
 int kind_of_type(scree_body_type type)
 {
-	return type == SCREE_STATIC ? KIND_STATIC : type == SCREE_KINEMATIC ? KIND_KINEMATIC : KIND_DYNAMIC;
+	return type == SCREE_BODY_STATIC ? KIND_STATIC : type == SCREE_BODY_KINEMATIC ? KIND_KINEMATIC : KIND_DYNAMIC;
 }
 
 int collidable_kind(const scree_world* world, int index)
@@ -15,12 +15,12 @@ int collidable_kind(const scree_world* world, int index)
 	return body < 0 ? KIND_FREE : kind_of_type(world->host_bodies[body].type);
 }
 
-scree_filter scree_default_filter(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
+scree_filter scree_filter_default(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
 
-scree_collidable_def scree_default_collidable_def(void)
+scree_collidable_def scree_collidable_def_default(void)
 {
 	return (scree_collidable_def){
-	    .pose.rotation.c = 1.0f, .filter = scree_default_filter(), .cookie = COOKIE_COLLIDABLE};
+	    .pose.rotation.c = 1.0f, .filter = scree_filter_default(), .cookie = COOKIE_COLLIDABLE};
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -30,10 +30,10 @@ scree_collidable_def scree_default_collidable_def(void)
 scree_status collidables_reserve(scree_world* world, const char* function, int more)
 {
 	if (world->collidables.alive + more > MAX_ITEMS)
-		return fail(SCREE_INVALID, "%s: %d more collidables beside %d: a world holds at most %d", function, more,
+		return fail(SCREE_ERROR_INVALID, "%s: %d more collidables beside %d: a world holds at most %d", function, more,
 		            world->collidables.alive, MAX_ITEMS);
 	if (!slots_reserve(&world->collidables, more))
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d more collidables", function, more);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more collidables", function, more);
 	return GROW(function, world->host_collidables, world->host_collidable_capacity, world->collidables.capacity);
 }
 
@@ -128,9 +128,9 @@ static bool is_valid(const scree_world* world, scree_collidable collidable)
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index)
 {
 	if (collidable.index == 0 && collidable.generation == 0)
-		return refuse(SCREE_STALE, at, "", "is null");
+		return refuse(SCREE_ERROR_STALE, at, "", "is null");
 	if (!is_valid(world, collidable))
-		return refuse(SCREE_STALE, at, "",
+		return refuse(SCREE_ERROR_STALE, at, "",
 		              "(index %u, generation %u) was destroyed, or is none of this world's collidables",
 		              collidable.index, collidable.generation);
 	*index = (int)collidable.index - 1;
@@ -159,7 +159,7 @@ static void update_masses(scree_world* world, const int* bodies, int count)
 		if (bodies[k] < 0 || !world->host_bodies[bodies[k]].marked)
 			continue;
 		world->host_bodies[bodies[k]].marked = false;
-		if (world->host_bodies[bodies[k]].type == SCREE_DYNAMIC)
+		if (world->host_bodies[bodies[k]].type == SCREE_BODY_DYNAMIC)
 			mass_set(world, bodies[k], mass_of_body(world, bodies[k]));
 	}
 }
@@ -167,7 +167,7 @@ static void update_masses(scree_world* world, const int* bodies, int count)
 static scree_status check_def(const scree_world* world, Where at, const scree_collidable_def* def, HostCollidable* made)
 {
 	*made = (HostCollidable){.body = -1, .pose = def->pose, .filter = def->filter, .user = def->user};
-	TRY(check_cookie(at, def->cookie, COOKIE_COLLIDABLE, "scree_default_collidable_def"));
+	TRY(check_cookie(at, def->cookie, COOKIE_COLLIDABLE, "scree_collidable_def_default"));
 	TRY(check_attribute(world, at, ".attribute", def->attribute, &made->attribute));
 	if (def->body.index != 0 || def->body.generation != 0)
 		TRY(check_body(world, at, ".body", def->body, &made->body));
@@ -186,7 +186,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	TRY(pending_reserve(world, function, 0, count, count));
 	int* slots = world_scratch(world, 2 * (size_t)count * sizeof *slots);
 	if (!slots)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
 
 	int* bodies = slots + count;
 	for (int k = 0; k < count; ++k)
@@ -207,15 +207,15 @@ static scree_status create(scree_world* world, const char* function, const char*
 	return SCREE_OK;
 }
 
-scree_status scree_create_collidables(scree_world* world, const scree_collidable_def* defs, int count,
+scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
                                       scree_collidable* collidables)
 {
-	return create(world, "scree_create_collidables", "defs", defs, count, collidables, false);
+	return create(world, "scree_collidables_create", "defs", defs, count, collidables, false);
 }
 
-scree_status scree_create_collidable(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable)
+scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable)
 {
-	return create(world, "scree_create_collidable", "def", def, 1, collidable, true);
+	return create(world, "scree_collidable_create", "def", def, 1, collidable, true);
 }
 
 static scree_status destroy(scree_world* world, const char* function, const char* argument,
@@ -226,7 +226,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	TRY(pending_reserve(world, function, 0, count, count));
 	int* bodies = world_scratch(world, (size_t)count * sizeof *bodies);
 	if (!bodies)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
 
 	scree_status status = SCREE_OK;
 	int marked = 0;
@@ -235,7 +235,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		Where at = {function, argument, alone ? ALONE : marked};
 		status = check_collidable(world, at, collidables[marked], &index);
 		if (status == SCREE_OK && world->host_collidables[index].marked)
-			status = refuse(SCREE_STALE, at, "", "is in the batch a second time");
+			status = refuse(SCREE_ERROR_STALE, at, "", "is in the batch a second time");
 		if (status == SCREE_OK)
 		{
 			world->host_collidables[index].marked = true;
@@ -252,20 +252,20 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	return SCREE_OK;
 }
 
-scree_status scree_destroy_collidables(scree_world* world, const scree_collidable* collidables, int count)
+scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count)
 {
-	return destroy(world, "scree_destroy_collidables", "collidables", collidables, count, false);
+	return destroy(world, "scree_collidables_destroy", "collidables", collidables, count, false);
 }
 
-scree_status scree_destroy_collidable(scree_world* world, scree_collidable collidable)
+scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable)
 {
-	return destroy(world, "scree_destroy_collidable", "collidable", &collidable, 1, true);
+	return destroy(world, "scree_collidable_destroy", "collidable", &collidable, 1, true);
 }
 
-scree_status scree_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
-                                   int capacity, int* count)
+scree_status scree_body_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
+                                        int capacity, int* count)
 {
-	const char* function = "scree_get_collidables";
+	const char* function = "scree_body_get_collidables";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_list(function, "collidables", collidables, capacity, count));
 	int listed = 0, index = 0;
@@ -371,10 +371,10 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	return SCREE_OK;
 }
 
-scree_status scree_set_collidable_poses(scree_world* world, const scree_collidable* collidables,
-                                        const scree_pose* poses, int count)
+scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
+                                         const scree_pose* poses, int count)
 {
-	const char* function = "scree_set_collidable_poses";
+	const char* function = "scree_collidables_set_poses";
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "collidables", collidables, count));
 	TRY(check_batch(function, "poses", poses, count));
@@ -384,7 +384,7 @@ scree_status scree_set_collidable_poses(scree_world* world, const scree_collidab
 		scree_pose pose = poses[k];
 		TRY(check_collidable(world, (Where){function, "collidables", k}, collidables[k], &index));
 		if (world->host_collidables[index].body >= 0)
-			return refuse(SCREE_INVALID, (Where){function, "collidables", k}, "", "belongs to a body: move that");
+			return refuse(SCREE_ERROR_INVALID, (Where){function, "collidables", k}, "", "belongs to a body: move that");
 		TRY(check_pose((Where){function, "poses", k}, "", &pose));
 	}
 	TRY(pending_reserve(world, function, 0, 0, count));

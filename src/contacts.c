@@ -19,7 +19,7 @@ static scree_status read_pool(scree_world* world, const char* function, PoolId p
 {
 	*rows = scree_allocate(pool_info[pool].bytes * (size_t)count);
 	if (!*rows)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, count);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, count);
 	return world_read(world, pool, 0, count, *rows);
 }
 
@@ -145,12 +145,12 @@ static scree_status get(scree_world* world, const char* function, const char* ar
 	return status;
 }
 
-scree_status scree_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count)
+scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count)
 {
-	return get(world, "scree_get_contacts", "contacts", 0, contacts, capacity, count);
+	return get(world, "scree_world_get_contacts", "contacts", 0, contacts, capacity, count);
 }
 
-scree_status scree_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count)
+scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count)
 {
-	return get(world, "scree_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, capacity, count);
+	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, capacity, count);
 }

@@ -108,6 +108,7 @@ scree_status crowd_fail(scree_world* world)
 	scree_release(keys);
 	if (status != SCREE_OK)
 		return status;
-	return fail(SCREE_CROWDED, "scree_step: %d contacts and %s%d new pairs are more than contact_limit, %d, allows%s",
-	            contacts, pairs > limit ? "at least " : "", pairs, limit, where);
+	return fail(SCREE_ERROR_CROWDED,
+	            "scree_world_step: %d contacts and %s%d new pairs are more than contact_limit, %d, allows%s", contacts,
+	            pairs > limit ? "at least " : "", pairs, limit, where);
 }

@@ -7,7 +7,7 @@
 // The most contacts that the world may have: its definition's, or the default.
 int contact_limit(const scree_world* world);
 
-// Fails with SCREE_CROWDED and a sentence that names the place that most boxes share. The counters and the boxes of the
+// Fails with SCREE_ERROR_CROWDED and a sentence that names the place that most boxes share. The counters and the boxes of the
 // search that found too many pairs are still there.
 scree_status crowd_fail(scree_world* world);
 

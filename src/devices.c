@@ -18,13 +18,13 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 {
 	(void)options;
 	*backend = NULL;
-	return fail(SCREE_NO_DEVICE, "%s", without_opencl);
+	return fail(SCREE_ERROR_NO_DEVICE, "%s", without_opencl);
 }
 #endif
 
-scree_status scree_get_devices(scree_device* devices, int capacity, int* count)
+scree_status scree_devices_get(scree_device* devices, int capacity, int* count)
 {
-	TRY(check_list("scree_get_devices", "devices", devices, capacity, count));
+	TRY(check_list("scree_devices_get", "devices", devices, capacity, count));
 	int cpus = cpu_devices(devices, capacity);
 	int left = capacity > cpus ? capacity - cpus : 0;
 	*count = cpus + opencl_devices(left > 0 ? devices + cpus : NULL, left);
@@ -36,13 +36,13 @@ const char* scree_opencl_remedy(void) { return opencl_devices(NULL, 0) > 0 ? "" 
 scree_status check_device(Where at, const char* member, const char* device)
 {
 	if (!device)
-		return refuse(SCREE_INVALID, at, member, "is null");
+		return refuse(SCREE_ERROR_INVALID, at, member, "is null");
 	if (strcmp(device, "auto") == 0 || strcmp(device, "cpu") == 0 || strcmp(device, "opencl") == 0)
 		return SCREE_OK;
 	if (strncmp(device, "opencl:", 7) == 0 && device[7])
 		return SCREE_OK;
 	return refuse(
-	    SCREE_INVALID, at, member,
+	    SCREE_ERROR_INVALID, at, member,
 	    "is \"%.64s\", must be \"auto\", \"cpu\", \"opencl\" or \"opencl:NAME\" with a part of a device's name",
 	    device);
 }

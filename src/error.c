@@ -81,19 +81,19 @@ const char* scree_status_name(scree_status status)
 	{
 	case SCREE_OK:
 		return "ok";
-	case SCREE_INVALID:
+	case SCREE_ERROR_INVALID:
 		return "invalid";
-	case SCREE_STALE:
+	case SCREE_ERROR_STALE:
 		return "stale";
-	case SCREE_OUT_OF_MEMORY:
+	case SCREE_ERROR_OUT_OF_MEMORY:
 		return "out of memory";
-	case SCREE_NO_DEVICE:
+	case SCREE_ERROR_NO_DEVICE:
 		return "no device";
-	case SCREE_DEVICE_FAILED:
+	case SCREE_ERROR_DEVICE_FAILED:
 		return "device failed";
-	case SCREE_NOT_SUPPORTED:
+	case SCREE_ERROR_NOT_SUPPORTED:
 		return "not supported";
-	case SCREE_CROWDED:
+	case SCREE_ERROR_CROWDED:
 		return "crowded";
 	}
 	return "unknown";
@@ -128,12 +128,12 @@ void log_sentence(scree_log_level level, const char* format, ...)
 	hooks.log(level, text, hooks.context);
 }
 
-scree_status scree_set_hooks(const scree_hooks* new_hooks)
+scree_status scree_hooks_set(const scree_hooks* new_hooks)
 {
 	if (atomic_load(&worlds) > 0)
-		return fail(SCREE_INVALID, "hooks cannot change while %d world(s) exist", atomic_load(&worlds));
+		return fail(SCREE_ERROR_INVALID, "hooks cannot change while %d world(s) exist", atomic_load(&worlds));
 	if (new_hooks && !new_hooks->allocate != !new_hooks->release)
-		return fail(SCREE_INVALID, "hooks.allocate is %s but hooks.release is %s: give both or none",
+		return fail(SCREE_ERROR_INVALID, "hooks.allocate is %s but hooks.release is %s: give both or none",
 		            new_hooks->allocate ? "set" : "null", new_hooks->release ? "set" : "null");
 	scree_hooks given = new_hooks ? *new_hooks : (scree_hooks){0};
 	hooks.allocate = given.allocate ? given.allocate : default_allocate;

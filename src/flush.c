@@ -13,7 +13,7 @@
 
 static scree_status no_memory(size_t bytes)
 {
-	return fail(SCREE_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
+	return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
 }
 
 static Float4 pose_value(scree_pose pose)

@@ -77,7 +77,7 @@ static void fill_mass(scree_shape* shape)
 	}
 
 	double cx = m.area > 0.0 ? m.x / m.area : 0.0, cy = m.area > 0.0 ? m.y / m.area : 0.0;
-	if (shape->kind == SCREE_SEGMENT)
+	if (shape->kind == SCREE_SHAPE_SEGMENT)
 	{
 		cx = 0.5 * ((double)v[1].x - v[0].x);
 		cy = 0.5 * ((double)v[1].y - v[0].y);
@@ -117,7 +117,7 @@ static scree_status refuse_corner(const char* function, const char* argument, co
                                   const char* reason)
 {
 	Where at = {function, argument, i};
-	return refuse(SCREE_INVALID, at, "", "(%s, %s) %s", decimal(v[i].x).text, decimal(v[i].y).text, reason);
+	return refuse(SCREE_ERROR_INVALID, at, "", "(%s, %s) %s", decimal(v[i].x).text, decimal(v[i].y).text, reason);
 }
 
 // Are these the corners of a convex polygon, either way round? Distances in metres.
@@ -142,7 +142,7 @@ static scree_status check_corners(const char* function, const char* argument, co
 		scree_vec before = v[(i + count - 1) % count], after = v[(i + 1) % count];
 		double height = sense * vec_cross_from(before, v[i], after) / vec_distance(before, after);
 		if (height < -flat)
-			return refuse_corner(function, argument, v, i, "is concave: scree_make_hull drops such corners");
+			return refuse_corner(function, argument, v, i, "is concave: scree_shape_make_hull drops such corners");
 		if (height < flat)
 			return refuse_corner(function, argument, v, i, "lies on the line between its neighbors");
 	}
@@ -169,7 +169,7 @@ static scree_status check_ends(const char* function, scree_vec a, scree_vec b)
 {
 	double length = vec_distance(a, b);
 	if (length < (double)SMALLEST_SIZE)
-		return fail(SCREE_INVALID, "%s: b is (%s, %s), closer to a than %g m", function, decimal(b.x).text,
+		return fail(SCREE_ERROR_INVALID, "%s: b is (%s, %s), closer to a than %g m", function, decimal(b.x).text,
 		            decimal(b.y).text, SMALLEST_SIZE);
 	return SCREE_OK;
 }
@@ -179,16 +179,18 @@ scree_status shape_finish(Where at, scree_shape* shape)
 	static const struct
 	{
 		int low, high;
-	} counts[] = {
-	    [SCREE_CIRCLE] = {1, 1}, [SCREE_CAPSULE] = {2, 2}, [SCREE_SEGMENT] = {2, 2}, [SCREE_POLYGON] = {3, 8}};
+	} counts[] = {[SCREE_SHAPE_CIRCLE] = {1, 1},
+	              [SCREE_SHAPE_CAPSULE] = {2, 2},
+	              [SCREE_SHAPE_SEGMENT] = {2, 2},
+	              [SCREE_SHAPE_POLYGON] = {3, 8}};
 
-	if ((unsigned)shape->kind > SCREE_POLYGON)
-		return refuse(SCREE_INVALID, at, ".kind", "is %d, which is no scree_shape_kind", (int)shape->kind);
+	if ((unsigned)shape->kind > SCREE_SHAPE_POLYGON)
+		return refuse(SCREE_ERROR_INVALID, at, ".kind", "is %d, which is no scree_shape_kind", (int)shape->kind);
 	if (shape->count < counts[shape->kind].low || shape->count > counts[shape->kind].high)
-		return refuse(SCREE_INVALID, at, ".count", "is %d, must be from %d to %d for this kind", shape->count,
+		return refuse(SCREE_ERROR_INVALID, at, ".count", "is %d, must be from %d to %d for this kind", shape->count,
 		              counts[shape->kind].low, counts[shape->kind].high);
-	bool round = shape->kind == SCREE_CIRCLE || shape->kind == SCREE_CAPSULE;
-	float most = shape->kind == SCREE_SEGMENT ? 0.0f : SCREE_HUGE;
+	bool round = shape->kind == SCREE_SHAPE_CIRCLE || shape->kind == SCREE_SHAPE_CAPSULE;
+	float most = shape->kind == SCREE_SHAPE_SEGMENT ? 0.0f : SCREE_HUGE;
 	TRY(check_real(at, ".radius", shape->radius, round ? SMALLEST_SIZE : 0.0f, most));
 
 	char name[64] = "";
@@ -204,50 +206,50 @@ scree_status shape_finish(Where at, scree_shape* shape)
 	return SCREE_OK;
 }
 
-scree_status scree_make_box(float half_width, float half_height, scree_shape* shape)
+scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape)
 {
-	const char* function = "scree_make_box";
+	const char* function = "scree_shape_make_box";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_real((Where){function, "half_width", ALONE}, "", half_width, SMALLEST_SIZE, SCREE_HUGE));
 	TRY(check_real((Where){function, "half_height", ALONE}, "", half_height, SMALLEST_SIZE, SCREE_HUGE));
 	float w = half_width, h = half_height;
-	*shape = (scree_shape){.kind = SCREE_POLYGON, .count = 4, .vertices = {{-w, -h}, {w, -h}, {w, h}, {-w, h}}};
+	*shape = (scree_shape){.kind = SCREE_SHAPE_POLYGON, .count = 4, .vertices = {{-w, -h}, {w, -h}, {w, h}, {-w, h}}};
 	fill(shape);
 	return SCREE_OK;
 }
 
-scree_status scree_make_circle(scree_vec center, float radius, scree_shape* shape)
+scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape)
 {
-	const char* function = "scree_make_circle";
+	const char* function = "scree_shape_make_circle";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_vec((Where){function, "center", ALONE}, "", center, SCREE_HUGE));
 	TRY(check_real((Where){function, "radius", ALONE}, "", radius, SMALLEST_SIZE, SCREE_HUGE));
-	*shape = (scree_shape){.kind = SCREE_CIRCLE, .count = 1, .radius = radius, .vertices = {center}};
+	*shape = (scree_shape){.kind = SCREE_SHAPE_CIRCLE, .count = 1, .radius = radius, .vertices = {center}};
 	fill(shape);
 	return SCREE_OK;
 }
 
-scree_status scree_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape)
+scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape)
 {
-	const char* function = "scree_make_capsule";
+	const char* function = "scree_shape_make_capsule";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_vec((Where){function, "a", ALONE}, "", a, SCREE_HUGE));
 	TRY(check_vec((Where){function, "b", ALONE}, "", b, SCREE_HUGE));
 	TRY(check_real((Where){function, "radius", ALONE}, "", radius, SMALLEST_SIZE, SCREE_HUGE));
 	TRY(check_ends(function, a, b));
-	*shape = (scree_shape){.kind = SCREE_CAPSULE, .count = 2, .radius = radius, .vertices = {a, b}};
+	*shape = (scree_shape){.kind = SCREE_SHAPE_CAPSULE, .count = 2, .radius = radius, .vertices = {a, b}};
 	fill(shape);
 	return SCREE_OK;
 }
 
-scree_status scree_make_segment(scree_vec a, scree_vec b, scree_shape* shape)
+scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape)
 {
-	const char* function = "scree_make_segment";
+	const char* function = "scree_shape_make_segment";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_vec((Where){function, "a", ALONE}, "", a, SCREE_HUGE));
 	TRY(check_vec((Where){function, "b", ALONE}, "", b, SCREE_HUGE));
 	TRY(check_ends(function, a, b));
-	*shape = (scree_shape){.kind = SCREE_SEGMENT, .count = 2, .vertices = {a, b}};
+	*shape = (scree_shape){.kind = SCREE_SHAPE_SEGMENT, .count = 2, .vertices = {a, b}};
 	fill(shape);
 	return SCREE_OK;
 }
@@ -255,7 +257,7 @@ scree_status scree_make_segment(scree_vec a, scree_vec b, scree_shape* shape)
 // Shared by polygons and hulls once their number of corners is known.
 static void make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
 {
-	scree_shape made = {.kind = SCREE_POLYGON, .count = count, .radius = radius};
+	scree_shape made = {.kind = SCREE_SHAPE_POLYGON, .count = count, .radius = radius};
 	memcpy(made.vertices, corners, (size_t)count * sizeof *corners);
 	fill(&made);
 	*shape = made;
@@ -267,30 +269,31 @@ static scree_status check_polygon(const char* function, const char* argument, co
 	TRY(check_pointer(function, argument, points));
 	TRY(check_pointer(function, "shape", shape));
 	if (count < 3 || count > most)
-		return fail(SCREE_INVALID, "%s: count is %d, must be from 3 to %d", function, count, most);
+		return fail(SCREE_ERROR_INVALID, "%s: count is %d, must be from 3 to %d", function, count, most);
 	TRY(check_real((Where){function, "radius", ALONE}, "", radius, 0.0f, SCREE_HUGE));
 	return check_vertices(function, argument, points, count);
 }
 
-scree_status scree_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
+scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
 {
-	const char* function = "scree_make_polygon";
+	const char* function = "scree_shape_make_polygon";
 	TRY(check_polygon(function, "corners", corners, count, SCREE_MAX_VERTICES, radius, shape));
 	TRY(check_corners(function, "corners", corners, count, (double)WELD_DISTANCE, FLAT_DISTANCE));
 	make_polygon(corners, count, radius, shape);
 	return SCREE_OK;
 }
 
-scree_status scree_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape)
+scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape)
 {
-	const char* function = "scree_make_hull";
+	const char* function = "scree_shape_make_hull";
 	TRY(check_polygon(function, "points", points, count, HULL_POINTS, radius, shape));
 	int indices[HULL_POINTS], corners = hull_corners(points, count, indices);
 	if (corners < 3)
-		return fail(SCREE_INVALID, "%s: points lie on a line, or within %g m of one another", function, WELD_DISTANCE);
+		return fail(SCREE_ERROR_INVALID, "%s: points lie on a line, or within %g m of one another", function,
+		            WELD_DISTANCE);
 	if (corners > SCREE_MAX_VERTICES)
-		return fail(SCREE_INVALID, "%s: the hull of points has %d corners, must have at most %d", function, corners,
-		            SCREE_MAX_VERTICES);
+		return fail(SCREE_ERROR_INVALID, "%s: the hull of points has %d corners, must have at most %d", function,
+		            corners, SCREE_MAX_VERTICES);
 	scree_vec chosen[SCREE_MAX_VERTICES];
 	for (int k = 0; k < corners; ++k)
 		chosen[k] = points[indices[k]];
@@ -298,9 +301,9 @@ scree_status scree_make_hull(const scree_vec* points, int count, float radius, s
 	return SCREE_OK;
 }
 
-scree_status scree_transform_shape(const scree_shape* shape, scree_pose pose, scree_shape* moved)
+scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* moved)
 {
-	const char* function = "scree_transform_shape";
+	const char* function = "scree_shape_transform";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_pointer(function, "moved", moved));
 	TRY(check_pose((Where){function, "pose", ALONE}, "", &pose));

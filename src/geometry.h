@@ -7,10 +7,10 @@
 #define SMALLEST_SIZE 0.001f // m
 #define WELD_DISTANCE 0.005f // m: corners closer than this are one
 #define FLAT_DISTANCE 0.0005 // m: a corner less far from the line between its neighbors is none
-#define HULL_POINTS   64     // most that scree_make_hull takes
+#define HULL_POINTS   64     // most that scree_shape_make_hull takes
 
 // Takes kind, count, radius and vertices of a shape that was made before, checks them and fills in everything else; the
-// rest of the shape becomes zero. at.argument names the shape. Thresholds are lower than those of scree_make_polygon,
+// rest of the shape becomes zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon,
 // so that a shape which has been turned and shifted stays sound.
 scree_status shape_finish(Where at, scree_shape* shape);
 

@@ -9,12 +9,15 @@
 #define LEAST_INERTIA 1e-20f // kg m^2
 #define MOST_MASS     1e30f  // kg, and kg m^2
 
-static scree_mass massless(scree_body_type type) { return (scree_mass){.mass = type == SCREE_DYNAMIC ? 1.0f : 0.0f}; }
+static scree_mass massless(scree_body_type type)
+{
+	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
+}
 
 scree_mass mass_of_body(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
-	if (host->type != SCREE_DYNAMIC)
+	if (host->type != SCREE_BODY_DYNAMIC)
 		return massless(host->type);
 
 	// first the common center, then the inertia about it: Huygens-Steiner
@@ -57,7 +60,8 @@ Guarded body_guarded(scree_world* world, int body)
 	const HostBody* host = world->host_bodies + body;
 	Guarded guarded = {.first = host->first_collidable + 1, .parts = 1, .way = INFINITY};
 	int count = 0;
-	for (int k = host->first_collidable; host->type == SCREE_DYNAMIC && k >= 0; k = world->host_collidables[k].next)
+	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
+	     k = world->host_collidables[k].next)
 	{
 		// guard adds components of the arm: at most 1.4143 times its length; a little more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
@@ -112,8 +116,8 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 	TRY(world_check(world, function));
 	int index = 0;
 	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
-	if (world->host_bodies[index].type != SCREE_DYNAMIC)
-		return fail(SCREE_INVALID, "%s: body is not dynamic: it has no mass", function);
+	if (world->host_bodies[index].type != SCREE_BODY_DYNAMIC)
+		return fail(SCREE_ERROR_INVALID, "%s: body is not dynamic: it has no mass", function);
 	Where at = {function, "mass", ALONE};
 	TRY(check_real(at, ".mass", mass.mass, LEAST_MASS, MOST_MASS));
 	if (mass.inertia != 0.0f)

@@ -77,7 +77,7 @@ static scree_status copy(Move* m, PoolId pool, int first, int to_first, int coun
 	if (!m->bounce)
 		m->bounce = scree_allocate(BOUNCE_BYTES);
 	if (!m->bounce)
-		return fail(SCREE_OUT_OF_MEMORY, "no memory to move a world");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move a world");
 	int most = (int)(BOUNCE_BYTES / pool_info[pool].bytes);
 	for (int k = 0; k < count; k += most)
 	{
@@ -114,7 +114,7 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_release(m.bounce);
 	if (status != SCREE_OK)
 		return status;
-	scree_unshare(world); // what another device has is no use to this one
+	scree_world_unshare(world); // what another device has is no use to this one
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
 	for (int t = 0; t < 2; ++t)
@@ -128,9 +128,9 @@ scree_status world_move(scree_world* world, Backend* to)
 	return SCREE_OK;
 }
 
-scree_status scree_move_world(scree_world* world, const char* device)
+scree_status scree_world_move(scree_world* world, const char* device)
 {
-	const char* function = "scree_move_world";
+	const char* function = "scree_world_move";
 	TRY(world_check(world, function));
 	TRY(check_device((Where){function, "device", ALONE}, "", device));
 	if (strcmp(device, "auto") == 0)

@@ -30,7 +30,7 @@ static scree_status list_reserve(RunList* list, int substeps)
 		return SCREE_OK;
 	Run* runs = scree_reallocate(list->runs, 0, sizeof(Run) * (size_t)capacity);
 	if (!runs)
-		return fail(SCREE_OUT_OF_MEMORY, "no memory for a list of %d runs", capacity);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for a list of %d runs", capacity);
 	list->runs = runs;
 	list->capacity = capacity;
 	return SCREE_OK;

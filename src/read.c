@@ -39,7 +39,7 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 	size_t bytes = rows->bytes * (size_t)(dense ? high - low + 1 : count);
 	char* memory = world_scratch(world, bytes);
 	if (!memory)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
 	rows->rows = memory;
 	if (dense)
 		return world_read(world, pool, low, high - low + 1, memory);
@@ -85,16 +85,17 @@ static scree_status check_read(const scree_world* world, const char* function, c
 	return check_batch(function, argument, out, count);
 }
 
-scree_status scree_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count)
+scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count)
 {
-	const char* function = "scree_get_poses";
+	const char* function = "scree_bodies_get_poses";
 	TRY(check_read(world, function, bodies, "poses", poses, count));
 	return count > 0 ? get_poses(world, function, "bodies", bodies, poses, count, false) : SCREE_OK;
 }
 
-scree_status scree_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities, int count)
+scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
+                                         int count)
 {
-	const char* function = "scree_get_velocities";
+	const char* function = "scree_bodies_get_velocities";
 	TRY(check_read(world, function, bodies, "velocities", velocities, count));
 	return count > 0 ? get_velocities(world, function, "bodies", bodies, velocities, count, false) : SCREE_OK;
 }

@@ -39,7 +39,8 @@ static scree_status resize(scree_world* world, Per per, int64_t capacity)
 	if (capacity <= b->capacity[per])
 		return SCREE_OK;
 	if (capacity > INT32_MAX / 2)
-		return fail(SCREE_OUT_OF_MEMORY, "a pool of %lld items is beyond what an index can name", (long long)capacity);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "a pool of %lld items is beyond what an index can name",
+		            (long long)capacity);
 	return b->f->resize(b, per, (int)capacity);
 }
 

@@ -4,22 +4,22 @@
 
 scree_status check_type(Where at, const char* member, scree_body_type type)
 {
-	if ((unsigned)type <= SCREE_DYNAMIC)
+	if ((unsigned)type <= SCREE_BODY_DYNAMIC)
 		return SCREE_OK;
-	return refuse(SCREE_INVALID, at, member, "is %d, which is no scree_body_type", (int)type);
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, which is no scree_body_type", (int)type);
 }
 
 scree_status check_locks(Where at, const char* member, uint32_t locks)
 {
 	if (locks <= (SCREE_LOCK_X | SCREE_LOCK_Y | SCREE_LOCK_ROTATION))
 		return SCREE_OK;
-	return refuse(SCREE_INVALID, at, member,
+	return refuse(SCREE_ERROR_INVALID, at, member,
 	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
 }
 
 scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity velocity)
 {
-	if (host->type == SCREE_STATIC)
+	if (host->type == SCREE_BODY_STATIC)
 		return (scree_velocity){0};
 	if (host->locks & SCREE_LOCK_X)
 		velocity.linear.x = 0.0f;
@@ -53,7 +53,7 @@ static void send_motion(scree_world* world, int index)
 {
 	const HostBody* host = world->host_bodies + index;
 	Float4 value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	if (host->type == SCREE_DYNAMIC)
+	if (host->type == SCREE_BODY_DYNAMIC)
 		value = make_float4(host->gravity_scale, host->linear_damping, host->angular_damping, 0.0f);
 	pending_command(world, COMMAND_MOTION, index, value, (int)host->locks);
 }
@@ -71,7 +71,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 		TRY(tree_insert(world, new_tree, k));
 
-	world->dynamic_bodies += (type == SCREE_DYNAMIC) - (host->type == SCREE_DYNAMIC);
+	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
 	host->type = type;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
@@ -79,7 +79,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 		if (old_tree != new_tree)
 			tree_leave(world, old_tree, k);
 	}
-	if (type == SCREE_STATIC)
+	if (type == SCREE_BODY_STATIC)
 		pending_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	mass_set(world, index, mass_of_body(world, index));
 	send_motion(world, index);

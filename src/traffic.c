@@ -79,9 +79,9 @@ scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool e
 	};
 }
 
-scree_status scree_get_traffic(scree_world* world, scree_traffic* traffic)
+scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic)
 {
-	const char* function = "scree_get_traffic";
+	const char* function = "scree_world_get_traffic";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "traffic", traffic));
 	*traffic = world->pipeline.traffic;
@@ -104,15 +104,15 @@ static scree_status time_copies(Backend* b, size_t bytes, double* bandwidth)
 	return SCREE_OK;
 }
 
-scree_status scree_measure_bandwidth(scree_world* world, double* bandwidth)
+scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth)
 {
-	const char* function = "scree_measure_bandwidth";
+	const char* function = "scree_world_measure_bandwidth";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "bandwidth", bandwidth));
 	Backend* b = world->backend;
 	size_t bytes = MOST_BYTES;
 	scree_status status = b->f->copy_reserve(b, bytes);
-	while (status == SCREE_OUT_OF_MEMORY && bytes > LEAST_BYTES)
+	while (status == SCREE_ERROR_OUT_OF_MEMORY && bytes > LEAST_BYTES)
 	{
 		bytes /= 2;
 		status = b->f->copy_reserve(b, bytes);

@@ -56,7 +56,7 @@ scree_status tree_insert(scree_world* world, int t, int collidable)
 		int capacity = collidable + collidable / 2 + 64;
 		uint8_t* member = scree_reallocate(pipeline->member, (size_t)pipeline->member_capacity, (size_t)capacity);
 		if (!member)
-			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d collidables", capacity);
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d collidables", capacity);
 		pipeline->member = member;
 		pipeline->member_capacity = capacity;
 	}
@@ -70,7 +70,7 @@ scree_status tree_insert(scree_world* world, int t, int collidable)
 		int* added =
 		    scree_reallocate(state->added, sizeof(int) * (size_t)state->added_capacity, sizeof(int) * (size_t)capacity);
 		if (!added)
-			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d new leaves", capacity);
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d new leaves", capacity);
 		state->added = added;
 		state->added_capacity = capacity;
 	}
@@ -167,7 +167,7 @@ static bool tree_owns(const scree_world* world, int t, int k)
 	if (k >= world->collidables.used || !(world->collidables.generation[k] & 1))
 		return false;
 	int body = world->host_collidables[k].body;
-	bool fixed = body >= 0 && world->host_bodies[body].type == SCREE_STATIC;
+	bool fixed = body >= 0 && world->host_bodies[body].type == SCREE_BODY_STATIC;
 	return fixed == (t == 1);
 }
 
@@ -224,7 +224,8 @@ scree_status tree_save(scree_world* world, int** leaves)
 	const TreeState* trees = world->pipeline.trees;
 	*leaves = scree_allocate(sizeof(int) * (size_t)(trees[0].tree.leaves + trees[1].tree.leaves));
 	if (!*leaves)
-		return fail(SCREE_OUT_OF_MEMORY, "no memory to move %d leaves", trees[0].tree.leaves + trees[1].tree.leaves);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move %d leaves",
+		            trees[0].tree.leaves + trees[1].tree.leaves);
 	int* to = *leaves;
 	for (int t = 0; t < 2; ++t)
 	{

@@ -100,11 +100,11 @@ double arc_tangent(double y, double x)
 	return y < 0.0 ? -angle : angle;
 }
 
-scree_rot scree_make_rot(float radians)
+scree_rot scree_rot_make(float radians)
 {
 	double s, c;
 	sine_cosine(radians, &s, &c);
 	return (scree_rot){(float)c, (float)s};
 }
 
-float scree_rot_angle(scree_rot rotation) { return (float)arc_tangent(rotation.s, rotation.c); }
+float scree_rot_get_angle(scree_rot rotation) { return (float)arc_tangent(rotation.s, rotation.c); }

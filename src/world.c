@@ -9,7 +9,7 @@
 // Shorter than this, rates of change are too large for a float; seconds.
 #define SHORTEST_STEP 1e-9f
 
-scree_world_def scree_default_world_def(void)
+scree_world_def scree_world_def_default(void)
 {
 	return (scree_world_def){.gravity = {0.0f, -10.0f},
 	                         .device = "auto",
@@ -30,14 +30,14 @@ scree_status world_check(const scree_world* world, const char* function)
 	TRY(check_pointer(function, "world", world));
 	if (world->broken)
 		return fail(world->broken, "%s: %s; the world can only be destroyed", function,
-		            world->broken == SCREE_DEVICE_FAILED ? "the device of this world has failed"
-		                                                 : "a step of this world broke off for want of memory");
+		            world->broken == SCREE_ERROR_DEVICE_FAILED ? "the device of this world has failed"
+		                                                       : "a step of this world broke off for want of memory");
 	return SCREE_OK;
 }
 
 scree_status world_note(scree_world* world, scree_status status)
 {
-	if (status == SCREE_DEVICE_FAILED)
+	if (status == SCREE_ERROR_DEVICE_FAILED)
 		world->broken = status;
 	return status;
 }
@@ -74,7 +74,7 @@ scree_status grow(const char* function, void** array, int* capacity, size_t item
 	larger = larger < INT_MAX ? larger : INT_MAX;
 	void* memory = scree_reallocate(*array, (size_t)*capacity * item, (size_t)larger * item);
 	if (!memory)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for %lld items of %zu bytes", function, (long long)larger,
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %lld items of %zu bytes", function, (long long)larger,
 		            item);
 	*array = memory;
 	*capacity = (int)larger;
@@ -89,31 +89,31 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 {
 	TRY(check_pointer(function, "def", def));
 	Where at = {function, "def", ALONE};
-	TRY(check_cookie(at, def->cookie, COOKIE_WORLD, "scree_default_world_def"));
+	TRY(check_cookie(at, def->cookie, COOKIE_WORLD, "scree_world_def_default"));
 	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
 	TRY(check_device(at, ".device", def->device));
 	if (def->opengl && (!def->opengl->context || !def->opengl->display))
-		return refuse(SCREE_INVALID, at, ".opengl", "has no %s", def->opengl->context ? "display" : "context");
-	if (def->opengl && (def->opengl->system < SCREE_EGL || def->opengl->system > SCREE_WGL))
-		return refuse(SCREE_INVALID, at, ".opengl->system", "is %d, must be from %d to %d", (int)def->opengl->system,
-		              (int)SCREE_EGL, (int)SCREE_WGL);
+		return refuse(SCREE_ERROR_INVALID, at, ".opengl", "has no %s", def->opengl->context ? "display" : "context");
+	if (def->opengl && (def->opengl->system < SCREE_WINDOW_EGL || def->opengl->system > SCREE_WINDOW_WGL))
+		return refuse(SCREE_ERROR_INVALID, at, ".opengl->system", "is %d, must be from %d to %d",
+		              (int)def->opengl->system, (int)SCREE_WINDOW_EGL, (int)SCREE_WINDOW_WGL);
 	if (def->threads < 0 || def->threads > 64)
-		return refuse(SCREE_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
+		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
 	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
-		return refuse(SCREE_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
+		return refuse(SCREE_ERROR_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
 	TRY(check_real(at, ".contact_hertz", def->contact_hertz, 1e-3f, 1e6f));
 	TRY(check_real(at, ".contact_damping_ratio", def->contact_damping_ratio, 0.0f, 1e6f));
 	TRY(check_real(at, ".contact_push_speed", def->contact_push_speed, 0.0f, SCREE_HUGE));
 	TRY(check_real(at, ".restitution_threshold", def->restitution_threshold, 0.0f, FLT_MAX));
 	TRY(check_real(at, ".max_speed", def->max_speed, 1e-3f, SCREE_HUGE));
 	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
-		return refuse(SCREE_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
+		return refuse(SCREE_ERROR_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
 		              MAX_ITEMS);
 	if (def->contact_capacity < 0 || def->contact_capacity > MAX_CONTACTS)
-		return refuse(SCREE_INVALID, at, ".contact_capacity", "is %d, must be from 0 to %d", def->contact_capacity,
-		              MAX_CONTACTS);
+		return refuse(SCREE_ERROR_INVALID, at, ".contact_capacity", "is %d, must be from 0 to %d",
+		              def->contact_capacity, MAX_CONTACTS);
 	if (def->contact_limit < 0 || def->contact_limit > MAX_CONTACTS)
-		return refuse(SCREE_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
+		return refuse(SCREE_ERROR_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
 		              MAX_CONTACTS);
 	return SCREE_OK;
 }
@@ -122,7 +122,7 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 static scree_status add_ground(scree_world* world, const char* function)
 {
 	if (!slots_reserve(&world->bodies, 1))
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for bodies", function);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for bodies", function);
 	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
 	TRY(pending_reserve(world, function, 1, 0, 0));
 	world->bodies.used = 1;
@@ -133,11 +133,11 @@ static scree_status add_ground(scree_world* world, const char* function)
 
 scree_status world_create(const scree_world_def* def, Backend* backend, scree_world** world)
 {
-	const char* function = "scree_create_world";
+	const char* function = "scree_world_create";
 	*world = NULL;
 	scree_world* made = scree_allocate(sizeof *made);
 	if (!made)
-		return fail(SCREE_OUT_OF_MEMORY, "%s: no memory for a world", function);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a world", function);
 	worlds_add(1);
 	made->def = *def;
 	// what the definition points to was lent for the call alone
@@ -157,14 +157,14 @@ scree_status world_create(const scree_world_def* def, Backend* backend, scree_wo
 	else
 	{
 		made->backend = NULL;
-		scree_destroy_world(made);
+		scree_world_destroy(made);
 	}
 	return status;
 }
 
-scree_status scree_create_world(const scree_world_def* def, scree_world** world)
+scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 {
-	const char* function = "scree_create_world";
+	const char* function = "scree_world_create";
 	TRY(check_pointer(function, "world", world));
 	*world = NULL;
 	TRY(check_def(function, def));
@@ -178,7 +178,7 @@ scree_status scree_create_world(const scree_world_def* def, scree_world** world)
 	return status;
 }
 
-void scree_destroy_world(scree_world* world)
+void scree_world_destroy(scree_world* world)
 {
 	if (!world)
 		return;
@@ -203,13 +203,13 @@ void scree_destroy_world(scree_world* world)
 // the whole world
 // ---------------------------------------------------------------------------------------------------------------
 
-scree_status scree_step(scree_world* world, float dt, int substeps)
+scree_status scree_world_step(scree_world* world, float dt, int substeps)
 {
-	const char* function = "scree_step";
+	const char* function = "scree_world_step";
 	TRY(world_check(world, function));
 	TRY(check_real((Where){function, "dt", ALONE}, "", dt, SHORTEST_STEP, 1.0f));
 	if (substeps < 1 || substeps > 64)
-		return fail(SCREE_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
+		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
 	TRY(automatic_choose(world));
 	TRY(world_flush(world));
 	double begin = automatic_clock();
@@ -226,22 +226,22 @@ scree_status scree_step(scree_world* world, float dt, int substeps)
 	return SCREE_OK;
 }
 
-scree_status scree_set_gravity(scree_world* world, scree_vec gravity)
+scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
 {
-	TRY(world_check(world, "scree_set_gravity"));
-	TRY(check_vec((Where){"scree_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
+	TRY(world_check(world, "scree_world_set_gravity"));
+	TRY(check_vec((Where){"scree_world_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
 	world->def.gravity = gravity;
 	return SCREE_OK;
 }
 
-scree_vec scree_get_gravity(const scree_world* world) { return world ? world->def.gravity : (scree_vec){0}; }
-const char* scree_world_device(const scree_world* world) { return world ? world->device : ""; }
-int scree_world_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
-int scree_world_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
+scree_vec scree_world_get_gravity(const scree_world* world) { return world ? world->def.gravity : (scree_vec){0}; }
+const char* scree_world_get_device(const scree_world* world) { return world ? world->device : ""; }
+int scree_world_get_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
+int scree_world_get_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
 
-scree_status scree_world_hash(scree_world* world, uint64_t* hash)
+scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 {
-	const char* function = "scree_world_hash";
+	const char* function = "scree_world_get_hash";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "hash", hash));
 	TRY(world_flush(world));
@@ -251,9 +251,9 @@ scree_status scree_world_hash(scree_world* world, uint64_t* hash)
 	return world_note(world, status);
 }
 
-scree_status scree_get_counters(scree_world* world, scree_counters* counters)
+scree_status scree_world_get_counters(scree_world* world, scree_counters* counters)
 {
-	const char* function = "scree_get_counters";
+	const char* function = "scree_world_get_counters";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "counters", counters));
 	// those that the end of the last step changed are a step old otherwise
@@ -280,9 +280,9 @@ scree_status scree_get_counters(scree_world* world, scree_counters* counters)
 	return SCREE_OK;
 }
 
-scree_status scree_get_timings(scree_world* world, scree_timings* timings)
+scree_status scree_world_get_timings(scree_world* world, scree_timings* timings)
 {
-	const char* function = "scree_get_timings";
+	const char* function = "scree_world_get_timings";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "timings", timings));
 	*timings = (scree_timings){0};
@@ -299,8 +299,8 @@ scree_status scree_get_timings(scree_world* world, scree_timings* timings)
 	return SCREE_OK;
 }
 
-scree_status scree_wait(scree_world* world)
+scree_status scree_world_wait(scree_world* world)
 {
-	TRY(world_check(world, "scree_wait"));
+	TRY(world_check(world, "scree_world_wait"));
 	return world_note(world, world->backend->f->wait(world->backend));
 }

@@ -83,7 +83,7 @@ void* world_scratch(scree_world* world, size_t bytes);
 scree_status grow(const char* function, void** array, int* capacity, size_t item, int needed);
 #define GROW(function, array, capacity, needed) grow(function, (void**)&(array), &(capacity), sizeof *(array), needed)
 
-// Handles to slots and back. A handle of nothing is SCREE_STALE, and its sentence says where it stands.
+// Handles to slots and back. A handle of nothing is SCREE_ERROR_STALE, and its sentence says where it stands.
 scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index);
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index);
 scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,

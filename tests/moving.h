@@ -21,7 +21,7 @@ static inline int find_other(void** state)
 	(void)state;
 	scree_device devices[MAX_WAYS];
 	int count;
-	OK(scree_get_devices(devices, MAX_WAYS, &count));
+	OK(scree_devices_get(devices, MAX_WAYS, &count));
 	for (int k = 1; k < count && k < MAX_WAYS && !other[0]; ++k)
 		if (devices[k].equal_bits)
 			snprintf(other, sizeof other, "%s", devices[k].name);
@@ -35,18 +35,18 @@ static inline int find_other(void** state)
 // A pyramid of boxes with a circle above, in motion after 20 steps.
 static inline scree_world* open_pile(const char* device, bool alone)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = device;
 	def.threads = alone ? 1 : 2;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
+	OK(scree_world_create(&def, &world));
 	add_floor(world);
 	for (int row = 0; row < 8; ++row)
 		for (int k = 0; k < 8 - row; ++k)
-			add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 1.05f * (float)k + 0.5f * (float)row, 0.5f + (float)row);
+			add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 1.05f * (float)k + 0.5f * (float)row, 0.5f + (float)row);
 	scree_attribute_def circle = surface_of(circle_shape(0.4f));
 	circle.restitution = 0.5f;
-	add_body(world, SCREE_DYNAMIC, add_attribute(world, &circle), 4.0f, 12.0f, 0.0f);
+	add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &circle), 4.0f, 12.0f, 0.0f);
 	return world;
 }
 
@@ -55,7 +55,7 @@ static inline uint64_t hash_after(int steps)
 	scree_world* world = open_pile("cpu", true);
 	run_steps(world, steps);
 	uint64_t hash = hash_of(world);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	return hash;
 }
 

@@ -55,7 +55,7 @@ void count_allocations(void)
 {
 	const scree_hooks hooks = {.allocate = counting_allocate, .release = plain_release};
 	allocations_left = -1;
-	OK(scree_set_hooks(&hooks));
+	OK(scree_hooks_set(&hooks));
 }
 
 uint64_t random_word(uint64_t* seed) // xorshift64*, George Marsaglia and Sebastiano Vigna; seed is not 0
@@ -80,24 +80,24 @@ int random_below(uint64_t* seed, int count) { return (int)(random_word(seed) % (
 
 scree_world* open_world(float gravity_y)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.threads = 1;
 	def.gravity.y = gravity_y;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
+	OK(scree_world_create(&def, &world));
 	return world;
 }
 
 void run_steps(scree_world* world, int steps)
 {
 	for (int k = 0; k < steps; ++k)
-		OK(scree_step(world, STEP, SUBSTEPS));
+		OK(scree_world_step(world, STEP, SUBSTEPS));
 }
 
 scree_attribute_def surface_of(scree_shape shape)
 {
-	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute_def def = scree_attribute_def_default();
 	def.shape = shape;
 	return def;
 }
@@ -105,34 +105,34 @@ scree_attribute_def surface_of(scree_shape shape)
 scree_attribute add_attribute(scree_world* world, const scree_attribute_def* def)
 {
 	scree_attribute attribute;
-	OK(scree_create_attribute(world, def, &attribute));
+	OK(scree_attribute_create(world, def, &attribute));
 	return attribute;
 }
 
 scree_shape box_shape(float half_width, float half_height)
 {
 	scree_shape shape;
-	OK(scree_make_box(half_width, half_height, &shape));
+	OK(scree_shape_make_box(half_width, half_height, &shape));
 	return shape;
 }
 
 scree_shape circle_shape(float radius)
 {
 	scree_shape shape;
-	OK(scree_make_circle((scree_vec){0.0f, 0.0f}, radius, &shape));
+	OK(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, radius, &shape));
 	return shape;
 }
 
 scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
                     float radians)
 {
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.type = type;
 	def.pose.position = (scree_vec){x, y};
-	def.pose.rotation = scree_make_rot(radians);
+	def.pose.rotation = scree_rot_make(radians);
 	def.attribute = attribute;
 	scree_body body;
-	OK(scree_create_body(world, &def, &body));
+	OK(scree_body_create(world, &def, &body));
 	return body;
 }
 
@@ -142,7 +142,7 @@ scree_body add_box(scree_world* world, scree_body_type type, float half_width, f
 	return add_body(world, type, add_attribute(world, &def), x, y, 0.0f);
 }
 
-scree_body add_floor(scree_world* world) { return add_box(world, SCREE_STATIC, 100.0f, 1.0f, 0.0f, -1.0f); }
+scree_body add_floor(scree_world* world) { return add_box(world, SCREE_BODY_STATIC, 100.0f, 1.0f, 0.0f, -1.0f); }
 
 scree_vec position_of(scree_world* world, scree_body body)
 {
@@ -155,7 +155,7 @@ float angle_of(scree_world* world, scree_body body)
 {
 	scree_pose pose;
 	OK(scree_body_get_pose(world, body, &pose));
-	return scree_rot_angle(pose.rotation);
+	return scree_rot_get_angle(pose.rotation);
 }
 
 scree_velocity velocity_of(scree_world* world, scree_body body)
@@ -168,14 +168,14 @@ scree_velocity velocity_of(scree_world* world, scree_body body)
 uint64_t hash_of(scree_world* world)
 {
 	uint64_t hash;
-	OK(scree_world_hash(world, &hash));
+	OK(scree_world_get_hash(world, &hash));
 	return hash;
 }
 
 scree_counters counters_of(scree_world* world)
 {
 	scree_counters counters;
-	OK(scree_get_counters(world, &counters));
+	OK(scree_world_get_counters(world, &counters));
 	return counters;
 }
 
@@ -217,23 +217,23 @@ Momentum momentum_of(scree_world* world, const scree_body* bodies, int count)
 int read_contacts(scree_world* world, scree_contact** contacts)
 {
 	int count;
-	OK(scree_get_contacts(world, NULL, 0, &count));
+	OK(scree_world_get_contacts(world, NULL, 0, &count));
 	*contacts = calloc((size_t)count + 1, sizeof **contacts);
 	assert_non_null(*contacts);
-	OK(scree_get_contacts(world, *contacts, count, &count));
+	OK(scree_world_get_contacts(world, *contacts, count, &count));
 	return count;
 }
 
 void check_finite(scree_world* world)
 {
 	int count;
-	OK(scree_get_bodies(world, NULL, 0, &count));
+	OK(scree_world_get_bodies(world, NULL, 0, &count));
 	scree_body* bodies = calloc((size_t)count + 1, sizeof *bodies);
 	scree_pose* poses = calloc((size_t)count + 1, sizeof *poses);
 	scree_velocity* velocities = calloc((size_t)count + 1, sizeof *velocities);
-	OK(scree_get_bodies(world, bodies, count, &count));
-	OK(scree_get_poses(world, bodies, poses, count));
-	OK(scree_get_velocities(world, bodies, velocities, count));
+	OK(scree_world_get_bodies(world, bodies, count, &count));
+	OK(scree_bodies_get_poses(world, bodies, poses, count));
+	OK(scree_bodies_get_velocities(world, bodies, velocities, count));
 	for (int k = 0; k < count; ++k)
 	{
 		scree_pose p = poses[k];
@@ -290,7 +290,7 @@ int list_ways(Way ways[MAX_WAYS])
 
 	scree_device devices[MAX_WAYS];
 	int found;
-	OK(scree_get_devices(devices, MAX_WAYS, &found));
+	OK(scree_devices_get(devices, MAX_WAYS, &found));
 	for (int k = 0; k < found && k < MAX_WAYS; ++k)
 	{
 		if (strcmp(devices[k].name, "cpu") == 0 || !devices[k].equal_bits)
@@ -322,7 +322,7 @@ static scree_world* open_story(const Story* story, const Way* way)
 	if (way->solver)
 		setenv("SCREE_SOLVER", way->solver, 1);
 	scree_world* world;
-	scree_status status = scree_create_world(&def, &world);
+	scree_status status = scree_world_create(&def, &world);
 	unsetenv("SCREE_PERSISTENT");
 	unsetenv("SCREE_SOLVER");
 	if (status != SCREE_OK)
@@ -337,10 +337,10 @@ static void tell_step(const Story* story, scree_world* world, int step, const Wa
 		story->act(world, step, story->context);
 	// what the story has just changed is still pending
 	if (way->other[0] && step % 40 == 9)
-		OK(scree_move_world(world, way->other));
+		OK(scree_world_move(world, way->other));
 	if (way->other[0] && step % 40 == 25)
-		OK(scree_move_world(world, way->device));
-	OK(scree_step(world, story->dt, story->substeps));
+		OK(scree_world_move(world, way->device));
+	OK(scree_world_step(world, story->dt, story->substeps));
 }
 
 void tell(const Story* story, const Way* way, uint64_t* hashes, scree_counters* last)
@@ -354,7 +354,7 @@ void tell(const Story* story, const Way* way, uint64_t* hashes, scree_counters* 
 	if (last)
 		*last = counters_of(world);
 	check_finite(world);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // how many items of a pool mean something

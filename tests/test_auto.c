@@ -28,14 +28,14 @@ static int set_log(void** state)
 	scree_hooks hooks = {.log = note};
 	memset(said, 0, sizeof said);
 	said_count = 0;
-	return scree_set_hooks(&hooks);
+	return scree_hooks_set(&hooks);
 }
 
 static int reset_log(void** state)
 {
 	(void)state;
 	unsetenv("SCREE_AUTO");
-	return scree_set_hooks(NULL) || scree_memory() > 0;
+	return scree_hooks_set(NULL) || scree_memory() > 0;
 }
 
 // Steps until a trial has begun; returns how many.
@@ -48,7 +48,7 @@ static int run_to_trial(scree_world* world)
 		++steps;
 	}
 	assert_true(world->automatic.trial);
-	assert_string_equal(scree_world_device(world), other);
+	assert_string_equal(scree_world_get_device(world), other);
 	return steps;
 }
 
@@ -62,18 +62,18 @@ static void trial_decides(void** state)
 	int steps = run_to_trial(world);
 	world->automatic.meters[0].step = 1e6;
 	run_steps(world, 30);
-	assert_string_equal(scree_world_device(world), other);
+	assert_string_equal(scree_world_get_device(world), other);
 	assert_false(world->automatic.trial);
 	assert_true(was_said("the world moves to opencl:") && was_said("ms a step, and 1000000.0000 ms on cpu"));
 
 	// the CPU is tried again when the world has worked for long enough
 	world->automatic.spent = 1e9;
 	run_steps(world, 1);
-	assert_string_equal(scree_world_device(world), "cpu");
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(world->automatic.trial);
 	world->automatic.meters[1].step = 0.0;
 	run_steps(world, 10);
-	assert_string_equal(scree_world_device(world), other);
+	assert_string_equal(scree_world_get_device(world), other);
 	assert_true(was_said("the world does not stay on cpu"));
 	assert_int_equal(world->automatic.failures, 1);
 
@@ -81,10 +81,10 @@ static void trial_decides(void** state)
 	run_steps(world, 1);
 	world->automatic.meters[1].step = 1e6;
 	run_steps(world, 10);
-	assert_string_equal(scree_world_device(world), "cpu");
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_int_equal(world->automatic.failures, 0);
 	assert_true(hash_of(world) == hash_after(steps + 52));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void world_goes_back(void** state)
@@ -96,7 +96,7 @@ static void world_goes_back(void** state)
 	int steps = run_to_trial(world);
 	world->automatic.meters[0].step = 0.0;
 	run_steps(world, 20);
-	assert_string_equal(scree_world_device(world), "cpu");
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_said("the world does not stay on opencl:"));
 
 	// the next one waits for many times what this one cost
@@ -104,7 +104,7 @@ static void world_goes_back(void** state)
 	assert_true(world->automatic.failures == 1);
 	assert_false(world->automatic.trial);
 	assert_true(hash_of(world) == hash_after(steps + 20));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // What gains nothing from a GPU does not open one.
@@ -113,12 +113,12 @@ static void small_world_stays(void** state)
 	(void)state;
 	scree_world* world = open_pile("auto", false);
 	run_steps(world, 60);
-	assert_string_equal(scree_world_device(world), "cpu");
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_null(world->automatic.opening);
 	assert_null(world->automatic.other);
 	assert_int_equal(said_count, 0);
 	assert_true(hash_of(world) == hash_after(60));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void other_is_missing(void** state)
@@ -127,16 +127,16 @@ static void other_is_missing(void** state)
 	setenv("SCREE_AUTO", "opencl:no such device", 1);
 	scree_world* world = open_pile("auto", false);
 	run_steps(world, 20);
-	assert_string_equal(scree_world_device(world), "cpu");
-	assert_true(was_said("scree_step: the world stays on the CPU: "));
+	assert_string_equal(scree_world_get_device(world), "cpu");
+	assert_true(was_said("scree_world_step: the world stays on the CPU: "));
 	assert_int_equal(said_count, 1);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 
 	setenv("SCREE_AUTO", "cpu", 1);
 	world = open_pile("auto", false);
 	run_steps(world, 20);
 	assert_int_equal(said_count, 1);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A device that fails while the world goes there is left alone from then on.
@@ -151,16 +151,16 @@ static void other_falls(void** state)
 	BackendFunctions f = far_away(to, true);
 	to->f = &f;
 	to->distant = true;
-	call_status = SCREE_OUT_OF_MEMORY;
+	call_status = SCREE_ERROR_OUT_OF_MEMORY;
 	calls_left = 20;
 	snprintf(world->automatic.named, sizeof world->automatic.named, "%s", "opencl:X");
 	world->automatic.other = to;
 	run_steps(world, 10);
-	assert_string_equal(scree_world_device(world), "cpu");
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(world->automatic.alone && !world->automatic.trial && !world->automatic.other);
-	assert_true(was_said("scree_step: the world stays on cpu: the device has fallen"));
+	assert_true(was_said("scree_world_step: the world stays on cpu: the device has fallen"));
 	assert_true(hash_of(world) == hash_after(20));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // The user's word ends the choice by the clock, and gives it back.
@@ -171,21 +171,21 @@ static void user_decides(void** state)
 	setenv("SCREE_AUTO", other, 1);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
-	OK(scree_move_world(world, "cpu"));
+	OK(scree_world_move(world, "cpu"));
 	assert_false(world->automatic.on);
 	assert_null(world->automatic.other);
 	run_steps(world, 20);
-	assert_string_equal(scree_world_device(world), "cpu");
-	OK(scree_move_world(world, "auto"));
-	OK(scree_move_world(world, "auto"));
+	assert_string_equal(scree_world_get_device(world), "cpu");
+	OK(scree_world_move(world, "auto"));
+	OK(scree_world_move(world, "auto"));
 	steps += run_to_trial(world);
-	OK(scree_move_world(world, other));
+	OK(scree_world_move(world, other));
 	assert_false(world->automatic.on);
 	run_steps(world, 20);
-	assert_string_equal(scree_world_device(world), other);
+	assert_string_equal(scree_world_get_device(world), other);
 
 	// from there the way back is open as well
-	OK(scree_move_world(world, "auto"));
+	OK(scree_world_move(world, "auto"));
 	while (!world->automatic.trial && steps < 1000)
 	{
 		run_steps(world, 1);
@@ -193,9 +193,9 @@ static void user_decides(void** state)
 	}
 	world->automatic.meters[1].step = 1e6;
 	run_steps(world, 10);
-	assert_string_equal(scree_world_device(world), "cpu");
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(hash_of(world) == hash_after(steps + 50));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A world may end while a device is being opened for it.
@@ -209,8 +209,8 @@ static void opening_is_waited_for(void** state)
 		world->automatic.opening = opening_begin(&world->def, other);
 		assert_non_null(world->automatic.opening);
 		if (moved)
-			OK(scree_move_world(world, "cpu"));
-		scree_destroy_world(world);
+			OK(scree_world_move(world, "cpu"));
+		scree_world_destroy(world);
 		assert_int_equal(scree_memory(), 0);
 	}
 }

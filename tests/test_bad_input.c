@@ -35,10 +35,10 @@ static void assert_refused(scree_status status, scree_status expected, const cha
 		fail_msg("%s: \"%s\" instead of %s: \"%s: ... %s\"", scree_status_name(status), scree_error(),
 		         scree_status_name(expected), function, part_of);
 	uint64_t hash;
-	assert_ok(scree_world_hash(world, &hash));
+	assert_ok(scree_world_get_hash(world, &hash));
 	assert_int_equal(hash, before);
 	scree_counters counters;
-	assert_ok(scree_get_counters(world, &counters));
+	assert_ok(scree_world_get_counters(world, &counters));
 	assert_int_equal(counters.bodies, 3);
 	assert_int_equal(counters.collidables, 4);
 	assert_int_equal(counters.attributes, 1);
@@ -47,69 +47,69 @@ static void assert_refused(scree_status status, scree_status expected, const cha
 // call: function(arguments)
 #define REFUSED(function, arguments, status, sentence) \
 	assert_refused(function arguments, status, #function ": ", sentence)
-#define INVALID(function, arguments, sentence) REFUSED(function, arguments, SCREE_INVALID, sentence)
-#define STALE(function, arguments, sentence)   REFUSED(function, arguments, SCREE_STALE, sentence)
+#define INVALID(function, arguments, sentence) REFUSED(function, arguments, SCREE_ERROR_INVALID, sentence)
+#define STALE(function, arguments, sentence)   REFUSED(function, arguments, SCREE_ERROR_STALE, sentence)
 
 static int set_up(void** state)
 {
 	(void)state;
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.threads = 1;
-	assert_ok(scree_create_world(&def, &world));
-	assert_ok(scree_create_world(&def, &other));
-	scree_attribute_def box = scree_default_attribute_def();
-	assert_ok(scree_create_attribute(world, &box, &crate));
+	assert_ok(scree_world_create(&def, &world));
+	assert_ok(scree_world_create(&def, &other));
+	scree_attribute_def box = scree_attribute_def_default();
+	assert_ok(scree_attribute_create(world, &box, &crate));
 	box.friction = 0.1f;
-	assert_ok(scree_create_attribute(other, &box, &foreign));
+	assert_ok(scree_attribute_create(other, &box, &foreign));
 	scree_body_def defs[4];
 	scree_body bodies[4];
 	for (int k = 0; k < 4; ++k)
 	{
-		defs[k] = scree_default_body_def();
+		defs[k] = scree_body_def_default();
 		defs[k].pose.position.y = (float)k;
 		defs[k].attribute = crate;
 	}
-	defs[0].type = SCREE_STATIC;
-	assert_ok(scree_create_bodies(world, defs, 4, bodies));
+	defs[0].type = SCREE_BODY_STATIC;
+	assert_ok(scree_bodies_create(world, defs, 4, bodies));
 	fixed = bodies[0];
 	body = bodies[1];
 	second = bodies[2];
 	stale = bodies[3];
 	int count;
-	assert_ok(scree_get_collidables(world, body, &part, 1, &count));
-	assert_ok(scree_get_collidables(world, stale, &stale_part, 1, &count));
-	assert_ok(scree_destroy_body(world, stale));
-	scree_collidable_def zone_def = scree_default_collidable_def();
+	assert_ok(scree_body_get_collidables(world, body, &part, 1, &count));
+	assert_ok(scree_body_get_collidables(world, stale, &stale_part, 1, &count));
+	assert_ok(scree_body_destroy(world, stale));
+	scree_collidable_def zone_def = scree_collidable_def_default();
 	zone_def.attribute = crate;
-	assert_ok(scree_create_collidable(world, &zone_def, &zone));
-	assert_ok(scree_step(world, 1.0f / 60.0f, 4));
-	assert_ok(scree_world_hash(world, &before));
+	assert_ok(scree_collidable_create(world, &zone_def, &zone));
+	assert_ok(scree_world_step(world, 1.0f / 60.0f, 4));
+	assert_ok(scree_world_get_hash(world, &before));
 	return 0;
 }
 
 static int tear_down(void** state)
 {
 	(void)state;
-	scree_destroy_world(world);
-	scree_destroy_world(other);
-	scree_destroy_world(NULL);
+	scree_world_destroy(world);
+	scree_world_destroy(other);
+	scree_world_destroy(NULL);
 	return scree_memory() == 0 ? 0 : -1;
 }
 
 static void world_functions(void** state)
 {
 	(void)state;
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	scree_world* made = world;
-	INVALID(scree_create_world, (&def, NULL), "world is null");
-	INVALID(scree_create_world, (NULL, &made), "def is null");
+	INVALID(scree_world_create, (&def, NULL), "world is null");
+	INVALID(scree_world_create, (NULL, &made), "def is null");
 	assert_null(made);
 #define DEF(change, sentence)        \
-	def = scree_default_world_def(); \
+	def = scree_world_def_default(); \
 	def.change;                      \
-	INVALID(scree_create_world, (&def, &made), sentence)
-	DEF(cookie = 0, "def.cookie is 0: the definition was not made by scree_default_world_def");
+	INVALID(scree_world_create, (&def, &made), sentence)
+	DEF(cookie = 0, "def.cookie is 0: the definition was not made by scree_world_def_default");
 	DEF(gravity.x = NAN, "def.gravity.x is nan, must be finite");
 	DEF(gravity.y = INFINITY, "def.gravity.y is inf, must be finite");
 	DEF(device = NULL, "def.device is null");
@@ -127,41 +127,41 @@ static void world_functions(void** state)
 	DEF(contact_capacity = INT32_MAX, "def.contact_capacity is 2147483647");
 	DEF(contact_limit = -1, "def.contact_limit is -1, must be from 0 to 134217728");
 #undef DEF
-	def = scree_default_world_def();
+	def = scree_world_def_default();
 	def.device = "opencl:no device has such a name";
-	assert_int_equal(scree_create_world(&def, &made), SCREE_NO_DEVICE);
+	assert_int_equal(scree_world_create(&def, &made), SCREE_ERROR_NO_DEVICE);
 	assert_null(made);
 
-	INVALID(scree_step, (NULL, 0.01f, 4), "world is null");
-	INVALID(scree_step, (world, 0.0f, 4), "dt is 0, must be from 1e-09");
-	INVALID(scree_step, (world, -0.1f, 4), "dt is -0.1");
-	INVALID(scree_step, (world, 1.5f, 4), "dt is 1.5");
-	INVALID(scree_step, (world, 1e-40f, 4), "dt is");
-	INVALID(scree_step, (world, NAN, 4), "dt is nan");
-	INVALID(scree_step, (world, 0.01f, 0), "substeps is 0, must be from 1 to 64");
-	INVALID(scree_step, (world, 0.01f, 65), "substeps is 65");
+	INVALID(scree_world_step, (NULL, 0.01f, 4), "world is null");
+	INVALID(scree_world_step, (world, 0.0f, 4), "dt is 0, must be from 1e-09");
+	INVALID(scree_world_step, (world, -0.1f, 4), "dt is -0.1");
+	INVALID(scree_world_step, (world, 1.5f, 4), "dt is 1.5");
+	INVALID(scree_world_step, (world, 1e-40f, 4), "dt is");
+	INVALID(scree_world_step, (world, NAN, 4), "dt is nan");
+	INVALID(scree_world_step, (world, 0.01f, 0), "substeps is 0, must be from 1 to 64");
+	INVALID(scree_world_step, (world, 0.01f, 65), "substeps is 65");
 	for (int k = 0; k < 3; ++k)
 	{
-		INVALID(scree_set_gravity, (world, (scree_vec){bad[k], 0}), "gravity.x");
-		INVALID(scree_set_gravity, (world, (scree_vec){0, bad[k]}), "gravity.y");
+		INVALID(scree_world_set_gravity, (world, (scree_vec){bad[k], 0}), "gravity.x");
+		INVALID(scree_world_set_gravity, (world, (scree_vec){0, bad[k]}), "gravity.y");
 	}
-	INVALID(scree_set_gravity, (NULL, (scree_vec){0, 0}), "world is null");
-	INVALID(scree_world_hash, (NULL, &before), "world is null");
-	INVALID(scree_world_hash, (world, NULL), "hash is null");
-	INVALID(scree_get_counters, (world, NULL), "counters is null");
-	INVALID(scree_get_timings, (world, NULL), "timings is null");
+	INVALID(scree_world_set_gravity, (NULL, (scree_vec){0, 0}), "world is null");
+	INVALID(scree_world_get_hash, (NULL, &before), "world is null");
+	INVALID(scree_world_get_hash, (world, NULL), "hash is null");
+	INVALID(scree_world_get_counters, (world, NULL), "counters is null");
+	INVALID(scree_world_get_timings, (world, NULL), "timings is null");
 	scree_traffic traffic;
 	double bandwidth;
-	INVALID(scree_get_traffic, (NULL, &traffic), "world is null");
-	INVALID(scree_get_traffic, (world, NULL), "traffic is null");
-	INVALID(scree_measure_bandwidth, (NULL, &bandwidth), "world is null");
-	INVALID(scree_measure_bandwidth, (world, NULL), "bandwidth is null");
-	INVALID(scree_wait, (NULL), "world is null");
+	INVALID(scree_world_get_traffic, (NULL, &traffic), "world is null");
+	INVALID(scree_world_get_traffic, (world, NULL), "traffic is null");
+	INVALID(scree_world_measure_bandwidth, (NULL, &bandwidth), "world is null");
+	INVALID(scree_world_measure_bandwidth, (world, NULL), "bandwidth is null");
+	INVALID(scree_world_wait, (NULL), "world is null");
 	int count;
-	INVALID(scree_get_devices, (NULL, 3, &count), "devices is null");
-	INVALID(scree_get_devices, (NULL, -1, &count), "capacity is -1");
-	INVALID(scree_get_devices, (NULL, 0, NULL), "count is null");
-	assert_ok(scree_get_devices(NULL, 0, &count));
+	INVALID(scree_devices_get, (NULL, 3, &count), "devices is null");
+	INVALID(scree_devices_get, (NULL, -1, &count), "capacity is -1");
+	INVALID(scree_devices_get, (NULL, 0, NULL), "count is null");
+	assert_ok(scree_devices_get(NULL, 0, &count));
 	assert_true(count >= 1);
 }
 
@@ -170,59 +170,59 @@ static void shape_functions(void** state)
 	(void)state;
 	scree_shape shape;
 	scree_vec corners[3] = {{0, 0}, {1, 0}, {0, 1}}, zero = {0, 0}, unit = {1, 0};
-	INVALID(scree_make_box, (1, 1, NULL), "shape is null");
-	INVALID(scree_make_box, (0, 1, &shape), "half_width is 0");
-	INVALID(scree_make_box, (1, -1, &shape), "half_height is -1");
-	INVALID(scree_make_box, (1, 0.0005f, &shape), "half_height is");
-	INVALID(scree_make_circle, (zero, 0, &shape), "radius is 0");
-	INVALID(scree_make_circle, ((scree_vec){1e6f, 0}, 1, &shape), "center.x is 1000000");
-	INVALID(scree_make_capsule, (zero, zero, 1, &shape), "b is (0, 0)");
-	INVALID(scree_make_capsule, (zero, unit, -1, &shape), "radius is -1");
-	INVALID(scree_make_segment, (unit, unit, &shape), "b is (1, 0)");
-	INVALID(scree_make_polygon, (NULL, 3, 0, &shape), "corners is null");
-	INVALID(scree_make_polygon, (corners, 3, 0, NULL), "shape is null");
-	INVALID(scree_make_polygon, (corners, 2, 0, &shape), "count is 2, must be from 3 to 8");
-	INVALID(scree_make_polygon, (corners, 9, 0, &shape), "count is 9");
-	INVALID(scree_make_polygon, (corners, 3, -1, &shape), "radius is -1");
-	INVALID(scree_make_hull, (corners, 65, 0, &shape), "count is 65, must be from 3 to 64");
+	INVALID(scree_shape_make_box, (1, 1, NULL), "shape is null");
+	INVALID(scree_shape_make_box, (0, 1, &shape), "half_width is 0");
+	INVALID(scree_shape_make_box, (1, -1, &shape), "half_height is -1");
+	INVALID(scree_shape_make_box, (1, 0.0005f, &shape), "half_height is");
+	INVALID(scree_shape_make_circle, (zero, 0, &shape), "radius is 0");
+	INVALID(scree_shape_make_circle, ((scree_vec){1e6f, 0}, 1, &shape), "center.x is 1000000");
+	INVALID(scree_shape_make_capsule, (zero, zero, 1, &shape), "b is (0, 0)");
+	INVALID(scree_shape_make_capsule, (zero, unit, -1, &shape), "radius is -1");
+	INVALID(scree_shape_make_segment, (unit, unit, &shape), "b is (1, 0)");
+	INVALID(scree_shape_make_polygon, (NULL, 3, 0, &shape), "corners is null");
+	INVALID(scree_shape_make_polygon, (corners, 3, 0, NULL), "shape is null");
+	INVALID(scree_shape_make_polygon, (corners, 2, 0, &shape), "count is 2, must be from 3 to 8");
+	INVALID(scree_shape_make_polygon, (corners, 9, 0, &shape), "count is 9");
+	INVALID(scree_shape_make_polygon, (corners, 3, -1, &shape), "radius is -1");
+	INVALID(scree_shape_make_hull, (corners, 65, 0, &shape), "count is 65, must be from 3 to 64");
 	for (int k = 0; k < 3; ++k)
 	{
-		INVALID(scree_make_box, (bad[k], 1, &shape), "half_width");
-		INVALID(scree_make_circle, ((scree_vec){0, bad[k]}, 1, &shape), "center.y");
-		INVALID(scree_make_capsule, (unit, (scree_vec){0, bad[k]}, 1, &shape), "b.y");
-		INVALID(scree_make_segment, ((scree_vec){bad[k], 0}, unit, &shape), "a.x");
-		INVALID(scree_make_polygon, (corners, 3, bad[k], &shape), "radius");
+		INVALID(scree_shape_make_box, (bad[k], 1, &shape), "half_width");
+		INVALID(scree_shape_make_circle, ((scree_vec){0, bad[k]}, 1, &shape), "center.y");
+		INVALID(scree_shape_make_capsule, (unit, (scree_vec){0, bad[k]}, 1, &shape), "b.y");
+		INVALID(scree_shape_make_segment, ((scree_vec){bad[k], 0}, unit, &shape), "a.x");
+		INVALID(scree_shape_make_polygon, (corners, 3, bad[k], &shape), "radius");
 		corners[1].y = bad[k];
-		INVALID(scree_make_polygon, (corners, 3, 0, &shape), "corners[1].y");
-		INVALID(scree_make_hull, (corners, 3, 0, &shape), "points[1].y");
+		INVALID(scree_shape_make_polygon, (corners, 3, 0, &shape), "corners[1].y");
+		INVALID(scree_shape_make_hull, (corners, 3, 0, &shape), "points[1].y");
 		corners[1].y = 0;
 	}
-	assert_ok(scree_make_box(1, 1, &shape));
+	assert_ok(scree_shape_make_box(1, 1, &shape));
 	scree_pose pose = {{0, 0}, {1, 0}};
-	INVALID(scree_transform_shape, (NULL, pose, &shape), "shape is null");
-	INVALID(scree_transform_shape, (&shape, pose, NULL), "moved is null");
+	INVALID(scree_shape_transform, (NULL, pose, &shape), "shape is null");
+	INVALID(scree_shape_transform, (&shape, pose, NULL), "moved is null");
 	pose.rotation.c = 0.9f;
-	INVALID(scree_transform_shape, (&shape, pose, &shape), "pose.rotation is (0.9, 0)");
+	INVALID(scree_shape_transform, (&shape, pose, &shape), "pose.rotation is (0.9, 0)");
 	pose.rotation.c = 1;
 	shape.kind = 17;
-	INVALID(scree_transform_shape, (&shape, pose, &shape), "shape.kind is 17");
-	shape.kind = SCREE_CIRCLE;
-	INVALID(scree_transform_shape, (&shape, pose, &shape), "shape.count is 4");
+	INVALID(scree_shape_transform, (&shape, pose, &shape), "shape.kind is 17");
+	shape.kind = SCREE_SHAPE_CIRCLE;
+	INVALID(scree_shape_transform, (&shape, pose, &shape), "shape.count is 4");
 }
 
 static void attribute_functions(void** state)
 {
 	(void)state;
 	scree_attribute made;
-	scree_attribute_def def = scree_default_attribute_def();
-	INVALID(scree_create_attribute, (NULL, &def, &made), "world is null");
-	INVALID(scree_create_attribute, (world, NULL, &made), "def is null");
-	INVALID(scree_create_attribute, (world, &def, NULL), "attribute is null");
+	scree_attribute_def def = scree_attribute_def_default();
+	INVALID(scree_attribute_create, (NULL, &def, &made), "world is null");
+	INVALID(scree_attribute_create, (world, NULL, &made), "def is null");
+	INVALID(scree_attribute_create, (world, &def, NULL), "attribute is null");
 #define DEF(change, sentence)            \
-	def = scree_default_attribute_def(); \
+	def = scree_attribute_def_default(); \
 	def.change;                          \
-	INVALID(scree_create_attribute, (world, &def, &made), sentence)
-	DEF(cookie = 1, "def.cookie is 1: the definition was not made by scree_default_attribute_def");
+	INVALID(scree_attribute_create, (world, &def, &made), sentence)
+	DEF(cookie = 1, "def.cookie is 1: the definition was not made by scree_attribute_def_default");
 	DEF(density = -1, "is -1, must be from");
 	DEF(density = 1e-30f, "def.density");
 	DEF(density = INFINITY, "def.density");
@@ -236,56 +236,56 @@ static void attribute_functions(void** state)
 	DEF(shape.vertices[2].x = NAN, "def.shape.vertices[2].x is nan");
 	DEF(shape.vertices[2].x = -2, "def.shape.vertices[");
 #undef DEF
-	STALE(scree_get_attribute, (world, (scree_attribute){0, 0}, &def), "attribute is null");
-	STALE(scree_get_attribute, (world, foreign, &def), "attribute (index 0) is no attribute of this world");
-	INVALID(scree_get_attribute, (world, crate, NULL), "def is null");
+	STALE(scree_attribute_get_def, (world, (scree_attribute){0, 0}, &def), "attribute is null");
+	STALE(scree_attribute_get_def, (world, foreign, &def), "attribute (index 0) is no attribute of this world");
+	INVALID(scree_attribute_get_def, (world, crate, NULL), "def is null");
 }
 
 static void body_functions(void** state)
 {
 	(void)state;
-	scree_body_def defs[3] = {scree_default_body_def(), scree_default_body_def(), scree_default_body_def()};
+	scree_body_def defs[3] = {scree_body_def_default(), scree_body_def_default(), scree_body_def_default()};
 	scree_body made[3];
-	INVALID(scree_create_bodies, (NULL, defs, 3, made), "world is null");
-	INVALID(scree_create_bodies, (world, NULL, 3, made), "defs is null");
-	INVALID(scree_create_bodies, (world, defs, -1, made), "count is -1");
-	INVALID(scree_create_bodies, (world, defs, INT32_MAX, made), "count is 2147483647");
+	INVALID(scree_bodies_create, (NULL, defs, 3, made), "world is null");
+	INVALID(scree_bodies_create, (world, NULL, 3, made), "defs is null");
+	INVALID(scree_bodies_create, (world, defs, -1, made), "count is -1");
+	INVALID(scree_bodies_create, (world, defs, INT32_MAX, made), "count is 2147483647");
 #define DEF(status, change, sentence)                                                 \
-	defs[2] = scree_default_body_def();                                               \
+	defs[2] = scree_body_def_default();                                               \
 	defs[2].change;                                                                   \
-	REFUSED(scree_create_bodies, (world, defs, 3, made), status, "defs[2]" sentence); \
-	REFUSED(scree_create_body, (world, &defs[2], made), status, "def" sentence)
-	DEF(SCREE_INVALID, cookie = 0, ".cookie is 0: the definition was not made by scree_default_body_def");
-	DEF(SCREE_INVALID, type = 3, ".type is 3");
-	DEF(SCREE_INVALID, linear_damping = -1, ".linear_damping is -1, must be finite and at least 0");
-	DEF(SCREE_INVALID, angular_damping = NAN, ".angular_damping is nan");
-	DEF(SCREE_INVALID, gravity_scale = INFINITY, ".gravity_scale is inf, must be finite");
-	DEF(SCREE_INVALID, pose.position.x = 1e6f, ".pose.position.x is 1000000, must be from -100000 to 100000");
-	DEF(SCREE_INVALID, pose.position.y = NAN, ".pose.position.y is nan");
-	DEF(SCREE_INVALID, pose.rotation.c = 0, ".pose.rotation is (0, 0)");
-	DEF(SCREE_INVALID, pose.rotation.s = NAN, ".pose.rotation is (1, nan)");
-	DEF(SCREE_INVALID, velocity.linear.x = NAN, ".velocity.linear.x is nan");
-	DEF(SCREE_INVALID, velocity.linear.y = -1e30f, ".velocity.linear.y is");
-	DEF(SCREE_INVALID, velocity.angular = INFINITY, ".velocity.angular is inf");
-	DEF(SCREE_INVALID, locks = 8, ".locks is 8");
-	DEF(SCREE_STALE, attribute = foreign, ".attribute (index 0) is no attribute of this world");
+	REFUSED(scree_bodies_create, (world, defs, 3, made), status, "defs[2]" sentence); \
+	REFUSED(scree_body_create, (world, &defs[2], made), status, "def" sentence)
+	DEF(SCREE_ERROR_INVALID, cookie = 0, ".cookie is 0: the definition was not made by scree_body_def_default");
+	DEF(SCREE_ERROR_INVALID, type = 3, ".type is 3");
+	DEF(SCREE_ERROR_INVALID, linear_damping = -1, ".linear_damping is -1, must be finite and at least 0");
+	DEF(SCREE_ERROR_INVALID, angular_damping = NAN, ".angular_damping is nan");
+	DEF(SCREE_ERROR_INVALID, gravity_scale = INFINITY, ".gravity_scale is inf, must be finite");
+	DEF(SCREE_ERROR_INVALID, pose.position.x = 1e6f, ".pose.position.x is 1000000, must be from -100000 to 100000");
+	DEF(SCREE_ERROR_INVALID, pose.position.y = NAN, ".pose.position.y is nan");
+	DEF(SCREE_ERROR_INVALID, pose.rotation.c = 0, ".pose.rotation is (0, 0)");
+	DEF(SCREE_ERROR_INVALID, pose.rotation.s = NAN, ".pose.rotation is (1, nan)");
+	DEF(SCREE_ERROR_INVALID, velocity.linear.x = NAN, ".velocity.linear.x is nan");
+	DEF(SCREE_ERROR_INVALID, velocity.linear.y = -1e30f, ".velocity.linear.y is");
+	DEF(SCREE_ERROR_INVALID, velocity.angular = INFINITY, ".velocity.angular is inf");
+	DEF(SCREE_ERROR_INVALID, locks = 8, ".locks is 8");
+	DEF(SCREE_ERROR_STALE, attribute = foreign, ".attribute (index 0) is no attribute of this world");
 #undef DEF
-	assert_ok(scree_create_bodies(world, NULL, 0, NULL));
+	assert_ok(scree_bodies_create(world, NULL, 0, NULL));
 
 	scree_body handles[3] = {body, second, stale};
-	INVALID(scree_destroy_bodies, (NULL, handles, 3), "world is null");
-	INVALID(scree_destroy_bodies, (world, NULL, 1), "bodies is null");
-	STALE(scree_destroy_bodies, (world, handles, 3), "bodies[2] (index 4, generation 1) was destroyed");
+	INVALID(scree_bodies_destroy, (NULL, handles, 3), "world is null");
+	INVALID(scree_bodies_destroy, (world, NULL, 1), "bodies is null");
+	STALE(scree_bodies_destroy, (world, handles, 3), "bodies[2] (index 4, generation 1) was destroyed");
 	handles[2] = body;
-	STALE(scree_destroy_bodies, (world, handles, 3), "bodies[2] is in the batch a second time");
-	STALE(scree_destroy_body, (world, stale), "body (index 4");
-	STALE(scree_destroy_body, (world, null_body), "body is null");
-	STALE(scree_destroy_body, (world, (scree_body){0, 1}), "body (index 0");
-	STALE(scree_destroy_body, (world, (scree_body){1000000, 1}), "body (index 1000000");
+	STALE(scree_bodies_destroy, (world, handles, 3), "bodies[2] is in the batch a second time");
+	STALE(scree_body_destroy, (world, stale), "body (index 4");
+	STALE(scree_body_destroy, (world, null_body), "body is null");
+	STALE(scree_body_destroy, (world, (scree_body){0, 1}), "body (index 0");
+	STALE(scree_body_destroy, (world, (scree_body){1000000, 1}), "body (index 1000000");
 	int count;
-	INVALID(scree_get_bodies, (world, NULL, 1, &count), "bodies is null");
-	INVALID(scree_get_bodies, (world, NULL, 0, NULL), "count is null");
-	INVALID(scree_get_bodies, (world, handles, -2, &count), "capacity is -2");
+	INVALID(scree_world_get_bodies, (world, NULL, 1, &count), "bodies is null");
+	INVALID(scree_world_get_bodies, (world, NULL, 0, NULL), "count is null");
+	INVALID(scree_world_get_bodies, (world, handles, -2, &count), "capacity is -2");
 	assert_false(scree_body_is_valid(NULL, body));
 }
 
@@ -324,23 +324,25 @@ static scree_pose bad_pose(float x) { return (scree_pose){{x, 0}, {1, 0}}; }
 static void batch_functions(void** state)
 {
 	(void)state;
-	BATCH(scree_apply_forces, scree_body_apply_force, scree_vec, good_vec, bad_vec(x), "forces", "force", ".y is ");
-	BATCH(scree_apply_impulses, scree_body_apply_impulse, scree_vec, good_vec, bad_vec(x), "impulses", "impulse",
+	BATCH(scree_bodies_apply_forces, scree_body_apply_force, scree_vec, good_vec, bad_vec(x), "forces", "force",
 	      ".y is ");
-	BATCH(scree_apply_torques, scree_body_apply_torque, float, 1.0f, x, "torques", "torque", " is ");
-	BATCH(scree_apply_angular_impulses, scree_body_apply_angular_impulse, float, 1.0f, x, "impulses", "impulse",
+	BATCH(scree_bodies_apply_impulses, scree_body_apply_impulse, scree_vec, good_vec, bad_vec(x), "impulses", "impulse",
+	      ".y is ");
+	BATCH(scree_bodies_apply_torques, scree_body_apply_torque, float, 1.0f, x, "torques", "torque", " is ");
+	BATCH(scree_bodies_apply_angular_impulses, scree_body_apply_angular_impulse, float, 1.0f, x, "impulses", "impulse",
 	      " is ");
-	BATCH(scree_set_velocities, scree_body_set_velocity, scree_velocity, good_velocity, bad_velocity(x), "velocities",
-	      "velocity", ".angular is ");
-	BATCH(scree_set_poses, scree_body_set_pose, scree_pose, good_pose, bad_pose(x), "poses", "pose", ".position.x is ");
+	BATCH(scree_bodies_set_velocities, scree_body_set_velocity, scree_velocity, good_velocity, bad_velocity(x),
+	      "velocities", "velocity", ".angular is ");
+	BATCH(scree_bodies_set_poses, scree_body_set_pose, scree_pose, good_pose, bad_pose(x), "poses", "pose",
+	      ".position.x is ");
 
 	scree_body handles[2] = {body, second};
 	scree_vec good[2] = {good_vec, good_vec}, wrong[2] = {good_vec, {NAN, 0}}, far = {0, 1e7f};
-	INVALID(scree_apply_forces_at, (world, handles, good, NULL, 2), "points is null");
-	INVALID(scree_apply_forces_at, (world, handles, good, wrong, 2), "points[1].x is nan");
-	INVALID(scree_apply_forces_at, (world, handles, wrong, good, 2), "forces[1].x is nan");
-	INVALID(scree_apply_impulses_at, (world, handles, NULL, good, 2), "impulses is null");
-	INVALID(scree_apply_impulses_at, (world, handles, good, wrong, 2), "points[1].x is nan");
+	INVALID(scree_bodies_apply_forces_at, (world, handles, good, NULL, 2), "points is null");
+	INVALID(scree_bodies_apply_forces_at, (world, handles, good, wrong, 2), "points[1].x is nan");
+	INVALID(scree_bodies_apply_forces_at, (world, handles, wrong, good, 2), "forces[1].x is nan");
+	INVALID(scree_bodies_apply_impulses_at, (world, handles, NULL, good, 2), "impulses is null");
+	INVALID(scree_bodies_apply_impulses_at, (world, handles, good, wrong, 2), "points[1].x is nan");
 	INVALID(scree_body_apply_force_at, (world, body, good_vec, far), "point.y is 1e+07");
 	INVALID(scree_body_apply_impulse_at, (world, body, good_vec, far), "point.y is 1e+07");
 	INVALID(scree_body_set_pose, (world, body, (scree_pose){{0, 0}, {2, 0}}), "pose.rotation is (2, 0)");
@@ -348,14 +350,14 @@ static void batch_functions(void** state)
 
 	scree_pose pose[2];
 	scree_velocity velocity[2];
-	INVALID(scree_get_poses, (world, handles, NULL, 2), "poses is null");
-	INVALID(scree_get_poses, (world, NULL, pose, 2), "bodies is null");
-	INVALID(scree_get_velocities, (world, handles, velocity, -2), "count is -2");
+	INVALID(scree_bodies_get_poses, (world, handles, NULL, 2), "poses is null");
+	INVALID(scree_bodies_get_poses, (world, NULL, pose, 2), "bodies is null");
+	INVALID(scree_bodies_get_velocities, (world, handles, velocity, -2), "count is -2");
 	INVALID(scree_body_get_pose, (world, body, NULL), "pose is null");
 	INVALID(scree_body_get_velocity, (world, body, NULL), "velocity is null");
 	handles[1] = stale;
-	STALE(scree_get_poses, (world, handles, pose, 2), "bodies[1] (index 4");
-	STALE(scree_get_velocities, (world, handles, velocity, 2), "bodies[1] (index 4");
+	STALE(scree_bodies_get_poses, (world, handles, pose, 2), "bodies[1] (index 4");
+	STALE(scree_bodies_get_velocities, (world, handles, velocity, 2), "bodies[1] (index 4");
 	STALE(scree_body_get_pose, (world, stale, pose), "body (index 4");
 	STALE(scree_body_get_velocity, (world, null_body, velocity), "body is null");
 }
@@ -383,7 +385,7 @@ static void setting_functions(void** state)
 	INVALID(scree_body_set_mass, (world, body, (scree_mass){1, -1, {0, 0}}), "mass.inertia");
 	INVALID(scree_body_set_mass, (world, fixed, mass), "body is not dynamic");
 
-	STALE(scree_body_set_type, (world, stale, SCREE_STATIC), "body (index 4");
+	STALE(scree_body_set_type, (world, stale, SCREE_BODY_STATIC), "body (index 4");
 	STALE(scree_body_set_locks, (world, stale, 0), "body (index 4");
 	STALE(scree_body_set_damping, (world, stale, 0, 0), "body (index 4");
 	STALE(scree_body_set_gravity_scale, (world, stale, 0), "body (index 4");
@@ -403,58 +405,58 @@ static void setting_functions(void** state)
 	INVALID(scree_body_get_mass, (world, body, NULL), "mass is null");
 	INVALID(scree_body_get_user, (NULL, body, &user), "world is null");
 	INVALID(scree_body_set_user, (NULL, body, 1), "world is null");
-	INVALID(scree_body_set_type, (NULL, body, SCREE_STATIC), "world is null");
+	INVALID(scree_body_set_type, (NULL, body, SCREE_BODY_STATIC), "world is null");
 }
 
 static void collidable_functions(void** state)
 {
 	(void)state;
 	scree_collidable made[2];
-	scree_collidable_def defs[2] = {scree_default_collidable_def(), scree_default_collidable_def()};
+	scree_collidable_def defs[2] = {scree_collidable_def_default(), scree_collidable_def_default()};
 	defs[0].attribute = crate;
-	INVALID(scree_create_collidables, (NULL, defs, 2, made), "world is null");
-	INVALID(scree_create_collidables, (world, NULL, 2, made), "defs is null");
-	INVALID(scree_create_collidables, (world, defs, -1, made), "count is -1");
+	INVALID(scree_collidables_create, (NULL, defs, 2, made), "world is null");
+	INVALID(scree_collidables_create, (world, NULL, 2, made), "defs is null");
+	INVALID(scree_collidables_create, (world, defs, -1, made), "count is -1");
 #define DEF(status, change, sentence)                                                      \
-	defs[1] = scree_default_collidable_def();                                              \
+	defs[1] = scree_collidable_def_default();                                              \
 	defs[1].attribute = crate;                                                             \
 	defs[1].change;                                                                        \
-	REFUSED(scree_create_collidables, (world, defs, 2, made), status, "defs[1]" sentence); \
-	REFUSED(scree_create_collidable, (world, &defs[1], made), status, "def" sentence)
-	DEF(SCREE_INVALID, cookie = 0, ".cookie is 0: the definition was not made by scree_default_collidable_def");
-	DEF(SCREE_STALE, attribute = foreign, ".attribute (index 0) is no attribute");
-	DEF(SCREE_STALE, attribute.generation = 0, ".attribute is null");
-	DEF(SCREE_STALE, body = stale, ".body (index 4");
-	DEF(SCREE_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
-	DEF(SCREE_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 0)");
+	REFUSED(scree_collidables_create, (world, defs, 2, made), status, "defs[1]" sentence); \
+	REFUSED(scree_collidable_create, (world, &defs[1], made), status, "def" sentence)
+	DEF(SCREE_ERROR_INVALID, cookie = 0, ".cookie is 0: the definition was not made by scree_collidable_def_default");
+	DEF(SCREE_ERROR_STALE, attribute = foreign, ".attribute (index 0) is no attribute");
+	DEF(SCREE_ERROR_STALE, attribute.generation = 0, ".attribute is null");
+	DEF(SCREE_ERROR_STALE, body = stale, ".body (index 4");
+	DEF(SCREE_ERROR_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
+	DEF(SCREE_ERROR_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 0)");
 #undef DEF
 
 	scree_collidable handles[2] = {part, stale_part};
 	scree_pose poses[2] = {good_pose, good_pose};
-	STALE(scree_destroy_collidables, (world, handles, 2), "collidables[1] (index 4");
+	STALE(scree_collidables_destroy, (world, handles, 2), "collidables[1] (index 4");
 	handles[1] = part;
-	STALE(scree_destroy_collidables, (world, handles, 2), "collidables[1] is in the batch a second time");
-	INVALID(scree_destroy_collidables, (world, NULL, 2), "collidables is null");
-	STALE(scree_destroy_collidable, (world, null_part), "collidable is null");
+	STALE(scree_collidables_destroy, (world, handles, 2), "collidables[1] is in the batch a second time");
+	INVALID(scree_collidables_destroy, (world, NULL, 2), "collidables is null");
+	STALE(scree_collidable_destroy, (world, null_part), "collidable is null");
 	assert_false(scree_collidable_is_valid(NULL, part));
 	assert_false(scree_collidable_is_valid(world, stale_part));
 	assert_true(scree_collidable_is_valid(world, part));
 
 	handles[0] = zone;
-	INVALID(scree_set_collidable_poses, (world, handles, poses, 2), "collidables[1] belongs to a body");
-	INVALID(scree_set_collidable_poses, (world, handles, NULL, 2), "poses is null");
+	INVALID(scree_collidables_set_poses, (world, handles, poses, 2), "collidables[1] belongs to a body");
+	INVALID(scree_collidables_set_poses, (world, handles, NULL, 2), "poses is null");
 	handles[1] = zone;
 	poses[1].position.y = NAN;
-	INVALID(scree_set_collidable_poses, (world, handles, poses, 2), "poses[1].position.y is nan");
+	INVALID(scree_collidables_set_poses, (world, handles, poses, 2), "poses[1].position.y is nan");
 
 	int count;
-	scree_filter filter = scree_default_filter();
+	scree_filter filter = scree_filter_default();
 	scree_attribute attribute;
 	scree_body owner;
 	uint64_t user;
-	INVALID(scree_get_collidables, (world, body, NULL, 1, &count), "collidables is null");
-	INVALID(scree_get_collidables, (world, body, made, -1, &count), "capacity is -1");
-	STALE(scree_get_collidables, (world, stale, made, 1, &count), "body (index 4");
+	INVALID(scree_body_get_collidables, (world, body, NULL, 1, &count), "collidables is null");
+	INVALID(scree_body_get_collidables, (world, body, made, -1, &count), "capacity is -1");
+	STALE(scree_body_get_collidables, (world, stale, made, 1, &count), "body (index 4");
 	STALE(scree_collidable_get_body, (world, stale_part, &owner), "collidable (index");
 	STALE(scree_collidable_get_attribute, (world, stale_part, &attribute), "collidable (index");
 	STALE(scree_collidable_get_local_pose, (world, stale_part, poses), "collidable (index");
@@ -470,11 +472,11 @@ static void collidable_functions(void** state)
 	INVALID(scree_collidable_set_filter, (NULL, part, filter), "world is null");
 
 	scree_contact contact;
-	INVALID(scree_get_contacts, (world, NULL, 1, &count), "contacts is null");
-	INVALID(scree_get_contacts, (world, &contact, 1, NULL), "count is null");
-	INVALID(scree_get_contacts, (NULL, &contact, 1, &count), "world is null");
-	INVALID(scree_get_overlaps, (world, NULL, 1, &count), "overlaps is null");
-	INVALID(scree_get_overlaps, (world, &contact, -1, &count), "capacity is -1");
+	INVALID(scree_world_get_contacts, (world, NULL, 1, &count), "contacts is null");
+	INVALID(scree_world_get_contacts, (world, &contact, 1, NULL), "count is null");
+	INVALID(scree_world_get_contacts, (NULL, &contact, 1, &count), "world is null");
+	INVALID(scree_world_get_overlaps, (world, NULL, 1, &count), "overlaps is null");
+	INVALID(scree_world_get_overlaps, (world, &contact, -1, &count), "capacity is -1");
 }
 
 // A rotation that is a little off is taken, and rounding is taken out of it.
@@ -483,9 +485,9 @@ static void nearly_normal_rotations_are_taken(void** state)
 	(void)state;
 	scree_body made;
 	scree_pose pose;
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.pose.rotation = (scree_rot){0.8f * 1.0004f, 0.6f * 1.0004f};
-	assert_ok(scree_create_body(other, &def, &made));
+	assert_ok(scree_body_create(other, &def, &made));
 	assert_ok(scree_body_get_pose(other, made, &pose));
 	assert_true(fabsf(pose.rotation.c - 0.8f) < 1e-6f && fabsf(pose.rotation.s - 0.6f) < 1e-6f);
 
@@ -517,39 +519,39 @@ static void memory_runs_out(void** state)
 	(void)state;
 	scree_hooks hooks = {.allocate = failing_allocate, .release = plain_release};
 	fewer_allocations = -1;
-	assert_ok(scree_set_hooks(&hooks));
+	assert_ok(scree_hooks_set(&hooks));
 	int refused = 0;
 	for (int allowed = 0;; ++allowed)
 	{
-		scree_world_def world_def = scree_default_world_def();
+		scree_world_def world_def = scree_world_def_default();
 		world_def.device = "cpu";
 		world_def.threads = 1;
 		scree_world* made = NULL;
-		scree_attribute_def box = scree_default_attribute_def();
+		scree_attribute_def box = scree_attribute_def_default();
 		scree_body_def defs[40];
 		scree_attribute attribute;
 		fewer_allocations = allowed;
-		scree_status status = scree_create_world(&world_def, &made);
+		scree_status status = scree_world_create(&world_def, &made);
 		if (status == SCREE_OK)
-			status = scree_create_attribute(made, &box, &attribute);
+			status = scree_attribute_create(made, &box, &attribute);
 		for (int k = 0; k < 40 && status == SCREE_OK; ++k)
 		{
-			defs[k] = scree_default_body_def();
+			defs[k] = scree_body_def_default();
 			defs[k].attribute = attribute;
 			defs[k].pose.position.y = 1.5f * (float)k;
 		}
 		int bodies = 0;
 		for (int round = 0; round < 20 && status == SCREE_OK; ++round)
 		{
-			status = scree_create_bodies(made, defs, 40, NULL);
+			status = scree_bodies_create(made, defs, 40, NULL);
 			bodies += status == SCREE_OK ? 40 : 0;
 		}
 		if (status == SCREE_OK)
-			status = scree_step(made, 0.01f, 2);
+			status = scree_world_step(made, 0.01f, 2);
 		bool done = fewer_allocations >= 0;
 		if (status != SCREE_OK)
 		{
-			assert_int_equal(status, SCREE_OUT_OF_MEMORY);
+			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
 			++refused;
 		}
 
@@ -558,20 +560,20 @@ static void memory_runs_out(void** state)
 		if (made)
 		{
 			int count;
-			assert_ok(scree_get_bodies(made, NULL, 0, &count));
+			assert_ok(scree_world_get_bodies(made, NULL, 0, &count));
 			assert_int_equal(count, bodies);
-			if (scree_wait(made) == SCREE_OK)
-				assert_ok(scree_step(made, 0.01f, 2));
+			if (scree_world_wait(made) == SCREE_OK)
+				assert_ok(scree_world_step(made, 0.01f, 2));
 			else
 				assert_int_equal(bodies, 800);
 		}
-		scree_destroy_world(made);
+		scree_world_destroy(made);
 		assert_int_equal(scree_memory(), 0);
 		if (done)
 			break;
 	}
 	assert_true(refused > 20);
-	assert_ok(scree_set_hooks(NULL));
+	assert_ok(scree_hooks_set(NULL));
 }
 
 int main(void)

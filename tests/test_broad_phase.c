@@ -64,7 +64,7 @@ static void check_box(scree_world* world, const Item* item, const Placed* placed
 	scree_attribute attribute;
 	scree_attribute_def def;
 	OK(scree_collidable_get_attribute(world, collidable_handle(world, index), &attribute));
-	OK(scree_get_attribute(world, attribute, &def));
+	OK(scree_attribute_get_def(world, attribute, &def));
 	for (int k = 0; k < def.shape.count; ++k)
 	{
 		scree_vec v = def.shape.vertices[k];
@@ -91,11 +91,11 @@ static Item* list_items(scree_world* world, int count)
 		OK(scree_collidable_get_filter(world, handle, &item->filter));
 		OK(scree_collidable_get_body(world, handle, &item->body));
 		item->has_body = item->body.index != 0;
-		scree_body_type type = SCREE_KINEMATIC;
+		scree_body_type type = SCREE_BODY_KINEMATIC;
 		if (item->has_body)
 			OK(scree_body_get_type(world, item->body, &type));
-		item->moves = item->has_body && type == SCREE_DYNAMIC;
-		item->fixed = item->has_body && type == SCREE_STATIC;
+		item->moves = item->has_body && type == SCREE_BODY_DYNAMIC;
+		item->fixed = item->has_body && type == SCREE_BODY_STATIC;
 		check_box(world, item, placed + k, k);
 	}
 	free(boxes);
@@ -178,14 +178,14 @@ static int check_pairs(scree_world* world, const char* name, int step)
 static scree_body put(scree_world* world, uint64_t* seed, scree_body_type type, scree_shape shape, float x, float y)
 {
 	scree_attribute_def surface = surface_of(shape);
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.type = type;
 	def.attribute = add_attribute(world, &surface);
 	def.pose.position = (scree_vec){x, y};
-	if (type != SCREE_STATIC)
+	if (type != SCREE_BODY_STATIC)
 		def.velocity.linear = (scree_vec){random_between(seed, -8.0f, 8.0f), random_between(seed, -8.0f, 8.0f)};
 	scree_body body;
-	OK(scree_create_body(world, &def, &body));
+	OK(scree_body_create(world, &def, &body));
 	return body;
 }
 
@@ -215,7 +215,7 @@ static void build_random(scree_world* world, uint64_t* seed)
 static void build_point(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 90; ++k)
-		put(world, seed, SCREE_DYNAMIC, any_shape(seed), 0.0f, 0.0f);
+		put(world, seed, SCREE_BODY_DYNAMIC, any_shape(seed), 0.0f, 0.0f);
 }
 
 static scree_filter any_filter(uint64_t* seed)
@@ -233,10 +233,10 @@ static void build_filters(scree_world* world, uint64_t* seed)
 	for (int k = 0; k < 80; ++k)
 	{
 		scree_body body =
-		    put(world, seed, SCREE_DYNAMIC, any_shape(seed), 0.1f * (float)(k % 9), 0.1f * (float)(k / 9));
+		    put(world, seed, SCREE_BODY_DYNAMIC, any_shape(seed), 0.1f * (float)(k % 9), 0.1f * (float)(k / 9));
 		scree_collidable part;
 		int count;
-		OK(scree_get_collidables(world, body, &part, 1, &count));
+		OK(scree_body_get_collidables(world, body, &part, 1, &count));
 		OK(scree_collidable_set_filter(world, part, any_filter(seed)));
 	}
 }
@@ -244,9 +244,9 @@ static void build_filters(scree_world* world, uint64_t* seed)
 // one body as large as the world among tiny ones
 static void build_huge(scree_world* world, uint64_t* seed)
 {
-	put(world, seed, SCREE_DYNAMIC, box_shape(60.0f, 60.0f), 0.0f, 0.0f);
+	put(world, seed, SCREE_BODY_DYNAMIC, box_shape(60.0f, 60.0f), 0.0f, 0.0f);
 	for (int k = 0; k < 400; ++k)
-		put(world, seed, SCREE_DYNAMIC, circle_shape(0.05f), random_between(seed, -50.0f, 50.0f),
+		put(world, seed, SCREE_BODY_DYNAMIC, circle_shape(0.05f), random_between(seed, -50.0f, 50.0f),
 		    random_between(seed, -70.0f, 70.0f));
 }
 
@@ -254,52 +254,53 @@ static void build_huge(scree_world* world, uint64_t* seed)
 static void build_huges(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 6; ++k)
-		put(world, seed, k % 2 ? SCREE_KINEMATIC : SCREE_DYNAMIC, box_shape(60.0f, 4.0f + 8.0f * (float)k),
+		put(world, seed, k % 2 ? SCREE_BODY_KINEMATIC : SCREE_BODY_DYNAMIC, box_shape(60.0f, 4.0f + 8.0f * (float)k),
 		    random_between(seed, -5.0f, 5.0f), random_between(seed, -5.0f, 5.0f));
 	for (int k = 0; k < 2400; ++k)
-		put(world, seed, k % 3 ? SCREE_DYNAMIC : SCREE_STATIC, circle_shape(0.05f), random_between(seed, -50.0f, 50.0f),
-		    random_between(seed, -50.0f, 50.0f));
+		put(world, seed, k % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, circle_shape(0.05f),
+		    random_between(seed, -50.0f, 50.0f), random_between(seed, -50.0f, 50.0f));
 }
 
 static void build_line(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 500; ++k)
-		put(world, seed, SCREE_DYNAMIC, box_shape(0.5f, 0.5f), 1.01f * (float)k, 0.0f);
+		put(world, seed, SCREE_BODY_DYNAMIC, box_shape(0.5f, 0.5f), 1.01f * (float)k, 0.0f);
 }
 
 static void build_ring(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 400; ++k)
 	{
-		scree_rot turn = scree_make_rot((float)(2.0 * PI / 400.0) * (float)k);
-		put(world, seed, SCREE_DYNAMIC, circle_shape(0.5f), 60.0f * turn.c, 60.0f * turn.s);
+		scree_rot turn = scree_rot_make((float)(2.0 * PI / 400.0) * (float)k);
+		put(world, seed, SCREE_BODY_DYNAMIC, circle_shape(0.5f), 60.0f * turn.c, 60.0f * turn.s);
 	}
 }
 
 // where a float has steps of 8 mm
 static void build_far(scree_world* world, uint64_t* seed)
 {
-	put(world, seed, SCREE_STATIC, box_shape(30.0f, 1.0f), 90000.0f, -90001.0f);
+	put(world, seed, SCREE_BODY_STATIC, box_shape(30.0f, 1.0f), 90000.0f, -90001.0f);
 	for (int k = 0; k < 200; ++k)
-		put(world, seed, SCREE_DYNAMIC, any_shape(seed), 90000.0f + random_between(seed, -12.0f, 12.0f),
+		put(world, seed, SCREE_BODY_DYNAMIC, any_shape(seed), 90000.0f + random_between(seed, -12.0f, 12.0f),
 		    -90000.0f + random_between(seed, 0.0f, 12.0f));
 }
 
 static void build_ground(scree_world* world, uint64_t* seed)
 {
-	put(world, seed, SCREE_STATIC, box_shape(500.0f, 1.0f), 0.0f, -1.0f);
+	put(world, seed, SCREE_BODY_STATIC, box_shape(500.0f, 1.0f), 0.0f, -1.0f);
 	for (int k = 0; k < 400; ++k)
-		put(world, seed, SCREE_DYNAMIC, box_shape(0.5f, 0.5f), 1.02f * (float)(k % 40) - 20.0f, 0.5f + (float)(k / 40));
+		put(world, seed, SCREE_BODY_DYNAMIC, box_shape(0.5f, 0.5f), 1.02f * (float)(k % 40) - 20.0f,
+		    0.5f + (float)(k / 40));
 	for (int k = 0; k < 100; ++k)
-		put(world, seed, SCREE_STATIC, box_shape(0.2f, 0.2f), (float)k - 50.0f, 12.0f);
+		put(world, seed, SCREE_BODY_STATIC, box_shape(0.2f, 0.2f), (float)k - 50.0f, 12.0f);
 }
 
 static void build_statics(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 3000; ++k)
-		put(world, seed, SCREE_STATIC, box_shape(0.3f, 0.3f), (float)(k % 60) - 30.0f, (float)(k / 60) - 25.0f);
+		put(world, seed, SCREE_BODY_STATIC, box_shape(0.3f, 0.3f), (float)(k % 60) - 30.0f, (float)(k / 60) - 25.0f);
 	for (int k = 0; k < 100; ++k)
-		put(world, seed, SCREE_DYNAMIC, circle_shape(0.3f), random_between(seed, -30.0f, 30.0f),
+		put(world, seed, SCREE_BODY_DYNAMIC, circle_shape(0.3f), random_between(seed, -30.0f, 30.0f),
 		    random_between(seed, -25.0f, 25.0f));
 }
 
@@ -308,17 +309,17 @@ static void build_compound(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 60; ++k)
 	{
-		scree_body body = put(world, seed, k % 4 ? SCREE_DYNAMIC : SCREE_KINEMATIC, any_shape(seed),
+		scree_body body = put(world, seed, k % 4 ? SCREE_BODY_DYNAMIC : SCREE_BODY_KINEMATIC, any_shape(seed),
 		                      random_between(seed, -8.0f, 8.0f), random_between(seed, -8.0f, 8.0f));
 		for (int part = 0; part < 4; ++part)
 		{
 			scree_attribute_def surface = surface_of(any_shape(seed));
-			scree_collidable_def def = scree_default_collidable_def();
+			scree_collidable_def def = scree_collidable_def_default();
 			def.attribute = add_attribute(world, &surface);
 			def.body = body;
 			def.pose.position = (scree_vec){0.5f * (float)part, random_between(seed, -0.5f, 0.5f)};
-			def.pose.rotation = scree_make_rot((float)part);
-			OK(scree_create_collidable(world, &def, NULL));
+			def.pose.rotation = scree_rot_make((float)part);
+			OK(scree_collidable_create(world, &def, NULL));
 		}
 	}
 }
@@ -326,11 +327,11 @@ static void build_compound(scree_world* world, uint64_t* seed)
 static scree_collidable add_free(scree_world* world, uint64_t* seed, float x, float y)
 {
 	scree_attribute_def surface = surface_of(any_shape(seed));
-	scree_collidable_def def = scree_default_collidable_def();
+	scree_collidable_def def = scree_collidable_def_default();
 	def.attribute = add_attribute(world, &surface);
 	def.pose.position = (scree_vec){x, y};
 	scree_collidable made;
-	OK(scree_create_collidable(world, &def, &made));
+	OK(scree_collidable_create(world, &def, &made));
 	return made;
 }
 
@@ -362,21 +363,21 @@ static scree_vec any_place(const Layout* layout, uint64_t* seed)
 static void change_body(scree_world* world, const Layout* layout, scree_body body, uint64_t* seed)
 {
 	scree_vec place = any_place(layout, seed);
-	scree_pose pose = {place, scree_make_rot(random_between(seed, -3.0f, 3.0f))}, back;
+	scree_pose pose = {place, scree_rot_make(random_between(seed, -3.0f, 3.0f))}, back;
 	scree_body_type type;
 	scree_collidable parts[64];
 	int count;
 	OK(scree_body_get_type(world, body, &type));
-	OK(scree_get_collidables(world, body, parts, 64, &count));
+	OK(scree_body_get_collidables(world, body, parts, 64, &count));
 	switch (random_below(seed, 10))
 	{
 	case 0: // its slot is taken again, where it was
 		OK(scree_body_get_pose(world, body, &back));
-		OK(scree_destroy_body(world, body));
+		OK(scree_body_destroy(world, body));
 		put(world, seed, type, any_shape(seed), back.position.x, back.position.y);
 		break;
 	case 1:
-		OK(scree_destroy_body(world, body));
+		OK(scree_body_destroy(world, body));
 		break;
 	case 2:
 		OK(scree_body_set_pose(world, body, pose));
@@ -400,16 +401,16 @@ static void change_body(scree_world* world, const Layout* layout, scree_body bod
 		break;
 	case 7:
 		if (count > 0)
-			OK(scree_destroy_collidable(world, parts[random_below(seed, count)]));
+			OK(scree_collidable_destroy(world, parts[random_below(seed, count)]));
 		break;
 	case 8:
 	{
 		scree_attribute_def surface = surface_of(any_shape(seed));
-		scree_collidable_def def = scree_default_collidable_def();
+		scree_collidable_def def = scree_collidable_def_default();
 		def.attribute = add_attribute(world, &surface);
 		def.body = body;
 		def.filter = any_filter(seed);
-		OK(scree_create_collidable(world, &def, NULL));
+		OK(scree_collidable_create(world, &def, NULL));
 		break;
 	}
 	default:
@@ -421,18 +422,18 @@ static void change_free(scree_world* world, const Layout* layout, uint64_t* seed
 {
 	scree_collidable list[256];
 	int count;
-	OK(scree_get_collidables(world, (scree_body){0, 0}, list, 256, &count));
+	OK(scree_body_get_collidables(world, (scree_body){0, 0}, list, 256, &count));
 	scree_vec place = any_place(layout, seed);
-	scree_pose pose = {place, scree_make_rot(random_between(seed, -3.0f, 3.0f))};
+	scree_pose pose = {place, scree_rot_make(random_between(seed, -3.0f, 3.0f))};
 	int pick = count > 0 ? random_below(seed, count) : 0, what = count > 0 ? random_below(seed, 5) : 0;
 	if (what == 0)
 		add_free(world, seed, place.x, place.y);
 	else if (what == 1)
-		OK(scree_destroy_collidable(world, list[pick]));
+		OK(scree_collidable_destroy(world, list[pick]));
 	else if (what == 2)
 		OK(scree_collidable_set_filter(world, list[pick], any_filter(seed)));
 	else
-		OK(scree_set_collidable_poses(world, list + pick, &pose, 1));
+		OK(scree_collidables_set_poses(world, list + pick, &pose, 1));
 }
 
 static void change(scree_world* world, const Layout* layout, uint64_t* seed)
@@ -441,12 +442,12 @@ static void change(scree_world* world, const Layout* layout, uint64_t* seed)
 	{
 		scree_body bodies[4096];
 		int count;
-		OK(scree_get_bodies(world, bodies, 4096, &count));
+		OK(scree_world_get_bodies(world, bodies, 4096, &count));
 		scree_vec place = any_place(layout, seed);
 		if (random_below(seed, 5) == 0)
 			change_free(world, layout, seed);
 		else if (count == 0)
-			put(world, seed, SCREE_DYNAMIC, any_shape(seed), place.x, place.y);
+			put(world, seed, SCREE_BODY_DYNAMIC, any_shape(seed), place.x, place.y);
 		else
 			change_body(world, layout, bodies[random_below(seed, count)], seed);
 
@@ -461,15 +462,15 @@ static void burst(scree_world* world, const Layout* layout, int step, uint64_t* 
 {
 	scree_body bodies[4096];
 	int count;
-	OK(scree_get_bodies(world, bodies, 4096, &count));
+	OK(scree_world_get_bodies(world, bodies, 4096, &count));
 	if (step == layout->steps / 2)
 		for (int k = 0; k < 300; ++k)
 		{
 			scree_vec place = any_place(layout, seed);
-			put(world, seed, k % 2 ? SCREE_DYNAMIC : SCREE_STATIC, any_shape(seed), place.x, place.y);
+			put(world, seed, k % 2 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, any_shape(seed), place.x, place.y);
 		}
 	else if (step == 3 * layout->steps / 4 && count > 10)
-		OK(scree_destroy_bodies(world, bodies + 5, count - 10));
+		OK(scree_bodies_destroy(world, bodies + 5, count - 10));
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -494,12 +495,12 @@ static const Layout layouts[] = {
 
 static void run_layout(const Layout* layout, const Way* way)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = way->device;
 	def.threads = way->threads;
 	def.lanes = way->lanes;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
+	OK(scree_world_create(&def, &world));
 	uint64_t seed = 77;
 	layout->build(world, &seed);
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, walks = 0;
@@ -509,14 +510,14 @@ static void run_layout(const Layout* layout, const Way* way)
 		if (step >= 4)
 			change(world, layout, &seed);
 		burst(world, layout, step, &seed);
-		OK(scree_step(world, STEP, SUBSTEPS));
+		OK(scree_world_step(world, STEP, SUBSTEPS));
 		int pairs = check_pairs(world, layout->name, step);
 		most = pairs > most ? pairs : most;
 		walks += world->pipeline.counters.walks;
 	}
 	print_message("%s on %s: up to %d pairs, %d long walks\n", layout->name, way->name, most, walks);
 	assert_true(layout->build != build_huges || way->threads == 1 || walks > 0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void pairs_are_complete(void** state)

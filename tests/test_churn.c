@@ -30,7 +30,7 @@ static void for_every_device(void (*check)(const Way* way))
 
 static scree_world* open_way(const Way* way, int contact_capacity, int contact_limit)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = way->device;
 	def.threads = way->threads;
 	def.lanes = way->lanes;
@@ -40,7 +40,7 @@ static scree_world* open_way(const Way* way, int contact_capacity, int contact_l
 	scree_world* world;
 	if (way->persistent)
 		setenv("SCREE_PERSISTENT", way->persistent, 1);
-	OK(scree_create_world(&def, &world));
+	OK(scree_world_create(&def, &world));
 	unsetenv("SCREE_PERSISTENT");
 	return world;
 }
@@ -90,7 +90,7 @@ static double churned(const Way* way, Mix mix)
 	uint64_t seed = 5;
 	for (int k = 0; k < SIDE * SIDE; ++k)
 	{
-		defs[k] = scree_default_body_def();
+		defs[k] = scree_body_def_default();
 		defs[k].attribute = circle;
 		defs[k].pose.position =
 		    (scree_vec){PITCH * ((float)(k % SIDE) - 0.5f * SIDE), PITCH * ((float)(k / SIDE) - 0.5f * SIDE)};
@@ -103,7 +103,7 @@ static double churned(const Way* way, Mix mix)
 		defs[k] = defs[other];
 		defs[other] = def;
 	}
-	OK(scree_create_bodies(world, defs, SIDE * SIDE, bodies));
+	OK(scree_bodies_create(world, defs, SIDE * SIDE, bodies));
 	double most = 0;
 	for (int step = 0; step < 12; ++step)
 	{
@@ -113,15 +113,15 @@ static double churned(const Way* way, Mix mix)
 		for (int k = 0; k < mix.replaced; ++k)
 		{
 			int item = (7919 * (k + step * mix.replaced)) % (SIDE * SIDE);
-			OK(scree_destroy_body(world, bodies[item]));
+			OK(scree_body_destroy(world, bodies[item]));
 			defs[item].pose.position = any_place(&seed);
-			OK(scree_create_body(world, defs + item, &bodies[item]));
+			OK(scree_body_create(world, defs + item, &bodies[item]));
 		}
 		run_steps(world, 1);
 		double met = nodes_met(world);
 		most = met > most ? met : most;
 	}
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	free(defs);
 	free(bodies);
 	return most;
@@ -168,11 +168,11 @@ static void check_crowd(const Way* way)
 	{
 		add_floor(worlds[w]);
 		for (int k = 0; k < 40; ++k)
-			add_box(worlds[w], SCREE_DYNAMIC, 0.5f, 0.5f, -30.0f + 0.9f * (float)k, 0.5f);
+			add_box(worlds[w], SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -30.0f + 0.9f * (float)k, 0.5f);
 		run_steps(worlds[w], 5);
 		for (int k = 0; k < CROWD; ++k)
 		{
-			bodies[k] = add_box(worlds[w], SCREE_DYNAMIC, 0.25f, 0.25f, 12.0f, 80.0f);
+			bodies[k] = add_box(worlds[w], SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 12.0f, 80.0f);
 			apart[k] = at((scree_vec){0.7f * (float)k, 90.0f});
 		}
 	}
@@ -182,7 +182,7 @@ static void check_crowd(const Way* way)
 		scree_counters counters = counters_of(worlds[w]);
 		for (int again = 0; again < 2; ++again)
 		{
-			assert_int_equal(scree_step(worlds[w], STEP, SUBSTEPS), SCREE_CROWDED);
+			assert_int_equal(scree_world_step(worlds[w], STEP, SUBSTEPS), SCREE_ERROR_CROWDED);
 			assert_non_null(strstr(scree_error(), "contact_limit, 44849, allows"));
 			assert_non_null(strstr(scree_error(), "(12.00, 80.00), where the boxes of 300 collidables overlap"));
 		}
@@ -196,13 +196,13 @@ static void check_crowd(const Way* way)
 		for (int w = 0; w < 3; ++w)
 		{
 			if (step == 0)
-				OK(scree_set_poses(worlds[w], bodies, apart, CROWD));
+				OK(scree_bodies_set_poses(worlds[w], bodies, apart, CROWD));
 			run_steps(worlds[w], 1);
 			assert_true(hash_of(worlds[w]) == hash_of(world));
 		}
 	}
 	for (int w = 0; w < 3; ++w)
-		scree_destroy_world(worlds[w]);
+		scree_world_destroy(worlds[w]);
 }
 
 static void crowds_are_refused(void** state)
@@ -217,11 +217,11 @@ static void default_limit(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	for (int k = 0; k < 2001; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.25f, 0.25f, 3.0f, 4.0f);
-	assert_int_equal(scree_step(world, STEP, 1), SCREE_CROWDED);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 3.0f, 4.0f);
+	assert_int_equal(scree_world_step(world, STEP, 1), SCREE_ERROR_CROWDED);
 	assert_non_null(strstr(scree_error(), "more than contact_limit, 2000000, allows; most crowded is (3.00, 4.00), "
 	                                      "where the boxes of 2001 collidables overlap"));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -237,7 +237,7 @@ static void build_row(scree_world* world, const void* context)
 	(void)context;
 	add_floor(world);
 	for (int k = 0; k < 50; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, -50.0f + 1.1f * (float)k, 0.5f);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -50.0f + 1.1f * (float)k, 0.5f);
 }
 
 // A heap comes, and is gone; meanwhile boxes fall onto the row, so that contacts in high slots outlive the heap.
@@ -246,19 +246,19 @@ static void heap_comes(scree_world* world, int step, const void* context)
 	(void)context;
 	static scree_body bodies[4096];
 	int count;
-	OK(scree_get_bodies(world, bodies, 4096, &count));
+	OK(scree_world_get_bodies(world, bodies, 4096, &count));
 	for (int k = 0; k < HEAP && step == 10; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.25f, 0.25f, 40.0f, 20.0f + 0.001f * (float)k);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 40.0f, 20.0f + 0.001f * (float)k);
 	for (int k = 0; k < 10 && step == 12; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, -50.0f + 2.2f * (float)k, 1.5f);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -50.0f + 2.2f * (float)k, 1.5f);
 	if (step == 20)
-		OK(scree_destroy_bodies(world, bodies + 51, HEAP));
+		OK(scree_bodies_destroy(world, bodies + 51, HEAP));
 }
 
 static Story heap_story(int contacts)
 {
 	Story story = {.name = "heap",
-	               .def = scree_default_world_def(),
+	               .def = scree_world_def_default(),
 	               .dt = STEP,
 	               .substeps = 1,
 	               .steps = CALM,
@@ -310,14 +310,14 @@ static void bytes_are_right(void** state)
 	story.def.device = "cpu";
 	story.def.threads = 1;
 	scree_world* world;
-	OK(scree_create_world(&story.def, &world));
+	OK(scree_world_create(&story.def, &world));
 	story.build(world, NULL);
 	uint64_t most = 0;
 	int slots = 0;
 	for (int step = 0; step < CALM; ++step)
 	{
 		story.act(world, step, NULL);
-		OK(scree_step(world, STEP, 1));
+		OK(scree_world_step(world, STEP, 1));
 		scree_counters counters = counters_of(world);
 		assert_true(counters.device_bytes == bytes_of(world->backend));
 		most = counters.device_bytes > most ? counters.device_bytes : most;
@@ -325,7 +325,7 @@ static void bytes_are_right(void** state)
 	}
 	assert_true(slots > 8000 && world->pipeline.counters.contacts < 200);
 	assert_true(counters_of(world).device_bytes < most / 4);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 int main(void)

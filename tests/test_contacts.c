@@ -10,11 +10,11 @@ static void contacts_carry_weight(void** state)
 	int count;
 	assert_int_equal(contacts_of(world), 0);
 	add_ground(world);
-	scree_body box = add_box(world, SCREE_DYNAMIC, 3.0f, 0.5f);
+	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 3.0f, 0.5f);
 	assert_int_equal(contacts_of(world), 0);
 	step(world, 60);
 	scree_contact contact;
-	assert_ok(scree_get_contacts(world, &contact, 1, &count));
+	assert_ok(scree_world_get_contacts(world, &contact, 1, &count));
 	assert_int_equal(count, 1);
 	assert_int_equal(contact.count, 2);
 	assert_near(fabs(contact.normal.y), 1.0, 1e-5);
@@ -30,11 +30,11 @@ static void contacts_carry_weight(void** state)
 	// it stays where the step found it, though the box is elsewhere
 	float x = contact.points[0].point.x;
 	assert_ok(scree_body_set_pose(world, box, (scree_pose){{-20.0f, 5.0f}, {1.0f, 0.0f}}));
-	assert_ok(scree_get_contacts(world, &contact, 1, &count));
+	assert_ok(scree_world_get_contacts(world, &contact, 1, &count));
 	assert_true(count == 1 && contact.points[0].point.x == x);
 	step(world, 1);
 	assert_int_equal(contacts_of(world), 0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void contacts_end_with_their_collidables(void** state)
@@ -42,14 +42,15 @@ static void contacts_end_with_their_collidables(void** state)
 	(void)state;
 	scree_world* world = make_world(-10.0f);
 	add_ground(world);
-	scree_body low = add_box(world, SCREE_DYNAMIC, 0.0f, 0.5f), high = add_box(world, SCREE_DYNAMIC, 0.0f, 1.5f);
+	scree_body low = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f),
+	           high = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.5f);
 	step(world, 30);
 	assert_int_equal(contacts_of(world), 2);
 
 	// what takes the slot at once did not touch anything in the last step
-	assert_ok(scree_destroy_body(world, low));
+	assert_ok(scree_body_destroy(world, low));
 	assert_int_equal(contacts_of(world), 0);
-	scree_body other = add_box(world, SCREE_DYNAMIC, 30.0f, 0.5f);
+	scree_body other = add_box(world, SCREE_BODY_DYNAMIC, 30.0f, 0.5f);
 	assert_int_equal(other.index, low.index);
 	assert_int_equal(contacts_of(world), 0);
 	step(world, 120);
@@ -59,16 +60,16 @@ static void contacts_end_with_their_collidables(void** state)
 	// a filter that forbids the contact ends it
 	scree_collidable collidable;
 	int count;
-	assert_ok(scree_get_collidables(world, high, &collidable, 1, &count));
+	assert_ok(scree_body_get_collidables(world, high, &collidable, 1, &count));
 	assert_ok(scree_collidable_set_filter(world, collidable, (scree_filter){2, 2, 0}));
 	step(world, 30);
 	assert_int_equal(contacts_of(world), 1);
 	assert_true(pose_of(world, high).position.y < 0.0f);
 	scree_counters counters;
-	assert_ok(scree_get_counters(world, &counters));
+	assert_ok(scree_world_get_counters(world, &counters));
 	assert_int_equal(counters.contacts, 1);
 	assert_int_equal(counters.touching, 1);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void filters_decide(void** state)
@@ -91,14 +92,14 @@ static void filters_decide(void** state)
 	for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k)
 	{
 		scree_world* world = make_world(0.0f);
-		scree_body_def a = box_def(world, SCREE_DYNAMIC, 0, 0), b = box_def(world, SCREE_DYNAMIC, 0.9f, 0);
+		scree_body_def a = box_def(world, SCREE_BODY_DYNAMIC, 0, 0), b = box_def(world, SCREE_BODY_DYNAMIC, 0.9f, 0);
 		a.filter = cases[k].a;
 		b.filter = cases[k].b;
-		assert_ok(scree_create_body(world, &a, NULL));
-		assert_ok(scree_create_body(world, &b, NULL));
+		assert_ok(scree_body_create(world, &a, NULL));
+		assert_ok(scree_body_create(world, &b, NULL));
 		step(world, 1);
 		assert_int_equal(contacts_of(world), cases[k].contacts);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -107,69 +108,71 @@ static void statics_obey_the_user(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	scree_body shelf = add_box(world, SCREE_STATIC, 0.0f, 0.0f), box = add_box(world, SCREE_DYNAMIC, 0.0f, 1.0f);
-	scree_body hung = add_box(world, SCREE_DYNAMIC, 60.0f, 0.0f);
+	scree_body shelf = add_box(world, SCREE_BODY_STATIC, 0.0f, 0.0f),
+	           box = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	scree_body hung = add_box(world, SCREE_BODY_DYNAMIC, 60.0f, 0.0f);
 	assert_ok(scree_body_set_gravity_scale(world, hung, 0.0f));
 	step(world, 30);
 	assert_near(pose_of(world, box).position.y, 1.0, 0.02);
 
-	assert_ok(scree_body_set_type(world, hung, SCREE_STATIC));
+	assert_ok(scree_body_set_type(world, hung, SCREE_BODY_STATIC));
 	step(world, 15);
 	assert_ok(scree_body_set_pose(world, shelf, (scree_pose){{30.0f, 0.0f}, {1.0f, 0.0f}}));
 	step(world, 30);
 	assert_true(pose_of(world, box).position.y < 0.5f);
-	scree_body first = add_box(world, SCREE_DYNAMIC, 30.0f, 2.0f), other = add_box(world, SCREE_DYNAMIC, 60.0f, 2.0f);
+	scree_body first = add_box(world, SCREE_BODY_DYNAMIC, 30.0f, 2.0f),
+	           other = add_box(world, SCREE_BODY_DYNAMIC, 60.0f, 2.0f);
 	step(world, 120);
 	assert_near(pose_of(world, first).position.y, 1.0, 0.02);
 	assert_near(pose_of(world, other).position.y, 1.0, 0.02);
 
-	assert_ok(scree_destroy_body(world, shelf));
-	assert_ok(scree_body_set_type(world, hung, SCREE_DYNAMIC));
+	assert_ok(scree_body_destroy(world, shelf));
+	assert_ok(scree_body_set_type(world, hung, SCREE_BODY_DYNAMIC));
 	assert_ok(scree_body_set_velocity(world, hung, (scree_velocity){{0.0f, -20.0f}, 0.0f}));
 	step(world, 60);
 	assert_true(pose_of(world, first).position.y < -1.0f && pose_of(world, other).position.y < -1.0f);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void free_collidables_only_detect(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body box = add_box(world, SCREE_DYNAMIC, 0, 0);
-	scree_collidable_def def = scree_default_collidable_def();
+	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 0, 0);
+	scree_collidable_def def = scree_collidable_def_default();
 	def.attribute = make_box(world, 1.0f, 1.0f);
 	def.pose.position.x = 1.0f;
 	scree_collidable zone;
-	assert_ok(scree_create_collidable(world, &def, &zone));
+	assert_ok(scree_collidable_create(world, &def, &zone));
 	step(world, 30);
 	int count;
 	scree_contact overlap;
 	assert_int_equal(contacts_of(world), 0);
-	assert_ok(scree_get_overlaps(world, &overlap, 1, &count));
+	assert_ok(scree_world_get_overlaps(world, &overlap, 1, &count));
 	assert_int_equal(count, 1);
 	assert_true(overlap.points[0].separation < 0.0f && overlap.points[0].normal_impulse == 0.0f);
 	assert_true(overlap.points[0].point.x >= -0.01f && overlap.points[0].point.x <= 0.51f);
 	assert_true(pose_of(world, box).position.x == 0.0f);
 
-	assert_ok(scree_set_collidable_poses(world, &zone, &(scree_pose){{10.0f, 0.0f}, {1.0f, 0.0f}}, 1));
+	assert_ok(scree_collidables_set_poses(world, &zone, &(scree_pose){{10.0f, 0.0f}, {1.0f, 0.0f}}, 1));
 	step(world, 1);
-	assert_ok(scree_get_overlaps(world, NULL, 0, &count));
+	assert_ok(scree_world_get_overlaps(world, NULL, 0, &count));
 	assert_int_equal(count, 0);
 	scree_pose pose;
 	assert_ok(scree_collidable_get_local_pose(world, zone, &pose));
 	assert_true(pose.position.x == 10.0f);
 	scree_collidable listed;
-	assert_ok(scree_get_collidables(world, (scree_body){0, 0}, &listed, 1, &count));
+	assert_ok(scree_body_get_collidables(world, (scree_body){0, 0}, &listed, 1, &count));
 	assert_int_equal(count, 1);
 	assert_memory_equal(&listed, &zone, sizeof zone);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void settings_are_kept(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body body = add_box(world, SCREE_DYNAMIC, 0, 0);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0, 0);
 	float linear, angular, scale;
 	uint32_t locks;
 	uint64_t user;
@@ -178,18 +181,18 @@ static void settings_are_kept(void** state)
 	assert_ok(scree_body_set_gravity_scale(world, body, -2.0f));
 	assert_ok(scree_body_set_locks(world, body, SCREE_LOCK_X));
 	assert_ok(scree_body_set_user(world, body, 12345678901234567890u));
-	assert_ok(scree_body_set_type(world, body, SCREE_KINEMATIC));
+	assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 	assert_ok(scree_body_get_damping(world, body, &linear, &angular));
 	assert_ok(scree_body_get_gravity_scale(world, body, &scale));
 	assert_ok(scree_body_get_locks(world, body, &locks));
 	assert_ok(scree_body_get_user(world, body, &user));
 	assert_ok(scree_body_get_type(world, body, &type));
 	assert_true(linear == 0.25f && angular == 0.75f && scale == -2.0f && locks == SCREE_LOCK_X);
-	assert_true(user == 12345678901234567890u && type == SCREE_KINEMATIC);
-	assert_ok(scree_set_gravity(world, (scree_vec){1.0f, 2.0f}));
-	assert_true(scree_get_gravity(world).x == 1.0f && scree_get_gravity(world).y == 2.0f);
-	assert_ok(scree_wait(world));
-	scree_destroy_world(world);
+	assert_true(user == 12345678901234567890u && type == SCREE_BODY_KINEMATIC);
+	assert_ok(scree_world_set_gravity(world, (scree_vec){1.0f, 2.0f}));
+	assert_true(scree_world_get_gravity(world).x == 1.0f && scree_world_get_gravity(world).y == 2.0f);
+	assert_ok(scree_world_wait(world));
+	scree_world_destroy(world);
 }
 
 int main(void)

@@ -39,22 +39,22 @@ typedef struct
 
 static scree_status act_create_world(Scenario* s)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.threads = 2;
 	def.contact_capacity = 8;
 	def.timings = s->timings;
-	return scree_create_world(&def, &s->world);
+	return scree_world_create(&def, &s->world);
 }
 
 static scree_status act_attributes(Scenario* s)
 {
 	scree_attribute_def box = surface_of(box_shape(0.5f, 0.5f)), circle = surface_of(circle_shape(0.25f));
 	scree_attribute_def slab = surface_of(box_shape(30.0f, 0.5f));
-	scree_status status = scree_create_attribute(s->world, &box, &s->box);
+	scree_status status = scree_attribute_create(s->world, &box, &s->box);
 	if (status == SCREE_OK)
-		status = scree_create_attribute(s->world, &circle, &s->circle);
-	return status ? status : scree_create_attribute(s->world, &slab, &s->slab);
+		status = scree_attribute_create(s->world, &circle, &s->circle);
+	return status ? status : scree_attribute_create(s->world, &slab, &s->slab);
 }
 
 // more attributes than the first table has room for; made before, they are found
@@ -65,7 +65,7 @@ static scree_status act_more_attributes(Scenario* s)
 		scree_attribute_def def = surface_of(box_shape(0.5f, 0.5f));
 		scree_attribute made;
 		def.friction = 0.01f * (float)k;
-		scree_status status = scree_create_attribute(s->world, &def, &made);
+		scree_status status = scree_attribute_create(s->world, &def, &made);
 		if (status)
 			return status;
 	}
@@ -78,12 +78,12 @@ static scree_status act_slab(Scenario* s)
 	scree_body_def defs[101];
 	for (int k = 0; k <= 100; ++k)
 	{
-		defs[k] = scree_default_body_def();
+		defs[k] = scree_body_def_default();
 		defs[k].attribute = k == 100 ? s->slab : s->circle;
 		defs[k].pose.position = k == 100 ? (scree_vec){0.0f, -50.0f} : (scree_vec){-25.0f + 0.5f * (float)k, -49.25f};
 	}
 	scree_body made[101];
-	scree_status status = scree_create_bodies(s->world, defs, 101, made);
+	scree_status status = scree_bodies_create(s->world, defs, 101, made);
 	if (status == SCREE_OK)
 		s->slab_body = made[100];
 	return status;
@@ -95,11 +95,11 @@ static scree_status act_bodies(Scenario* s)
 	static scree_body_def defs[BODIES];
 	for (int k = 0; k < BODIES; ++k)
 	{
-		defs[k] = scree_default_body_def();
+		defs[k] = scree_body_def_default();
 		defs[k].attribute = s->box;
 		defs[k].pose.position = (scree_vec){0.8f * (float)(k % 20), 0.9f * (float)(k / 20)};
 	}
-	return scree_create_bodies(s->world, defs, BODIES, s->bodies);
+	return scree_bodies_create(s->world, defs, BODIES, s->bodies);
 }
 
 static scree_status act_free(Scenario* s)
@@ -107,11 +107,11 @@ static scree_status act_free(Scenario* s)
 	scree_collidable_def defs[FREE];
 	for (int k = 0; k < FREE; ++k)
 	{
-		defs[k] = scree_default_collidable_def();
+		defs[k] = scree_collidable_def_default();
 		defs[k].attribute = s->circle;
 		defs[k].pose.position = (scree_vec){0.7f * (float)k, 3.0f};
 	}
-	return scree_create_collidables(s->world, defs, FREE, s->free);
+	return scree_collidables_create(s->world, defs, FREE, s->free);
 }
 
 static scree_status act_forces(Scenario* s)
@@ -119,63 +119,63 @@ static scree_status act_forces(Scenario* s)
 	static scree_vec forces[BODIES];
 	for (int k = 0; k < BODIES; ++k)
 		forces[k] = (scree_vec){(float)(k % 7), 1.0f};
-	return scree_apply_forces(s->world, s->bodies, forces, BODIES);
+	return scree_bodies_apply_forces(s->world, s->bodies, forces, BODIES);
 }
 
-static scree_status act_step(Scenario* s) { return scree_step(s->world, STEP, SUBSTEPS); }
+static scree_status act_step(Scenario* s) { return scree_world_step(s->world, STEP, SUBSTEPS); }
 
 static scree_status act_contacts(Scenario* s)
 {
 	static scree_contact contacts[4000];
 	int count;
-	return scree_get_contacts(s->world, contacts, 4000, &count);
+	return scree_world_get_contacts(s->world, contacts, 4000, &count);
 }
 
 static scree_status act_overlaps(Scenario* s)
 {
 	static scree_contact contacts[100];
 	int count;
-	return scree_get_overlaps(s->world, contacts, 100, &count);
+	return scree_world_get_overlaps(s->world, contacts, 100, &count);
 }
 
 static scree_status act_poses(Scenario* s)
 {
 	static scree_pose poses[BODIES];
-	return scree_get_poses(s->world, s->bodies, poses, 100);
+	return scree_bodies_get_poses(s->world, s->bodies, poses, 100);
 }
 
 static scree_status act_counters(Scenario* s)
 {
 	scree_counters counters;
-	return scree_get_counters(s->world, &counters);
+	return scree_world_get_counters(s->world, &counters);
 }
 
 static scree_status act_timings(Scenario* s)
 {
 	scree_timings timings;
-	return scree_get_timings(s->world, &timings);
+	return scree_world_get_timings(s->world, &timings);
 }
 
-static scree_status act_destroy(Scenario* s) { return scree_destroy_bodies(s->world, s->bodies + 200, 90); }
-static scree_status act_destroy_free(Scenario* s) { return scree_destroy_collidables(s->world, s->free, 5); }
+static scree_status act_destroy(Scenario* s) { return scree_bodies_destroy(s->world, s->bodies + 200, 90); }
+static scree_status act_destroy_free(Scenario* s) { return scree_collidables_destroy(s->world, s->free, 5); }
 
 static scree_status act_again(Scenario* s)
 {
 	scree_body_def defs[120];
 	for (int k = 0; k < 120; ++k)
 	{
-		defs[k] = scree_default_body_def();
+		defs[k] = scree_body_def_default();
 		defs[k].attribute = k % 3 ? s->circle : s->box;
 		defs[k].pose.position = (scree_vec){0.3f * (float)k, 20.0f};
 	}
-	return scree_create_bodies(s->world, defs, 120, NULL);
+	return scree_bodies_create(s->world, defs, 120, NULL);
 }
 
-static scree_status act_type(Scenario* s) { return scree_body_set_type(s->world, s->slab_body, SCREE_STATIC); }
+static scree_status act_type(Scenario* s) { return scree_body_set_type(s->world, s->slab_body, SCREE_BODY_STATIC); }
 
 static scree_status act_filter(Scenario* s)
 {
-	scree_filter filter = scree_default_filter();
+	scree_filter filter = scree_filter_default();
 	filter.group = 3;
 	return scree_collidable_set_filter(s->world, s->free[10], filter);
 }
@@ -183,7 +183,7 @@ static scree_status act_filter(Scenario* s)
 static scree_status act_place(Scenario* s)
 {
 	scree_pose pose = {{4.0f, 4.0f}, {1.0f, 0.0f}};
-	return scree_set_collidable_poses(s->world, s->free + 7, &pose, 1);
+	return scree_collidables_set_poses(s->world, s->free + 7, &pose, 1);
 }
 
 static scree_status act_mass(Scenario* s)
@@ -212,7 +212,7 @@ static void expect(bool timings)
 	}
 	scree_counters counters = counters_of(s.world);
 	assert_true(counters.grown > 3 && counters.contacts > 512);
-	scree_destroy_world(s.world);
+	scree_world_destroy(s.world);
 	assert_int_equal(scree_memory(), 0);
 }
 
@@ -227,13 +227,13 @@ static void check_broken(Scenario* s, scree_status status)
 		assert_non_null(strstr(scree_error(), "the world can only be destroyed"));
 	}
 	uint64_t hash;
-	assert_int_equal(scree_world_hash(s->world, &hash), status);
-	assert_int_equal(scree_wait(s->world), status);
-	assert_int_equal(scree_set_gravity(s->world, (scree_vec){0.0f, 0.0f}), status);
+	assert_int_equal(scree_world_get_hash(s->world, &hash), status);
+	assert_int_equal(scree_world_wait(s->world), status);
+	assert_int_equal(scree_world_set_gravity(s->world, (scree_vec){0.0f, 0.0f}), status);
 
 	// what only the host knows can still be read
 	assert_true(scree_body_is_valid(s->world, s->slab_body) || s->slab_body.index == 0);
-	assert_true(scree_world_device(s->world)[0] != 0);
+	assert_true(scree_world_get_device(s->world)[0] != 0);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -253,7 +253,7 @@ static bool tell_with_little_memory(int allocations, bool again, int* broken)
 		if (status == SCREE_OK)
 			continue;
 		assert_false(failed);
-		assert_int_equal(status, SCREE_OUT_OF_MEMORY);
+		assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
 		assert_non_null(strstr(scree_error(), "memory"));
 		failed = true;
 		allocations_left = -1;
@@ -262,9 +262,9 @@ static bool tell_with_little_memory(int allocations, bool again, int* broken)
 			--k;
 			continue;
 		}
-		if (scree_wait(s.world) != SCREE_OK)
+		if (scree_world_wait(s.world) != SCREE_OK)
 		{
-			check_broken(&s, SCREE_OUT_OF_MEMORY);
+			check_broken(&s, SCREE_ERROR_OUT_OF_MEMORY);
 			++*broken;
 			break;
 		}
@@ -280,9 +280,9 @@ static bool tell_with_little_memory(int allocations, bool again, int* broken)
 		--k;
 	}
 	allocations_left = -1;
-	if (again && s.world && scree_wait(s.world) == SCREE_OK)
+	if (again && s.world && scree_world_wait(s.world) == SCREE_OK)
 		assert_true(hash_of(s.world) == expected[ACTS - 1]);
-	scree_destroy_world(s.world);
+	scree_world_destroy(s.world);
 	assert_int_equal(scree_memory(), 0);
 	return failed;
 }
@@ -299,7 +299,7 @@ static void memory_runs_out(void** state)
 		assert_true(tell_with_little_memory(k, false, &broken));
 	print_message("memory ran out in %d places; %d worlds broke\n", faults, broken / 2);
 	assert_true(faults > 100 && broken > 0 && broken < faults);
-	OK(scree_set_hooks(NULL));
+	OK(scree_hooks_set(NULL));
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -315,7 +315,8 @@ static scree_status device_fails(bool resize)
 {
 	if (only_resize != resize || device_calls_left < 0 || device_calls_left-- > 0)
 		return SCREE_OK;
-	return (fail)(device_status, "the device %s", device_status == SCREE_DEVICE_FAILED ? "fell" : "has no memory left");
+	return (fail)(device_status, "the device %s",
+	              device_status == SCREE_ERROR_DEVICE_FAILED ? "fell" : "has no memory left");
 }
 
 static void faulty_close(Backend* b) { real->close(b); }
@@ -403,7 +404,7 @@ static bool tell_with_faulty_device(int calls, int* broken)
 		assert_int_equal(status, device_status);
 		assert_non_null(strstr(scree_error(), "the device"));
 		failed = true;
-		if (status == SCREE_DEVICE_FAILED || scree_wait(s.world) != SCREE_OK)
+		if (status == SCREE_ERROR_DEVICE_FAILED || scree_world_wait(s.world) != SCREE_OK)
 		{
 			check_broken(&s, status);
 			++*broken;
@@ -413,9 +414,9 @@ static bool tell_with_faulty_device(int calls, int* broken)
 		--k;
 	}
 	device_calls_left = -1;
-	if (!failed || scree_wait(s.world) == SCREE_OK)
+	if (!failed || scree_world_wait(s.world) == SCREE_OK)
 		assert_true(hash_of(s.world) == expected[ACTS - 1]);
-	scree_destroy_world(s.world);
+	scree_world_destroy(s.world);
 	assert_int_equal(scree_memory(), 0);
 	return failed;
 }
@@ -425,7 +426,7 @@ static void device_falls(void** state)
 	(void)state;
 	expect(true);
 	only_resize = false;
-	device_status = SCREE_DEVICE_FAILED;
+	device_status = SCREE_ERROR_DEVICE_FAILED;
 	int faults = 0, broken = 0;
 	while (tell_with_faulty_device(faults, &broken))
 		++faults;
@@ -439,7 +440,7 @@ static void device_memory_runs_out(void** state)
 	(void)state;
 	expect(false);
 	only_resize = true;
-	device_status = SCREE_OUT_OF_MEMORY;
+	device_status = SCREE_ERROR_OUT_OF_MEMORY;
 	int faults = 0, broken = 0;
 	while (tell_with_faulty_device(faults, &broken))
 		++faults;
@@ -466,13 +467,13 @@ static int set_log(void** state)
 	(void)state;
 	scree_hooks hooks = {.log = note_warning};
 	warnings = 0;
-	return scree_set_hooks(&hooks);
+	return scree_hooks_set(&hooks);
 }
 
 static int reset_log(void** state)
 {
 	(void)state;
-	return scree_set_hooks(NULL);
+	return scree_hooks_set(NULL);
 }
 
 // The rows of a body, changed behind the library's back.
@@ -495,9 +496,9 @@ static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body 
 	add_floor(world);
 	scree_body row[8];
 	for (int k = 0; k < 8; ++k)
-		row[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.5f);
-	scree_body above = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 9.0f, 1.5f);
-	scree_body falling = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, -20.0f, 1000.0f);
+		row[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.5f);
+	scree_body above = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 9.0f, 1.5f);
+	scree_body falling = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -20.0f, 1000.0f);
 	run_steps(world, 20);
 	assert_int_equal(counters_of(world).nonfinite, 0);
 
@@ -534,7 +535,7 @@ static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body 
 	NEAR(position_of(world, above).y, 1.5, 0.01);
 	double seconds = (amid ? 141.0 : 120.0) / 60.0;
 	NEAR(velocity_of(world, falling).linear.y, -10.0 * seconds, 0.02);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // two forces that the interface takes, whose sum is beyond a float

@@ -26,20 +26,20 @@ static int set_log(void** state)
 	(void)state;
 	scree_hooks hooks = {.log = note_warning};
 	warnings = 0;
-	return scree_set_hooks(&hooks);
+	return scree_hooks_set(&hooks);
 }
 
 static int reset_log(void** state)
 {
 	(void)state;
-	return scree_set_hooks(NULL);
+	return scree_hooks_set(NULL);
 }
 
 // A box of 1 kg, alone.
 static scree_world* open_lonely(scree_body* body)
 {
 	scree_world* world = open_world(0.0f);
-	*body = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	*body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
 	return world;
 }
 
@@ -63,7 +63,7 @@ static void forces_lead_to_the_limit(void** state)
 			NEAR(v.linear.y, -0.8 * expected, 0.01);
 			assert_int_equal(counters_of(world).nonfinite, 0);
 			run_steps(world, 2);
-			scree_destroy_world(world);
+			scree_world_destroy(world);
 		}
 	assert_int_equal(warnings, 0);
 }
@@ -74,11 +74,11 @@ static void gravity_leads_to_the_limit(void** state)
 	(void)state;
 	scree_body body;
 	scree_world* world = open_lonely(&body);
-	OK(scree_set_gravity(world, (scree_vec){0.0f, 1e25f}));
+	OK(scree_world_set_gravity(world, (scree_vec){0.0f, 1e25f}));
 	run_steps(world, 1);
 	NEAR(velocity_of(world, body).linear.y, 400.0, 0.01);
 	assert_int_equal(warnings, 0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // Densities and surfaces from the least to the most on a floor: all finite, no word, and they stay above the floor.
@@ -96,14 +96,14 @@ static void surfaces_may_be_extreme(void** state)
 		def.density = densities[k % 7];
 		def.friction = values[(k + k / 7) % 7];
 		def.rolling_resistance = values[(2 * k) % 7];
-		bodies[k] = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), 3.0f * (float)k, 0.6f, 0.0f);
+		bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 3.0f * (float)k, 0.6f, 0.0f);
 	}
 	run_steps(world, 60);
 	check_finite(world);
 	assert_int_equal(warnings, 0);
 	for (int k = 0; k < 14; ++k)
 		NEAR(position_of(world, bodies[k]).y, 0.5, 0.02);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // In a stack whose middle is lost, the others go on: one body is frozen, and no impulse is stored that is not finite.
@@ -114,7 +114,7 @@ static void one_body_freezes(void** state)
 	add_floor(world);
 	scree_body stack[5];
 	for (int k = 0; k < 5; ++k)
-		stack[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
+		stack[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
 	run_steps(world, 30);
 	OK(scree_body_apply_force(world, stack[2], (scree_vec){FLT_MAX, 0.0f}));
 	OK(scree_body_apply_force(world, stack[2], (scree_vec){FLT_MAX, 0.0f}));
@@ -133,7 +133,7 @@ static void one_body_freezes(void** state)
 	assert_int_equal(warnings, 1);
 	for (int k = 0; k < 5; ++k)
 		NEAR(position_of(world, stack[k]).y, 0.5 + k, 0.03);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 int main(void)

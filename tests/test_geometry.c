@@ -26,7 +26,7 @@ static void assert_near(double value, double expected, double tolerance)
 
 static void assert_refused(scree_status status, const char* part)
 {
-	assert_int_equal(status, SCREE_INVALID);
+	assert_int_equal(status, SCREE_ERROR_INVALID);
 	if (!strstr(scree_error(), part))
 		fail_msg("\"%s\" does not say \"%s\"", scree_error(), part);
 }
@@ -82,8 +82,8 @@ static void box_follows_its_formula(void** state)
 {
 	(void)state;
 	scree_shape s;
-	assert_int_equal(scree_make_box(1.5f, 0.25f, &s), SCREE_OK);
-	assert_int_equal(s.kind, SCREE_POLYGON);
+	assert_int_equal(scree_shape_make_box(1.5f, 0.25f, &s), SCREE_OK);
+	assert_int_equal(s.kind, SCREE_SHAPE_POLYGON);
 	assert_int_equal(s.count, 4);
 	assert_near(s.area, 1.5, 1e-6);
 	assert_near(s.inertia, 1.5 * (9.0 + 0.25) / 12.0, 1e-6);
@@ -100,7 +100,7 @@ static void circle_follows_its_formula(void** state)
 {
 	(void)state;
 	scree_shape s;
-	assert_int_equal(scree_make_circle((scree_vec){3.0f, -1.0f}, 0.5f, &s), SCREE_OK);
+	assert_int_equal(scree_shape_make_circle((scree_vec){3.0f, -1.0f}, 0.5f, &s), SCREE_OK);
 	assert_near(s.area, PI * 0.25, 1e-6);
 	assert_near(s.inertia, PI * 0.25 * 0.25 / 2.0, 1e-6);
 	assert_true(s.centroid.x == 3.0f && s.centroid.y == -1.0f);
@@ -115,7 +115,7 @@ static void capsule_follows_its_formula(void** state)
 	double about_own = half * (0.5 * r * r - offset * offset), arm = 0.5 * length + offset;
 	double inertia = 2.0 * r * length * (length * length + 4.0 * r * r) / 12.0 + 2.0 * (about_own + half * arm * arm);
 	scree_shape s;
-	assert_int_equal(scree_make_capsule((scree_vec){1.0f, 1.0f}, (scree_vec){1.0f, 3.0f}, 0.3f, &s), SCREE_OK);
+	assert_int_equal(scree_shape_make_capsule((scree_vec){1.0f, 1.0f}, (scree_vec){1.0f, 3.0f}, 0.3f, &s), SCREE_OK);
 	assert_near(s.area, 2.0 * r * length + PI * r * r, 1e-6);
 	assert_near(s.inertia, inertia, 1e-6);
 	assert_near(s.centroid.x, 1.0, 1e-6);
@@ -128,7 +128,7 @@ static void segment_has_no_mass(void** state)
 {
 	(void)state;
 	scree_shape s;
-	assert_int_equal(scree_make_segment((scree_vec){-1.0f, 0.0f}, (scree_vec){3.0f, 2.0f}, &s), SCREE_OK);
+	assert_int_equal(scree_shape_make_segment((scree_vec){-1.0f, 0.0f}, (scree_vec){3.0f, 2.0f}, &s), SCREE_OK);
 	assert_true(s.area == 0.0f && s.inertia == 0.0f && s.radius == 0.0f);
 	assert_true(s.centroid.x == 1.0f && s.centroid.y == 1.0f);
 }
@@ -139,7 +139,7 @@ static void triangle_follows_its_formula(void** state)
 	(void)state;
 	scree_vec corners[3] = {{100.0f, 50.0f}, {103.0f, 50.0f}, {100.0f, 52.0f}};
 	scree_shape s;
-	assert_int_equal(scree_make_polygon(corners, 3, 0.0f, &s), SCREE_OK);
+	assert_int_equal(scree_shape_make_polygon(corners, 3, 0.0f, &s), SCREE_OK);
 	assert_near(s.area, 3.0, 1e-6);
 	assert_near(s.inertia, 3.0 * (9.0 + 4.0) / 18.0, 1e-5);
 	assert_near(s.centroid.x, 101.0, 1e-5);
@@ -148,7 +148,7 @@ static void triangle_follows_its_formula(void** state)
 	// the other way round is the same polygon
 	scree_vec turned[3] = {corners[2], corners[1], corners[0]};
 	scree_shape t;
-	assert_int_equal(scree_make_polygon(turned, 3, 0.0f, &t), SCREE_OK);
+	assert_int_equal(scree_shape_make_polygon(turned, 3, 0.0f, &t), SCREE_OK);
 	assert_memory_equal(&s, &t, sizeof s);
 }
 
@@ -163,9 +163,9 @@ static void rounded_polygons_follow_steiner(void** state)
 			points[i] = (scree_vec){uniform(-1.0f, 2.0f), uniform(-2.0f, 1.0f)};
 		float radius = round % 4 ? uniform(0.05f, 0.8f) : 0.0f;
 		scree_shape sharp, s;
-		if (scree_make_hull(points, 12, 0.0f, &sharp) != SCREE_OK)
+		if (scree_shape_make_hull(points, 12, 0.0f, &sharp) != SCREE_OK)
 			continue;
-		assert_int_equal(scree_make_hull(points, 12, radius, &s), SCREE_OK);
+		assert_int_equal(scree_shape_make_hull(points, 12, radius, &s), SCREE_OK);
 		double perimeter = 0.0;
 		for (int i = 0; i < s.count; ++i)
 			perimeter += vec_distance(s.vertices[i], s.vertices[(i + 1) % s.count]);
@@ -190,7 +190,7 @@ static void hulls_hold_all_points(void** state)
 				points[i] = (scree_vec){roundf(4.0f * points[i].x / size), roundf(4.0f * points[i].y / size)};
 		}
 		scree_shape s;
-		if (scree_make_hull(points, count, 0.0f, &s) != SCREE_OK)
+		if (scree_shape_make_hull(points, count, 0.0f, &s) != SCREE_OK)
 			continue;
 		++made;
 
@@ -206,7 +206,7 @@ static void hulls_hold_all_points(void** state)
 
 		// its corners are a polygon that is taken, and the same one
 		scree_shape again;
-		assert_int_equal(scree_make_polygon(s.vertices, s.count, 0.0f, &again), SCREE_OK);
+		assert_int_equal(scree_shape_make_polygon(s.vertices, s.count, 0.0f, &again), SCREE_OK);
 		assert_memory_equal(&s, &again, sizeof s);
 	}
 	assert_true(made > 100);
@@ -219,34 +219,34 @@ static void unsound_polygons_are_refused(void** state)
 	memset(&s, 7, sizeof s);
 	old = s;
 	scree_vec concave[4] = {{0, 0}, {2, 0}, {0.5f, 0.5f}, {0, 2}};
-	assert_refused(scree_make_polygon(concave, 4, 0.0f, &s), "corners[2] (0.5, 0.5) is concave");
+	assert_refused(scree_shape_make_polygon(concave, 4, 0.0f, &s), "corners[2] (0.5, 0.5) is concave");
 	scree_vec clockwise[4] = {{0, 2}, {0.5f, 0.5f}, {2, 0}, {0, 0}};
-	assert_refused(scree_make_polygon(clockwise, 4, 0.0f, &s), "corners[1] (0.5, 0.5) is concave");
+	assert_refused(scree_shape_make_polygon(clockwise, 4, 0.0f, &s), "corners[1] (0.5, 0.5) is concave");
 	scree_vec collinear[4] = {{0, 0}, {1, 0}, {2, 0}, {0, 2}};
-	assert_refused(scree_make_polygon(collinear, 4, 0.0f, &s), "corners[1] (1, 0) lies on the line");
+	assert_refused(scree_shape_make_polygon(collinear, 4, 0.0f, &s), "corners[1] (1, 0) lies on the line");
 	scree_vec coincident[4] = {{0, 0}, {2, 0}, {2, 0.004f}, {0, 2}};
-	assert_refused(scree_make_polygon(coincident, 4, 0.0f, &s), "corners[2] (2, 0.004) coincides");
+	assert_refused(scree_shape_make_polygon(coincident, 4, 0.0f, &s), "corners[2] (2, 0.004) coincides");
 	scree_vec star[5];
 	for (int i = 0; i < 5; ++i)
 	{
-		scree_rot q = scree_make_rot((float)(i * 2.0 * 2.0 * PI / 5.0));
+		scree_rot q = scree_rot_make((float)(i * 2.0 * 2.0 * PI / 5.0));
 		star[i] = (scree_vec){q.c, q.s};
 	}
-	assert_refused(scree_make_polygon(star, 5, 0.0f, &s), "crosses itself");
+	assert_refused(scree_shape_make_polygon(star, 5, 0.0f, &s), "crosses itself");
 	scree_vec bow[4] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
-	assert_int_equal(scree_make_polygon(bow, 4, 0.0f, &s), SCREE_INVALID);
+	assert_int_equal(scree_shape_make_polygon(bow, 4, 0.0f, &s), SCREE_ERROR_INVALID);
 	scree_vec line[3] = {{0, 0}, {1, 1}, {2, 2}};
-	assert_refused(scree_make_polygon(line, 3, 0.0f, &s), "lies on the line");
-	assert_refused(scree_make_hull(line, 3, 0.0f, &s), "lie on a line");
+	assert_refused(scree_shape_make_polygon(line, 3, 0.0f, &s), "lies on the line");
+	assert_refused(scree_shape_make_hull(line, 3, 0.0f, &s), "lie on a line");
 	scree_vec far[3] = {{0, 0}, {1, 0}, {0, 2e5f}};
-	assert_refused(scree_make_polygon(far, 3, 0.0f, &s), "corners[2].y is 200000");
+	assert_refused(scree_shape_make_polygon(far, 3, 0.0f, &s), "corners[2].y is 200000");
 	scree_vec ring[9];
 	for (int i = 0; i < 9; ++i)
 	{
-		scree_rot q = scree_make_rot((float)(i * 2.0 * PI / 9.0));
+		scree_rot q = scree_rot_make((float)(i * 2.0 * PI / 9.0));
 		ring[i] = (scree_vec){q.c, q.s};
 	}
-	assert_refused(scree_make_hull(ring, 9, 0.0f, &s), "9 corners");
+	assert_refused(scree_shape_make_hull(ring, 9, 0.0f, &s), "9 corners");
 	assert_memory_equal(&s, &old, sizeof s);
 }
 
@@ -255,7 +255,7 @@ static void hull_drops_what_polygon_refuses(void** state)
 	(void)state;
 	scree_vec points[8] = {{0, 0}, {1, 0}, {2, 0}, {2, 0.001f}, {2, 2}, {1, 2}, {0, 2}, {1, 1}};
 	scree_shape s;
-	assert_int_equal(scree_make_hull(points, 8, 0.0f, &s), SCREE_OK);
+	assert_int_equal(scree_shape_make_hull(points, 8, 0.0f, &s), SCREE_OK);
 	assert_int_equal(s.count, 4);
 	assert_near(s.area, 4.0, 0.01);
 }
@@ -264,28 +264,28 @@ static void a_moved_shape_keeps_its_mass(void** state)
 {
 	(void)state;
 	scree_shape shapes[4], moved, back;
-	assert_int_equal(scree_make_box(0.001f, 2.0f, &shapes[0]), SCREE_OK);
-	assert_int_equal(scree_make_circle((scree_vec){0.5f, 0}, 0.25f, &shapes[1]), SCREE_OK);
-	assert_int_equal(scree_make_capsule((scree_vec){0, 0}, (scree_vec){0.001f, 0}, 0.001f, &shapes[2]), SCREE_OK);
-	assert_int_equal(scree_make_segment((scree_vec){0, 0}, (scree_vec){1, 0}, &shapes[3]), SCREE_OK);
+	assert_int_equal(scree_shape_make_box(0.001f, 2.0f, &shapes[0]), SCREE_OK);
+	assert_int_equal(scree_shape_make_circle((scree_vec){0.5f, 0}, 0.25f, &shapes[1]), SCREE_OK);
+	assert_int_equal(scree_shape_make_capsule((scree_vec){0, 0}, (scree_vec){0.001f, 0}, 0.001f, &shapes[2]), SCREE_OK);
+	assert_int_equal(scree_shape_make_segment((scree_vec){0, 0}, (scree_vec){1, 0}, &shapes[3]), SCREE_OK);
 	for (int i = 0; i < 4; ++i)
 	{
-		scree_pose pose = {{3.0f, -4.0f}, scree_make_rot(0.7f)},
+		scree_pose pose = {{3.0f, -4.0f}, scree_rot_make(0.7f)},
 		           inverse = {{0, 0}, {pose.rotation.c, -pose.rotation.s}};
-		assert_int_equal(scree_transform_shape(&shapes[i], pose, &moved), SCREE_OK);
+		assert_int_equal(scree_shape_transform(&shapes[i], pose, &moved), SCREE_OK);
 		assert_near(moved.area, shapes[i].area, 1e-5);
 		assert_near(moved.inertia, shapes[i].inertia, 1e-5 + 1e-3 * shapes[i].inertia);
 		scree_vec expected = pose_point(pose, shapes[i].centroid);
 		assert_near(moved.centroid.x, expected.x, 1e-5);
 		assert_near(moved.centroid.y, expected.y, 1e-5);
-		assert_int_equal(scree_transform_shape(&moved, inverse, &back), SCREE_OK);
+		assert_int_equal(scree_shape_transform(&moved, inverse, &back), SCREE_OK);
 	}
 
 	// so far out that floats cannot hold its corners apart
 	scree_pose far = {{99999.0f, 0.0f}, {1.0f, 0.0f}};
-	assert_refused(scree_transform_shape(&shapes[0], far, &moved), "moved.vertices");
+	assert_refused(scree_shape_transform(&shapes[0], far, &moved), "moved.vertices");
 	scree_pose beyond = {{100001.0f, 0.0f}, {1.0f, 0.0f}};
-	assert_refused(scree_transform_shape(&shapes[1], beyond, &moved), "pose.position.x is 100001");
+	assert_refused(scree_shape_transform(&shapes[1], beyond, &moved), "pose.position.x is 100001");
 }
 
 static void rotations_are_accurate(void** state)
@@ -295,15 +295,15 @@ static void rotations_are_accurate(void** state)
 	for (size_t i = 0; i < 2 * sizeof angles / sizeof *angles; ++i)
 	{
 		float angle = i % 2 ? -angles[i / 2] : angles[i / 2];
-		scree_rot q = scree_make_rot(angle);
+		scree_rot q = scree_rot_make(angle);
 		assert_near(q.c, cos(angle), 6e-8);
 		assert_near(q.s, sin(angle), 6e-8);
 	}
 	for (float angle = -3.14f; angle < 3.14f; angle += 0.001f)
-		assert_near(scree_rot_angle(scree_make_rot(angle)), angle, 3e-7);
-	assert_true(scree_rot_angle((scree_rot){0.0f, 0.0f}) == 0.0f);
-	assert_near(scree_rot_angle((scree_rot){-1.0f, 0.0f}), PI, 1e-6);
-	assert_true(isnan(scree_make_rot(INFINITY).c) && isnan(scree_make_rot(NAN).s));
+		assert_near(scree_rot_get_angle(scree_rot_make(angle)), angle, 3e-7);
+	assert_true(scree_rot_get_angle((scree_rot){0.0f, 0.0f}) == 0.0f);
+	assert_near(scree_rot_get_angle((scree_rot){-1.0f, 0.0f}), PI, 1e-6);
+	assert_true(isnan(scree_rot_make(INFINITY).c) && isnan(scree_rot_make(NAN).s));
 }
 
 int main(void)

@@ -35,7 +35,7 @@ static void add_grid(scree_world* world, const Case* c)
 		scree_attribute_def def = surface_of(k % 2 ? box_shape(size, 0.35f) : circle_shape(size));
 		float x = 0.7f * ((float)(k % c->columns) - 0.5f * (float)c->columns),
 		      y = 1.2f + 0.7f * (float)(k / c->columns);
-		add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
+		add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
 	}
 }
 
@@ -44,7 +44,7 @@ static void build_floor(scree_world* world, const void* context)
 	const Case* c = context;
 	add_floor(world);
 	if (c->plate)
-		add_box(world, SCREE_DYNAMIC, 0.4f * (float)c->columns, 0.4f, 0.0f, 0.4f);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.4f * (float)c->columns, 0.4f, 0.0f, 0.4f);
 }
 
 static void come(scree_world* world, int step, const void* context)
@@ -56,7 +56,7 @@ static void come(scree_world* world, int step, const void* context)
 	// one command each, and more than the pool of commands begins with
 	scree_body bodies[4096];
 	int count;
-	OK(scree_get_bodies(world, bodies, 4096, &count));
+	OK(scree_world_get_bodies(world, bodies, 4096, &count));
 	for (int k = 0; step == c->burst + 2 && k < count; ++k)
 		OK(scree_body_apply_impulse(world, bodies[k], (scree_vec){0.01f * (float)(k % 7), 0.0f}));
 }
@@ -64,7 +64,7 @@ static void come(scree_world* world, int step, const void* context)
 static Story story_of(const Case* c, int bodies, int contacts)
 {
 	Story story = {.name = c->name,
-	               .def = scree_default_world_def(),
+	               .def = scree_world_def_default(),
 	               .dt = STEP,
 	               .substeps = SUBSTEPS,
 	               .steps = c->steps,
@@ -136,10 +136,10 @@ static void impulses_survive(void** state)
 	Story story = story_of(&some, 1, 1);
 	story.def.device = "cpu";
 	scree_world* world;
-	OK(scree_create_world(&story.def, &world));
+	OK(scree_world_create(&story.def, &world));
 	add_floor(world);
 	for (int k = 0; k < 10; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 50.0f, 0.5f + (float)k);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 50.0f, 0.5f + (float)k);
 	run_steps(world, 120);
 	scree_contact *before, *after;
 	int count = read_contacts(world, &before), grown = counters_of(world).grown;
@@ -159,7 +159,7 @@ static void impulses_survive(void** state)
 	}
 	free(before);
 	free(after);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 int main(void)

@@ -38,8 +38,8 @@ static void add_crates(scree_world* world, const Stack* s, float y, scree_body* 
 {
 	scree_attribute crate = surface(world, box_shape(CRATE, CRATE), 1.0f, s);
 	for (int k = 0; k < s->crates; ++k)
-		bodies[k] =
-		    add_body(world, SCREE_DYNAMIC, crate, PITCH * ((float)k - 0.5f * (float)(s->crates - 1)), y + CRATE, 0.0f);
+		bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, crate, PITCH * ((float)k - 0.5f * (float)(s->crates - 1)),
+		                     y + CRATE, 0.0f);
 }
 
 // Plates and crates in turns on a floor, touching. bodies: the plates, then the crates.
@@ -47,11 +47,11 @@ static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
 {
 	float half = 0.5f * PITCH * (float)s->crates + 1.0f, y = 0.0f;
 	Stack floor = {.friction = s->friction};
-	add_body(world, SCREE_STATIC, surface(world, box_shape(half + 20.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(half + 20.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
 	scree_attribute plate = surface(world, box_shape(half, PLATE), s->density, s);
 	for (int k = 0; k < s->plates; ++k)
 	{
-		bodies[k] = add_body(world, SCREE_DYNAMIC, plate, 0.0f, y + PLATE, 0.0f);
+		bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, plate, 0.0f, y + PLATE, 0.0f);
 		y += 2.0f * PLATE;
 		add_crates(world, s, y, bodies + s->plates + k * s->crates);
 		y += 2.0f * CRATE;
@@ -75,7 +75,7 @@ static void check_rest(const Stack* s, int steps, double limit)
 	assert_true(depth < limit);
 	assert_true(sums.energy < 1e-9 * body_count(s));
 	free(bodies);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A plate under crates overlaps by 1 mm at most, however many they are; light plates and stacks of plates by 2 mm.
@@ -101,18 +101,18 @@ static void add_combs(scree_world* world, int teeth, int combs, float other_dens
 	Stack floor = {.friction = 0.6f};
 	for (int k = 0; k < combs; ++k)
 	{
-		scree_body_def def = scree_default_body_def();
+		scree_body_def def = scree_body_def_default();
 		def.attribute = surface(world, box_shape(CRATE, CRATE), k % 2 ? other_density : 1.0f, &floor);
 		def.pose.position = (scree_vec){x - 0.5f * PITCH * (float)(teeth - 1), CRATE * (float)(2 * k + 1)};
 		scree_body comb;
-		OK(scree_create_body(world, &def, &comb));
+		OK(scree_body_create(world, &def, &comb));
 		for (int t = 1; t < teeth; ++t)
 		{
-			scree_collidable_def tooth = scree_default_collidable_def();
+			scree_collidable_def tooth = scree_collidable_def_default();
 			tooth.attribute = def.attribute;
 			tooth.body = comb;
 			tooth.pose.position.x = PITCH * (float)t;
-			OK(scree_create_collidable(world, &tooth, NULL));
+			OK(scree_collidable_create(world, &tooth, NULL));
 		}
 	}
 }
@@ -121,14 +121,14 @@ static void check_combs(int teeth, int combs, float other_density)
 {
 	Stack floor = {.friction = 0.6f};
 	scree_world* world = open_world(-(float)G);
-	add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
 	add_combs(world, teeth, combs, other_density, 0.0f);
 	double depth = deepest_of(world, 300), rest = deepest_of(world, 60);
 	print_message("%d combs of %d teeth, densities 1 and %g: deepest %.3f mm, at rest %.3f mm\n", combs, teeth,
 	              (double)other_density, 1e3 * depth, 1e3 * rest);
 	assert_int_equal(counters_of(world).spokes, combs * teeth);
 	assert_true(depth < 0.008 && rest < 0.0002);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void combs_rest_on_combs(void** state)
@@ -160,7 +160,7 @@ static void plate_stays(void** state)
 		NEAR(position_of(world, bodies[k]).y, before[k].y, 1e-5);
 		NEAR(angle_of(world, bodies[k]), 0.0, 1e-5);
 	}
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A plate without gravity strikes crates at 50 m/s: momentum and angular momentum are kept, energy is never gained.
@@ -173,8 +173,8 @@ static void impacts_keep_momentum(void** state)
 		Stack s = {200, 1, densities[k], 0.6f, 0.0f, 0.0f};
 		scree_body bodies[201];
 		scree_world* world = open_world(0.0f);
-		bodies[0] =
-		    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(51.0f, PLATE), s.density, &s), 1.0f, 0.0f, 0.0f);
+		bodies[0] = add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(51.0f, PLATE), s.density, &s), 1.0f,
+		                     0.0f, 0.0f);
 		OK(scree_body_set_velocity(world, bodies[0], (scree_velocity){{3.0f, 50.0f}, 0.05f}));
 		add_crates(world, &s, PLATE + 0.1f, bodies + 1);
 		Momentum before = momentum_of(world, bodies, 201), now = before;
@@ -195,7 +195,7 @@ static void impacts_keep_momentum(void** state)
 		}
 		assert_true(spokes > 32);
 		assert_true(depth < 0.01);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -211,13 +211,13 @@ static void hubs_slide_by_coulomb(void** state)
 		scree_body bodies[65];
 		scree_world* world = open_world(-(float)G);
 		add_stack(world, &s, bodies);
-		OK(scree_set_gravity(world, (scree_vec){(float)(G * sin(angles[k])), -(float)(G * cos(angles[k]))}));
+		OK(scree_world_set_gravity(world, (scree_vec){(float)(G * sin(angles[k])), -(float)(G * cos(angles[k]))}));
 		run_steps(world, 60);
 		double slides = G * (sin(angles[k]) - friction * cos(angles[k]));
 		for (int b = 0; b < 65; ++b)
 			NEAR(velocity_of(world, bodies[b]).linear.x, slides > 0.0 ? slides : 0.0,
 			     slides > 0.0 ? 0.02 * slides : 1e-4);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -229,12 +229,13 @@ static void hubs_bounce(void** state)
 	scree_body balls[64], plate;
 	scree_world* world = open_world(-(float)G);
 	Stack dull = {.density = 100.0f};
-	add_body(world, SCREE_STATIC, surface(world, box_shape(40.0f, 1.0f), 1.0f, &dull), 0.0f, -1.0f, 0.0f);
-	plate =
-	    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(20.0f, PLATE), s.density, &dull), 0.0f, PLATE, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(40.0f, 1.0f), 1.0f, &dull), 0.0f, -1.0f, 0.0f);
+	plate = add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(20.0f, PLATE), s.density, &dull), 0.0f, PLATE,
+	                 0.0f);
 	scree_attribute ball = surface(world, circle_shape(CRATE), 1.0f, &s);
 	for (int k = 0; k < 64; ++k)
-		balls[k] = add_body(world, SCREE_DYNAMIC, ball, PITCH * ((float)k - 31.5f), 2.0f * PLATE + CRATE + 1.0f, 0.0f);
+		balls[k] =
+		    add_body(world, SCREE_BODY_DYNAMIC, ball, PITCH * ((float)k - 31.5f), 2.0f * PLATE + CRATE + 1.0f, 0.0f);
 	double fastest = 0.0, up = 0.0;
 	int spokes = 0;
 	for (int k = 0; k < 45; ++k)
@@ -248,7 +249,7 @@ static void hubs_bounce(void** state)
 	assert_int_equal(spokes, 65);
 	NEAR(up, -0.5 * fastest, 0.03 * -fastest);
 	NEAR(velocity_of(world, plate).linear.y, 0.0, 0.01);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // Rolling resistance with a lever c slows rollers on a plate: v = v0 - 2 c g t / (3 r), for a disc has I = m r^2 / 2. Without
@@ -263,18 +264,19 @@ static void hubs_resist_rolling(void** state)
 		scree_body rollers[48];
 		scree_world* world = open_world(-(float)G);
 		Stack floor = {.friction = 0.8f};
-		add_body(world, SCREE_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
-		add_body(world, SCREE_DYNAMIC, surface(world, box_shape(40.0f, PLATE), 5.0f, &floor), 0.0f, PLATE, 0.0f);
+		add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
+		add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(40.0f, PLATE), 5.0f, &floor), 0.0f, PLATE, 0.0f);
 		scree_attribute roller = surface(world, circle_shape(CRATE), 1.0f, &s);
 		for (int k = 0; k < 48; ++k)
 		{
-			rollers[k] = add_body(world, SCREE_DYNAMIC, roller, PITCH * (float)(k - 24), 2.0f * PLATE + CRATE, 0.0f);
+			rollers[k] =
+			    add_body(world, SCREE_BODY_DYNAMIC, roller, PITCH * (float)(k - 24), 2.0f * PLATE + CRATE, 0.0f);
 			OK(scree_body_set_velocity(world, rollers[k], (scree_velocity){{1.0f, 0.0f}, -1.0f / CRATE}));
 		}
 		run_steps(world, 120);
 		left[resists] = velocity_of(world, rollers[20]).linear.x;
 		assert_int_equal(counters_of(world).spokes, 49);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 	assert_true(left[0] > 0.9);
 	NEAR(left[1], 1.0 - 2.0 * 0.05 * CRATE * G * 2.0 / (3.0 * CRATE), 0.02);
@@ -290,7 +292,7 @@ static void locked_hubs_carry(void** state)
 	add_stack(world, &s, bodies);
 	OK(scree_body_set_locks(world, bodies[0], SCREE_LOCK_ROTATION));
 	assert_true(deepest_of(world, 120) < 0.001);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -306,35 +308,36 @@ static void build_all(scree_world* world, const void* context)
 	scree_body bodies[122];
 	add_stack(world, &s, bodies);
 	float top = 4.0f * PLATE + 4.0f * CRATE;
-	scree_body lid =
-	    add_body(world, SCREE_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f, top + PLATE, 0.0f);
-	add_body(world, SCREE_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f, top + 3.0f * PLATE, 0.0f);
+	scree_body lid = add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f,
+	                          top + PLATE, 0.0f);
+	add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f, top + 3.0f * PLATE,
+	         0.0f);
 	OK(scree_body_set_velocity(world, lid, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
 	scree_attribute ball = surface(world, circle_shape(CRATE), 1.0f, &round),
 	                tooth = surface(world, box_shape(0.1f, 0.1f), 1.0f, &s);
 	for (int k = 0; k < 80; ++k)
-		add_body(world, SCREE_DYNAMIC, ball, -16.0f + PITCH * (float)(k % 40), top + 1.5f + (float)(k / 40), 0.0f);
+		add_body(world, SCREE_BODY_DYNAMIC, ball, -16.0f + PITCH * (float)(k % 40), top + 1.5f + (float)(k / 40), 0.0f);
 
 	// a comb of 40 teeth falls on the upper plate
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.attribute = tooth;
 	def.pose.position = (scree_vec){8.0f, top + 1.0f};
 	scree_body comb;
-	OK(scree_create_body(world, &def, &comb));
+	OK(scree_body_create(world, &def, &comb));
 	for (int k = 1; k < 40; ++k)
 	{
-		scree_collidable_def part = scree_default_collidable_def();
+		scree_collidable_def part = scree_collidable_def_default();
 		part.attribute = tooth;
 		part.body = comb;
 		part.pose.position.x = 0.25f * (float)(k % 2 ? (k + 1) / 2 : -k / 2);
-		OK(scree_create_collidable(world, &part, NULL));
+		OK(scree_collidable_create(world, &part, NULL));
 	}
 
-	add_body(world, SCREE_STATIC, surface(world, box_shape(20.0f, 1.0f), 1.0f, &s), 60.0f, -1.0f, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(20.0f, 1.0f), 1.0f, &s), 60.0f, -1.0f, 0.0f);
 	add_combs(world, 40, 4, 0.3f, 60.0f);
 
 	// a belt that turns under the plates' end
-	scree_body belt = add_box(world, SCREE_KINEMATIC, 1.0f, 0.2f, 15.5f, -0.1f);
+	scree_body belt = add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 0.2f, 15.5f, -0.1f);
 	OK(scree_body_set_velocity(world, belt, (scree_velocity){{0.0f, 0.0f}, 0.8f}));
 }
 
@@ -343,18 +346,18 @@ static void act_all(scree_world* world, int step, const void* context)
 	(void)context;
 	scree_body bodies[512];
 	int count;
-	OK(scree_get_bodies(world, bodies, 512, &count));
+	OK(scree_world_get_bodies(world, bodies, 512, &count));
 	if (step % 3 == 2)
 		OK(scree_body_set_pose(world, bodies[10 + step % 40],
-		                       (scree_pose){{0.3f * (float)(step % 20), 5.0f}, scree_make_rot(0.1f * (float)step)}));
+		                       (scree_pose){{0.3f * (float)(step % 20), 5.0f}, scree_rot_make(0.1f * (float)step)}));
 	if (step == 30) // the upper plate, a hub at both of its sides
-		OK(scree_destroy_body(world, bodies[2]));
+		OK(scree_body_destroy(world, bodies[2]));
 	if (step == 40)
-		OK(scree_body_set_type(world, bodies[1], SCREE_KINEMATIC));
+		OK(scree_body_set_type(world, bodies[1], SCREE_BODY_KINEMATIC));
 	if (step == 50)
-		OK(scree_body_set_type(world, bodies[1], SCREE_DYNAMIC));
+		OK(scree_body_set_type(world, bodies[1], SCREE_BODY_DYNAMIC));
 	if (step == 55)
-		add_box(world, SCREE_DYNAMIC, 12.0f, 0.2f, 0.0f, 4.0f);
+		add_box(world, SCREE_BODY_DYNAMIC, 12.0f, 0.2f, 0.0f, 4.0f);
 }
 
 static void hubs_are_equal(void** state)
@@ -363,7 +366,7 @@ static void hubs_are_equal(void** state)
 	Way ways[MAX_WAYS];
 	int count = list_ways(ways);
 	Story story = {.name = "hubs",
-	               .def = scree_default_world_def(),
+	               .def = scree_world_def_default(),
 	               .dt = STEP,
 	               .substeps = SUBSTEPS,
 	               .steps = quick() ? 60 : 120,

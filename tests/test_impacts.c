@@ -29,14 +29,14 @@ static void throw(scree_world * world, scree_body body, float x, float y, float 
 static scree_shape segment_shape(scree_vec from, scree_vec to)
 {
 	scree_shape shape;
-	OK(scree_make_segment(from, to, &shape));
+	OK(scree_shape_make_segment(from, to, &shape));
 	return shape;
 }
 
 static scree_shape capsule_shape(float half_length, float radius)
 {
 	scree_shape shape;
-	OK(scree_make_capsule((scree_vec){-half_length, 0.0f}, (scree_vec){half_length, 0.0f}, radius, &shape));
+	OK(scree_shape_make_capsule((scree_vec){-half_length, 0.0f}, (scree_vec){half_length, 0.0f}, radius, &shape));
 	return shape;
 }
 
@@ -45,16 +45,16 @@ static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec
 {
 	scree_attribute_def surface = surface_of(box_shape(0.05f, 3.2f * radius / (float)boxes));
 	scree_attribute attribute = add_attribute(world, &surface);
-	scree_body rim = add_body(world, SCREE_DYNAMIC, attribute, at.x, at.y, 0.0f);
+	scree_body rim = add_body(world, SCREE_BODY_DYNAMIC, attribute, at.x, at.y, 0.0f);
 	for (int k = 0; k < boxes; ++k)
 	{
 		double angle = 6.283185307 * k / boxes;
 		scree_rot turn = {(float)cos(angle), (float)sin(angle)};
-		scree_collidable_def def = scree_default_collidable_def();
+		scree_collidable_def def = scree_collidable_def_default();
 		def.body = rim;
 		def.attribute = attribute;
 		def.pose = (scree_pose){{radius * turn.c, radius * turn.s}, turn};
-		OK(scree_create_collidable(world, &def, NULL));
+		OK(scree_collidable_create(world, &def, NULL));
 	}
 	return rim;
 }
@@ -88,17 +88,17 @@ static void rebound_height(void** state)
 			scree_world* world = open_world((float)-GRAVITY);
 			add_floor(world);
 			scree_body ball =
-			    add(world, SCREE_DYNAMIC, circle_shape(0.25f), (scree_vec){0.0f, 0.25f + height}, 0.0f, e);
+			    add(world, SCREE_BODY_DYNAMIC, circle_shape(0.25f), (scree_vec){0.0f, 0.25f + height}, 0.0f, e);
 			double top = 0.0;
 			for (int step = 0, up = 0; up < 2 && step < 600; ++step)
 			{
-				OK(scree_step(world, STEP, substeps));
+				OK(scree_world_step(world, STEP, substeps));
 				double speed = velocity_of(world, ball).linear.y, y = position_of(world, ball).y - 0.25;
 				up += (up == 0 && speed > 0.0) || (up == 1 && speed < 0.0);
 				top = up > 0 && y > top ? y : top;
 			}
 			NEAR(top / (e * e * height), 1.0, 0.01);
-			scree_destroy_world(world);
+			scree_world_destroy(world);
 		}
 }
 
@@ -111,7 +111,7 @@ static void bounces_keep_energy(void** state)
 		scree_world* world = open_world((float)-GRAVITY);
 		add_floor(world);
 		scree_shape shape = kind ? box_shape(0.5f, 0.25f) : circle_shape(0.25f);
-		scree_body body = add(world, SCREE_DYNAMIC, shape, (scree_vec){0.0f, 1.25f}, 0.0f, 1.0f);
+		scree_body body = add(world, SCREE_BODY_DYNAMIC, shape, (scree_vec){0.0f, 1.25f}, 0.0f, 1.0f);
 		int bounces = 0;
 		double last = -1.0;
 		for (int step = 0; step < (kind ? 550 : 1700); ++step)
@@ -124,7 +124,7 @@ static void bounces_keep_energy(void** state)
 		}
 		assert_true(bounces >= (kind ? 9 : 30));
 		NEAR(energy_of(world, body, 0.25, SUBSTEPS), 1.0, kind ? 0.005 : 0.001);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -144,7 +144,7 @@ static void rows_of_balls(void** state)
 		for (int k = 0; k < BALLS; ++k)
 		{
 			float x = k == 0 ? -3.0f : (touching ? 1.0f : 1.05f) * (float)k;
-			balls[k] = add(world, SCREE_DYNAMIC, circle_shape(0.5f), (scree_vec){x, 0.0f}, 0.0f, 1.0f);
+			balls[k] = add(world, SCREE_BODY_DYNAMIC, circle_shape(0.5f), (scree_vec){x, 0.0f}, 0.0f, 1.0f);
 		}
 		throw(world, balls[0], 5.0f, 0.0f, 0.0f);
 		for (int step = 0; step < 120; ++step)
@@ -157,7 +157,7 @@ static void rows_of_balls(void** state)
 		}
 		if (!touching)
 			NEAR(speed_of(world, balls[BALLS - 1]), 5.0, 0.001);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -167,15 +167,15 @@ static void slow_impacts_end(void** state)
 	(void)state;
 	scree_world* world = open_world((float)-GRAVITY);
 	add_floor(world);
-	scree_body ball = add(world, SCREE_DYNAMIC, circle_shape(0.25f), (scree_vec){0.0f, 0.29f}, 0.0f, 1.0f);
-	scree_body box = add(world, SCREE_DYNAMIC, box_shape(0.25f, 0.25f), (scree_vec){3.0f, 0.26f}, 0.0f, 1.0f);
+	scree_body ball = add(world, SCREE_BODY_DYNAMIC, circle_shape(0.25f), (scree_vec){0.0f, 0.29f}, 0.0f, 1.0f);
+	scree_body box = add(world, SCREE_BODY_DYNAMIC, box_shape(0.25f, 0.25f), (scree_vec){3.0f, 0.26f}, 0.0f, 1.0f);
 	run_steps(world, 120);
 	for (int step = 0; step < 600; ++step)
 	{
 		run_steps(world, 1);
 		assert_true(speed_of(world, ball) < 1e-4 && speed_of(world, box) < 1e-4);
 	}
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A light body at rest before a wall is struck by a heavy one at 60 m/s: both stay before the wall (Box2D: 6 of 2,560 go
@@ -189,17 +189,18 @@ static void strikes_before_a_wall(void** state)
 		scree_world* world = open_world(0.0f);
 		scree_shape wall =
 		    k % 2 ? box_shape(0.02f, 10.0f) : segment_shape((scree_vec){0.0f, -10.0f}, (scree_vec){0.0f, 10.0f});
-		add(world, SCREE_STATIC, wall, (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
+		add(world, SCREE_BODY_STATIC, wall, (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_shape shapes[4] = {box_shape(0.05f, 0.05f), circle_shape(0.05f), capsule_shape(0.04f, 0.02f),
 		                         box_shape(0.1f, 0.02f)};
 		scree_vec at = {-0.1f - random_between(&seed, 0.2f, 0.4f), random_between(&seed, -0.05f, 0.05f)};
-		scree_body light = add(world, SCREE_DYNAMIC, shapes[k / 2 % 4], at, random_between(&seed, -0.3f, 0.3f), 0.0f);
+		scree_body light =
+		    add(world, SCREE_BODY_DYNAMIC, shapes[k / 2 % 4], at, random_between(&seed, -0.3f, 0.3f), 0.0f);
 		at = (scree_vec){at.x - 0.65f - random_between(&seed, 0.1f, 1.2f), 0.0f};
-		scree_body heavy = add(world, SCREE_DYNAMIC, box_shape(0.5f, 0.5f), at, 0.0f, 0.0f);
+		scree_body heavy = add(world, SCREE_BODY_DYNAMIC, box_shape(0.5f, 0.5f), at, 0.0f, 0.0f);
 		throw(world, heavy, 60.0f, 0.0f, 0.0f);
 		run_steps(world, 60);
 		assert_true(position_of(world, light).x < 0.0f && position_of(world, heavy).x < 0.0f);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -214,11 +215,12 @@ static void fast_bodies_at_walls(void** state)
 		scree_world* world = open_world(0.0f);
 		scree_shape wall =
 		    k % 2 ? box_shape(0.005f, 300.0f) : segment_shape((scree_vec){0.0f, -300.0f}, (scree_vec){0.0f, 300.0f});
-		add(world, SCREE_STATIC, wall, (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
+		add(world, SCREE_BODY_STATIC, wall, (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_shape shapes[5] = {box_shape(0.15f, 0.15f), circle_shape(0.1f), capsule_shape(0.3f, 0.05f),
 		                         box_shape(0.5f, 0.02f), box_shape(0.02f, 0.01f)};
 		scree_vec at = {-random_between(&seed, 1.0f, 8.0f), 0.0f};
-		scree_body body = add(world, SCREE_DYNAMIC, shapes[k / 2 % 5], at, random_between(&seed, -3.0f, 3.0f), 0.0f);
+		scree_body body =
+		    add(world, SCREE_BODY_DYNAMIC, shapes[k / 2 % 5], at, random_between(&seed, -3.0f, 3.0f), 0.0f);
 		float speed = 100.0f * (float)(1 + k / 10 % 4), way = random_between(&seed, -1.0f, 1.0f);
 		throw(world, body, speed * cosf(way), speed * sinf(way), random_between(&seed, -60.0f, 60.0f));
 		bool ghost = k % 16 == 15;
@@ -226,7 +228,7 @@ static void fast_bodies_at_walls(void** state)
 		{
 			scree_collidable collidable;
 			int count;
-			OK(scree_get_collidables(world, body, &collidable, 1, &count));
+			OK(scree_body_get_collidables(world, body, &collidable, 1, &count));
 			OK(scree_collidable_set_filter(world, collidable, (scree_filter){.category = 2, .mask = 2}));
 		}
 		for (int step = 0; step < 20; ++step)
@@ -236,7 +238,7 @@ static void fast_bodies_at_walls(void** state)
 		}
 		assert_true((position_of(world, body).x > 0.0f) == ghost);
 		assert_int_equal(counters_of(world).nonfinite, 0);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -250,7 +252,7 @@ static void fast_rims_at_walls(void** state)
 	for (int k = 0; k < 24; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		add(world, SCREE_STATIC, box_shape(0.01f, 300.0f), (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
+		add(world, SCREE_BODY_STATIC, box_shape(0.01f, 300.0f), (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_body rim = add_rim(world, boxes[k % 6], 2.0f, (scree_vec){-random_between(&seed, 2.5f, 8.0f), 0.0f});
 		float speed = random_between(&seed, 100.0f, 300.0f);
 		throw(world, rim, speed, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -20.0f, 20.0f));
@@ -262,7 +264,7 @@ static void fast_rims_at_walls(void** state)
 			assert_true(counters.held <= 1 && counters.nonfinite == 0);
 		}
 		assert_true(position_of(world, rim).x < 0.0f);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 	assert_true(held > 0);
 }
@@ -276,17 +278,17 @@ static void held_by_no_mistake(void** state)
 	for (int k = -20; k < 0; ++k)
 	{
 		scree_vec from = {(float)k, 0.0f}, to = {(float)k + 1.0f, 0.0f};
-		add(world, SCREE_STATIC, k % 2 ? segment_shape(from, to) : box_shape(0.5f, 0.5f),
+		add(world, SCREE_BODY_STATIC, k % 2 ? segment_shape(from, to) : box_shape(0.5f, 0.5f),
 		    k % 2 ? (scree_vec){0.0f, 0.0f} : (scree_vec){(float)k + 0.5f, -0.5f}, 0.0f, 0.0f);
 	}
-	add(world, SCREE_STATIC, box_shape(50.0f, 1.0f), (scree_vec){50.0f, -1.0f}, 0.0f, 0.0f);
+	add(world, SCREE_BODY_STATIC, box_shape(50.0f, 1.0f), (scree_vec){50.0f, -1.0f}, 0.0f, 0.0f);
 	for (int k = 0; k < 8; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.05f, 0.03f, -10.0f, 0.03f + 0.06f * (float)k);
-	scree_body rod = add(world, SCREE_DYNAMIC, capsule_shape(0.3f, 0.01f), (scree_vec){1.0f, 0.01f}, 0.0f, 0.0f);
-	scree_body load = add_box(world, SCREE_DYNAMIC, 0.3f, 0.3f, 1.0f, 0.32f);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.03f, -10.0f, 0.03f + 0.06f * (float)k);
+	scree_body rod = add(world, SCREE_BODY_DYNAMIC, capsule_shape(0.3f, 0.01f), (scree_vec){1.0f, 0.01f}, 0.0f, 0.0f);
+	scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.3f, 1.0f, 0.32f);
 	throw(world, rod, 20.0f, 0.0f, 0.0f);
 	throw(world, load, 20.0f, 0.0f, 0.0f);
-	scree_body inside = add_box(world, SCREE_DYNAMIC, 0.2f, 0.2f, -15.5f, -0.4f);
+	scree_body inside = add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.2f, -15.5f, -0.4f);
 	throw(world, inside, 0.0f, 20.0f, 0.0f);
 	for (int step = 0; step < 60; ++step)
 	{
@@ -294,7 +296,7 @@ static void held_by_no_mistake(void** state)
 		assert_int_equal(counters_of(world).held, 0);
 	}
 	assert_true(position_of(world, inside).y > 0.15f);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // Chips of 4 by 2 cm at a wall, and among them a rod that spins: finite, so that none is frozen (before: 41 % at 100 m/s), and no
@@ -304,16 +306,17 @@ static void limits_hold(void** state)
 	(void)state;
 	uint64_t seed = 3;
 	scree_world* world = open_world(0.0f);
-	add_box(world, SCREE_STATIC, 0.5f, 50.0f, 20.5f, 0.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 50.0f, 20.5f, 0.0f);
 	scree_body chips[120];
 	for (int k = 0; k < 120; ++k)
 	{
 		scree_vec at = {random_between(&seed, -2.0f, 2.0f), random_between(&seed, -2.0f, 2.0f)};
-		chips[k] = add(world, SCREE_DYNAMIC, box_shape(0.02f, 0.01f), at, random_between(&seed, -3.0f, 3.0f), 0.0f);
+		chips[k] =
+		    add(world, SCREE_BODY_DYNAMIC, box_shape(0.02f, 0.01f), at, random_between(&seed, -3.0f, 3.0f), 0.0f);
 		if (k % 4)
 			throw(world, chips[k], 100.0f, random_between(&seed, -40.0f, 40.0f), 0.0f);
 	}
-	scree_body rod = add_box(world, SCREE_DYNAMIC, 1.5f, 0.05f, 0.0f, 0.0f);
+	scree_body rod = add_box(world, SCREE_BODY_DYNAMIC, 1.5f, 0.05f, 0.0f, 0.0f);
 	throw(world, rod, 0.0f, 0.0f, 80.0f);
 	for (int step = 0; step < 60; ++step)
 	{
@@ -334,7 +337,7 @@ static void limits_hold(void** state)
 	run_steps(world, 1);
 	assert_int_equal(counters_of(world).nonfinite, 1);
 	assert_true(speed_of(world, chips[0]) == 0.0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void build_heap(scree_world* world, const void* context)
@@ -347,12 +350,12 @@ static void build_heap(scree_world* world, const void* context)
 		scree_shape shapes[4] = {box_shape(size, size * random_between(&seed, 0.3f, 1.0f)), circle_shape(size),
 		                         capsule_shape(size, 0.4f * size), box_shape(size, 0.1f)};
 		scree_vec at = {random_between(&seed, -2.0f, 2.0f), random_between(&seed, 0.2f, 4.0f)};
-		add(world, SCREE_DYNAMIC, shapes[k % 4], at, random_between(&seed, -3.0f, 3.0f), 0.0f);
+		add(world, SCREE_BODY_DYNAMIC, shapes[k % 4], at, random_between(&seed, -3.0f, 3.0f), 0.0f);
 	}
 	for (int k = 0; k < 8; ++k)
 	{
 		scree_vec at = {random_between(&seed, -2.0f, 2.0f), random_between(&seed, 0.5f, 4.0f)};
-		scree_body body = add(world, SCREE_KINEMATIC, box_shape(0.5f, 0.3f), at, 0.0f, 0.0f);
+		scree_body body = add(world, SCREE_BODY_KINEMATIC, box_shape(0.5f, 0.3f), at, 0.0f, 0.0f);
 		throw(world, body, random_between(&seed, -5.0f, 5.0f), random_between(&seed, -5.0f, 5.0f),
 		      random_between(&seed, -5.0f, 5.0f));
 	}
@@ -369,14 +372,14 @@ static void heaps_do_not_explode(void** state)
 		build_heap(world, &seed);
 		scree_body bodies[400];
 		int count;
-		OK(scree_get_bodies(world, bodies, 400, &count));
+		OK(scree_world_get_bodies(world, bodies, 400, &count));
 		for (int step = 0; step < 90; ++step)
 		{
 			run_steps(world, 1);
 			for (int k = 0; k < count; ++k)
 				assert_true(speed_of(world, bodies[k]) < 100.0);
 		}
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -387,7 +390,7 @@ static void build_all(scree_world* world, const void* context)
 	uint64_t seed = 5;
 	add_floor(world);
 	for (int k = -6; k <= 6; ++k)
-		add(world, SCREE_STATIC, segment_shape((scree_vec){0.0f, 0.0f}, (scree_vec){0.0f, 12.0f}),
+		add(world, SCREE_BODY_STATIC, segment_shape((scree_vec){0.0f, 0.0f}, (scree_vec){0.0f, 12.0f}),
 		    (scree_vec){2.0f * (float)k, 0.0f}, 0.0f, 0.5f);
 	for (int k = 0; k < 80; ++k)
 	{
@@ -395,7 +398,7 @@ static void build_all(scree_world* world, const void* context)
 		scree_shape shapes[3] = {box_shape(size, 0.4f * size), circle_shape(size), capsule_shape(size, 0.3f * size)};
 		scree_vec at = {random_between(&seed, -11.0f, 11.0f), random_between(&seed, 0.5f, 8.0f)};
 		scree_body body =
-		    add(world, SCREE_DYNAMIC, shapes[k % 3], at, random_between(&seed, -3.0f, 3.0f), k % 2 ? 1.0f : 0.0f);
+		    add(world, SCREE_BODY_DYNAMIC, shapes[k % 3], at, random_between(&seed, -3.0f, 3.0f), k % 2 ? 1.0f : 0.0f);
 		throw(world, body, random_between(&seed, -200.0f, 200.0f), random_between(&seed, -50.0f, 50.0f), 40.0f);
 	}
 	scree_body rim = add_rim(world, 150, 1.5f, (scree_vec){-14.5f, 4.0f});
@@ -408,18 +411,18 @@ static void act_all(scree_world* world, int step, const void* context)
 	scree_body bodies[200];
 	scree_collidable list[200];
 	int count, parts;
-	OK(scree_get_bodies(world, bodies, 200, &count));
+	OK(scree_world_get_bodies(world, bodies, 200, &count));
 	scree_body body = bodies[(14 + 7 * step) % count];
-	OK(scree_get_collidables(world, body, list, 200, &parts));
+	OK(scree_body_get_collidables(world, body, list, 200, &parts));
 	if (step % 3 == 2 && parts > 1)
-		OK(scree_destroy_collidable(world, list[step % parts]));
+		OK(scree_collidable_destroy(world, list[step % parts]));
 	else if (parts < 8)
 	{
-		scree_collidable_def def = scree_default_collidable_def();
+		scree_collidable_def def = scree_collidable_def_default();
 		OK(scree_collidable_get_attribute(world, list[0], &def.attribute));
 		def.body = body;
 		def.pose.position = (scree_vec){0.2f, 0.1f * (float)parts};
-		OK(scree_create_collidable(world, &def, NULL));
+		OK(scree_collidable_create(world, &def, NULL));
 	}
 }
 
@@ -430,14 +433,14 @@ static void same_on_every_way(void** state)
 	int count = list_ways(ways);
 	uint64_t seed = 2;
 	Story all = {.name = "all",
-	             .def = scree_default_world_def(),
+	             .def = scree_world_def_default(),
 	             .dt = STEP,
 	             .substeps = SUBSTEPS,
 	             .steps = quick() ? 6 : 20,
 	             .build = build_all,
 	             .act = act_all};
 	Story heap = {.name = "heap",
-	              .def = scree_default_world_def(),
+	              .def = scree_world_def_default(),
 	              .dt = STEP,
 	              .substeps = SUBSTEPS,
 	              .steps = quick() ? 3 : 6,

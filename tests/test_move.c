@@ -18,21 +18,21 @@ static void moves_in_mid_run(void** state)
 	(void)state;
 	NEEDS_OTHER();
 	scree_world* world = open_pile("cpu", false);
-	OK(scree_move_world(world, other));
-	assert_string_equal(scree_world_device(world), other);
-	assert_int_equal(scree_world_threads(world), 0);
+	OK(scree_world_move(world, other));
+	assert_string_equal(scree_world_get_device(world), other);
+	assert_int_equal(scree_world_get_threads(world), 0);
 	run_steps(world, 13);
-	OK(scree_move_world(world, "cpu"));
-	assert_string_equal(scree_world_device(world), "cpu");
-	assert_int_equal(scree_world_threads(world), 2);
+	OK(scree_world_move(world, "cpu"));
+	assert_string_equal(scree_world_get_device(world), "cpu");
+	assert_int_equal(scree_world_get_threads(world), 2);
 	run_steps(world, 11);
-	OK(scree_move_world(world, "cpu"));
-	OK(scree_move_world(world, other));
-	OK(scree_move_world(world, "opencl"));
+	OK(scree_world_move(world, "cpu"));
+	OK(scree_world_move(world, other));
+	OK(scree_world_move(world, "opencl"));
 	run_steps(world, 16);
 	assert_true(hash_of(world) == hash_after(40));
 	assert_int_equal(counters_of(world).steps, 40);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	assert_int_equal(scree_memory(), 0);
 }
 
@@ -48,11 +48,11 @@ static void* read_all(scree_world* world, size_t* bytes)
 		scree_contact list[256];
 	} All;
 	All* all = calloc(1, sizeof *all);
-	OK(scree_get_bodies(world, all->handles, 64, &all->bodies));
-	OK(scree_get_poses(world, all->handles, all->poses, all->bodies));
-	OK(scree_get_velocities(world, all->handles, all->velocities, all->bodies));
-	OK(scree_get_contacts(world, all->list, 256, &all->contacts));
-	OK(scree_get_counters(world, &all->counters));
+	OK(scree_world_get_bodies(world, all->handles, 64, &all->bodies));
+	OK(scree_bodies_get_poses(world, all->handles, all->poses, all->bodies));
+	OK(scree_bodies_get_velocities(world, all->handles, all->velocities, all->bodies));
+	OK(scree_world_get_contacts(world, all->list, 256, &all->contacts));
+	OK(scree_world_get_counters(world, &all->counters));
 	all->counters.device_bytes = 0;
 	assert_true(all->bodies == 38 && all->contacts > 20);
 	*bytes = sizeof *all;
@@ -70,13 +70,13 @@ static void what_is_read_stays(void** state)
 	const char* devices[] = {other, "cpu"};
 	for (int k = 0; k < 2; ++k)
 	{
-		OK(scree_move_world(world, devices[k]));
+		OK(scree_world_move(world, devices[k]));
 		void* after = read_all(world, &bytes);
 		assert_memory_equal(before, after, bytes);
 		free(after);
 	}
 	free(before);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // All kinds of changes, on their way to one device when the world goes to another.
@@ -84,17 +84,17 @@ static void change(scree_world* world, scree_body* made)
 {
 	scree_body bodies[64];
 	int count;
-	OK(scree_get_bodies(world, bodies, 64, &count));
+	OK(scree_world_get_bodies(world, bodies, 64, &count));
 	OK(scree_body_set_velocity(world, bodies[5], (scree_velocity){{1.0f, 3.0f}, 2.0f}));
 	OK(scree_body_apply_force(world, bodies[6], (scree_vec){30.0f, 5.0f}));
-	OK(scree_destroy_body(world, bodies[9]));
+	OK(scree_body_destroy(world, bodies[9]));
 	scree_collidable collidable;
-	OK(scree_get_collidables(world, bodies[12], &collidable, 1, &count));
-	scree_filter filter = scree_default_filter();
+	OK(scree_body_get_collidables(world, bodies[12], &collidable, 1, &count));
+	scree_filter filter = scree_filter_default();
 	filter.mask = 2;
 	OK(scree_collidable_set_filter(world, collidable, filter));
 	for (int k = 0; k < 40; ++k)
-		made[k] = add_box(world, SCREE_DYNAMIC, 0.3f, 0.2f, 0.7f * (float)(k % 20), 14.0f + (float)(k / 20));
+		made[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f, 0.7f * (float)(k % 20), 14.0f + (float)(k / 20));
 }
 
 static void changes_go_along(void** state)
@@ -107,7 +107,7 @@ static void changes_go_along(void** state)
 	run_steps(moved, 20);
 	change(still, made[0]);
 	change(moved, made[1]);
-	OK(scree_move_world(moved, other));
+	OK(scree_world_move(moved, other));
 	run_steps(still, 30);
 	run_steps(moved, 30);
 	assert_true(hash_of(still) == hash_of(moved));
@@ -116,25 +116,25 @@ static void changes_go_along(void** state)
 		scree_vec a = position_of(still, made[0][k]), b = position_of(moved, made[1][k]);
 		assert_true(a.x == b.x && a.y == b.y);
 	}
-	OK(scree_destroy_bodies(still, made[0], 40));
-	OK(scree_destroy_bodies(moved, made[1], 40));
-	OK(scree_move_world(moved, "cpu"));
+	OK(scree_bodies_destroy(still, made[0], 40));
+	OK(scree_bodies_destroy(moved, made[1], 40));
+	OK(scree_world_move(moved, "cpu"));
 	run_steps(still, 5);
 	run_steps(moved, 5);
 	assert_true(hash_of(still) == hash_of(moved));
-	scree_destroy_world(still);
-	scree_destroy_world(moved);
+	scree_world_destroy(still);
+	scree_world_destroy(moved);
 }
 
 static void check_refused(scree_world* world, const char* device, scree_status expected, const char* words)
 {
 	uint64_t before = hash_of(world);
 	char name[128];
-	snprintf(name, sizeof name, "%s", scree_world_device(world));
-	assert_int_equal(scree_move_world(world, device), expected);
+	snprintf(name, sizeof name, "%s", scree_world_get_device(world));
+	assert_int_equal(scree_world_move(world, device), expected);
 	if (!strstr(scree_error(), words))
 		fail_msg("\"%s\" is not in: %s", words, scree_error());
-	assert_string_equal(scree_world_device(world), name);
+	assert_string_equal(scree_world_get_device(world), name);
 	assert_true(hash_of(world) == before);
 }
 
@@ -143,18 +143,18 @@ static void bad_moves_change_nothing(void** state)
 	(void)state;
 	scree_world* world = open_pile("cpu", true);
 	run_steps(world, 10);
-	assert_int_equal(scree_move_world(NULL, "cpu"), SCREE_INVALID);
-	check_refused(world, NULL, SCREE_INVALID, "scree_move_world: device is null");
-	check_refused(world, "gpu", SCREE_INVALID, "scree_move_world: device is \"gpu\", must be");
-	check_refused(world, "opencl:", SCREE_INVALID, "scree_move_world: device is \"opencl:\"");
-	check_refused(world, "opencl:no such device", SCREE_NO_DEVICE, "");
+	assert_int_equal(scree_world_move(NULL, "cpu"), SCREE_ERROR_INVALID);
+	check_refused(world, NULL, SCREE_ERROR_INVALID, "scree_world_move: device is null");
+	check_refused(world, "gpu", SCREE_ERROR_INVALID, "scree_world_move: device is \"gpu\", must be");
+	check_refused(world, "opencl:", SCREE_ERROR_INVALID, "scree_world_move: device is \"opencl:\"");
+	check_refused(world, "opencl:no such device", SCREE_ERROR_NO_DEVICE, "");
 	run_steps(world, 10);
 	assert_true(hash_of(world) == hash_after(20));
 
-	world->broken = SCREE_DEVICE_FAILED;
-	assert_int_equal(scree_move_world(world, "cpu"), SCREE_DEVICE_FAILED);
-	assert_non_null(strstr(scree_error(), "scree_move_world: the device of this world has failed"));
-	scree_destroy_world(world);
+	world->broken = SCREE_ERROR_DEVICE_FAILED;
+	assert_int_equal(scree_world_move(world, "cpu"), SCREE_ERROR_DEVICE_FAILED);
+	assert_non_null(strstr(scree_error(), "scree_world_move: the device of this world has failed"));
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -173,20 +173,20 @@ static void memory_runs_out(void** state)
 	for (;; ++faults)
 	{
 		allocations_left = faults;
-		scree_status status = scree_move_world(world, "cpu");
+		scree_status status = scree_world_move(world, "cpu");
 		allocations_left = -1;
 		if (status == SCREE_OK)
 			break;
-		assert_int_equal(status, SCREE_OUT_OF_MEMORY);
-		assert_string_equal(scree_world_device(world), other);
+		assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
+		assert_string_equal(scree_world_get_device(world), other);
 		assert_true(hash_of(world) == hash);
 	}
 	assert_true(faults > 20);
 	run_steps(world, 10);
 	assert_true(hash_of(world) == hash_after(30));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	assert_int_equal(scree_memory(), 0);
-	OK(scree_set_hooks(NULL));
+	OK(scree_hooks_set(NULL));
 }
 
 // The device that the world goes to fails in each of its calls in turn: the world stays, and goes on.
@@ -198,7 +198,7 @@ static void new_device_falls(void** state)
 	run_steps(world, 20);
 	uint64_t hash = hash_of(world);
 	BackendOptions options = {.threads = 1};
-	call_status = SCREE_DEVICE_FAILED;
+	call_status = SCREE_ERROR_DEVICE_FAILED;
 	int faults = 0;
 	for (bool moved = false; !moved; ++faults)
 	{
@@ -218,7 +218,7 @@ static void new_device_falls(void** state)
 	assert_true(faults > 40);
 	run_steps(world, 10);
 	assert_true(hash_of(world) == hash_after(30));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	assert_int_equal(scree_memory(), 0);
 }
 
@@ -227,7 +227,7 @@ static void old_device_falls(void** state)
 {
 	(void)state;
 	BackendOptions options = {.threads = 1};
-	call_status = SCREE_DEVICE_FAILED;
+	call_status = SCREE_ERROR_DEVICE_FAILED;
 	for (int calls = 0;; ++calls)
 	{
 		scree_world* world = open_pile("cpu", true);
@@ -243,17 +243,17 @@ static void old_device_falls(void** state)
 			from->f->close(from);
 		else
 		{
-			assert_int_equal(status, SCREE_DEVICE_FAILED);
+			assert_int_equal(status, SCREE_ERROR_DEVICE_FAILED);
 			to->f->close(to);
 			assert_ptr_equal(world->backend, from);
-			assert_int_equal(scree_step(world, STEP, SUBSTEPS), SCREE_DEVICE_FAILED);
+			assert_int_equal(scree_world_step(world, STEP, SUBSTEPS), SCREE_ERROR_DEVICE_FAILED);
 		}
 		if (status == SCREE_OK)
 		{
 			run_steps(world, 10);
 			assert_true(hash_of(world) == hash_after(30));
 		}
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 		if (status == SCREE_OK)
 			break;
 	}
@@ -275,7 +275,7 @@ static void far_to_far(void** state)
 	from->f->close(from);
 	run_steps(world, 20);
 	assert_true(hash_of(world) == hash_after(40));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	assert_int_equal(scree_memory(), 0);
 }
 

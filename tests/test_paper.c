@@ -21,51 +21,51 @@ static void good(scree_status status)
 
 static scree_world* make_world(float gravity)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.threads = 1;
 	def.gravity = (scree_vec){0.0f, gravity};
 	scree_world* world;
-	good(scree_create_world(&def, &world));
+	good(scree_world_create(&def, &world));
 	return world;
 }
 
 // the default surface: friction 0.6, no restitution
 static scree_attribute make_attribute(scree_world* world, const scree_shape* shape, float friction, float restitution)
 {
-	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute_def def = scree_attribute_def_default();
 	def.shape = *shape;
 	def.friction = friction;
 	def.restitution = restitution;
 	scree_attribute attribute;
-	good(scree_create_attribute(world, &def, &attribute));
+	good(scree_attribute_create(world, &def, &attribute));
 	return attribute;
 }
 
 static scree_attribute make_box(scree_world* world, float half_width, float half_height)
 {
 	scree_shape shape;
-	good(scree_make_box(half_width, half_height, &shape));
+	good(scree_shape_make_box(half_width, half_height, &shape));
 	return make_attribute(world, &shape, 0.6f, 0.0f);
 }
 
 static scree_attribute make_circle(scree_world* world, float radius, float restitution)
 {
 	scree_shape shape;
-	good(scree_make_circle((scree_vec){0.0f, 0.0f}, radius, &shape));
+	good(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, radius, &shape));
 	return make_attribute(world, &shape, 0.6f, restitution);
 }
 
 static scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
                            float angle, float vx)
 {
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.type = type;
 	def.attribute = attribute;
-	def.pose = (scree_pose){{x, y}, scree_make_rot(angle)};
+	def.pose = (scree_pose){{x, y}, scree_rot_make(angle)};
 	def.velocity.linear.x = vx;
 	scree_body body;
-	good(scree_create_body(world, &def, &body));
+	good(scree_body_create(world, &def, &body));
 	return body;
 }
 
@@ -74,7 +74,7 @@ static Paper* take(scree_world* world, const char* device)
 {
 	Paper* paper;
 	good(paper_create(world, device, false, &paper));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	return paper;
 }
 
@@ -103,7 +103,7 @@ static void test_free_fall(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	add_body(world, SCREE_DYNAMIC, make_circle(world, 0.5f, 0.0f), 3.0f, 100.0f, 0.0f, 2.0f);
+	add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 0.5f, 0.0f), 3.0f, 100.0f, 0.0f, 2.0f);
 	Paper* paper = take(world, "cpu");
 	int n = 120;
 	step(paper, n);
@@ -121,8 +121,8 @@ static void test_accumulators(void** state)
 	(void)state;
 	scree_world* world = make_world(0.0f);
 	scree_mass mass;
-	good(scree_body_get_mass(world, add_body(world, SCREE_DYNAMIC, make_box(world, 0.5f, 1.0f), 0.0f, 0.0f, 0.0f, 0.0f),
-	                         &mass));
+	good(scree_body_get_mass(
+	    world, add_body(world, SCREE_BODY_DYNAMIC, make_box(world, 0.5f, 1.0f), 0.0f, 0.0f, 0.0f, 0.0f), &mass));
 	Paper* paper = take(world, "cpu");
 	good(paper_apply(paper, 0, (scree_vec){12.0f, -6.0f}, 3.0f));
 	int n = 30;
@@ -131,9 +131,9 @@ static void test_accumulators(void** state)
 	assert_true(fabs(velocity_of(paper, 0).linear.x - 12.0 * dt / mass.mass) < 1e-6);
 	assert_true(fabs(velocity_of(paper, 0).linear.y + 6.0 * dt / mass.mass) < 1e-6);
 	assert_true(fabs(velocity_of(paper, 0).angular - w) < 1e-6);
-	assert_true(fabs(scree_rot_angle(pose_of(paper, 0).rotation) - n * w * dt) < 1e-5);
-	assert_int_equal(paper_apply(paper, 1, (scree_vec){0.0f, 0.0f}, 0.0f), SCREE_INVALID);
-	assert_int_equal(paper_apply(paper, 0, (scree_vec){NAN, 0.0f}, 0.0f), SCREE_INVALID);
+	assert_true(fabs(scree_rot_get_angle(pose_of(paper, 0).rotation) - n * w * dt) < 1e-5);
+	assert_int_equal(paper_apply(paper, 1, (scree_vec){0.0f, 0.0f}, 0.0f), SCREE_ERROR_INVALID);
+	assert_int_equal(paper_apply(paper, 0, (scree_vec){NAN, 0.0f}, 0.0f), SCREE_ERROR_INVALID);
 	paper_destroy(paper);
 }
 
@@ -143,8 +143,8 @@ static void test_rest(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	add_body(world, SCREE_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	add_body(world, SCREE_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_BODY_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 0.0f);
 	Paper* paper = take(world, "cpu");
 	step(paper, 300);
 	scree_pose pose = pose_of(paper, 1);
@@ -161,8 +161,8 @@ static void test_restitution(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body small = add_body(world, SCREE_DYNAMIC, make_circle(world, 0.5f, 0.5f), -2.0f, 0.0f, 0.0f, 3.0f);
-	scree_body large = add_body(world, SCREE_DYNAMIC, make_circle(world, 1.0f, 0.2f), 2.0f, 0.0f, 0.0f, -1.0f);
+	scree_body small = add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 0.5f, 0.5f), -2.0f, 0.0f, 0.0f, 3.0f);
+	scree_body large = add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 1.0f, 0.2f), 2.0f, 0.0f, 0.0f, -1.0f);
 	scree_mass a, b;
 	good(scree_body_get_mass(world, small, &a));
 	good(scree_body_get_mass(world, large, &b));
@@ -180,10 +180,10 @@ static void test_friction(void** state)
 	(void)state;
 	scree_world* world = make_world(-10.0f);
 	scree_shape ground, flat;
-	good(scree_make_box(50.0f, 1.0f, &ground));
-	good(scree_make_box(1.0f, 0.1f, &flat));
-	add_body(world, SCREE_STATIC, make_attribute(world, &ground, 0.9f, 0.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	add_body(world, SCREE_DYNAMIC, make_attribute(world, &flat, 0.1f, 0.0f), 0.0f, 0.1f, 0.0f, 5.0f);
+	good(scree_shape_make_box(50.0f, 1.0f, &ground));
+	good(scree_shape_make_box(1.0f, 0.1f, &flat));
+	add_body(world, SCREE_BODY_STATIC, make_attribute(world, &ground, 0.9f, 0.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_BODY_DYNAMIC, make_attribute(world, &flat, 0.1f, 0.0f), 0.0f, 0.1f, 0.0f, 5.0f);
 	Paper* paper = take(world, "cpu");
 	step(paper, 60);
 	assert_true(fabs(velocity_of(paper, 1).linear.x - (5.0f - 0.3f * 10.0f)) < 0.05f);
@@ -197,13 +197,13 @@ static void test_most_severe_first(void** state)
 	(void)state;
 	scree_world* world = make_world(0.0f);
 	float nx = -0.6f, ny = 0.8f, radius = 0.5f, half = 1.0f;
-	add_body(world, SCREE_DYNAMIC, make_circle(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
 
 	// the wall has the lower pair, so that the order of pairs would be the other one
 	float away = half + radius - 0.01f;
 	scree_attribute wall = make_box(world, 0.3f, half);
-	add_body(world, SCREE_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
-	add_body(world, SCREE_STATIC, make_box(world, 0.2f, half), 0.0f, -(half + radius - 0.02f), 0.0f, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
+	add_body(world, SCREE_BODY_STATIC, make_box(world, 0.2f, half), 0.0f, -(half + radius - 0.02f), 0.0f, 0.0f);
 	Paper* paper = take(world, "cpu");
 	step(paper, 1);
 	assert_int_equal(paper_counters(paper).contacts, 2);
@@ -218,11 +218,11 @@ static void test_detected_only(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	add_body(world, SCREE_DYNAMIC, make_circle(world, 0.5f, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
-	scree_collidable_def def = scree_default_collidable_def();
+	add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 0.5f, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+	scree_collidable_def def = scree_collidable_def_default();
 	def.attribute = make_box(world, 1.0f, 1.0f);
 	scree_collidable collidable;
-	good(scree_create_collidable(world, &def, &collidable));
+	good(scree_collidable_create(world, &def, &collidable));
 	Paper* paper = take(world, "cpu");
 	step(paper, 1);
 	assert_int_equal(paper_counters(paper).collidables, 2);
@@ -236,7 +236,7 @@ static bool no_opencl(void)
 {
 	scree_device devices[16];
 	int count;
-	good(scree_get_devices(devices, 16, &count));
+	good(scree_devices_get(devices, 16, &count));
 	for (int i = 0; i < count && i < 16; ++i)
 		if (strncmp(devices[i].name, "opencl", 6) == 0 && devices[i].equal_bits)
 			return false;
@@ -249,25 +249,25 @@ static scree_world* make_pile(void)
 	scree_world* world = make_world(-10.0f);
 	scree_shape capsule, triangle;
 	const scree_vec corners[3] = {{-0.4f, -0.3f}, {0.5f, -0.3f}, {0.0f, 0.5f}};
-	good(scree_make_capsule((scree_vec){-0.4f, 0.0f}, (scree_vec){0.4f, 0.0f}, 0.25f, &capsule));
-	good(scree_make_polygon(corners, 3, 0.05f, &triangle));
+	good(scree_shape_make_capsule((scree_vec){-0.4f, 0.0f}, (scree_vec){0.4f, 0.0f}, 0.25f, &capsule));
+	good(scree_shape_make_polygon(corners, 3, 0.05f, &triangle));
 	scree_attribute kinds[4] = {make_box(world, 0.4f, 0.4f), make_circle(world, 0.4f, 0.3f),
 	                            make_attribute(world, &capsule, 0.3f, 0.0f),
 	                            make_attribute(world, &triangle, 0.8f, 0.5f)};
-	add_body(world, SCREE_STATIC, make_box(world, 10.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	add_body(world, SCREE_KINEMATIC, kinds[2], -4.0f, 0.5f, 0.0f, 0.5f);
+	add_body(world, SCREE_BODY_STATIC, make_box(world, 10.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_body(world, SCREE_BODY_KINEMATIC, kinds[2], -4.0f, 0.5f, 0.0f, 0.5f);
 	for (int i = 0; i < 56; ++i)
-		add_body(world, SCREE_DYNAMIC, kinds[i % 4], -3.5f + 1.05f * (float)(i % 7), 1.0f + 1.1f * (float)(i / 7),
+		add_body(world, SCREE_BODY_DYNAMIC, kinds[i % 4], -3.5f + 1.05f * (float)(i % 7), 1.0f + 1.1f * (float)(i / 7),
 		         0.4f * (float)i, 0.3f * (float)(i % 5) - 0.6f);
-	scree_body pair = add_body(world, SCREE_DYNAMIC, kinds[0], 0.3f, 10.5f, 0.7f, 0.0f);
-	scree_collidable_def second = scree_default_collidable_def();
+	scree_body pair = add_body(world, SCREE_BODY_DYNAMIC, kinds[0], 0.3f, 10.5f, 0.7f, 0.0f);
+	scree_collidable_def second = scree_collidable_def_default();
 	second.attribute = kinds[1];
 	second.body = pair;
 	second.pose.position = (scree_vec){0.7f, 0.2f};
 	scree_collidable collidable;
-	good(scree_create_collidable(world, &second, &collidable));
+	good(scree_collidable_create(world, &second, &collidable));
 	good(scree_body_set_damping(world, pair, 0.1f, 0.2f));
-	good(scree_body_set_locks(world, add_body(world, SCREE_DYNAMIC, kinds[0], 2.0f, 11.0f, 0.0f, 0.0f),
+	good(scree_body_set_locks(world, add_body(world, SCREE_BODY_DYNAMIC, kinds[0], 2.0f, 11.0f, 0.0f, 0.0f),
 	                          SCREE_LOCK_ROTATION));
 	return world;
 }
@@ -282,7 +282,7 @@ static void test_parity(void** state)
 	Paper *cpu, *device;
 	good(paper_create(world, "cpu", false, &cpu));
 	good(paper_create(world, "opencl", false, &device));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	assert_string_equal(paper_device(cpu), "cpu");
 	assert_memory_equal(paper_device(device), "opencl:", 7);
 	assert_int_equal(paper_counters(cpu).bodies, 60);
@@ -309,10 +309,10 @@ static void test_take_over(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	add_body(world, SCREE_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	scree_body box = add_body(world, SCREE_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 1.0f);
+	add_body(world, SCREE_BODY_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 1.0f);
 	for (int k = 0; k < 30; ++k)
-		good(scree_step(world, DT, 4));
+		good(scree_world_step(world, DT, 4));
 	scree_pose pose;
 	scree_velocity velocity;
 	good(scree_body_get_pose(world, box, &pose));
@@ -337,14 +337,14 @@ static void test_warm_up(void** state)
 	for (int k = 0; k < 2; ++k)
 	{
 		scree_world* world = make_world(-10.0f);
-		add_body(world, SCREE_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+		add_body(world, SCREE_BODY_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
 		scree_attribute crate = make_box(world, 0.5f, 0.5f);
 		for (int row = 0; row < 4; ++row)
 			for (int i = 0; i < 4 - row; ++i)
-				add_body(world, SCREE_DYNAMIC, crate, 1.01f * ((float)i - 0.5f * (float)(3 - row)), 0.5f + (float)row,
-				         0.0f, 0.0f);
+				add_body(world, SCREE_BODY_DYNAMIC, crate, 1.01f * ((float)i - 0.5f * (float)(3 - row)),
+				         0.5f + (float)row, 0.0f, 0.0f);
 		for (int n = 0; n < 60 * k; ++n)
-			good(scree_step(world, DT, 4));
+			good(scree_world_step(world, DT, 4));
 		Paper* paper = take(world, "cpu");
 		step(paper, k ? 3 : 63);
 		counters[k] = paper_counters(paper);
@@ -367,7 +367,7 @@ static void test_growth(void** state)
 		scree_world* world = make_world(0.0f);
 		scree_attribute circle = make_circle(world, 0.5f, 0.0f);
 		for (int i = 0; i < 40; ++i)
-			add_body(world, SCREE_DYNAMIC, circle, 0.01f * (float)i, 0.0f, 0.0f, 0.0f);
+			add_body(world, SCREE_BODY_DYNAMIC, circle, 0.01f * (float)i, 0.0f, 0.0f, 0.0f);
 		Paper* paper = take(world, devices[k]);
 		step(paper, 1);
 		assert_int_equal(paper_counters(paper).contacts, 780);
@@ -395,7 +395,7 @@ static void test_pairs(void** state)
 	assert_int_equal(count, 4);
 	good(paper_pairs(NULL, 0, NULL, 0, &count));
 	assert_int_equal(count, 0);
-	assert_int_equal(paper_pairs(boxes, -1, NULL, 0, &count), SCREE_INVALID);
+	assert_int_equal(paper_pairs(boxes, -1, NULL, 0, &count), SCREE_ERROR_INVALID);
 }
 
 static void test_refusals(void** state)
@@ -403,20 +403,20 @@ static void test_refusals(void** state)
 	(void)state;
 	scree_world* world = make_world(-10.0f);
 	Paper* paper = (Paper*)world;
-	assert_int_equal(paper_create(world, "gpu", false, &paper), SCREE_INVALID);
+	assert_int_equal(paper_create(world, "gpu", false, &paper), SCREE_ERROR_INVALID);
 	assert_null(paper);
 	assert_non_null(strstr(scree_error(), "\"gpu\""));
-	assert_int_equal(paper_create(world, "opencl:no such device", false, &paper), SCREE_NO_DEVICE);
+	assert_int_equal(paper_create(world, "opencl:no such device", false, &paper), SCREE_ERROR_NO_DEVICE);
 	assert_null(paper);
-	assert_int_equal(paper_create(NULL, "cpu", false, &paper), SCREE_INVALID);
+	assert_int_equal(paper_create(NULL, "cpu", false, &paper), SCREE_ERROR_INVALID);
 
 	// a world with nothing in it can be stepped
 	paper = take(world, no_opencl() ? "cpu" : "opencl");
 	step(paper, 2);
-	assert_int_equal(paper_step(paper, 0.0f), SCREE_INVALID);
-	assert_int_equal(paper_step(paper, NAN), SCREE_INVALID);
+	assert_int_equal(paper_step(paper, 0.0f), SCREE_ERROR_INVALID);
+	assert_int_equal(paper_step(paper, NAN), SCREE_ERROR_INVALID);
 	scree_pose pose;
-	assert_int_equal(paper_poses(paper, &pose, 1), SCREE_INVALID);
+	assert_int_equal(paper_poses(paper, &pose, 1), SCREE_ERROR_INVALID);
 	assert_int_equal(paper_counters(paper).steps, 2);
 	paper_destroy(paper);
 	paper_destroy(NULL);

@@ -60,9 +60,9 @@ static scree_attribute any_attribute(scree_world* world, uint64_t* seed)
 {
 	scree_shape shapes[5] = {box_shape(0.5f, 0.4f), circle_shape(0.45f)};
 	scree_vec corners[3] = {{-0.5f, -0.4f}, {0.6f, -0.3f}, {0.0f, 0.6f}};
-	OK(scree_make_capsule((scree_vec){-0.3f, 0.0f}, (scree_vec){0.3f, 0.1f}, 0.25f, &shapes[2]));
-	OK(scree_make_polygon(corners, 3, 0.0f, &shapes[3]));
-	OK(scree_make_polygon(corners, 3, 0.1f, &shapes[4]));
+	OK(scree_shape_make_capsule((scree_vec){-0.3f, 0.0f}, (scree_vec){0.3f, 0.1f}, 0.25f, &shapes[2]));
+	OK(scree_shape_make_polygon(corners, 3, 0.0f, &shapes[3]));
+	OK(scree_shape_make_polygon(corners, 3, 0.1f, &shapes[4]));
 	int k = random_below(seed, 5);
 	scree_attribute_def def = surface_of(shapes[k]);
 	def.density = k == 0 ? 2.0f : 1.0f;
@@ -74,10 +74,10 @@ static scree_attribute any_attribute(scree_world* world, uint64_t* seed)
 
 static scree_body_def any_body(scree_world* world, uint64_t* seed)
 {
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.attribute = any_attribute(world, seed);
 	def.pose.position = (scree_vec){random_between(seed, -8.0f, 8.0f), random_between(seed, 1.0f, 14.0f)};
-	def.pose.rotation = scree_make_rot(random_between(seed, -3.0f, 3.0f));
+	def.pose.rotation = scree_rot_make(random_between(seed, -3.0f, 3.0f));
 	def.velocity.linear = (scree_vec){random_between(seed, -3.0f, 3.0f), random_between(seed, -3.0f, 3.0f)};
 	def.velocity.angular = random_between(seed, -5.0f, 5.0f);
 	return def;
@@ -88,21 +88,21 @@ static void build_changes(scree_world* world, const void* context)
 	(void)context;
 	uint64_t seed = 1;
 	add_floor(world);
-	add_box(world, SCREE_STATIC, 0.5f, 10.0f, -10.0f, 9.0f);
-	add_box(world, SCREE_STATIC, 0.5f, 10.0f, 10.0f, 9.0f);
-	scree_body belt = add_box(world, SCREE_KINEMATIC, 2.0f, 0.2f, 0.0f, 2.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 10.0f, -10.0f, 9.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 10.0f, 10.0f, 9.0f);
+	scree_body belt = add_box(world, SCREE_BODY_KINEMATIC, 2.0f, 0.2f, 0.0f, 2.0f);
 	OK(scree_body_set_velocity(world, belt, (scree_velocity){{0.5f, 0.0f}, 0.7f}));
 	for (int k = 0; k < 120; ++k)
 	{
 		scree_body_def def = any_body(world, &seed);
-		OK(scree_create_body(world, &def, NULL));
+		OK(scree_body_create(world, &def, NULL));
 	}
 
 	// detection alone
-	scree_collidable_def zone = scree_default_collidable_def();
+	scree_collidable_def zone = scree_collidable_def_default();
 	zone.attribute = any_attribute(world, &seed);
 	zone.pose.position.y = 1.0f;
-	OK(scree_create_collidable(world, &zone, NULL));
+	OK(scree_collidable_create(world, &zone, NULL));
 }
 
 static void change_settings(scree_world* world, scree_body body, uint64_t* seed)
@@ -126,12 +126,12 @@ static void change_settings(scree_world* world, scree_body body, uint64_t* seed)
 		scree_body_type type;
 		OK(scree_body_get_type(world, body, &type));
 		scree_mass mass = {random_between(seed, 0.5f, 5.0f), random_between(seed, 0.1f, 1.0f), {0.1f, -0.05f}};
-		if (type == SCREE_DYNAMIC)
+		if (type == SCREE_BODY_DYNAMIC)
 			OK(scree_body_set_mass(world, body, mass));
 		break;
 	}
 	default:
-		OK(scree_set_gravity(world, (scree_vec){random_between(seed, -3.0f, 3.0f), -10.0f}));
+		OK(scree_world_set_gravity(world, (scree_vec){random_between(seed, -3.0f, 3.0f), -10.0f}));
 	}
 }
 
@@ -139,20 +139,20 @@ static void change_collidables(scree_world* world, scree_body body, uint64_t* se
 {
 	scree_collidable list[8];
 	int count;
-	OK(scree_get_collidables(world, body, list, 8, &count));
+	OK(scree_body_get_collidables(world, body, list, 8, &count));
 	if (count == 0 || (count < 4 && random_below(seed, 3) == 0))
 	{
-		scree_collidable_def def = scree_default_collidable_def();
+		scree_collidable_def def = scree_collidable_def_default();
 		def.attribute = any_attribute(world, seed);
 		def.body = body;
 		def.pose.position.x = random_between(seed, -1.0f, 1.0f);
-		OK(scree_create_collidable(world, &def, NULL));
+		OK(scree_collidable_create(world, &def, NULL));
 	}
 	else if (count > 1)
-		OK(scree_destroy_collidable(world, list[random_below(seed, count)]));
+		OK(scree_collidable_destroy(world, list[random_below(seed, count)]));
 	else
 	{
-		scree_filter filter = scree_default_filter();
+		scree_filter filter = scree_filter_default();
 		filter.category = 1u + (uint64_t)random_below(seed, 3);
 		filter.mask = random_below(seed, 3) ? ~0ull : 2u;
 		filter.group = random_below(seed, 5) - 2;
@@ -190,7 +190,7 @@ static void change_motion(scree_world* world, scree_body body, uint64_t* seed)
 		break;
 	default:
 	{
-		scree_pose pose = {{0.4f * v.x, 8.0f + 0.2f * v.y}, scree_make_rot(v.x)};
+		scree_pose pose = {{0.4f * v.x, 8.0f + 0.2f * v.y}, scree_rot_make(v.x)};
 		OK(scree_body_set_pose(world, body, pose));
 	}
 	}
@@ -202,7 +202,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	uint64_t seed = (uint64_t)step + 1000u;
 	scree_body bodies[512];
 	int count;
-	OK(scree_get_bodies(world, bodies, 512, &count));
+	OK(scree_world_get_bodies(world, bodies, 512, &count));
 
 	// the first four are floor, walls and belt
 	for (int k = 0; k < 6; ++k)
@@ -214,7 +214,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	if (step % 5 == 2)
 	{
 		int first = 4 + random_below(&seed, count - 10);
-		OK(scree_destroy_bodies(world, bodies + first, 3));
+		OK(scree_bodies_destroy(world, bodies + first, 3));
 	}
 	if (step % 5 == 4)
 	{
@@ -223,28 +223,28 @@ static void make_changes(scree_world* world, int step, const void* context)
 		for (int k = 0; k < more; ++k)
 			defs[k] = any_body(world, &seed);
 		if (count + more < 300)
-			OK(scree_create_bodies(world, defs, more, NULL));
+			OK(scree_bodies_create(world, defs, more, NULL));
 	}
 
 	// made and destroyed between two steps
 	scree_body_def def = any_body(world, &seed);
 	scree_body brief;
-	OK(scree_create_body(world, &def, &brief));
+	OK(scree_body_create(world, &def, &brief));
 	OK(scree_body_apply_impulse(world, brief, (scree_vec){1.0f, 2.0f}));
-	OK(scree_destroy_body(world, brief));
+	OK(scree_body_destroy(world, brief));
 
 	scree_collidable zone;
 	int zones;
-	OK(scree_get_collidables(world, (scree_body){0, 0}, &zone, 1, &zones));
-	scree_pose pose = {{random_between(&seed, -5.0f, 5.0f), 1.0f}, scree_make_rot(0.1f * (float)step)};
-	OK(scree_set_collidable_poses(world, &zone, &pose, 1));
+	OK(scree_body_get_collidables(world, (scree_body){0, 0}, &zone, 1, &zones));
+	scree_pose pose = {{random_between(&seed, -5.0f, 5.0f), 1.0f}, scree_rot_make(0.1f * (float)step)};
+	OK(scree_collidables_set_poses(world, &zone, &pose, 1));
 }
 
 static void changes_are_equal(void** state)
 {
 	(void)state;
 	Story story = {.name = "changes",
-	               .def = scree_default_world_def(),
+	               .def = scree_world_def_default(),
 	               .dt = STEP,
 	               .substeps = SUBSTEPS,
 	               .steps = quick() ? 60 : 200,

@@ -26,7 +26,7 @@ static scree_attribute add_surface(scree_world* world, scree_shape shape, float 
 static void run_finely(scree_world* world, double seconds)
 {
 	for (int k = (int)(240.0 * seconds + 0.5); k > 0; --k)
-		OK(scree_step(world, 1.0f / 240.0f, SUBSTEPS));
+		OK(scree_world_step(world, 1.0f / 240.0f, SUBSTEPS));
 }
 
 static double speed_of(scree_world* world, scree_body body)
@@ -44,7 +44,7 @@ static void free_fall(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_body body = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 3.0f, 7.0f);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 3.0f, 7.0f);
 	OK(scree_body_set_velocity(world, body, (scree_velocity){{2.0f, 4.0f}, 0.0f}));
 	for (int step = 1; step <= 120; ++step)
 	{
@@ -54,7 +54,7 @@ static void free_fall(void** state)
 		NEAR(position_of(world, body).y, 7.0 + 4.0 * t - 0.5 * G * H * H * n * (n + 1.0), 3e-4);
 		NEAR(position_of(world, body).x, 3.0 + 2.0 * t, 1e-4);
 	}
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // y = y0 - s g h^2 N (N + 1) / 2 with a gravity scale s.
@@ -66,14 +66,14 @@ static void gravity_scale(void** state)
 	scree_body bodies[4];
 	for (int k = 0; k < 4; ++k)
 	{
-		bodies[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.0f);
+		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.0f);
 		OK(scree_body_set_gravity_scale(world, bodies[k], scales[k]));
 	}
 	run_steps(world, 60);
 	double n = 60 * SUBSTEPS;
 	for (int k = 0; k < 4; ++k)
 		NEAR(position_of(world, bodies[k]).y, -scales[k] * 0.5 * G * H * H * n * (n + 1.0), 2e-4);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // v = v0 / (1 + c h)^N, x = h times the sum of these; the same for spin.
@@ -81,7 +81,7 @@ static void damping(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_body body = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
 	OK(scree_body_set_damping(world, body, 0.7f, 1.9f));
 	OK(scree_body_set_velocity(world, body, (scree_velocity){{5.0f, 0.0f}, 3.0f}));
 	run_steps(world, 90);
@@ -97,7 +97,7 @@ static void damping(void** state)
 	NEAR(velocity_of(world, body).angular, w, 1e-4);
 	NEAR(position_of(world, body).x, x, 1e-3);
 	NEAR(angle_of(world, body), angle, 1e-3);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // Without a torque w stays, and the angle is w t: at 100 rad/s sixteen turns a second.
@@ -109,7 +109,7 @@ static void spin(void** state)
 	scree_body bodies[4];
 	for (int k = 0; k < 4; ++k)
 	{
-		bodies[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.25f, 3.0f * (float)k, 0.0f);
+		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 3.0f * (float)k, 0.0f);
 		OK(scree_body_set_velocity(world, bodies[k], (scree_velocity){{0.0f, 0.0f}, rates[k]}));
 	}
 	run_steps(world, 300);
@@ -120,7 +120,7 @@ static void spin(void** state)
 		NEAR(remainder(angle_of(world, bodies[k]) - expected, 2.0 * PI), 0.0, 2e-4);
 		NEAR(position_of(world, bodies[k]).x, 3.0 * k, 0.0);
 	}
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // F t = m v and T t = I w for forces held over time t; J = m v and r x J = I w for impulses. A box of 2 by 1 m has
@@ -129,8 +129,8 @@ static void newtons_second_law(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_body pushed = add_box(world, SCREE_DYNAMIC, 1.0f, 0.5f, 0.0f, 0.0f);
-	scree_body struck = add_box(world, SCREE_DYNAMIC, 1.0f, 0.5f, 0.0f, 50.0f);
+	scree_body pushed = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.5f, 0.0f, 0.0f);
+	scree_body struck = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.5f, 0.0f, 50.0f);
 	double mass = 2.0, inertia = mass * 5.0 / 12.0;
 	OK(scree_body_apply_impulse_at(world, struck, (scree_vec){1.0f, -3.0f}, (scree_vec){1.0f, 50.5f}));
 	for (int k = 0; k < 60; ++k)
@@ -148,27 +148,27 @@ static void newtons_second_law(void** state)
 	// forces are of one step
 	run_steps(world, 1);
 	NEAR(velocity_of(world, pushed).linear.x, 6.0 / mass, 1e-4);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // |v| <= max_speed, along the same direction.
 static void speed_has_a_limit(void** state)
 {
 	(void)state;
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.gravity.y = 0.0f;
 	def.max_speed = 50.0f;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
-	scree_body body = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	OK(scree_world_create(&def, &world));
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
 	OK(scree_body_set_velocity(world, body, (scree_velocity){{300.0f, 400.0f}, 0.0f}));
 	run_steps(world, 60);
 	NEAR(velocity_of(world, body).linear.x, 30.0, 1e-4);
 	NEAR(velocity_of(world, body).linear.y, 40.0, 1e-4);
 	NEAR(position_of(world, body).x, 30.0, 1e-2);
 	NEAR(position_of(world, body).y, 40.0, 1e-2);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // What is locked stays where it is to the last bit, whatever pushes; the rest moves as if it were alone.
@@ -177,9 +177,9 @@ static void locks(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
-	scree_body rail_x = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
-	scree_body rail_y = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 5.0f, 3.0f);
-	scree_body upright = add_box(world, SCREE_DYNAMIC, 0.2f, 0.5f, 10.0f, 0.6f);
+	scree_body rail_x = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
+	scree_body rail_y = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 5.0f, 3.0f);
+	scree_body upright = add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.5f, 10.0f, 0.6f);
 	OK(scree_body_set_locks(world, rail_x, SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
 	OK(scree_body_set_locks(world, rail_y, SCREE_LOCK_X));
 	OK(scree_body_set_locks(world, upright, SCREE_LOCK_ROTATION));
@@ -197,7 +197,7 @@ static void locks(void** state)
 	NEAR(velocity_of(world, rail_x).linear.x, 2.0, 1e-4);
 	assert_true(position_of(world, rail_y).y < 1.0f);
 	assert_true(position_of(world, upright).x > 10.5f);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -209,11 +209,11 @@ static double slide(double degrees, double friction, int steps)
 {
 	float slant = (float)(degrees * PI / 180.0);
 	scree_world* world = open_world(-10.0f);
-	scree_rot turn = scree_make_rot(slant);
+	scree_rot turn = scree_rot_make(slant);
 	scree_attribute slope = add_surface(world, box_shape(40.0f, 1.0f), (float)friction, 0.0f);
 	scree_attribute flat = add_surface(world, box_shape(0.5f, 0.25f), (float)friction, 0.0f);
-	add_body(world, SCREE_STATIC, slope, turn.s, -turn.c, slant);
-	scree_body box = add_body(world, SCREE_DYNAMIC, flat, -0.25f * turn.s, 0.25f * turn.c, slant);
+	add_body(world, SCREE_BODY_STATIC, slope, turn.s, -turn.c, slant);
+	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, flat, -0.25f * turn.s, 0.25f * turn.c, slant);
 	run_steps(world, 30); // at rest on the slope, as far as it can be
 	scree_vec from = position_of(world, box);
 	scree_velocity v = velocity_of(world, box);
@@ -221,7 +221,7 @@ static double slide(double degrees, double friction, int steps)
 	scree_vec to = position_of(world, box);
 	double way = -((to.x - from.x) * turn.c + (to.y - from.y) * turn.s);
 	double begin = -(v.linear.x * turn.c + v.linear.y * turn.s);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	return way - begin * steps / 60.0;
 }
 
@@ -247,15 +247,15 @@ static void stopping_distance(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	add_body(world, SCREE_STATIC, add_surface(world, box_shape(100.0f, 1.0f), 0.3f, 0.0f), 0.0f, -1.0f, 0.0f);
+	add_body(world, SCREE_BODY_STATIC, add_surface(world, box_shape(100.0f, 1.0f), 0.3f, 0.0f), 0.0f, -1.0f, 0.0f);
 	scree_attribute flat = add_surface(world, box_shape(0.5f, 0.1f), 0.3f, 0.0f);
-	scree_body box = add_body(world, SCREE_DYNAMIC, flat, 0.0f, 0.1f, 0.0f);
+	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, flat, 0.0f, 0.1f, 0.0f);
 	OK(scree_body_set_velocity(world, box, (scree_velocity){{6.0f, 0.0f}, 0.0f}));
 	run_steps(world, 180);
 	double distance = 6.0 * 6.0 / (2.0 * 0.3 * G);
 	NEAR(position_of(world, box).x, distance, 0.01 * distance);
 	NEAR(speed_of(world, box), 0.0, 1e-4);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A belt runs counter-clockwise around its shape: what lies on top is carried to the left, with the belt's speed.
@@ -265,12 +265,12 @@ static void conveyor(void** state)
 	scree_world* world = open_world(-10.0f);
 	scree_attribute_def belt = surface_of(box_shape(100.0f, 1.0f));
 	belt.tangent_speed = 2.0f;
-	add_body(world, SCREE_STATIC, add_attribute(world, &belt), 0.0f, -1.0f, 0.0f);
-	scree_body box = add_box(world, SCREE_DYNAMIC, 0.5f, 0.25f, 0.0f, 0.25f);
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &belt), 0.0f, -1.0f, 0.0f);
+	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 0.0f, 0.25f);
 	run_steps(world, 120);
 	NEAR(velocity_of(world, box).linear.x, -2.0, 0.01);
 	NEAR(velocity_of(world, box).angular, 0.0, 1e-3);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // The resisting torque is c r m g (lever c r). A disk that rolls without slipping slows down by 2/3 c g, so that it stops
@@ -281,9 +281,9 @@ static void rolling_resistance(void** state)
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
 	scree_attribute_def def = surface_of(circle_shape(0.5f));
-	scree_body free = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), 0.0f, 0.5f, 0.0f);
+	scree_body free = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 0.0f, 0.5f, 0.0f);
 	def.rolling_resistance = 0.05f;
-	scree_body slow = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), -20.0f, 0.5f, 0.0f);
+	scree_body slow = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), -20.0f, 0.5f, 0.0f);
 	scree_velocity rolling = {{2.0f, 0.0f}, -4.0f};
 	OK(scree_body_set_velocity(world, free, rolling));
 	OK(scree_body_set_velocity(world, slow, rolling));
@@ -293,7 +293,7 @@ static void rolling_resistance(void** state)
 	NEAR(position_of(world, slow).x, -20.0 + distance, 0.01 * distance);
 	NEAR(speed_of(world, slow), 0.0, 1e-4);
 	NEAR(velocity_of(world, slow).angular, 0.0, 1e-4);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -311,7 +311,7 @@ static void restitution_height(void** state)
 		scree_world* world = open_world(-10.0f);
 		add_floor(world);
 		scree_attribute ball = add_surface(world, circle_shape(0.5f), 0.6f, bounce);
-		scree_body body = add_body(world, SCREE_DYNAMIC, ball, 0.0f, 0.5f + height, 0.0f);
+		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, ball, 0.0f, 0.5f + height, 0.0f);
 		while (velocity_of(world, body).linear.y <= 0.0f)
 			run_finely(world, 1.0 / 240.0);
 		double top = 0.0;
@@ -322,7 +322,7 @@ static void restitution_height(void** state)
 		}
 		double expected = (double)bounce * bounce * height;
 		NEAR(top, expected, 0.02 * expected);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -338,16 +338,16 @@ static void impact_on_a_line(void** state)
 		scree_attribute_def def = surface_of(circle_shape(0.5f));
 		def.restitution = (float)e;
 		def.friction = 0.0f;
-		scree_body a = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), 0.0f, 0.0f, 0.0f);
+		scree_body a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 0.0f, 0.0f, 0.0f);
 		def.density = (float)density;
-		scree_body b = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), 3.0f, 0.0f, 0.0f);
+		scree_body b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 3.0f, 0.0f, 0.0f);
 		OK(scree_body_set_velocity(world, a, (scree_velocity){{4.0f, 0.0f}, 0.0f}));
 		OK(scree_body_set_velocity(world, b, (scree_velocity){{-1.0f, 0.0f}, 0.0f}));
 		run_steps(world, 90);
 		double share = (1.0 + e) * 5.0 / (1.0 + density);
 		NEAR(velocity_of(world, a).linear.x, 4.0 - share * density, 0.02);
 		NEAR(velocity_of(world, b).linear.x, -1.0 + share, 0.02);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -358,7 +358,7 @@ static void momentum(void** state)
 	scree_world* world = open_world(0.0f);
 	scree_vec corners[3] = {{-0.5f, -0.3f}, {0.6f, -0.4f}, {0.1f, 0.7f}};
 	scree_shape shapes[3] = {box_shape(0.4f, 0.6f), circle_shape(0.5f)};
-	OK(scree_make_polygon(corners, 3, 0.05f, &shapes[2]));
+	OK(scree_shape_make_polygon(corners, 3, 0.05f, &shapes[2]));
 	scree_body bodies[49];
 	uint64_t seed = 3;
 	for (int k = 0; k < 49; ++k)
@@ -367,7 +367,7 @@ static void momentum(void** state)
 		def.restitution = k % 2 ? 0.4f : 0.0f;
 		def.density = 1.0f + (float)(k % 5);
 		float x = 1.6f * (float)(k % 7 - 3), y = 1.6f * (float)(k / 7 - 3);
-		bodies[k] = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), x, y, 0.3f * (float)k);
+		bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.3f * (float)k);
 		scree_velocity v = {{-1.5f * x + random_between(&seed, -2.0f, 2.0f), -1.5f * y},
 		                    random_between(&seed, -3.0f, 3.0f)};
 		OK(scree_body_set_velocity(world, bodies[k], v));
@@ -383,7 +383,7 @@ static void momentum(void** state)
 		NEAR(now.spin, before.spin, 1e-3 * before.size);
 	}
 	assert_true(counters_of(world).touching > 0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -394,7 +394,7 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 {
 	add_floor(world);
 	for (int k = 0; k < count; ++k)
-		boxes[k] = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
+		boxes[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
 }
 
 // A stack of 20 boxes stands for 60 s. Its soft contacts make it a column of stiffness E I = 0.5 m k for each box, where
@@ -422,7 +422,7 @@ static void stack_stands(void** state)
 	}
 	assert_true(counters_of(world).penetration < 0.01f);
 	assert_int_equal(counters_of(world).touching, 20);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A stack of 10 is far from buckling: after 20 s nothing is left of the motion, and nothing creeps.
@@ -445,7 +445,7 @@ static void stack_rests(void** state)
 		NEAR(p.y, before[k].y, 1e-5);
 		NEAR(speed_of(world, boxes[k]), 0.0, 1e-4);
 	}
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A box carries one of a hundred times its mass; the overlap stays under 2 cm, and they come to rest.
@@ -454,10 +454,10 @@ static void mass_ratio(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
-	scree_body light = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
+	scree_body light = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
 	scree_attribute_def def = surface_of(box_shape(0.5f, 0.5f));
 	def.density = 100.0f;
-	scree_body heavy = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), 0.0f, 1.5f, 0.0f);
+	scree_body heavy = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 0.0f, 1.5f, 0.0f);
 	run_steps(world, 1200);
 	NEAR(position_of(world, light).y, 0.5, 0.02);
 	NEAR(position_of(world, heavy).y - position_of(world, light).y, 1.0, 0.02);
@@ -465,7 +465,7 @@ static void mass_ratio(void** state)
 	NEAR(position_of(world, heavy).x, 0.0, 3e-3);
 	NEAR(speed_of(world, light), 0.0, 1e-3);
 	NEAR(speed_of(world, heavy), 0.0, 1e-3);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // A kinematic body goes where its velocity says, x = v t, whatever lies on it; and what lies on it goes along.
@@ -473,10 +473,10 @@ static void kinematic_carries(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_body sled = add_box(world, SCREE_KINEMATIC, 3.0f, 0.5f, 0.0f, -0.5f);
-	scree_body box = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
-	scree_body lift = add_box(world, SCREE_KINEMATIC, 3.0f, 0.5f, 20.0f, -0.5f);
-	scree_body load = add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 20.0f, 0.5f);
+	scree_body sled = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 0.0f, -0.5f);
+	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
+	scree_body lift = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 20.0f, -0.5f);
+	scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 20.0f, 0.5f);
 	OK(scree_body_set_velocity(world, sled, (scree_velocity){{1.5f, 0.0f}, 0.0f}));
 	OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, 1.5f}, 0.0f}));
 	run_steps(world, 60);
@@ -489,7 +489,7 @@ static void kinematic_carries(void** state)
 	NEAR(velocity_of(world, load).linear.y, 1.5, 1e-3);
 	NEAR(position_of(world, load).y - position_of(world, lift).y, 1.0, 5e-3);
 	assert_true(lag < 1.5 * 1.5 / (2.0 * 0.6 * G) * 1.1); // it slips until friction has given it the speed
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 int main(void)

@@ -29,7 +29,7 @@ static int be_silent(void** state)
 {
 	(void)state;
 	const scree_hooks hooks = {.log = silent};
-	return scree_set_hooks(&hooks) != SCREE_OK;
+	return scree_hooks_set(&hooks) != SCREE_OK;
 }
 
 static void set_forms(const Way* way)

@@ -416,15 +416,15 @@ static void test_build(void** state)
 	scree_world_def def = scene->world;
 	def.device = "cpu";
 	def.threads = 1;
-	assert_int_equal(scree_create_world(&def, &world), SCREE_OK);
+	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
 	assert_int_equal(scene_build(scene, world), SCREE_OK);
 	scree_counters counters;
-	assert_int_equal(scree_get_counters(world, &counters), SCREE_OK);
+	assert_int_equal(scree_world_get_counters(world, &counters), SCREE_OK);
 	assert_int_equal(counters.bodies, 8);
 	assert_int_equal(counters.dynamic_bodies, 6);
 	assert_int_equal(counters.collidables, 12);
 	assert_int_equal(counters.attributes, 2);
-	assert_true(scree_get_gravity(world).x == 1 && scree_get_gravity(world).y == -3);
+	assert_true(scree_world_get_gravity(world).x == 1 && scree_world_get_gravity(world).y == -3);
 
 	scree_body bodies[8];
 	scree_pose poses[8];
@@ -433,24 +433,24 @@ static void test_build(void** state)
 	scree_filter filter;
 	scree_body_type type;
 	int count;
-	assert_int_equal(scree_get_bodies(world, bodies, 8, &count), SCREE_OK);
-	assert_int_equal(scree_get_poses(world, bodies, poses, 8), SCREE_OK);
-	assert_int_equal(scree_get_velocities(world, bodies, velocities, 8), SCREE_OK);
+	assert_int_equal(scree_world_get_bodies(world, bodies, 8, &count), SCREE_OK);
+	assert_int_equal(scree_bodies_get_poses(world, bodies, poses, 8), SCREE_OK);
+	assert_int_equal(scree_bodies_get_velocities(world, bodies, velocities, 8), SCREE_OK);
 	// i = 2, j = 1 is the last of six
 	assert_true(poses[6].position.x == 20 && poses[6].position.y == 20);
 	assert_true(velocities[6].linear.x == 2 && velocities[6].linear.y == 2);
 	assert_true(velocities[7].angular == 0.5f);
 	assert_int_equal(scree_body_get_type(world, bodies[7], &type), SCREE_OK);
-	assert_int_equal(type, SCREE_KINEMATIC);
-	assert_int_equal(scree_get_collidables(world, bodies[7], collidables, 8, &count), SCREE_OK);
+	assert_int_equal(type, SCREE_BODY_KINEMATIC);
+	assert_int_equal(scree_body_get_collidables(world, bodies[7], collidables, 8, &count), SCREE_OK);
 	assert_int_equal(count, 4);
 	assert_int_equal(scree_collidable_get_local_pose(world, collidables[2], &poses[0]), SCREE_OK);
 	assert_true(poses[0].position.x == 2);
 	assert_int_equal(scree_collidable_get_filter(world, collidables[3], &filter), SCREE_OK);
 	assert_true(filter.group == -2 && filter.category == 8 && filter.mask == 0x8000000000000001u);
-	assert_int_equal(scree_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count), SCREE_OK);
+	assert_int_equal(scree_body_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count), SCREE_OK);
 	assert_int_equal(count, 1);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	scene_free(scene);
 }
 
@@ -476,7 +476,7 @@ static void test_churn(void** state)
 	scree_world_def def = scene->world;
 	def.device = "cpu";
 	def.threads = 1;
-	assert_int_equal(scree_create_world(&def, &world), SCREE_OK);
+	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
 	assert_int_equal(scene_build(scene, world), SCREE_OK);
 	scree_body before[12], after[12];
 	scree_pose poses[12], last[12];
@@ -484,13 +484,13 @@ static void test_churn(void** state)
 	int count, turns[12] = {0};
 	for (int step = 0; step < 20; ++step)
 	{
-		assert_int_equal(scree_get_bodies(world, before, 12, &count), SCREE_OK);
-		assert_int_equal(scree_get_poses(world, before, last, 12), SCREE_OK);
+		assert_int_equal(scree_world_get_bodies(world, before, 12, &count), SCREE_OK);
+		assert_int_equal(scree_bodies_get_poses(world, before, last, 12), SCREE_OK);
 		assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
-		assert_int_equal(scree_get_bodies(world, after, 12, &count), SCREE_OK);
+		assert_int_equal(scree_world_get_bodies(world, after, 12, &count), SCREE_OK);
 		assert_int_equal(count, 12);
-		assert_int_equal(scree_get_poses(world, after, poses, 12), SCREE_OK);
-		assert_int_equal(scree_get_velocities(world, after, velocities, 12), SCREE_OK);
+		assert_int_equal(scree_bodies_get_poses(world, after, poses, 12), SCREE_OK);
+		assert_int_equal(scree_bodies_get_velocities(world, after, velocities, 12), SCREE_OK);
 		int moved = 0, replaced = 0;
 		for (int k = 0; k < 12; ++k)
 		{
@@ -498,11 +498,11 @@ static void test_churn(void** state)
 			scree_attribute attribute;
 			scree_attribute_def surface;
 			uint32_t locks;
-			assert_int_equal(scree_get_collidables(world, after[k], &part, 1, &count), SCREE_OK);
+			assert_int_equal(scree_body_get_collidables(world, after[k], &part, 1, &count), SCREE_OK);
 			assert_int_equal(scree_collidable_get_attribute(world, part, &attribute), SCREE_OK);
-			assert_int_equal(scree_get_attribute(world, attribute, &surface), SCREE_OK);
+			assert_int_equal(scree_attribute_get_def(world, attribute, &surface), SCREE_OK);
 			bool is_box = k == 0 || (k < 11 && k % 2 == 0);
-			assert_int_equal(surface.shape.kind, is_box ? SCREE_POLYGON : SCREE_CIRCLE);
+			assert_int_equal(surface.shape.kind, is_box ? SCREE_SHAPE_POLYGON : SCREE_SHAPE_CIRCLE);
 			bool other = before[k].generation != after[k].generation;
 			bool gone = other || poses[k].position.x != last[k].position.x;
 			replaced += other;
@@ -521,7 +521,7 @@ static void test_churn(void** state)
 	}
 	for (int k = 0; k < 12; ++k)
 		assert_int_equal(turns[k], k == 0 || k == 11 ? 0 : 10);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	scene_free(scene);
 }
 

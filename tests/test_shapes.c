@@ -40,22 +40,23 @@ static int make_designs(void** state)
 	scree_vec octagon[8];
 	for (int k = 0; k < 8; ++k)
 	{
-		scree_rot q = scree_make_rot((float)(PI * (k + 0.5) / 4.0));
+		scree_rot q = scree_rot_make((float)(PI * (k + 0.5) / 4.0));
 		octagon[k] = (scree_vec){0.5f * q.c, 0.5f * q.s};
 	}
-	add_design(0, "circle", scree_make_circle((scree_vec){0.0f, 0.0f}, 0.4f, &s), &s, 1);
-	add_design(1, "circle off center", scree_make_circle((scree_vec){0.2f, 0.1f}, 0.3f, &s), &s, 1);
-	add_design(2, "capsule", scree_make_capsule((scree_vec){-0.5f, 0.0f}, (scree_vec){0.5f, 0.0f}, 0.25f, &s), &s, 2);
-	add_design(3, "box", scree_make_box(0.5f, 0.35f, &s), &s, 2);
-	add_design(4, "plank", scree_make_box(1.0f, 0.1f, &s), &s, 2);
-	add_design(5, "triangle", scree_make_polygon(triangle, 3, 0.0f, &s), &s, 2);
-	add_design(6, "rounded triangle", scree_make_polygon(triangle, 3, 0.1f, &s), &s, 2);
-	add_design(7, "octagon", scree_make_polygon(octagon, 8, 0.0f, &s), &s, 2);
-	add_design(8, "segment", scree_make_segment((scree_vec){-0.7f, 0.1f}, (scree_vec){0.7f, -0.1f}, &s), &s, 2);
+	add_design(0, "circle", scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.4f, &s), &s, 1);
+	add_design(1, "circle off center", scree_shape_make_circle((scree_vec){0.2f, 0.1f}, 0.3f, &s), &s, 1);
+	add_design(2, "capsule", scree_shape_make_capsule((scree_vec){-0.5f, 0.0f}, (scree_vec){0.5f, 0.0f}, 0.25f, &s), &s,
+	           2);
+	add_design(3, "box", scree_shape_make_box(0.5f, 0.35f, &s), &s, 2);
+	add_design(4, "plank", scree_shape_make_box(1.0f, 0.1f, &s), &s, 2);
+	add_design(5, "triangle", scree_shape_make_polygon(triangle, 3, 0.0f, &s), &s, 2);
+	add_design(6, "rounded triangle", scree_shape_make_polygon(triangle, 3, 0.1f, &s), &s, 2);
+	add_design(7, "octagon", scree_shape_make_polygon(octagon, 8, 0.0f, &s), &s, 2);
+	add_design(8, "segment", scree_shape_make_segment((scree_vec){-0.7f, 0.1f}, (scree_vec){0.7f, -0.1f}, &s), &s, 2);
 	return 0;
 }
 
-static bool is_segment(int design) { return designs[design].shape.kind == SCREE_SEGMENT; }
+static bool is_segment(int design) { return designs[design].shape.kind == SCREE_SHAPE_SEGMENT; }
 
 static scree_attribute attribute_of(scree_world* world, int design)
 {
@@ -107,11 +108,11 @@ static void check_gap(int a, int b, int turn, double gap)
 	scree_vec shift = {(float)(right.x + gap - left.x), right.y - left.y};
 	if (gap == DEEP)
 		shift = (scree_vec){0.01f, -0.02f};
-	scree_body first = add_body(world, SCREE_DYNAMIC, attribute_of(world, a), 0.0f, 0.0f, turn_a);
-	scree_body second = add_body(world, SCREE_DYNAMIC, attribute_of(world, b), shift.x, shift.y, turn_b);
+	scree_body first = add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, a), 0.0f, 0.0f, turn_a);
+	scree_body second = add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, b), shift.x, shift.y, turn_b);
 
 	// a step so short that nothing moves
-	OK(scree_step(world, 1e-6f, 1));
+	OK(scree_world_step(world, 1e-6f, 1));
 	check_finite(world);
 	scree_contact* contacts;
 	int count = read_contacts(world, &contacts);
@@ -124,8 +125,8 @@ static void check_gap(int a, int b, int turn, double gap)
 		scree_contact* c = contacts;
 		scree_collidable of_first, of_second;
 		int one;
-		OK(scree_get_collidables(world, first, &of_first, 1, &one));
-		OK(scree_get_collidables(world, second, &of_second, 1, &one));
+		OK(scree_body_get_collidables(world, first, &of_first, 1, &one));
+		OK(scree_body_get_collidables(world, second, &of_second, 1, &one));
 		// the first of a contact is the smaller; the normal goes from it
 		bool turned = c->a.index == of_second.index;
 		assert_true(turned ? c->b.index == of_first.index
@@ -152,7 +153,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		assert_true(c->count == 1 || c->points[0].feature != c->points[1].feature);
 	}
 	free(contacts);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void pairs_are_found(void** state)
@@ -209,15 +210,16 @@ static void points_are_counted(void** state)
 			{
 				const Placement* p = placements + k;
 				scree_world* world = open_world(0.0f);
-				scree_rot q = scree_make_rot(turn_of(turn));
+				scree_rot q = scree_rot_make(turn_of(turn));
 				float x = q.c * p->x - q.s * p->y, y = q.s * p->x + q.c * p->y;
 				for (int side = 0; side < 2; ++side)
 				{
 					bool is_b = side != swapped;
-					add_body(world, side ? SCREE_STATIC : SCREE_DYNAMIC, attribute_of(world, is_b ? p->b : p->a),
-					         is_b ? x : 0.0f, is_b ? y : 0.0f, turn_of(turn) + (is_b ? p->turn : 0.0f));
+					add_body(world, side ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC,
+					         attribute_of(world, is_b ? p->b : p->a), is_b ? x : 0.0f, is_b ? y : 0.0f,
+					         turn_of(turn) + (is_b ? p->turn : 0.0f));
 				}
-				OK(scree_step(world, 1e-6f, 1));
+				OK(scree_world_step(world, 1e-6f, 1));
 				scree_contact* contacts;
 				int count = read_contacts(world, &contacts);
 				if (count != (p->separation < SPECULATIVE))
@@ -233,7 +235,7 @@ static void points_are_counted(void** state)
 					NEAR(sign * (contacts->normal.x * nx + contacts->normal.y * ny), 1.0, 1e-4);
 				}
 				free(contacts);
-				scree_destroy_world(world);
+				scree_world_destroy(world);
 			}
 }
 
@@ -256,7 +258,8 @@ static void impulses_carry_the_weight(void** state)
 		double low = 1e9;
 		for (int k = 0; k < shape->count; ++k)
 			low = fmin(low, sin(turn) * shape->vertices[k].x + cos(turn) * shape->vertices[k].y - shape->radius);
-		scree_body body = add_body(world, SCREE_DYNAMIC, attribute_of(world, design), 0.0f, (float)(0.01 - low), turn);
+		scree_body body =
+		    add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, design), 0.0f, (float)(0.01 - low), turn);
 		run_steps(world, 400);
 		scree_mass mass;
 		OK(scree_body_get_mass(world, body, &mass));
@@ -264,13 +267,13 @@ static void impulses_carry_the_weight(void** state)
 		assert_int_equal(read_contacts(world, &contacts), 1);
 		scree_collidable of_floor;
 		int one;
-		OK(scree_get_collidables(world, floor, &of_floor, 1, &one));
+		OK(scree_body_get_collidables(world, floor, &of_floor, 1, &one));
 		assert_int_equal(contacts->b.index, of_floor.index);
 		NEAR(contacts->normal.y, -1.0, 1e-4);
 		if (contacts->count != designs[design].at_rest)
 			fail_msg("%s lies on %d points", designs[design].name, contacts->count);
 		double sum = 0.0, torque = 0.0, center = position_of(world, body).x;
-		scree_rot q = scree_make_rot(angle_of(world, body));
+		scree_rot q = scree_rot_make(angle_of(world, body));
 		center += q.c * mass.center.x - q.s * mass.center.y;
 		for (int k = 0; k < contacts->count; ++k)
 		{
@@ -284,7 +287,7 @@ static void impulses_carry_the_weight(void** state)
 		if (mass.inertia > 0.0f)
 			NEAR(torque, 0.0, 0.01 * 10.0 * mass.mass);
 		free(contacts);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -298,11 +301,11 @@ static void check_rest(int a, int b, int turn, float height)
 {
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
-	add_box(world, SCREE_STATIC, 1.0f, 5.0f, -2.5f, 4.0f);
-	add_box(world, SCREE_STATIC, 1.0f, 5.0f, 2.5f, 4.0f);
-	scree_body lower = add_body(world, SCREE_DYNAMIC, rough_attribute_of(world, a), 0.0f, 1.1f, turn_of(turn));
+	add_box(world, SCREE_BODY_STATIC, 1.0f, 5.0f, -2.5f, 4.0f);
+	add_box(world, SCREE_BODY_STATIC, 1.0f, 5.0f, 2.5f, 4.0f);
+	scree_body lower = add_body(world, SCREE_BODY_DYNAMIC, rough_attribute_of(world, a), 0.0f, 1.1f, turn_of(turn));
 	scree_body upper =
-	    add_body(world, SCREE_DYNAMIC, rough_attribute_of(world, b), 0.1f, 1.1f + height, turn_of(turn + 1));
+	    add_body(world, SCREE_BODY_DYNAMIC, rough_attribute_of(world, b), 0.1f, 1.1f + height, turn_of(turn + 1));
 	run_steps(world, 480);
 	check_finite(world);
 	scree_body bodies[] = {lower, upper};
@@ -321,7 +324,7 @@ static void check_rest(int a, int b, int turn, float height)
 		         counters.penetration);
 	assert_in_range(counters.touching, 2, 8);
 	assert_int_equal(counters.nonfinite, 0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void pairs_come_to_rest(void** state)
@@ -348,17 +351,17 @@ static void overlaps_are_read_back(void** state)
 		for (int b = 0; b < DESIGNS; ++b)
 		{
 			scree_world* world = open_world(0.0f);
-			scree_body body = add_body(world, SCREE_DYNAMIC, attribute_of(world, a), 1.0f, 2.0f, 0.3f);
-			scree_collidable_def def = scree_default_collidable_def();
+			scree_body body = add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, a), 1.0f, 2.0f, 0.3f);
+			scree_collidable_def def = scree_collidable_def_default();
 			def.attribute = attribute_of(world, b);
 			def.pose.position = (scree_vec){1.0f, 2.0f};
-			def.pose.rotation = scree_make_rot(1.7f);
+			def.pose.rotation = scree_rot_make(1.7f);
 			scree_collidable ghost;
-			OK(scree_create_collidable(world, &def, &ghost));
+			OK(scree_collidable_create(world, &def, &ghost));
 			run_steps(world, 10);
 			scree_contact overlaps[2];
 			int count;
-			OK(scree_get_overlaps(world, overlaps, 2, &count));
+			OK(scree_world_get_overlaps(world, overlaps, 2, &count));
 			assert_int_equal(count, 1);
 			assert_true(overlaps[0].a.index == ghost.index || overlaps[0].b.index == ghost.index);
 			for (int k = 0; k < overlaps[0].count; ++k)
@@ -371,18 +374,18 @@ static void overlaps_are_read_back(void** state)
 				assert_true(deepest <= 0.02);
 			else
 				assert_true(deepest < 1e-3);
-			OK(scree_get_contacts(world, NULL, 0, &count));
+			OK(scree_world_get_contacts(world, NULL, 0, &count));
 			assert_int_equal(count, 0);
 			NEAR(position_of(world, body).x, 1.0, 1e-6);
 			NEAR(position_of(world, body).y, 2.0, 1e-6);
 
 			// out of its way, it overlaps nothing
 			scree_pose away = {{10.0f, 2.0f}, {1.0f, 0.0f}};
-			OK(scree_set_collidable_poses(world, &ghost, &away, 1));
+			OK(scree_collidables_set_poses(world, &ghost, &away, 1));
 			run_steps(world, 1);
-			OK(scree_get_overlaps(world, NULL, 0, &count));
+			OK(scree_world_get_overlaps(world, NULL, 0, &count));
 			assert_int_equal(count, 0);
-			scree_destroy_world(world);
+			scree_world_destroy(world);
 		}
 }
 

@@ -25,23 +25,23 @@ static const char* device;
 
 static scree_world* open_pile(void)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = device;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
+	OK(scree_world_create(&def, &world));
 	add_floor(world);
 	for (int k = 0; k < BODIES; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.3f * (float)(k % 5), 0.6f + 1.1f * (float)k);
+		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.3f * (float)(k % 5), 0.6f + 1.1f * (float)k);
 	return world;
 }
 
 // The rows, which the caller frees.
-static scree_shown* read_rows(scree_world* world, int* count)
+static scree_render_row* read_rows(scree_world* world, int* count)
 {
-	OK(scree_get_shown(world, NULL, 0, count));
-	scree_shown* rows = calloc((size_t)*count + 1, sizeof *rows);
+	OK(scree_world_get_render_rows(world, NULL, 0, count));
+	scree_render_row* rows = calloc((size_t)*count + 1, sizeof *rows);
 	assert_non_null(rows);
-	OK(scree_get_shown(world, rows, *count, count));
+	OK(scree_world_get_render_rows(world, rows, *count, count));
 	return rows;
 }
 
@@ -51,9 +51,9 @@ static void check_rows(scree_world* world)
 	scree_body bodies[BODIES + 8];
 	scree_pose poses[BODIES + 8];
 	int body_count, count, alive = 0;
-	OK(scree_get_bodies(world, bodies, BODIES + 8, &body_count));
-	OK(scree_get_poses(world, bodies, poses, body_count));
-	scree_shown* rows = read_rows(world, &count);
+	OK(scree_world_get_bodies(world, bodies, BODIES + 8, &body_count));
+	OK(scree_bodies_get_poses(world, bodies, poses, body_count));
+	scree_render_row* rows = read_rows(world, &count);
 	for (int k = 0; k < count; ++k)
 	{
 		if (rows[k].attribute < 0)
@@ -81,20 +81,20 @@ static void test_rows(void** state)
 	check_rows(world);
 
 	// what the user changed is in the rows at once, and what died is not
-	OK(scree_get_bodies(world, bodies, BODIES + 1, &count));
+	OK(scree_world_get_bodies(world, bodies, BODIES + 1, &count));
 	assert_int_equal(count, BODIES + 1);
-	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_make_rot(1.0f)}));
-	OK(scree_destroy_body(world, bodies[5]));
+	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_rot_make(1.0f)}));
+	OK(scree_body_destroy(world, bodies[5]));
 	check_rows(world);
-	scree_shown row;
-	OK(scree_get_shown(world, &row, 1, &count));
+	scree_render_row row;
+	OK(scree_world_get_render_rows(world, &row, 1, &count));
 	assert_int_equal(count, BODIES + 1);
 
 	// looking changes nothing
 	uint64_t hash = hash_of(world);
 	check_rows(world);
 	assert_true(hash == hash_of(world));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void expect_refusal(scree_status status, scree_status expected, const char* part)
@@ -109,27 +109,28 @@ static void test_without_sharing(void** state)
 	(void)state;
 	scree_world* world = open_pile();
 	int count = 0;
-	if (scree_world_sharing(world) == SCREE_COPIED)
-		expect_refusal(scree_share_memory(world, 0, 4096), SCREE_NOT_SUPPORTED, "are copied");
-	expect_refusal(scree_share_memory(world, -1, 4096), SCREE_INVALID, "file_descriptor is -1");
-	expect_refusal(scree_share_memory(world, 0, 31), SCREE_INVALID, "bytes is 31, must be at least 32");
-	expect_refusal(scree_share_opengl(world, 0, 4096), SCREE_INVALID, "buffer is 0");
-	expect_refusal(scree_share_opengl(world, 1, 4096), SCREE_NOT_SUPPORTED, "scree_share_opengl: the rows of a world");
-	expect_refusal(scree_show(world, &count), SCREE_INVALID, "nothing is shared");
-	expect_refusal(scree_show(world, NULL), SCREE_INVALID, "count is null");
-	scree_unshare(world);
-	scree_unshare(NULL);
-	assert_int_equal(scree_world_sharing(NULL), SCREE_COPIED);
-	scree_destroy_world(world);
-	assert_string_equal(scree_sharing_name(SCREE_COPIED), "copied");
-	assert_string_equal(scree_sharing_name(SCREE_SHARED_MEMORY), "shared through external memory");
-	assert_string_equal(scree_sharing_name(SCREE_SHARED_OPENGL), "shared with OpenGL");
+	if (scree_world_get_sharing(world) == SCREE_SHARING_COPIED)
+		expect_refusal(scree_world_share_memory(world, 0, 4096), SCREE_ERROR_NOT_SUPPORTED, "are copied");
+	expect_refusal(scree_world_share_memory(world, -1, 4096), SCREE_ERROR_INVALID, "file_descriptor is -1");
+	expect_refusal(scree_world_share_memory(world, 0, 31), SCREE_ERROR_INVALID, "bytes is 31, must be at least 32");
+	expect_refusal(scree_world_share_opengl(world, 0, 4096), SCREE_ERROR_INVALID, "buffer is 0");
+	expect_refusal(scree_world_share_opengl(world, 1, 4096), SCREE_ERROR_NOT_SUPPORTED,
+	               "scree_world_share_opengl: the rows of a world");
+	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID, "nothing is shared");
+	expect_refusal(scree_world_write_render_rows(world, NULL), SCREE_ERROR_INVALID, "count is null");
+	scree_world_unshare(world);
+	scree_world_unshare(NULL);
+	assert_int_equal(scree_world_get_sharing(NULL), SCREE_SHARING_COPIED);
+	scree_world_destroy(world);
+	assert_string_equal(scree_sharing_name(SCREE_SHARING_COPIED), "copied");
+	assert_string_equal(scree_sharing_name(SCREE_SHARING_MEMORY), "shared through external memory");
+	assert_string_equal(scree_sharing_name(SCREE_SHARING_OPENGL), "shared with OpenGL");
 
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.opengl = &(scree_opengl){.display = &def};
-	expect_refusal(scree_create_world(&def, &world), SCREE_INVALID, "def.opengl has no context");
+	expect_refusal(scree_world_create(&def, &world), SCREE_ERROR_INVALID, "def.opengl has no context");
 	def.opengl = &(scree_opengl){.system = (scree_window_system)7, .context = &def, .display = &def};
-	expect_refusal(scree_create_world(&def, &world), SCREE_INVALID, "is 7, must be from 0 to 2");
+	expect_refusal(scree_world_create(&def, &world), SCREE_ERROR_INVALID, "is 7, must be from 0 to 2");
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -255,11 +256,11 @@ static void* CL_API_CALL taught_address(cl_platform_id platform, const char* nam
 
 static bool has_pocl(void)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = POCL;
 	scree_world* world;
-	bool has = scree_create_world(&def, &world) == SCREE_OK;
-	scree_destroy_world(world);
+	bool has = scree_world_create(&def, &world) == SCREE_OK;
+	scree_world_destroy(world);
 	return has;
 }
 
@@ -304,8 +305,8 @@ static void check_shared(scree_world* world, const void* memory)
 	{
 		int count, shown = 0;
 		run_steps(world, 2);
-		OK(scree_show(world, &shown));
-		scree_shown* rows = read_rows(world, &count);
+		OK(scree_world_write_render_rows(world, &shown));
+		scree_render_row* rows = read_rows(world, &count);
 		assert_int_equal(shown, count);
 		assert_memory_equal(memory, rows, (size_t)count * sizeof *rows);
 		assert_false(handed_over);
@@ -322,40 +323,41 @@ static void test_shared_memory(void** state)
 	scree_world* other = open_pile();
 	device = POCL;
 	scree_world* world = open_pile();
-	assert_int_equal(scree_world_sharing(world), SCREE_SHARED_MEMORY);
-	size_t small = (BODIES + 1) * sizeof(scree_shown), large = 8192;
+	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_MEMORY);
+	size_t small = (BODIES + 1) * sizeof(scree_render_row), large = 8192;
 	void *memory, *larger;
 	int count, file = make_file(small, &memory), larger_file = make_file(large, &larger);
-	OK(scree_share_memory(world, file, small));
+	OK(scree_world_share_memory(world, file, small));
 
 	// the first rows, before the first step
-	OK(scree_show(world, &count));
+	OK(scree_world_write_render_rows(world, &count));
 	assert_int_equal(count, BODIES + 1);
-	assert_true(((scree_shown*)memory)[1].pose.position.y == 0.6f);
+	assert_true(((scree_render_row*)memory)[1].pose.position.y == 0.6f);
 	check_shared(world, memory);
 
 	// a world that has grown wants more; memory that the driver refuses leaves what there was
-	add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
-	expect_refusal(scree_show(world, &count), SCREE_INVALID, "there are 42 rows, and what is shared has room for 41");
+	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
+	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
+	               "there are 42 rows, and what is shared has room for 41");
 	assert_int_equal(count, BODIES + 2);
 	creation_fails = true;
-	expect_refusal(scree_share_memory(world, larger_file, large), SCREE_NOT_SUPPORTED, "CL_INVALID_VALUE");
-	expect_refusal(scree_show(world, &count), SCREE_INVALID, "has room for 41");
+	expect_refusal(scree_world_share_memory(world, larger_file, large), SCREE_ERROR_NOT_SUPPORTED, "CL_INVALID_VALUE");
+	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID, "has room for 41");
 	creation_fails = false;
-	OK(scree_share_memory(world, larger_file, large));
+	OK(scree_world_share_memory(world, larger_file, large));
 	check_shared(world, larger);
 
-	scree_unshare(world);
-	expect_refusal(scree_show(world, &count), SCREE_INVALID, "nothing is shared");
+	scree_world_unshare(world);
+	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID, "nothing is shared");
 
 	// and none of it was in the way of the simulation
 	run_steps(other, 6);
-	add_box(other, SCREE_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
+	add_box(other, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
 	run_steps(other, 6);
 	assert_true(hash_of(world) == hash_of(other));
 	assert_int_equal(handovers, 2 * 7);
-	scree_destroy_world(world);
-	scree_destroy_world(other);
+	scree_world_destroy(world);
+	scree_world_destroy(other);
 	munmap(memory, small);
 	munmap(larger, large);
 	close(file);
@@ -368,26 +370,26 @@ static void test_shared_opengl(void** state)
 	if (!has_pocl())
 		skip();
 	int context, display;
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = POCL;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
-	assert_int_equal(scree_world_sharing(world), SCREE_COPIED); // which context it is, nobody said
-	scree_destroy_world(world);
+	OK(scree_world_create(&def, &world));
+	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_COPIED); // which context it is, nobody said
+	scree_world_destroy(world);
 
-	def.opengl = &(scree_opengl){.system = SCREE_EGL, .context = &context, .display = &display};
-	OK(scree_create_world(&def, &world));
+	def.opengl = &(scree_opengl){.system = SCREE_WINDOW_EGL, .context = &context, .display = &display};
+	OK(scree_world_create(&def, &world));
 	assert_true(context_properties[0] == 0x2008 && context_properties[1] == (cl_context_properties)&context);
 	assert_true(context_properties[2] == 0x2009 && context_properties[3] == (cl_context_properties)&display);
-	assert_int_equal(scree_world_sharing(world), SCREE_SHARED_OPENGL);
+	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_OPENGL);
 	add_floor(world);
-	add_box(world, SCREE_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
+	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
 	buffer_bytes = 4096;
 	buffer_object = aligned_alloc(4096, buffer_bytes);
 	assert_non_null(buffer_object);
-	OK(scree_share_opengl(world, 5, buffer_bytes));
+	OK(scree_world_share_opengl(world, 5, buffer_bytes));
 	check_shared(world, buffer_object);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	free(buffer_object);
 }
 

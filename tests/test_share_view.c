@@ -23,13 +23,13 @@ static Offscreen offscreen;
 
 static scree_world* open_boxes(const char* device, int count)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = device;
 	scree_world* world;
-	OK(scree_create_world(&def, &world));
+	OK(scree_world_create(&def, &world));
 	add_floor(world);
 	for (int k = 0; k < count; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.4f, 0.4f, (float)(k % 10), 0.6f + (float)(k / 10));
+		add_box(world, SCREE_BODY_DYNAMIC, 0.4f, 0.4f, (float)(k % 10), 0.6f + (float)(k / 10));
 	return world;
 }
 
@@ -37,10 +37,10 @@ static void check_buffer(const Share* share, int expected)
 {
 	int count;
 	assert_int_equal(share->count, expected);
-	scree_shown* rows = calloc((size_t)expected, sizeof *rows);
-	scree_shown* drawn = calloc((size_t)expected, sizeof *rows);
+	scree_render_row* rows = calloc((size_t)expected, sizeof *rows);
+	scree_render_row* drawn = calloc((size_t)expected, sizeof *rows);
 	assert_true(rows && drawn);
-	OK(scree_get_shown(share->world, rows, expected, &count));
+	OK(scree_world_get_render_rows(share->world, rows, expected, &count));
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
 	glGetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)sizeof *rows * expected, drawn);
 	assert_memory_equal(rows, drawn, sizeof *rows * (size_t)expected);
@@ -59,7 +59,7 @@ static uint64_t picture_of(const char* device, bool copy)
 	check_buffer(&share, 51);
 	run_steps(world, 5);
 	for (int k = 0; k < 2000; ++k)
-		add_box(world, SCREE_DYNAMIC, 0.4f, 0.4f, 12.0f + (float)(k % 50), 0.6f + (float)(k / 50));
+		add_box(world, SCREE_BODY_DYNAMIC, 0.4f, 0.4f, 12.0f + (float)(k % 50), 0.6f + (float)(k / 50));
 	run_steps(world, 5);
 	OK(share_update(&share));
 	check_buffer(&share, 2051);
@@ -79,7 +79,7 @@ static uint64_t picture_of(const char* device, bool copy)
 	assert_int_equal(glGetError(), GL_NO_ERROR);
 	renderer_close(&renderer);
 	share_close(&share);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	return hash;
 }
 

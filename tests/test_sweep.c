@@ -21,9 +21,9 @@ static scree_shape shape_of(int kind)
 	if (kind == 1)
 		shape = circle_shape(0.5f);
 	if (kind == 2)
-		OK(scree_make_capsule((scree_vec){-0.2f, 0.0f}, (scree_vec){0.2f, 0.0f}, 0.5f, &shape));
+		OK(scree_shape_make_capsule((scree_vec){-0.2f, 0.0f}, (scree_vec){0.2f, 0.0f}, 0.5f, &shape));
 	if (kind == 3)
-		OK(scree_make_polygon((scree_vec[]){{-0.4f, -0.4f}, {0.4f, -0.4f}, {0.0f, 0.3f}}, 3, 0.1f, &shape));
+		OK(scree_shape_make_polygon((scree_vec[]){{-0.4f, -0.4f}, {0.4f, -0.4f}, {0.0f, 0.3f}}, 3, 0.1f, &shape));
 	return shape;
 }
 
@@ -32,7 +32,7 @@ static scree_body throw_body(scree_world* world, scree_shape shape, float restit
 	scree_attribute_def def = surface_of(shape);
 	def.restitution = restitution;
 	def.friction = 0.0f;
-	scree_body body = add_body(world, SCREE_DYNAMIC, add_attribute(world, &def), from.x, from.y, 0.0f);
+	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), from.x, from.y, 0.0f);
 	OK(scree_body_set_velocity(world, body, (scree_velocity){v, 0.0f}));
 	return body;
 }
@@ -47,7 +47,7 @@ static void passes_by(void** state)
 			{
 				scree_world* world = open_world(0.0f);
 				for (int k = 0; k < 3; ++k)
-					add_box(world, SCREE_STATIC, 0.5f, 0.5f, 0.0f, (float)k - 2.5f);
+					add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, (float)k - 2.5f);
 
 				// along its top; down its side; and slantwise over its corner
 				float back = 3.0f + (float)phase / PHASES, side = kind == 2 ? 0.7f : 0.5f;
@@ -68,7 +68,7 @@ static void passes_by(void** state)
 				NEAR(velocity_of(world, body).linear.x, v.x, 1e-5);
 				NEAR(velocity_of(world, body).linear.y, v.y, 1e-5);
 				NEAR(velocity_of(world, body).angular, 0.0, 1e-5);
-				scree_destroy_world(world);
+				scree_world_destroy(world);
 			}
 }
 
@@ -80,14 +80,14 @@ static void thin_wall(void** state)
 		for (int phase = 0; phase < PHASES; ++phase)
 		{
 			scree_world* world = open_world(0.0f);
-			add_box(world, SCREE_STATIC, 0.025f, 5.0f, 0.0f, 0.0f);
+			add_box(world, SCREE_BODY_STATIC, 0.025f, 5.0f, 0.0f, 0.0f);
 			scree_body body = throw_body(world, shape_of(kind), 0.0f, (scree_vec){-3.0f - (float)phase / PHASES, 0.0f},
 			                             (scree_vec){60.0f, 7.0f});
 			float deepest = deepest_of(world, 10);
 			assert_true(position_of(world, body).x < 0.0f);
 			assert_true(deepest <
 			            (kind == 3 ? 0.08f : 0.005f)); // a triangle is hit at a corner and spins by a radian a step
-			scree_destroy_world(world);
+			scree_world_destroy(world);
 		}
 }
 
@@ -99,13 +99,13 @@ static void bounces(void** state)
 		for (int k = 1; k <= 4; ++k)
 		{
 			scree_world* world = open_world(0.0f);
-			add_box(world, SCREE_STATIC, 0.5f, 5.0f, 0.0f, 0.0f);
+			add_box(world, SCREE_BODY_STATIC, 0.5f, 5.0f, 0.0f, 0.0f);
 			scree_body body = throw_body(world, circle_shape(0.5f), 0.25f * (float)k,
 			                             (scree_vec){-3.0f - (float)phase / PHASES, 0.0f}, (scree_vec){60.0f, 0.0f});
 			float deepest = deepest_of(world, 10);
 			NEAR(velocity_of(world, body).linear.x, -15.0 * k, 0.01);
 			assert_true(deepest < 0.005f);
-			scree_destroy_world(world);
+			scree_world_destroy(world);
 		}
 }
 
@@ -122,7 +122,7 @@ static void meets_head_on(void** state)
 		run_steps(world, 10);
 		NEAR(velocity_of(world, a).linear.x, -30.0, 0.01);
 		NEAR(velocity_of(world, b).linear.x, 50.0, 0.01);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 
@@ -137,14 +137,14 @@ static void blade(void** state)
 			float angle = 0.2f * (float)PI + 0.35f * (float)phase / PHASES;
 			scree_attribute_def def = surface_of(box_shape(2.0f, 0.1f));
 			scree_body turning =
-			    add_body(world, SCREE_KINEMATIC, add_attribute(world, &def), 0.0f, 0.0f, angle - 0.5f * (float)PI);
+			    add_body(world, SCREE_BODY_KINEMATIC, add_attribute(world, &def), 0.0f, 0.0f, angle - 0.5f * (float)PI);
 			OK(scree_body_set_velocity(world, turning, (scree_velocity){{0.0f, 0.0f}, 10.0f}));
 			scree_body body = throw_body(world, shape_of(kind), 0.0f, (scree_vec){1.0f, 1.0f}, (scree_vec){0.0f, 0.0f});
 			float deepest = deepest_of(world, 20);
 			assert_true(deepest < 0.12f);
 			scree_vec at = position_of(world, body);
 			assert_true(hypotf(at.x - 1.0f, at.y - 1.0f) > 1.0f);
-			scree_destroy_world(world);
+			scree_world_destroy(world);
 		}
 }
 
@@ -156,13 +156,13 @@ static void seams(void** state)
 	{
 		scree_world* world = open_world(-10.0f);
 		for (int k = 0; k < 24; ++k)
-			add_box(world, SCREE_STATIC, 0.5f, 0.5f, (float)k, -0.5f);
+			add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, (float)k, -0.5f);
 		scree_body body = throw_body(world, shape_of(0), 0.0f, (scree_vec){0.53f + (float)phase / PHASES, 0.5f},
 		                             (scree_vec){20.0f, 0.0f});
 		run_steps(world, 55);
 		NEAR(velocity_of(world, body).linear.x, 20.0, 0.01);
 		NEAR(position_of(world, body).y, 0.5, 0.002);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 }
 

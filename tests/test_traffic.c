@@ -20,13 +20,13 @@ static void limit_allocations(size_t bytes)
 {
 	scree_hooks hooks = {.allocate = allocate, .release = release};
 	largest = bytes;
-	assert_ok(scree_set_hooks(&hooks));
+	assert_ok(scree_hooks_set(&hooks));
 }
 
 static scree_traffic traffic_of(scree_world* world)
 {
 	scree_traffic traffic;
-	assert_ok(scree_get_traffic(world, &traffic));
+	assert_ok(scree_world_get_traffic(world, &traffic));
 	return traffic;
 }
 
@@ -38,8 +38,8 @@ static void a_box_on_the_floor(void** state)
 	scree_traffic before = traffic_of(world);
 	assert_int_equal(before.constraints + before.passes, 0);
 	assert_int_equal(before.constraint_bytes + before.body_bytes, 0);
-	add_box(world, SCREE_STATIC, 0.0f, 0.0f);
-	add_box(world, SCREE_DYNAMIC, 0.0f, 1.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
+	add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	step(world, 1);
 
 	// Prepare 180: slot 4, pair 8, two places 64, points 64; normal 8, arms 24, gaps 8.
@@ -54,13 +54,13 @@ static void a_box_on_the_floor(void** state)
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
 
 	// what bounces takes one more pass, and more of each constraint
-	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute_def def = scree_attribute_def_default();
 	scree_attribute attribute;
 	def.restitution = 0.5f;
-	assert_ok(scree_create_attribute(world, &def, &attribute));
+	assert_ok(scree_attribute_create(world, &def, &attribute));
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.passes, 9);
-	assert_ok(scree_step(world, STEP, 2));
+	assert_ok(scree_world_step(world, STEP, 2));
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 2 + 1);
@@ -69,7 +69,7 @@ static void a_box_on_the_floor(void** state)
 	assert_int_equal(traffic.constraint_bytes, 256 + 68 + 2 * (72 + 124) + 92);
 	// prepare reads a body's state, motion and colors
 	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // Whatever its figure, it takes no memory for good and changes nothing. On a CPU smaller blocks do, sooner.
@@ -78,18 +78,18 @@ static void bandwidth_is_measured(void** state)
 	(void)state;
 	limit_allocations((size_t)16 << 20);
 	scree_world* world = make_world(-10.0f);
-	add_box(world, SCREE_DYNAMIC, 0.0f, 1.0f);
+	add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	step(world, 3);
 	uint64_t hash = hash_of(world);
 	size_t memory = scree_memory();
 	double bandwidth = -1.0;
-	assert_ok(scree_measure_bandwidth(world, &bandwidth));
+	assert_ok(scree_world_measure_bandwidth(world, &bandwidth));
 	assert_true(bandwidth > 1e7 && bandwidth < 1e14);
 	assert_int_equal(scree_memory(), memory);
 	assert_true(hash_of(world) == hash);
 	step(world, 1);
-	scree_destroy_world(world);
-	assert_ok(scree_set_hooks(NULL));
+	scree_world_destroy(world);
+	assert_ok(scree_hooks_set(NULL));
 }
 
 // On the CPU the blocks come from the hook: none at all is a sentence.
@@ -102,12 +102,12 @@ static void bandwidth_takes_what_there_is(void** state)
 	scree_world* world = make_world(-10.0f);
 	double bandwidth = -1.0;
 	largest = 100000;
-	assert_int_equal(scree_measure_bandwidth(world, &bandwidth), SCREE_OUT_OF_MEMORY);
+	assert_int_equal(scree_world_measure_bandwidth(world, &bandwidth), SCREE_ERROR_OUT_OF_MEMORY);
 	assert_non_null(strstr(scree_error(), "no memory for two blocks"));
 	assert_true(bandwidth == -1.0);
 	step(world, 1);
-	scree_destroy_world(world);
-	assert_ok(scree_set_hooks(NULL));
+	scree_world_destroy(world);
+	assert_ok(scree_hooks_set(NULL));
 }
 
 int main(void)

@@ -10,8 +10,8 @@ static void handles_name_one_life(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	scree_body a = add_box(world, SCREE_DYNAMIC, 0, 0), b = add_box(world, SCREE_DYNAMIC, 2, 0);
-	scree_body c = add_box(world, SCREE_DYNAMIC, 4, 0);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0, 0), b = add_box(world, SCREE_BODY_DYNAMIC, 2, 0);
+	scree_body c = add_box(world, SCREE_BODY_DYNAMIC, 4, 0);
 	assert_int_equal(a.index, 1);
 	assert_int_equal(c.index, 3);
 	assert_true(scree_body_is_valid(world, a));
@@ -20,22 +20,22 @@ static void handles_name_one_life(void** state)
 	assert_false(scree_body_is_valid(world, (scree_body){4, 1}));
 
 	// the lowest free slot is taken first, with another generation
-	assert_ok(scree_destroy_body(world, b));
-	assert_ok(scree_destroy_body(world, a));
+	assert_ok(scree_body_destroy(world, b));
+	assert_ok(scree_body_destroy(world, a));
 	assert_false(scree_body_is_valid(world, a));
-	scree_body d = add_box(world, SCREE_DYNAMIC, 0, 0);
+	scree_body d = add_box(world, SCREE_BODY_DYNAMIC, 0, 0);
 	assert_int_equal(d.index, a.index);
 	assert_int_not_equal(d.generation, a.generation);
-	assert_int_equal(scree_body_apply_torque(world, a, 1.0f), SCREE_STALE);
-	assert_int_equal(scree_destroy_body(world, a), SCREE_STALE);
+	assert_int_equal(scree_body_apply_torque(world, a, 1.0f), SCREE_ERROR_STALE);
+	assert_int_equal(scree_body_destroy(world, a), SCREE_ERROR_STALE);
 
 	scree_counters counters;
-	assert_ok(scree_get_counters(world, &counters));
+	assert_ok(scree_world_get_counters(world, &counters));
 	assert_int_equal(counters.bodies, 2);
 	assert_int_equal(counters.dynamic_bodies, 2);
 	assert_int_equal(counters.collidables, 2);
 	assert_int_equal(counters.attributes, 1);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void equal_attributes_are_one(void** state)
@@ -49,21 +49,21 @@ static void equal_attributes_are_one(void** state)
 	again = make_box(world, 0.5f, 0.25f);
 	assert_memory_equal(&first, &again, sizeof first);
 	scree_counters counters;
-	assert_ok(scree_get_counters(world, &counters));
+	assert_ok(scree_world_get_counters(world, &counters));
 	assert_int_equal(counters.attributes, 1001);
 
 	// a negative zero is zero
 	scree_attribute_def def;
-	assert_ok(scree_get_attribute(world, first, &def));
+	assert_ok(scree_attribute_get_def(world, first, &def));
 	def.restitution = -0.0f;
-	assert_ok(scree_create_attribute(world, &def, &again));
+	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_equal(&first, &again, sizeof first);
 	assert_false(world->pipeline.extras);
 	def.restitution = 0.5f;
-	assert_ok(scree_create_attribute(world, &def, &again));
+	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_not_equal(&first, &again, sizeof first);
 	assert_true(world->pipeline.extras);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void batches_survive_churn(void** state)
@@ -78,29 +78,29 @@ static void batches_survive_churn(void** state)
 	scree_body bodies[COUNT_OF], listed[COUNT_OF];
 	scree_pose poses[COUNT_OF];
 	for (int k = 0; k < COUNT_OF; ++k)
-		defs[k] = box_def(world, SCREE_DYNAMIC, 3.0f * (float)k, (float)(k % 7));
-	assert_ok(scree_create_bodies(world, defs, COUNT_OF, bodies));
+		defs[k] = box_def(world, SCREE_BODY_DYNAMIC, 3.0f * (float)k, (float)(k % 7));
+	assert_ok(scree_bodies_create(world, defs, COUNT_OF, bodies));
 	step(world, 1);
 
 	// every third goes and comes back elsewhere, over and over; half of the rounds are not seen by the device
 	for (int round = 0; round < 6; ++round)
 	{
 		for (int k = 0; k < COUNT_OF; k += 3)
-			assert_ok(scree_destroy_body(world, bodies[k]));
+			assert_ok(scree_body_destroy(world, bodies[k]));
 		if (round % 2)
 			step(world, 1);
 		for (int k = 0; k < COUNT_OF; k += 3)
 		{
 			defs[k].pose.position.y = (float)(100 + round);
-			assert_ok(scree_create_body(world, defs + k, bodies + k));
+			assert_ok(scree_body_create(world, defs + k, bodies + k));
 		}
 	}
 	int count;
-	assert_ok(scree_get_bodies(world, listed, COUNT_OF, &count));
+	assert_ok(scree_world_get_bodies(world, listed, COUNT_OF, &count));
 	assert_int_equal(count, COUNT_OF);
 	for (int k = 1; k < COUNT_OF; ++k)
 		assert_true(listed[k - 1].index < listed[k].index);
-	assert_ok(scree_get_poses(world, bodies, poses, COUNT_OF));
+	assert_ok(scree_bodies_get_poses(world, bodies, poses, COUNT_OF));
 	for (int k = 0; k < COUNT_OF; ++k)
 	{
 		assert_near(poses[k].position.x, 3.0 * k, 1e-6);
@@ -111,18 +111,18 @@ static void batches_survive_churn(void** state)
 	uint64_t hash = hash_of(world);
 	scree_body kept = bodies[77];
 	bodies[77] = bodies[3];
-	assert_int_equal(scree_destroy_bodies(world, bodies, COUNT_OF), SCREE_STALE);
+	assert_int_equal(scree_bodies_destroy(world, bodies, COUNT_OF), SCREE_ERROR_STALE);
 	assert_int_equal(hash_of(world), hash);
 	bodies[77] = kept;
-	assert_ok(scree_destroy_bodies(world, bodies, COUNT_OF));
-	assert_ok(scree_get_bodies(world, NULL, 0, &count));
+	assert_ok(scree_bodies_destroy(world, bodies, COUNT_OF));
+	assert_ok(scree_world_get_bodies(world, NULL, 0, &count));
 	assert_int_equal(count, 0);
 	step(world, 2);
 	scree_counters counters;
-	assert_ok(scree_get_counters(world, &counters));
+	assert_ok(scree_world_get_counters(world, &counters));
 	assert_int_equal(counters.contacts, 0);
 	assert_int_equal(counters.collidables, 0);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static const BackendFunctions* true_functions;
@@ -149,24 +149,24 @@ static void rows_travel_together(void** state)
 	scree_body_def* defs = malloc(COUNT_OF * sizeof *defs);
 	scree_body* bodies = malloc(COUNT_OF * sizeof *bodies);
 	for (int k = 0; k < COUNT_OF; ++k)
-		defs[k] =
-		    box_def(world, k % 2 ? SCREE_DYNAMIC : SCREE_STATIC, 2.0f * (float)(k % 200), 2.0f * (float)(k / 200));
+		defs[k] = box_def(world, k % 2 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 2.0f * (float)(k % 200),
+		                  2.0f * (float)(k / 200));
 
 	writes = 0;
-	assert_ok(scree_create_bodies(world, defs, COUNT_OF, bodies));
+	assert_ok(scree_bodies_create(world, defs, COUNT_OF, bodies));
 	assert_ok(world_flush(world));
 	assert_true(writes <= 20);
 
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; ++k)
-		assert_ok(scree_create_body(world, defs + k, NULL));
+		assert_ok(scree_body_create(world, defs + k, NULL));
 	assert_ok(world_flush(world));
 	assert_true(writes <= 20);
 
 	// scattered rows are commands
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; k += 5)
-		assert_ok(scree_destroy_body(world, bodies[k]));
+		assert_ok(scree_body_destroy(world, bodies[k]));
 	assert_ok(world_flush(world));
 	assert_true(writes <= 2);
 	writes = 0;
@@ -175,7 +175,7 @@ static void rows_travel_together(void** state)
 	world->backend->f = true_functions;
 	free(defs);
 	free(bodies);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -187,7 +187,7 @@ static void forces_follow_newton(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body a = add_box(world, SCREE_DYNAMIC, 0, 0), b = add_box(world, SCREE_DYNAMIC, 10, 0);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0, 0), b = add_box(world, SCREE_BODY_DYNAMIC, 10, 0);
 	scree_mass mass;
 	assert_ok(scree_body_get_mass(world, a, &mass));
 	assert_near(mass.mass, 1.0, 1e-6);
@@ -207,7 +207,7 @@ static void forces_follow_newton(void** state)
 	assert_near(v.angular, 0.5 * 6.0 * 6.0 / 60.0, 1e-5);
 
 	// impulses act at once
-	scree_body c = add_box(world, SCREE_DYNAMIC, 20, 0);
+	scree_body c = add_box(world, SCREE_BODY_DYNAMIC, 20, 0);
 	assert_ok(scree_body_apply_impulse_at(world, c, (scree_vec){2.0f, 0.0f}, (scree_vec){20.0f, 0.5f}));
 	assert_ok(scree_body_apply_impulse(world, c, (scree_vec){1.0f, 1.0f}));
 	assert_ok(scree_body_apply_angular_impulse(world, c, 1.0f));
@@ -215,7 +215,7 @@ static void forces_follow_newton(void** state)
 	assert_near(v.linear.x, 3.0, 1e-6);
 	assert_near(v.linear.y, 1.0, 1e-6);
 	assert_near(v.angular, -2.0 * 0.5 * 6.0 + 6.0, 1e-5);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // a body in free fall in n substeps of h: y = -g h^2 n (n + 1) / 2
@@ -223,14 +223,14 @@ static void bodies_fall(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	scree_body loose = add_box(world, SCREE_DYNAMIC, 0, 0), half = add_box(world, SCREE_DYNAMIC, 5, 0);
-	scree_body locked = add_box(world, SCREE_DYNAMIC, 10, 0), fixed = add_box(world, SCREE_STATIC, 15, 0);
-	scree_body driven = add_box(world, SCREE_KINEMATIC, 20, 0);
+	scree_body loose = add_box(world, SCREE_BODY_DYNAMIC, 0, 0), half = add_box(world, SCREE_BODY_DYNAMIC, 5, 0);
+	scree_body locked = add_box(world, SCREE_BODY_DYNAMIC, 10, 0), fixed = add_box(world, SCREE_BODY_STATIC, 15, 0);
+	scree_body driven = add_box(world, SCREE_BODY_KINEMATIC, 20, 0);
 	assert_ok(scree_body_set_gravity_scale(world, half, 0.5f));
 	assert_ok(scree_body_set_locks(world, locked, SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
 	scree_velocity v = {{1.0f, 2.0f}, 3.0f};
 	scree_body moved[3] = {locked, fixed, driven};
-	assert_ok(scree_set_velocities(world, moved, (scree_velocity[]){v, v, v}, 3));
+	assert_ok(scree_bodies_set_velocities(world, moved, (scree_velocity[]){v, v, v}, 3));
 	step(world, 60);
 	double h = STEP / 4.0, fall = -10.0 * h * h * 240.0 * 241.0 / 2.0;
 	assert_near(pose_of(world, loose).position.y, fall, 1e-3);
@@ -240,18 +240,18 @@ static void bodies_fall(void** state)
 	assert_true(pose_of(world, fixed).position.x == 15.0f && pose_of(world, fixed).position.y == 0.0f);
 	assert_near(pose_of(world, driven).position.x, 21.0, 1e-4);
 	assert_near(pose_of(world, driven).position.y, 2.0, 1e-4);
-	assert_near(scree_rot_angle(pose_of(world, driven).rotation), 3.0, 1e-3);
+	assert_near(scree_rot_get_angle(pose_of(world, driven).rotation), 3.0, 1e-3);
 
 	// types change in mid-run
-	assert_ok(scree_body_set_type(world, loose, SCREE_STATIC));
-	assert_ok(scree_body_set_type(world, driven, SCREE_DYNAMIC));
+	assert_ok(scree_body_set_type(world, loose, SCREE_BODY_STATIC));
+	assert_ok(scree_body_set_type(world, driven, SCREE_BODY_DYNAMIC));
 	v = velocity_of(world, loose);
 	assert_true(v.linear.x == 0.0f && v.linear.y == 0.0f && v.angular == 0.0f);
 	float y = pose_of(world, loose).position.y, before = pose_of(world, driven).position.y;
 	step(world, 60);
 	assert_true(pose_of(world, loose).position.y == y);
 	assert_near(pose_of(world, driven).position.y, before + 2.0 + fall, 2e-3);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // v = v0 / (1 + c h)^n
@@ -259,36 +259,36 @@ static void damping_slows(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body body = add_box(world, SCREE_DYNAMIC, 0, 0);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0, 0);
 	assert_ok(scree_body_set_damping(world, body, 0.5f, 2.0f));
 	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{8.0f, 0.0f}, 4.0f}));
 	step(world, 60);
 	double h = STEP / 4.0;
 	assert_near(velocity_of(world, body).linear.x, 8.0 / pow(1.0 + 0.5 * h, 240.0), 1e-3);
 	assert_near(velocity_of(world, body).angular, 4.0 / pow(1.0 + 2.0 * h, 240.0), 1e-3);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void mass_follows_collidables(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body_def def = scree_default_body_def();
-	def.pose = (scree_pose){{3.0f, 4.0f}, scree_make_rot(0.5f)};
+	scree_body_def def = scree_body_def_default();
+	def.pose = (scree_pose){{3.0f, 4.0f}, scree_rot_make(0.5f)};
 	scree_body body;
 	scree_mass mass;
-	assert_ok(scree_create_body(world, &def, &body));
+	assert_ok(scree_body_create(world, &def, &body));
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_true(mass.mass == 1.0f && mass.inertia == 0.0f && mass.center.x == 0.0f);
 
 	// two boxes of 1 kg, 2 m apart: I = 2 (1 / 6 + 1)
-	scree_collidable_def part = scree_default_collidable_def();
+	scree_collidable_def part = scree_collidable_def_default();
 	scree_collidable parts[3];
 	part.attribute = make_box(world, 0.5f, 0.5f);
 	part.body = body;
-	assert_ok(scree_create_collidable(world, &part, &parts[0]));
+	assert_ok(scree_collidable_create(world, &part, &parts[0]));
 	part.pose.position.x = 2.0f;
-	assert_ok(scree_create_collidable(world, &part, &parts[1]));
+	assert_ok(scree_collidable_create(world, &part, &parts[1]));
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_near(mass.mass, 2.0, 1e-6);
 	assert_near(mass.inertia, 2.0 * (1.0 / 6.0 + 1.0), 1e-5);
@@ -300,7 +300,7 @@ static void mass_follows_collidables(void** state)
 	// it turns about its center: the origin moves
 	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{0.0f, 0.0f}, 1.0f}));
 	step(world, 30);
-	scree_rot q = scree_make_rot(0.5f), turned = scree_make_rot(1.0f);
+	scree_rot q = scree_rot_make(0.5f), turned = scree_rot_make(1.0f);
 	pose = pose_of(world, body);
 	assert_near(pose.position.x, 3.0 + q.c - turned.c, 1e-3);
 	assert_near(pose.position.y, 4.0 + q.s - turned.s, 1e-3);
@@ -312,7 +312,7 @@ static void mass_follows_collidables(void** state)
 	assert_near(pose.rotation.s, 1.0, 1e-6);
 
 	// taking a part away leaves the origin, and the other part's motion
-	assert_ok(scree_destroy_collidable(world, parts[1]));
+	assert_ok(scree_collidable_destroy(world, parts[1]));
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_near(mass.mass, 1.0, 1e-6);
 	assert_near(mass.center.x, 0.0, 1e-6);
@@ -324,27 +324,27 @@ static void mass_follows_collidables(void** state)
 	assert_ok(scree_body_apply_impulse(world, body, (scree_vec){5.0f, 0.0f}));
 	assert_near(pose_of(world, body).position.x, -7.0, 1e-6);
 	part.pose.position.x = 0.0f;
-	assert_ok(scree_create_collidable(world, &part, &parts[2]));
+	assert_ok(scree_collidable_create(world, &part, &parts[2]));
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_near(mass.mass, 2.0, 1e-6);
 
 	scree_collidable listed[3];
 	int count;
-	assert_ok(scree_get_collidables(world, body, listed, 3, &count));
+	assert_ok(scree_body_get_collidables(world, body, listed, 3, &count));
 	assert_int_equal(count, 2);
 	assert_memory_equal(&listed[0], &parts[0], sizeof *parts);
 	assert_memory_equal(&listed[1], &parts[2], sizeof *parts);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 static void changes_keep_their_order(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	scree_body a = add_box(world, SCREE_DYNAMIC, 0, 0), b = add_box(world, SCREE_DYNAMIC, 5, 0);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0, 0), b = add_box(world, SCREE_BODY_DYNAMIC, 5, 0);
 	scree_body order[4] = {a, b, a, b};
 	scree_velocity velocities[4] = {{{1, 0}, 0}, {{2, 0}, 0}, {{3, 0}, 0}, {{4, 0}, 0}};
-	assert_ok(scree_set_velocities(world, order, velocities, 4));
+	assert_ok(scree_bodies_set_velocities(world, order, velocities, 4));
 	assert_ok(scree_body_apply_impulse(world, a, (scree_vec){0.5f, 0.0f}));
 	assert_ok(scree_body_set_mass(world, a, (scree_mass){2.0f, 1.0f, {0.0f, 0.0f}}));
 	assert_ok(scree_body_apply_impulse(world, a, (scree_vec){0.5f, 0.0f}));
@@ -353,11 +353,11 @@ static void changes_keep_their_order(void** state)
 
 	// what was asked of a body that went is not done to the next in its slot
 	assert_ok(scree_body_set_velocity(world, b, (scree_velocity){{9.0f, 9.0f}, 9.0f}));
-	assert_ok(scree_destroy_body(world, b));
-	scree_body c = add_box(world, SCREE_DYNAMIC, 5, 0);
+	assert_ok(scree_body_destroy(world, b));
+	scree_body c = add_box(world, SCREE_BODY_DYNAMIC, 5, 0);
 	assert_int_equal(c.index, b.index);
 	assert_true(velocity_of(world, c).linear.x == 0.0f && velocity_of(world, c).angular == 0.0f);
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 }
 
 // One world is told of each change at once, the other only before its steps; a third is read all the time.
@@ -383,22 +383,23 @@ static void reading_changes_nothing(void** state)
 	} while (0)
 		for (int k = 0; k < 60; ++k)
 		{
-			scree_body_def def = box_def(world, SCREE_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
-			def.pose.rotation = scree_make_rot(0.1f * (float)k);
+			scree_body_def def =
+			    box_def(world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
+			def.pose.rotation = scree_rot_make(0.1f * (float)k);
 			def.velocity.linear.x = (float)(k % 3);
-			CALL(scree_create_body(world, &def, bodies + k));
+			CALL(scree_body_create(world, &def, bodies + k));
 		}
-		scree_body_def empty = scree_default_body_def();
-		empty.pose = (scree_pose){{-3.0f, 2.0f}, scree_make_rot(1.0f)};
+		scree_body_def empty = scree_body_def_default();
+		empty.pose = (scree_pose){{-3.0f, 2.0f}, scree_rot_make(1.0f)};
 		empty.velocity.angular = 2.0f;
-		CALL(scree_create_body(world, &empty, &compound));
+		CALL(scree_body_create(world, &empty, &compound));
 		for (int k = 0; k < 3; ++k)
 		{
-			scree_collidable_def part = scree_default_collidable_def();
+			scree_collidable_def part = scree_collidable_def_default();
 			part.attribute = make_box(world, 0.2f, 0.4f);
 			part.body = compound;
-			part.pose = (scree_pose){{0.3f * (float)k, 0.1f}, scree_make_rot(0.3f * (float)k)};
-			CALL(scree_create_collidable(world, &part, parts + k));
+			part.pose = (scree_pose){{0.3f * (float)k, 0.1f}, scree_rot_make(0.3f * (float)k)};
+			CALL(scree_collidable_create(world, &part, parts + k));
 		}
 		for (int round = 0; round < 20; ++round)
 		{
@@ -410,19 +411,19 @@ static void reading_changes_nothing(void** state)
 			CALL(scree_body_apply_impulse(world, compound, (scree_vec){0.3f, 0.7f}));
 			if (round % 4 == 0)
 			{
-				CALL(scree_destroy_body(world, body));
-				scree_body_def def = box_def(world, SCREE_DYNAMIC, -5.0f, 3.0f);
-				CALL(scree_create_body(world, &def, &bodies[7 * round % 60]));
+				CALL(scree_body_destroy(world, body));
+				scree_body_def def = box_def(world, SCREE_BODY_DYNAMIC, -5.0f, 3.0f);
+				CALL(scree_body_create(world, &def, &bodies[7 * round % 60]));
 				CALL(scree_body_set_velocity(world, bodies[7 * round % 60], (scree_velocity){{1.0f, 0.0f}, 5.0f}));
 			}
 			if (round == 10)
-				CALL(scree_destroy_collidable(world, parts[1]));
+				CALL(scree_collidable_destroy(world, parts[1]));
 			CALL(scree_collidable_set_filter(world, parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
 			step(world, 1);
 		}
 #undef CALL
 		hashes[w] = hash_of(world);
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 	}
 	assert_int_equal(hashes[0], hashes[1]);
 	assert_int_equal(hashes[0], hashes[2]);

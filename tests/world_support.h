@@ -30,27 +30,27 @@ static inline void assert_near(double value, double expected, double tolerance)
 
 static inline scree_world* make_world(float gravity)
 {
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = device;
 	def.threads = 2;
 	def.gravity.y = gravity;
 	scree_world* world;
-	assert_ok(scree_create_world(&def, &world));
+	assert_ok(scree_world_create(&def, &world));
 	return world;
 }
 
 static inline scree_attribute make_box(scree_world* world, float half_width, float half_height)
 {
-	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute_def def = scree_attribute_def_default();
 	scree_attribute attribute;
-	assert_ok(scree_make_box(half_width, half_height, &def.shape));
-	assert_ok(scree_create_attribute(world, &def, &attribute));
+	assert_ok(scree_shape_make_box(half_width, half_height, &def.shape));
+	assert_ok(scree_attribute_create(world, &def, &attribute));
 	return attribute;
 }
 
 static inline scree_body_def box_def(scree_world* world, scree_body_type type, float x, float y)
 {
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.type = type;
 	def.pose.position = (scree_vec){x, y};
 	def.attribute = make_box(world, 0.5f, 0.5f);
@@ -61,23 +61,23 @@ static inline scree_body add_box(scree_world* world, scree_body_type type, float
 {
 	scree_body_def def = box_def(world, type, x, y);
 	scree_body body;
-	assert_ok(scree_create_body(world, &def, &body));
+	assert_ok(scree_body_create(world, &def, &body));
 	return body;
 }
 
 static inline void add_ground(scree_world* world)
 {
-	scree_body_def def = scree_default_body_def();
-	def.type = SCREE_STATIC;
+	scree_body_def def = scree_body_def_default();
+	def.type = SCREE_BODY_STATIC;
 	def.pose.position.y = -1.0f;
 	def.attribute = make_box(world, 50.0f, 1.0f);
-	assert_ok(scree_create_body(world, &def, NULL));
+	assert_ok(scree_body_create(world, &def, NULL));
 }
 
 static inline void step(scree_world* world, int steps)
 {
 	for (int k = 0; k < steps; ++k)
-		assert_ok(scree_step(world, STEP, 4));
+		assert_ok(scree_world_step(world, STEP, 4));
 }
 
 static inline scree_pose pose_of(scree_world* world, scree_body body)
@@ -97,14 +97,14 @@ static inline scree_velocity velocity_of(scree_world* world, scree_body body)
 static inline uint64_t hash_of(scree_world* world)
 {
 	uint64_t hash;
-	assert_ok(scree_world_hash(world, &hash));
+	assert_ok(scree_world_get_hash(world, &hash));
 	return hash;
 }
 
 static inline int contacts_of(scree_world* world)
 {
 	int count;
-	assert_ok(scree_get_contacts(world, NULL, 0, &count));
+	assert_ok(scree_world_get_contacts(world, NULL, 0, &count));
 	return count;
 }
 

@@ -62,9 +62,9 @@ static void describe(const scree_shape* shape, Color color, float texels[4 * TEX
 	                        (float)color.r / 255.0f,
 	                        (float)color.g / 255.0f,
 	                        (float)color.b / 255.0f,
-	                        shape->kind == SCREE_SEGMENT ? 2.0f
-	                        : is_upright(shape)          ? 1.0f
-	                                                     : 0.0f};
+	                        shape->kind == SCREE_SHAPE_SEGMENT ? 2.0f
+	                        : is_upright(shape)                ? 1.0f
+	                                                           : 0.0f};
 	memcpy(texels, rows, sizeof rows);
 }
 
@@ -90,8 +90,8 @@ static bool fill_kinds(Look* look, const Sprites* sprites)
 	uint8_t* kinds = calloc((size_t)look->body_room + 1, 1);
 	scree_vec* points = malloc(((size_t)sprites->count + 1) * sizeof(scree_vec));
 	scree_pose* poses = malloc(((size_t)look->body_count + 1) * sizeof(scree_pose));
-	bool good =
-	    kinds && points && poses && scree_get_poses(look->world, look->bodies, poses, look->body_count) == SCREE_OK;
+	bool good = kinds && points && poses &&
+	            scree_bodies_get_poses(look->world, look->bodies, poses, look->body_count) == SCREE_OK;
 	float reach = 1.0f;
 	int count = 0;
 	for (int k = sprites->first_moving; good && k < sprites->count; ++k)
@@ -99,7 +99,7 @@ static bool fill_kinds(Look* look, const Sprites* sprites)
 		const Sprite* s = &sprites->list[k];
 		if (s->body < 0)
 			continue;
-		kinds[look->bodies[s->body].index] = SCREE_DYNAMIC;
+		kinds[look->bodies[s->body].index] = SCREE_BODY_DYNAMIC;
 		points[count++] = poses[s->body].position;
 		float own = look->attributes[s->attribute].shape.reach;
 		reach = own > reach && own < 50.0f ? own : reach;
@@ -118,11 +118,12 @@ static bool fill_kinds(Look* look, const Sprites* sprites)
 static bool list_rows(Look* look)
 {
 	int count = 0;
-	if (scree_get_shown(look->world, NULL, 0, &count) != SCREE_OK)
+	if (scree_world_get_render_rows(look->world, NULL, 0, &count) != SCREE_OK)
 		return false;
-	scree_shown* rows = malloc(((size_t)count + 1) * sizeof *rows);
+	scree_render_row* rows = malloc(((size_t)count + 1) * sizeof *rows);
 	look->row_attributes = malloc(((size_t)count + 1) * sizeof *look->row_attributes);
-	bool good = rows && look->row_attributes && scree_get_shown(look->world, rows, count, &count) == SCREE_OK;
+	bool good =
+	    rows && look->row_attributes && scree_world_get_render_rows(look->world, rows, count, &count) == SCREE_OK;
 	for (int k = 0; k < count && good; ++k)
 		look->row_attributes[k] = rows[k].attribute < look->attribute_count ? rows[k].attribute : -1;
 	look->row_count = good ? count : 0;
@@ -153,7 +154,7 @@ bool look_take(Look* look, scree_world* world)
 scree_status look_handles(Look* look)
 {
 	int count = 0;
-	return scree_get_bodies(look->world, look->bodies, look->body_count, &count);
+	return scree_world_get_bodies(look->world, look->bodies, look->body_count, &count);
 }
 
 scree_status look_velocities(Look* look)
@@ -161,11 +162,11 @@ scree_status look_velocities(Look* look)
 	size_t room = (size_t)look->body_room + 1;
 	scree_velocity* velocities = malloc(((size_t)look->body_count + 1) * sizeof *velocities);
 	scree_vec* linear = calloc(room, sizeof *linear);
-	scree_status status = SCREE_OUT_OF_MEMORY;
+	scree_status status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (velocities && linear)
 		status = look_handles(look);
 	if (status == SCREE_OK)
-		status = scree_get_velocities(look->world, look->bodies, velocities, look->body_count);
+		status = scree_bodies_get_velocities(look->world, look->bodies, velocities, look->body_count);
 	if (status == SCREE_OK)
 	{
 		for (int k = 0; k < look->body_count; ++k)

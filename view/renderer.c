@@ -75,7 +75,7 @@ bool renderer_look(Renderer* r, scree_world* world)
 
 static scree_status fetch_contacts(Renderer* r)
 {
-	scree_status status = scree_get_contacts(r->look.world, r->contacts, r->contact_room, &r->contact_count);
+	scree_status status = scree_world_get_contacts(r->look.world, r->contacts, r->contact_room, &r->contact_count);
 	if (status != SCREE_OK || r->contact_count <= r->contact_room)
 		return status;
 	int room = r->contact_count + r->contact_count / 2;
@@ -85,7 +85,7 @@ static scree_status fetch_contacts(Renderer* r)
 		return SCREE_OK; // the picture goes without them
 	r->contacts = contacts;
 	r->contact_room = room;
-	return scree_get_contacts(r->look.world, r->contacts, room, &r->contact_count);
+	return scree_world_get_contacts(r->look.world, r->contacts, room, &r->contact_count);
 }
 
 scree_status renderer_fetch(Renderer* r, const Style* style)
@@ -105,13 +105,13 @@ scree_status renderer_fetch(Renderer* r, const Style* style)
 // The rows from the first on, as vertices (divisor 0) or as instances (divisor 1).
 static void bind_rows(unsigned vertices, const Share* share, int first, GLuint divisor)
 {
-	const GLsizei row = sizeof(scree_shown);
-	const size_t begin = (size_t)first * sizeof(scree_shown);
+	const GLsizei row = sizeof(scree_render_row);
+	const size_t begin = (size_t)first * sizeof(scree_render_row);
 	glBindVertexArray(vertices);
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
-	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_shown, pose)));
-	glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_shown, center)));
-	glVertexAttribIPointer(2, 2, GL_INT, row, (void*)(begin + offsetof(scree_shown, attribute)));
+	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_render_row, pose)));
+	glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, row, (void*)(begin + offsetof(scree_render_row, center)));
+	glVertexAttribIPointer(2, 2, GL_INT, row, (void*)(begin + offsetof(scree_render_row, attribute)));
 	for (GLuint k = 0; k < 3; ++k)
 	{
 		glEnableVertexAttribArray(k);

@@ -11,7 +11,7 @@ bool share_context(scree_opengl* opengl)
 {
 	if (!epoxy_has_egl() || eglGetCurrentContext() == EGL_NO_CONTEXT)
 		return false;
-	*opengl = (scree_opengl){SCREE_EGL, eglGetCurrentContext(), eglGetCurrentDisplay()};
+	*opengl = (scree_opengl){SCREE_WINDOW_EGL, eglGetCurrentContext(), eglGetCurrentDisplay()};
 	return true;
 }
 
@@ -19,15 +19,15 @@ bool share_context(scree_opengl* opengl)
 static bool find_device(const scree_world* world, scree_device* device)
 {
 	int count = 0;
-	scree_get_devices(NULL, 0, &count);
+	scree_devices_get(NULL, 0, &count);
 	scree_device* devices = calloc((size_t)count + 1, sizeof *devices);
-	if (!devices || scree_get_devices(devices, count, &count) != SCREE_OK)
+	if (!devices || scree_devices_get(devices, count, &count) != SCREE_OK)
 		count = 0;
 	bool found = false;
 	for (int k = 0; k < count && !found; ++k)
 	{
 		*device = devices[k];
-		found = strcmp(device->name, scree_world_device(world)) == 0;
+		found = strcmp(device->name, scree_world_get_device(world)) == 0;
 	}
 	free(devices);
 	return found;
@@ -40,7 +40,7 @@ void share_open(Share* share, scree_world* world, bool copy)
 
 static void drop_buffer(Share* share)
 {
-	scree_unshare(share->world);
+	scree_world_unshare(share->world);
 	glDeleteBuffers(1, &share->buffer);
 	if (share->memory)
 		glDeleteMemoryObjectsEXT(1, &share->memory);
@@ -72,7 +72,7 @@ static bool share_memory(Share* share, size_t bytes)
 	ExportedMemory* memory = &share->exported;
 	if (!exported_memory_make(memory, uuid, bytes, sentence, size))
 		return false;
-	if (scree_share_memory(share->world, memory->files[0], bytes) != SCREE_OK)
+	if (scree_world_share_memory(share->world, memory->files[0], bytes) != SCREE_OK)
 	{
 		snprintf(sentence, size, "%s", scree_error());
 		return false;
@@ -98,7 +98,7 @@ static bool share_opengl(Share* share, size_t bytes)
 {
 	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
 	glFinish(); // OpenCL is to find it there
-	if (scree_share_opengl(share->world, share->buffer, bytes) == SCREE_OK)
+	if (scree_world_share_opengl(share->world, share->buffer, bytes) == SCREE_OK)
 		return true;
 	snprintf(share->sentence, sizeof share->sentence, "%s", scree_error());
 	return false;
@@ -108,18 +108,18 @@ static bool share_opengl(Share* share, size_t bytes)
 static void make_buffer(Share* share)
 {
 	int room = share->count + share->count / 2 + 1024;
-	size_t bytes = (size_t)room * sizeof(scree_shown);
+	size_t bytes = (size_t)room * sizeof(scree_render_row);
 	for (;;)
 	{
 		drop_buffer(share);
 		glGenBuffers(1, &share->buffer);
 		glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
-		if (share->how == SCREE_COPIED)
+		if (share->how == SCREE_SHARING_COPIED)
 			glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_STREAM_DRAW);
-		if (share->how == SCREE_COPIED || (share->how == SCREE_SHARED_OPENGL && share_opengl(share, bytes)) ||
-		    (share->how == SCREE_SHARED_MEMORY && share_memory(share, bytes)))
+		if (share->how == SCREE_SHARING_COPIED || (share->how == SCREE_SHARING_OPENGL && share_opengl(share, bytes)) ||
+		    (share->how == SCREE_SHARING_MEMORY && share_memory(share, bytes)))
 			break;
-		share->how = SCREE_COPIED;
+		share->how = SCREE_SHARING_COPIED;
 	}
 	share->room = room;
 }
@@ -128,43 +128,45 @@ static void make_buffer(Share* share)
 static scree_status copy(Share* share)
 {
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
-	GLsizeiptr bytes = (GLsizeiptr)share->count * (GLsizeiptr)sizeof(scree_shown);
+	GLsizeiptr bytes = (GLsizeiptr)share->count * (GLsizeiptr)sizeof(scree_render_row);
 	if (bytes == 0)
 		return SCREE_OK;
-	scree_shown* rows = glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+	scree_render_row* rows =
+	    glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
 	if (!rows)
 	{
 		snprintf(share->sentence, sizeof share->sentence, "OpenGL has no memory for %d rows", share->count);
-		return SCREE_OUT_OF_MEMORY;
+		return SCREE_ERROR_OUT_OF_MEMORY;
 	}
-	scree_status status = scree_get_shown(share->world, rows, share->count, &share->count);
+	scree_status status = scree_world_get_render_rows(share->world, rows, share->count, &share->count);
 	glUnmapBuffer(GL_ARRAY_BUFFER);
 	return status;
 }
 
 scree_status share_update(Share* share)
 {
-	scree_status status = scree_get_shown(share->world, NULL, 0, &share->count);
+	scree_status status = scree_world_get_render_rows(share->world, NULL, 0, &share->count);
 	if (status != SCREE_OK)
 		return status;
-	const char* device = scree_world_device(share->world);
+	const char* device = scree_world_get_device(share->world);
 	bool moved = strcmp(share->device, device) != 0;
 	if (moved)
 	{
 		snprintf(share->device, sizeof share->device, "%s", device);
-		share->how = share->copy ? SCREE_COPIED : scree_world_sharing(share->world);
+		share->how = share->copy ? SCREE_SHARING_COPIED : scree_world_get_sharing(share->world);
 	}
 	if (moved || share->count > share->room)
 		make_buffer(share);
-	if (share->how == SCREE_COPIED)
+	if (share->how == SCREE_SHARING_COPIED)
 		return copy(share);
 	glFinish(); // what was drawn from the rows is done before they change
-	status = scree_show(share->world, &share->count);
-	if (status == SCREE_INVALID)
+	status = scree_world_write_render_rows(share->world, &share->count);
+	if (status == SCREE_ERROR_INVALID)
 	{
 		// the world was on another device and came back, and what it shared is forgotten
 		make_buffer(share);
-		status = share->how == SCREE_COPIED ? copy(share) : scree_show(share->world, &share->count);
+		status = share->how == SCREE_SHARING_COPIED ? copy(share)
+		                                            : scree_world_write_render_rows(share->world, &share->count);
 	}
 	return status;
 }

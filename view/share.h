@@ -20,7 +20,7 @@ typedef struct
 	char device[160];   // of the world, when the way was chosen
 	scree_sharing how;  // now
 	char sentence[256]; // why not better, where the device offers better; else empty. Whoever has told may clear it
-	unsigned buffer;    // of OpenGL, holds a scree_shown a row; another one after the world has grown
+	unsigned buffer;    // of OpenGL, holds a scree_render_row a row; another one after the world has grown
 	unsigned memory;    // object of OpenGL that the buffer lies in, 0 for none
 	ExportedMemory exported;
 	int room, count; // rows: there is room for, there are

@@ -18,16 +18,16 @@ bool box2d_add_shape(b2BodyId body, const scree_attribute_def* surface, const sc
 	b2Polygon polygon = {.centroid = vec(shape->centroid), .radius = shape->radius, .count = shape->count};
 	switch (shape->kind)
 	{
-	case SCREE_CIRCLE:
+	case SCREE_SHAPE_CIRCLE:
 		b2CreateCircleShape(body, &def, &(b2Circle){vec(shape->vertices[0]), shape->radius});
 		return true;
-	case SCREE_CAPSULE:
+	case SCREE_SHAPE_CAPSULE:
 		b2CreateCapsuleShape(body, &def, &(b2Capsule){vec(shape->vertices[0]), vec(shape->vertices[1]), shape->radius});
 		return true;
-	case SCREE_SEGMENT:
+	case SCREE_SHAPE_SEGMENT:
 		b2CreateSegmentShape(body, &def, &(b2Segment){vec(shape->vertices[0]), vec(shape->vertices[1])});
 		return true;
-	case SCREE_POLYGON:
+	case SCREE_SHAPE_POLYGON:
 		for (int k = 0; k < shape->count; ++k)
 		{
 			polygon.vertices[k] = vec(shape->vertices[k]);

@@ -27,10 +27,10 @@ static bool add_collidable(const scree_world* model, scree_collidable collidable
 	scree_filter filter;
 	scree_shape shape;
 	if (!report(scree_collidable_get_attribute(model, collidable, &attribute)) ||
-	    !report(scree_get_attribute(model, attribute, &surface)) ||
+	    !report(scree_attribute_get_def(model, attribute, &surface)) ||
 	    !report(scree_collidable_get_local_pose(model, collidable, &pose)) ||
 	    !report(scree_collidable_get_filter(model, collidable, &filter)) ||
-	    !report(scree_transform_shape(&surface.shape, pose, &shape)))
+	    !report(scree_shape_transform(&surface.shape, pose, &shape)))
 		return false;
 	return box2d_add_shape(body, &surface, &shape, filter);
 }
@@ -38,10 +38,10 @@ static bool add_collidable(const scree_world* model, scree_collidable collidable
 static bool add_collidables(const scree_world* model, scree_body body, b2BodyId to)
 {
 	int count = 0;
-	if (!report(scree_get_collidables(model, body, NULL, 0, &count)))
+	if (!report(scree_body_get_collidables(model, body, NULL, 0, &count)))
 		return false;
 	scree_collidable* collidables = malloc(((size_t)count + 1) * sizeof(scree_collidable));
-	bool good = collidables && report(scree_get_collidables(model, body, collidables, count, &count));
+	bool good = collidables && report(scree_body_get_collidables(model, body, collidables, count, &count));
 	for (int k = 0; good && k < count; ++k)
 		good = add_collidable(model, collidables[k], to);
 	free(collidables);
@@ -52,8 +52,9 @@ static bool add_collidables(const scree_world* model, scree_body body, b2BodyId 
 
 static bool add_body(scree_world* model, scree_body body, b2WorldId world, b2BodyId* added)
 {
-	static const b2BodyType types[] = {
-	    [SCREE_STATIC] = b2_staticBody, [SCREE_KINEMATIC] = b2_kinematicBody, [SCREE_DYNAMIC] = b2_dynamicBody};
+	static const b2BodyType types[] = {[SCREE_BODY_STATIC] = b2_staticBody,
+	                                   [SCREE_BODY_KINEMATIC] = b2_kinematicBody,
+	                                   [SCREE_BODY_DYNAMIC] = b2_dynamicBody};
 	scree_body_type type;
 	scree_pose pose;
 	scree_velocity velocity;
@@ -83,7 +84,7 @@ static bool add_body(scree_world* model, scree_body body, b2WorldId world, b2Bod
 static bool build(scree_world* model, State* state)
 {
 	int detectors = 0;
-	if (!report(scree_get_collidables(model, (scree_body){0}, NULL, 0, &detectors)))
+	if (!report(scree_body_get_collidables(model, (scree_body){0}, NULL, 0, &detectors)))
 		return false;
 	if (detectors > 0)
 	{
@@ -119,7 +120,7 @@ static bool change(void* context, int64_t step)
 	SceneChange* changes;
 	int count = scene_changes(state->scene, step, &changes), bodies;
 	bool good = count >= 0 && report(scene_churn(state->scene, state->model, step)) &&
-	            report(scree_get_bodies(state->model, state->parts, state->count, &bodies));
+	            report(scree_world_get_bodies(state->model, state->parts, state->count, &bodies));
 	for (int k = 0; good && k < count; ++k)
 	{
 		int item = changes[k].item;
@@ -140,7 +141,7 @@ static void close(void* context)
 	State* state = context;
 	if (b2World_IsValid(state->world))
 		b2DestroyWorld(state->world);
-	scree_destroy_world(state->model);
+	scree_world_destroy(state->model);
 	free(state->bodies);
 	free(state->parts);
 	free(state);
@@ -156,7 +157,7 @@ static void* open(const Scene* scene, const EngineOptions* options)
 		return NULL;
 	}
 	b2WorldDef def = b2DefaultWorldDef();
-	def.gravity = vec(scree_get_gravity(model));
+	def.gravity = vec(scree_world_get_gravity(model));
 	def.enableSleep = false;
 	def.enableContinuous = options->continuous;
 	def.workerCount = options->threads;

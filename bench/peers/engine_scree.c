@@ -16,19 +16,19 @@ scree_world* open_world(const Scene* scene, const char* device, int threads)
 	def.device = device;
 	def.threads = threads;
 	scree_world* world = NULL;
-	if (report(scree_create_world(&def, &world)) && report(scene_build(scene, world)))
+	if (report(scree_world_create(&def, &world)) && report(scene_build(scene, world)))
 		return world;
-	scree_destroy_world(world);
+	scree_world_destroy(world);
 	return NULL;
 }
 
 scree_body* list_bodies(const scree_world* world, int* count)
 {
 	*count = 0;
-	scree_get_bodies(world, NULL, 0, count);
+	scree_world_get_bodies(world, NULL, 0, count);
 	scree_body* bodies = malloc(((size_t)*count + 1) * sizeof(scree_body));
 	if (bodies)
-		scree_get_bodies(world, bodies, *count, count);
+		scree_world_get_bodies(world, bodies, *count, count);
 	else
 		fprintf(stderr, "scree_peers: no memory for %d bodies\n", *count);
 	return bodies;
@@ -45,7 +45,7 @@ typedef struct
 static void close(void* context)
 {
 	State* state = context;
-	scree_destroy_world(state->world);
+	scree_world_destroy(state->world);
 	free(state->bodies);
 	free(state);
 }
@@ -69,31 +69,31 @@ static bool change(void* context, int64_t step)
 	const State* state = context;
 	int count;
 	return report(scene_churn(state->scene, state->world, step)) &&
-	       report(scree_get_bodies(state->world, state->bodies, state->count, &count));
+	       report(scree_world_get_bodies(state->world, state->bodies, state->count, &count));
 }
 
 static bool step(void* context, float dt, int substeps)
 {
 	State* state = context;
-	return report(scree_step(state->world, dt, substeps));
+	return report(scree_world_step(state->world, dt, substeps));
 }
 
 static bool wait(void* context)
 {
 	State* state = context;
-	return report(scree_wait(state->world));
+	return report(scree_world_wait(state->world));
 }
 
 static bool poses(void* context, scree_pose* poses, int count)
 {
 	State* state = context;
-	return report(scree_get_poses(state->world, state->bodies, poses, count));
+	return report(scree_bodies_get_poses(state->world, state->bodies, poses, count));
 }
 
 static bool hash(void* context, uint64_t* hash)
 {
 	State* state = context;
-	return report(scree_world_hash(state->world, hash));
+	return report(scree_world_get_hash(state->world, hash));
 }
 
 const Engine scree_engine = {"scree", open, change, step, wait, poses, hash, close};

@@ -43,8 +43,9 @@ static void close(void* context)
 
 static bool create_one(State* state, const Lab* lab, int index)
 {
-	static const b2BodyType types[] = {
-	    [SCREE_STATIC] = b2_staticBody, [SCREE_KINEMATIC] = b2_kinematicBody, [SCREE_DYNAMIC] = b2_dynamicBody};
+	static const b2BodyType types[] = {[SCREE_BODY_STATIC] = b2_staticBody,
+	                                   [SCREE_BODY_KINEMATIC] = b2_kinematicBody,
+	                                   [SCREE_BODY_DYNAMIC] = b2_dynamicBody};
 	const LabBody* body = &lab->bodies[index];
 	const scree_body_def* from = &body->def;
 	b2BodyDef def = b2DefaultBodyDef();

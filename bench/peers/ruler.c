@@ -19,7 +19,7 @@ bool ruler_open(Ruler* ruler, const Scene* scene)
 	size_t count = (size_t)ruler->count + 1;
 	ruler->still = calloc(count, sizeof(scree_velocity));
 	ruler->poses = calloc(count, sizeof(scree_pose));
-	return ruler->still && ruler->poses && report(scree_set_gravity(ruler->world, (scree_vec){0.0f, 0.0f}));
+	return ruler->still && ruler->poses && report(scree_world_set_gravity(ruler->world, (scree_vec){0.0f, 0.0f}));
 }
 
 static bool note_heights(Ruler* ruler)
@@ -44,9 +44,11 @@ static bool note_heights(Ruler* ruler)
 bool ruler_measure(Ruler* ruler)
 {
 	scree_counters counters;
-	if (!note_heights(ruler) || !report(scree_set_poses(ruler->world, ruler->bodies, ruler->poses, ruler->count)) ||
-	    !report(scree_set_velocities(ruler->world, ruler->bodies, ruler->still, ruler->count)) ||
-	    !report(scree_step(ruler->world, MOMENT, 1)) || !report(scree_get_counters(ruler->world, &counters)))
+	if (!note_heights(ruler) ||
+	    !report(scree_bodies_set_poses(ruler->world, ruler->bodies, ruler->poses, ruler->count)) ||
+	    !report(scree_bodies_set_velocities(ruler->world, ruler->bodies, ruler->still, ruler->count)) ||
+	    !report(scree_world_step(ruler->world, MOMENT, 1)) ||
+	    !report(scree_world_get_counters(ruler->world, &counters)))
 		return false;
 	if (counters.penetration > ruler->penetration)
 		ruler->penetration = counters.penetration;
@@ -58,7 +60,7 @@ bool ruler_measure(Ruler* ruler)
 
 void ruler_close(Ruler* ruler)
 {
-	scree_destroy_world(ruler->world);
+	scree_world_destroy(ruler->world);
 	free(ruler->bodies);
 	free(ruler->still);
 	free(ruler->poses);

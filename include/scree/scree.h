@@ -15,7 +15,7 @@
 // Between two steps, changes (forces, velocities, poses, ...) are collected and travel to the device as one batch.
 // Reading anything back sends what is pending first, so that one reads what one wrote.
 //
-// Determinism. After the same calls in the same order, a world has the same scree_world_hash on every device, with any
+// Determinism. After the same calls in the same order, a world has the same scree_world_get_hash on every device, with any
 // number of threads or lanes, and with every compiler that keeps IEEE 754 arithmetic.
 #ifndef SCREE_H
 #define SCREE_H
@@ -57,13 +57,13 @@ extern "C" {
 typedef enum scree_status
 {
 	SCREE_OK = 0,
-	SCREE_INVALID = 1,       // an argument is out of its range; nothing changed
-	SCREE_STALE = 2,         // a handle is null or names something that was destroyed; nothing changed
-	SCREE_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, unless in the middle of a step (scree_step)
-	SCREE_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
-	SCREE_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
-	SCREE_NOT_SUPPORTED = 6, // the device has no way to do this; nothing changed
-	SCREE_CROWDED = 7,       // scree_step: more contacts than scree_world_def.contact_limit; nothing changed
+	SCREE_ERROR_INVALID = 1,       // an argument is out of its range; nothing changed
+	SCREE_ERROR_STALE = 2,         // a handle is null or names something that was destroyed; nothing changed
+	SCREE_ERROR_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, unless in mid-step (scree_world_step)
+	SCREE_ERROR_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
+	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
+	SCREE_ERROR_NOT_SUPPORTED = 6, // the device has no way to do this; nothing changed
+	SCREE_ERROR_CROWDED = 7, // scree_world_step: more contacts than scree_world_def.contact_limit; nothing changed
 } scree_status;
 
 // The sentence of the last failure on this thread, or an empty string. Valid until the next failing call.
@@ -93,9 +93,9 @@ typedef struct scree_hooks
 	void* context;
 } scree_hooks;
 
-// Installs hooks, copied; null restores the defaults. Fails with SCREE_INVALID while a world exists, or when only one
+// Installs hooks, copied; null restores the defaults. Fails with SCREE_ERROR_INVALID while a world exists, or when only one
 // of allocate and release is given.
-SCREE_API scree_status scree_set_hooks(const scree_hooks* hooks);
+SCREE_API scree_status scree_hooks_set(const scree_hooks* hooks);
 
 // Bytes of host memory in use by the library now.
 SCREE_API size_t scree_memory(void);
@@ -133,20 +133,20 @@ typedef struct scree_box
 } scree_box;
 
 // The rotation by an angle in radians, from Scree's own polynomials: the same bits on every machine.
-SCREE_API scree_rot scree_make_rot(float radians);
+SCREE_API scree_rot scree_rot_make(float radians);
 
 // The angle of a rotation, in [-pi, pi], from Scree's own polynomial.
-SCREE_API float scree_rot_angle(scree_rot rotation);
+SCREE_API float scree_rot_get_angle(scree_rot rotation);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Devices
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef enum scree_sharing // how the rows of scree_show can reach an OpenGL buffer, best last
+typedef enum scree_sharing // how the rows of scree_world_write_render_rows can reach an OpenGL buffer, best last
 {
-	SCREE_COPIED,        // through the host: scree_get_shown, then into the buffer
-	SCREE_SHARED_MEMORY, // cl_khr_external_memory with file descriptors: scree_share_memory
-	SCREE_SHARED_OPENGL, // cl_khr_gl_sharing: scree_share_opengl
+	SCREE_SHARING_COPIED, // through the host: scree_world_get_render_rows, then into the buffer
+	SCREE_SHARING_MEMORY, // cl_khr_external_memory with file descriptors: scree_world_share_memory
+	SCREE_SHARING_OPENGL, // cl_khr_gl_sharing: scree_world_share_opengl
 } scree_sharing;
 
 // "copied", "shared through external memory", "shared with OpenGL"
@@ -166,7 +166,7 @@ typedef struct scree_device
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null when capacity
 // is 0) and the number there are into count. When there is no OpenCL, scree_opencl_remedy says what to install.
-SCREE_API scree_status scree_get_devices(scree_device* devices, int capacity, int* count);
+SCREE_API scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
 
 // One sentence on what to install to get an OpenCL device, or an empty string when there is one.
 SCREE_API const char* scree_opencl_remedy(void);
@@ -179,9 +179,9 @@ typedef struct scree_world scree_world;
 
 typedef enum scree_window_system
 {
-	SCREE_EGL, // EGLContext, EGLDisplay
-	SCREE_GLX, // GLXContext, Display*
-	SCREE_WGL, // HGLRC, HDC
+	SCREE_WINDOW_EGL, // EGLContext, EGLDisplay
+	SCREE_WINDOW_GLX, // GLXContext, Display*
+	SCREE_WINDOW_WGL, // HGLRC, HDC
 } scree_window_system;
 
 typedef struct scree_opengl // a context of OpenGL
@@ -197,70 +197,70 @@ typedef struct scree_world_def
 	int threads;             // CPU worker threads, 0 (default) for one a core, at most 64
 	int lanes;               // CPU SIMD lanes: 0 (default) for the widest this processor has, or 1, 4, 8, 16
 	bool allow_unequal_bits; // run on a device that cannot keep the promise of equal bits; default false
-	bool timings;            // measure milliseconds a stage (scree_get_timings); costs a little on a GPU; default false
+	bool timings;            // measure milliseconds a stage (scree_world_get_timings), which costs a GPU a little
 	float contact_hertz;     // stiffness of contacts, 1/s, default 52; capped to 0.22 of the substep rate
 	float contact_damping_ratio; // default 15
 	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
 	float max_speed; // m/s, default 400: no body is faster when a step ends. Nor does one turn by more than half
 	                 // a circle a step, or an eighth a substep
-	const scree_opengl* opengl; // null (default), or the context of which scree_share_opengl will take buffers: copied,
-	                            // and the context itself lent until the world's end, for it may move to its device
+	const scree_opengl* opengl; // null (default), or the context that scree_world_share_opengl works in: copied; the
+	                            // context itself is lent until the world's end, for it may move to its device
 	int body_capacity;          // room to begin with; everything grows. 0 (default) for a small world
 	int contact_capacity;       // the same for contacts
-	int contact_limit; // most contacts, 300 bytes each; a step that finds more fails with SCREE_CROWDED and changes
+	int contact_limit; // most contacts, 300 bytes each; a step that finds more fails with SCREE_ERROR_CROWDED and changes
 	                   // nothing. 0 (default) for 32 a collidable, and 2 million at least
-	int cookie;        // set by scree_default_world_def
+	int cookie;        // set by scree_world_def_default
 } scree_world_def;
 
-SCREE_API scree_world_def scree_default_world_def(void);
+SCREE_API scree_world_def scree_world_def_default(void);
 
-// Creates a world into *world, which the caller owns and gives to scree_destroy_world. On failure *world is null.
+// Creates a world into *world, which the caller owns and gives to scree_world_destroy. On failure *world is null.
 //
-// With device "auto" the world begins on the CPU. scree_step moves it to a GPU, and back, when its steps take less time
+// With device "auto" the world begins on the CPU. scree_world_step moves it to a GPU, and back, when its steps take less time
 // there, and tells the log so (SCREE_LOG_INFO, with both times). A GPU is opened when the world is large enough to gain
 // from it, by a thread while the world goes on; one that fails, or whose bits are not the CPU's, is logged and left
 // alone. Moving changes no bit of the world. docs/auto.md says when it moves.
-SCREE_API scree_status scree_create_world(const scree_world_def* def, scree_world** world);
+SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_world** world);
 
 // Destroys a world and everything in it. Null is allowed.
-SCREE_API void scree_destroy_world(scree_world* world);
+SCREE_API void scree_world_destroy(scree_world* world);
 
 // Advances a world by dt seconds (0 < dt <= 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
 // Bodies that lie in one place make contacts by the square of their number. Where these are more than
-// scree_world_def.contact_limit, the step fails with SCREE_CROWDED, and the sentence names the most crowded place and how
-// many collidables are there; where there is no memory for them, it fails with SCREE_OUT_OF_MEMORY. Nothing has changed
+// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED, and the sentence names the most crowded place and how
+// many collidables are there; where there is no memory for them, it fails with SCREE_ERROR_OUT_OF_MEMORY. Nothing has changed
 // then: time stands still, and when bodies have been moved apart or destroyed the world goes on.
 //
 // A step that breaks off later, because the device failed or had no memory left for what the solver needs, cannot be
 // undone: from then on the world refuses every call that works on it with the same status, and can only be destroyed.
-SCREE_API scree_status scree_step(scree_world* world, float dt, int substeps);
+SCREE_API scree_status scree_world_step(scree_world* world, float dt, int substeps);
 
 // Gravity, m/s^2, each component finite.
-SCREE_API scree_status scree_set_gravity(scree_world* world, scree_vec gravity);
-SCREE_API scree_vec scree_get_gravity(const scree_world* world);
+SCREE_API scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity);
+SCREE_API scree_vec scree_world_get_gravity(const scree_world* world);
 
 // The device that the world runs on now, as in scree_device.name; owned by the world, and changed when it moves.
-SCREE_API const char* scree_world_device(const scree_world* world);
+SCREE_API const char* scree_world_get_device(const scree_world* world);
 
 // Moves a world to another device between two steps. device is what scree_world_def.device takes: "cpu", "opencl" or
-// "opencl:NAME" for good, "auto" to leave the choice to scree_step from now on. The world goes on with the same bits:
+// "opencl:NAME" for good, "auto" to leave the choice to scree_world_step from now on. The world goes on with the same bits:
 // its hash, handles, contacts and impulses, and what the user has changed since the last step all stay. Threads, lanes,
 // allow_unequal_bits and timings are those of its definition.
 //
 // It costs the opening of the device, some 0.3 s for a GPU, and the transfer of the world, some 1 kB a body; both devices
-// hold it for that moment. On failure (SCREE_NO_DEVICE, SCREE_OUT_OF_MEMORY, ...) the world is where it was, as it was;
-// only if the device that it was on failed while it was read (SCREE_DEVICE_FAILED) it is broken, as after scree_step.
-SCREE_API scree_status scree_move_world(scree_world* world, const char* device);
+// hold it for that moment. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world is where it was, as it was;
+// only if the device that it was on failed while it was read (SCREE_ERROR_DEVICE_FAILED) it is broken, as after scree_world_step.
+SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
 // CPU threads and lanes in use; 0 on an OpenCL device.
-SCREE_API int scree_world_threads(const scree_world* world);
-SCREE_API int scree_world_lanes(const scree_world* world);
+SCREE_API int scree_world_get_threads(const scree_world* world);
+SCREE_API int scree_world_get_lanes(const scree_world* world);
 
 // A 64-bit hash of all simulated state: equal worlds have equal hashes on every device.
-SCREE_API scree_status scree_world_hash(scree_world* world, uint64_t* hash);
+SCREE_API scree_status scree_world_get_hash(scree_world* world, uint64_t* hash);
 
 typedef struct scree_counters
 {
@@ -282,15 +282,15 @@ typedef struct scree_counters
 	uint64_t device_bytes; // memory of the pools on the device
 } scree_counters;
 
-SCREE_API scree_status scree_get_counters(scree_world* world, scree_counters* counters);
+SCREE_API scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 
 typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings
 {
-	float step; // wall clock of scree_step, up to the end of the device's work
+	float step; // wall clock of scree_world_step, up to the end of the device's work
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
 } scree_timings;
 
-SCREE_API scree_status scree_get_timings(scree_world* world, scree_timings* timings);
+SCREE_API scree_status scree_world_get_timings(scree_world* world, scree_timings* timings);
 
 typedef struct scree_traffic // memory that the solve stage of the last step asked for
 {
@@ -302,15 +302,15 @@ typedef struct scree_traffic // memory that the solve stage of the last step ask
 
 // Counts the bytes that the last step's solve stage read and wrote by its algorithm: the same on every device, whatever
 // caches save. Both members over scree_timings.solve are the rate that it achieved. Zeros before the first step.
-SCREE_API scree_status scree_get_traffic(scree_world* world, scree_traffic* traffic);
+SCREE_API scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
 
 // Measures how fast the world's device copies its own memory: bytes read and written a second, both counted, with all
 // threads of a CPU. Takes some milliseconds on a GPU and up to a second elsewhere, and 512 MB for that time, or less where
 // there is less. The world stays as it is.
-SCREE_API scree_status scree_measure_bandwidth(scree_world* world, double* bandwidth);
+SCREE_API scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth);
 
 // Waits until the device has finished everything that was asked of it.
-SCREE_API scree_status scree_wait(scree_world* world);
+SCREE_API scree_status scree_world_wait(scree_world* world);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Attributes: what many collidables share
@@ -323,10 +323,10 @@ typedef struct scree_attribute
 
 typedef enum scree_shape_kind
 {
-	SCREE_CIRCLE,
-	SCREE_CAPSULE,
-	SCREE_SEGMENT,
-	SCREE_POLYGON,
+	SCREE_SHAPE_CIRCLE,
+	SCREE_SHAPE_CAPSULE,
+	SCREE_SHAPE_SEGMENT,
+	SCREE_SHAPE_POLYGON,
 } scree_shape_kind;
 
 // A shape in local coordinates: the points within radius of the convex hull of the vertices.
@@ -336,30 +336,30 @@ typedef struct scree_shape
 	int count;                              // 1 circle, 2 capsule and segment, 3 to 8 polygon
 	float radius;                           // m; of a polygon: its rounding; of a segment: 0
 	scree_vec vertices[SCREE_MAX_VERTICES]; // polygon: convex, counter-clockwise
-	scree_vec normals[SCREE_MAX_VERTICES];  // outward normal of the edge from vertex i to i + 1; filled by scree_make_*
-	scree_vec centroid;                     // filled by scree_make_*
-	float area;                             // m^2; 0 for a segment; filled by scree_make_*
-	float inertia;                          // m^4: about the centroid, per unit of density; filled by scree_make_*
-	float reach;                            // m: largest distance of a point of the shape from the origin; filled
+	scree_vec normals[SCREE_MAX_VERTICES];  // outward, of the edge from vertex i to i + 1; filled by scree_shape_make_*
+	scree_vec centroid;                     // filled by scree_shape_make_*
+	float area;                             // m^2; 0 for a segment; filled by scree_shape_make_*
+	float inertia; // m^4: about the centroid, per unit of density; filled by scree_shape_make_*
+	float reach;   // m: largest distance of a point of the shape from the origin; filled
 } scree_shape;
 
-// Each fails with SCREE_INVALID on values that are not finite, sizes that are not positive (or under 1 mm), and
+// Each fails with SCREE_ERROR_INVALID on values that are not finite, sizes that are not positive (or under 1 mm), and
 // coordinates beyond SCREE_HUGE.
-SCREE_API scree_status scree_make_box(float half_width, float half_height, scree_shape* shape);
-SCREE_API scree_status scree_make_circle(scree_vec center, float radius, scree_shape* shape);
-SCREE_API scree_status scree_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
-SCREE_API scree_status scree_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
+SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
+SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
+SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
+SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
 // A convex polygon, rounded by radius (0 for sharp corners), from 3 to 8 corners in order, either way round. Corners
-// that are concave, coincident (closer than 5 mm) or collinear are refused: scree_make_hull drops them instead.
-SCREE_API scree_status scree_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
+// that are concave, coincident (closer than 5 mm) or collinear are refused: scree_shape_make_hull drops them instead.
+SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
 
 // The convex hull of any 3 to 64 points, welded at 5 mm and freed of collinear corners; refused when it has fewer than
 // 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
-SCREE_API scree_status scree_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
+SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
 
 // Moves a shape: turned by pose.rotation, then shifted by pose.position.
-SCREE_API scree_status scree_transform_shape(const scree_shape* shape, scree_pose pose, scree_shape* moved);
+SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* moved);
 
 typedef struct scree_attribute_def
 {
@@ -373,16 +373,16 @@ typedef struct scree_attribute_def
 } scree_attribute_def;
 
 // Defaults with a box of half a metre a side (1 m wide).
-SCREE_API scree_attribute_def scree_default_attribute_def(void);
+SCREE_API scree_attribute_def scree_attribute_def_default(void);
 
 // Makes an attribute, or returns the one that exists with equal values. Attributes live as long as their world and
 // never change.
-SCREE_API scree_status scree_create_attribute(scree_world* world, const scree_attribute_def* def,
+SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
 
 // The values that an attribute was made of.
-SCREE_API scree_status scree_get_attribute(const scree_world* world, scree_attribute attribute,
-                                           scree_attribute_def* def);
+SCREE_API scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
+                                               scree_attribute_def* def);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Bodies
@@ -395,9 +395,9 @@ typedef struct scree_body
 
 typedef enum scree_body_type
 {
-	SCREE_STATIC,    // never moves by itself, infinite mass
-	SCREE_KINEMATIC, // moves with the velocity that it is given, infinite mass
-	SCREE_DYNAMIC,   // moved by forces and contacts
+	SCREE_BODY_STATIC,    // never moves by itself, infinite mass
+	SCREE_BODY_KINEMATIC, // moves with the velocity that it is given, infinite mass
+	SCREE_BODY_DYNAMIC,   // moved by forces and contacts
 } scree_body_type;
 
 enum // bits of scree_body_def.locks
@@ -418,7 +418,7 @@ typedef struct scree_filter
 
 typedef struct scree_body_def
 {
-	scree_body_type type;      // default SCREE_DYNAMIC
+	scree_body_type type;      // default SCREE_BODY_DYNAMIC
 	scree_pose pose;           // of the body's origin; default the world's origin
 	scree_velocity velocity;   // default 0
 	float gravity_scale;       // default 1
@@ -431,46 +431,49 @@ typedef struct scree_body_def
 	int cookie;
 } scree_body_def;
 
-SCREE_API scree_body_def scree_default_body_def(void);
-SCREE_API scree_filter scree_default_filter(void);
+SCREE_API scree_body_def scree_body_def_default(void);
+SCREE_API scree_filter scree_filter_default(void);
 
 // Creates count bodies from count definitions. All or none: on failure no body is created. bodies (may be null) gets
 // the handles.
-SCREE_API scree_status scree_create_bodies(scree_world* world, const scree_body_def* defs, int count,
+SCREE_API scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count,
                                            scree_body* bodies);
-SCREE_API scree_status scree_create_body(scree_world* world, const scree_body_def* def, scree_body* body);
+SCREE_API scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body);
 
 // Destroys bodies and their collidables. Contacts end without a further word. All or none.
-SCREE_API scree_status scree_destroy_bodies(scree_world* world, const scree_body* bodies, int count);
-SCREE_API scree_status scree_destroy_body(scree_world* world, scree_body body);
+SCREE_API scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count);
+SCREE_API scree_status scree_body_destroy(scree_world* world, scree_body body);
 
 SCREE_API bool scree_body_is_valid(const scree_world* world, scree_body body);
 
 // Writes up to capacity handles of all bodies alive, by rising index, and how many there are.
-SCREE_API scree_status scree_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count);
+SCREE_API scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count);
 
 // Batches. Each takes count handles and count values; all or none. A body named twice gets both, in order.
-SCREE_API scree_status scree_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces,
-                                          int count); // N at the center of mass, for the next step
-SCREE_API scree_status scree_apply_torques(scree_world* world, const scree_body* bodies, const float* torques,
-                                           int count); // N m, for the next step
-SCREE_API scree_status scree_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
-                                            int count); // N s at the center of mass, at once
-SCREE_API scree_status scree_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
-                                                    int count); // N m s, at once
-SCREE_API scree_status scree_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
-                                             const scree_vec* points, int count); // at world points, m
-SCREE_API scree_status scree_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
-                                               const scree_vec* points, int count);
-SCREE_API scree_status scree_set_velocities(scree_world* world, const scree_body* bodies,
-                                            const scree_velocity* velocities, int count);
-SCREE_API scree_status scree_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
-                                       int count); // teleport; velocities stay
-SCREE_API scree_status scree_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
-                                       int count); // of the bodies' origins; the world keeps more digits
-                                                   // than a float has: set again, a body may be off by half the last
-SCREE_API scree_status scree_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
-                                            int count);
+SCREE_API scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces,
+                                                 int count); // N at the center of mass, for the next step
+SCREE_API scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques,
+                                                  int count); // N m, for the next step
+SCREE_API scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies,
+                                                   const scree_vec* impulses,
+                                                   int count); // N s at the center of mass, at once
+SCREE_API scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies,
+                                                           const float* impulses,
+                                                           int count); // N m s, at once
+SCREE_API scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies,
+                                                    const scree_vec* forces, const scree_vec* points,
+                                                    int count); // at world points, m
+SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies,
+                                                      const scree_vec* impulses, const scree_vec* points, int count);
+SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
+                                                   const scree_velocity* velocities, int count);
+SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
+                                              int count); // teleport; velocities stay
+SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
+                                              int count); // of the bodies' origins; the world keeps more digits
+// than a float has: set again, a body may be off by half the last
+SCREE_API scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies,
+                                                   scree_velocity* velocities, int count);
 
 // The same for one body.
 SCREE_API scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force);
@@ -529,20 +532,20 @@ typedef struct scree_collidable_def
 	int cookie;
 } scree_collidable_def;
 
-SCREE_API scree_collidable_def scree_default_collidable_def(void);
+SCREE_API scree_collidable_def scree_collidable_def_default(void);
 
-SCREE_API scree_status scree_create_collidables(scree_world* world, const scree_collidable_def* defs, int count,
+SCREE_API scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
                                                 scree_collidable* collidables);
-SCREE_API scree_status scree_create_collidable(scree_world* world, const scree_collidable_def* def,
+SCREE_API scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def,
                                                scree_collidable* collidable);
-SCREE_API scree_status scree_destroy_collidables(scree_world* world, const scree_collidable* collidables, int count);
-SCREE_API scree_status scree_destroy_collidable(scree_world* world, scree_collidable collidable);
+SCREE_API scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count);
+SCREE_API scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable);
 SCREE_API bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable);
 
 // Writes up to capacity handles of a body's collidables, in the order that they were added, and how many there are. A
 // null body lists the collidables without a body, by rising index.
-SCREE_API scree_status scree_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
-                                             int capacity, int* count);
+SCREE_API scree_status scree_body_get_collidables(const scree_world* world, scree_body body,
+                                                  scree_collidable* collidables, int capacity, int* count);
 
 SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable,
                                                  scree_body* body);
@@ -558,8 +561,8 @@ SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree
 SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
 
 // Teleports collidables that have no body; the others belong to their bodies and are refused.
-SCREE_API scree_status scree_set_collidable_poses(scree_world* world, const scree_collidable* collidables,
-                                                  const scree_pose* poses, int count);
+SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
+                                                   const scree_pose* poses, int count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Contacts and overlaps
@@ -587,57 +590,58 @@ typedef struct scree_contact
 
 // Writes up to capacity of the touching contacts that bodies answer to, in the order of the contact pool (equal on all
 // devices), and how many there are.
-SCREE_API scree_status scree_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count);
+SCREE_API scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count);
 
 // The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
 // shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
-SCREE_API scree_status scree_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count);
+SCREE_API scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Drawing
 //
 // What a renderer needs of every collidable, in one array that fits a vertex buffer: row k is the collidable of index k.
-// scree_get_shown copies the rows to the host. Where scree_world_sharing says more than SCREE_COPIED, they need not leave
-// the device: it is given memory that OpenGL draws from, and scree_show writes them there. The rows are the same, bit for
+// scree_world_get_render_rows copies the rows to the host. Where scree_world_get_sharing says more than SCREE_SHARING_COPIED, they need not leave
+// the device: it is given memory that OpenGL draws from, and scree_world_write_render_rows writes them there. The rows are the same, bit for
 // bit. docs/share.md has an example.
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef struct scree_shown // 32 bytes
+typedef struct scree_render_row // 32 bytes
 {
 	scree_pose pose;   // of the attribute's shape in the world
 	scree_vec center;  // from there to the body's center of mass, world axes, m
 	int32_t attribute; // index of its handle; -1 where there is no collidable: skip the row
 	int32_t body;      // index of its handle, -1 for none
-} scree_shown;
+} scree_render_row;
 
 // Writes up to capacity rows of the world as it is now, and how many there are: one more than the highest index that a
 // collidable had so far. rows may be null when capacity is 0.
-SCREE_API scree_status scree_get_shown(scree_world* world, scree_shown* rows, int capacity, int* count);
+SCREE_API scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity,
+                                                   int* count);
 
-// The way in which this world can share: that of its device, but SCREE_SHARED_OPENGL only when the world was made with a
+// The way in which this world can share: that of its device, but SCREE_SHARING_OPENGL only when the world was made with a
 // scree_world_def.opengl that the driver took.
-SCREE_API scree_sharing scree_world_sharing(const scree_world* world);
+SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 
 // Memory that another interface allocated on the same device (scree_device.uuid) and exported as an opaque file
 // descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The world
 // takes over the descriptor when this succeeds. bytes is how much of the allocation is used, at least one row. Fails with
-// SCREE_NOT_SUPPORTED when scree_world_sharing does not say SCREE_SHARED_MEMORY or the driver refuses the memory.
-// The memory is shared until it is replaced by another call, scree_unshare, the world's move to another device (of itself,
+// SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_MEMORY or the driver refuses the memory.
+// The memory is shared until it is replaced by another call, scree_world_unshare, the world's move to another device (of itself,
 // where that is "auto"), or its end.
-SCREE_API scree_status scree_share_memory(scree_world* world, int file_descriptor, size_t bytes);
+SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
-// A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in scree_show; bytes
+// A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in scree_world_write_render_rows; bytes
 // is the size of its storage, at least one row. It must outlive the sharing, and keep its storage. Fails with
-// SCREE_NOT_SUPPORTED when scree_world_sharing does not say SCREE_SHARED_OPENGL or the driver refuses the buffer.
-SCREE_API scree_status scree_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
+// SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_OPENGL or the driver refuses the buffer.
+SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
 // Lets go of what was shared; null and worlds that share nothing are allowed.
-SCREE_API void scree_unshare(scree_world* world);
+SCREE_API void scree_world_unshare(scree_world* world);
 
 // Writes the rows of the world as it is now into the shared memory, and how many there are into count. They are there
 // when this returns. OpenGL must be done with the rows of before: wait for a fence behind the last draw. Fails with
-// SCREE_INVALID, and writes count all the same, when there are more rows than fit: share something larger.
-SCREE_API scree_status scree_show(scree_world* world, int* count);
+// SCREE_ERROR_INVALID, and writes count all the same, when there are more rows than fit: share something larger.
+SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
 
 #ifdef __cplusplus
 }

@@ -294,7 +294,7 @@ static scree_status cpu_resize(Backend* b, Per per, int capacity)
 		size_t bytes = pool_info[pool].bytes;
 		char* memory = scree_reallocate(pool_memory(cpu, pool), old_items * bytes, items * bytes);
 		if (!memory && capacity > b->capacity[per])
-			return fail(SCREE_OUT_OF_MEMORY, "no memory for %d items of pool %s (%zu bytes each)", capacity,
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d items of pool %s (%zu bytes each)", capacity,
 			            pool_info[pool].name, bytes);
 		if (memory) // else it has more room than it is known to have, until it grows
 			memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
@@ -383,7 +383,7 @@ static scree_status cpu_copy_reserve(Backend* b, size_t bytes)
 	cpu->copy_bytes = bytes;
 	if (cpu->copy_from && cpu->copy_to)
 		return SCREE_OK;
-	return fail(SCREE_OUT_OF_MEMORY, "no memory for two blocks of %zu bytes", bytes);
+	return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for two blocks of %zu bytes", bytes);
 }
 
 static void copy_share(void* context, int worker, int workers)
@@ -450,18 +450,18 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	int widest = processor_widest_lanes();
 	int lanes = options->lanes ? options->lanes : widest;
 	if (lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16)
-		return fail(SCREE_INVALID, "lanes is %d, but must be 0, 1, 4, 8 or 16", lanes);
+		return fail(SCREE_ERROR_INVALID, "lanes is %d, but must be 0, 1, 4, 8 or 16", lanes);
 	if (!processor_has_lanes(lanes))
-		return fail(SCREE_INVALID, "lanes is %d, but this processor has %d at most (%s)", lanes, widest,
+		return fail(SCREE_ERROR_INVALID, "lanes is %d, but this processor has %d at most (%s)", lanes, widest,
 		            processor_instructions(widest));
 	if (options->threads < 0 || options->threads > MAX_WORKERS)
-		return fail(SCREE_INVALID, "threads is %d, but must be 0 to %d", options->threads, MAX_WORKERS);
+		return fail(SCREE_ERROR_INVALID, "threads is %d, but must be 0 to %d", options->threads, MAX_WORKERS);
 	int cores = processor_cores();
 	int threads = options->threads ? options->threads : cores < MAX_WORKERS ? cores : MAX_WORKERS;
 
 	Cpu* cpu = scree_allocate(sizeof(Cpu));
 	if (!cpu)
-		return fail(SCREE_OUT_OF_MEMORY, "no memory for the CPU backend (%zu bytes)", sizeof(Cpu));
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the CPU backend (%zu bytes)", sizeof(Cpu));
 	Backend* b = &cpu->backend;
 	b->f = &functions;
 	b->threads = threads;
@@ -477,7 +477,7 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	if (!cpu->threads)
 	{
 		cpu_close(b);
-		return SCREE_OUT_OF_MEMORY;
+		return SCREE_ERROR_OUT_OF_MEMORY;
 	}
 	*backend = b;
 	return SCREE_OK;

@@ -170,7 +170,7 @@ Threads* threads_open(int workers)
 	Threads* t = scree_allocate(sizeof(Threads));
 	if (!t)
 	{
-		fail(SCREE_OUT_OF_MEMORY, "no memory for %d threads", workers);
+		fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d threads", workers);
 		return NULL;
 	}
 	mutex_open(&t->mutex);
@@ -194,8 +194,8 @@ Threads* threads_open(int workers)
 	if (started < workers)
 	{
 		threads_close(t);
-		fail(SCREE_OUT_OF_MEMORY, "the system refuses to start thread %d of %d: ask for fewer threads", started + 1,
-		     workers);
+		fail(SCREE_ERROR_OUT_OF_MEMORY, "the system refuses to start thread %d of %d: ask for fewer threads",
+		     started + 1, workers);
 		return NULL;
 	}
 	return t;

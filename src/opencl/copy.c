@@ -19,7 +19,7 @@ scree_status opencl_copy_reserve(Backend* b, size_t bytes)
 	OpenCl* d = b->state;
 	opencl_copy_release(b);
 	if (b->bytes + 2 * (uint64_t)bytes > d->device.about.memory)
-		return fail(SCREE_OUT_OF_MEMORY, "%s has no room for two blocks of %zu bytes.", b->name, bytes);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for two blocks of %zu bytes.", b->name, bytes);
 	d->copy_bytes = bytes;
 	for (int k = 0; k < 2; ++k)
 		TRY(buffer_create(d, bytes, &d->copies[k]));

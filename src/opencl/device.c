@@ -42,7 +42,9 @@ static void find_sharing(Device* d)
 	opencl.GetDeviceInfo(d->id, CL_DEVICE_EXTENSIONS, sizeof extensions, extensions, NULL);
 	d->shares_opengl = strstr(extensions, "cl_khr_gl_sharing");
 	d->shares_memory = strstr(extensions, "cl_khr_external_memory_opaque_fd");
-	d->about.sharing = d->shares_opengl ? SCREE_SHARED_OPENGL : d->shares_memory ? SCREE_SHARED_MEMORY : SCREE_COPIED;
+	d->about.sharing = d->shares_opengl   ? SCREE_SHARING_OPENGL
+	                   : d->shares_memory ? SCREE_SHARING_MEMORY
+	                                      : SCREE_SHARING_COPIED;
 	if (strstr(extensions, "cl_khr_device_uuid"))
 		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
@@ -157,7 +159,7 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 	Device devices[MAX_DEVICES];
 	int count = device_list(devices, MAX_DEVICES);
 	if (count == 0)
-		return fail(SCREE_NO_DEVICE, "%s", opencl_remedy());
+		return fail(SCREE_ERROR_NO_DEVICE, "%s", opencl_remedy());
 
 	const char* part = options->device ? options->device : "";
 	const Device* best = NULL;
@@ -178,9 +180,9 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 		}
 	}
 	if (!best)
-		return fail(SCREE_NO_DEVICE, "No OpenCL device of this machine has \"%s\" in its name.", part);
+		return fail(SCREE_ERROR_NO_DEVICE, "No OpenCL device of this machine has \"%s\" in its name.", part);
 	if (!best->usable || (!best->about.equal_bits && !options->allow_unequal_bits))
-		return fail(SCREE_NO_DEVICE, "Device %s is refused: %s.", best->about.name, best->about.reason);
+		return fail(SCREE_ERROR_NO_DEVICE, "Device %s is refused: %s.", best->about.name, best->about.reason);
 	*device = *best;
 	return SCREE_OK;
 }

@@ -15,14 +15,14 @@ typedef struct
 	bool usable;                       // false when no option can make Scree run on it; about.reason says why
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions: part of the key of the program cache
-	scree_device about; // what scree_get_devices tells
+	scree_device about; // what scree_devices_get tells
 } Device;
 
 // Writes at most capacity devices, and returns how many there are.
 int device_list(Device* devices, int capacity);
 
 // The best device for a world: one whose own or platform's name has the given part, upper or lower case, when there is
-// one; those that keep equal bits before others, GPUs before others. Fails with SCREE_NO_DEVICE.
+// one; those that keep equal bits before others, GPUs before others. Fails with SCREE_ERROR_NO_DEVICE.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

@@ -15,7 +15,7 @@ scree_status staging_open(OpenCl* d, bool timings)
 {
 	d->laps = timings ? scree_allocate(LAPS * sizeof *d->laps) : NULL;
 	if (timings && !d->laps)
-		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for the timings of an OpenCL device.");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the timings of an OpenCL device.");
 	return pinned_open(d, STAGING_BYTES, &d->staging);
 }
 
@@ -79,8 +79,8 @@ scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer)
 	// drivers that allocate on first use fail here with codes of their own choice
 	if (error == CL_MEM_OBJECT_ALLOCATION_FAILURE || error == CL_OUT_OF_RESOURCES || error == CL_OUT_OF_HOST_MEMORY ||
 	    error == CL_INVALID_BUFFER_SIZE)
-		return fail(SCREE_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d).", d->device.about.name,
-		            bytes, opencl_error_name(error), (int)error);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d).",
+		            d->device.about.name, bytes, opencl_error_name(error), (int)error);
 	return opencl_check("clCreateBuffer", error);
 }
 
@@ -125,7 +125,8 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 	cl_int error;
 	kernel->kernel = opencl.CreateKernel(d->program, name, &error);
 	if (error)
-		return fail(SCREE_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", name, opencl_error_name(error), (int)error);
+		return fail(SCREE_ERROR_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", name, opencl_error_name(error),
+		            (int)error);
 	size_t most = 1, multiple = 1;
 	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));

@@ -142,5 +142,5 @@ scree_status opencl_check(const char* function, cl_int code)
 {
 	if (code == CL_SUCCESS)
 		return SCREE_OK;
-	return fail(SCREE_DEVICE_FAILED, "%s: %s (%d)", function, opencl_error_name(code), (int)code);
+	return fail(SCREE_ERROR_DEVICE_FAILED, "%s: %s (%d)", function, opencl_error_name(code), (int)code);
 }

@@ -82,8 +82,9 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 	// while they are copied, both sizes are held
 	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, held = (uint64_t)item_bytes * (uint64_t)d->room[per];
 	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
-		return fail(SCREE_OUT_OF_MEMORY, "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.",
-		            b->name, (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
+		return fail(SCREE_ERROR_OUT_OF_MEMORY,
+		            "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.", b->name,
+		            (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
 		            (unsigned long long)(wanted >> 20));
 	int room = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
 	TRY(buffer_copy(d, per, room, item_bytes));
@@ -144,7 +145,8 @@ scree_status opencl_note(Backend* b, const Counters* counters)
 	d->tiles.stale |= counters->arrange > 0 || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
-	return fail(SCREE_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).", b->name);
+	return fail(SCREE_ERROR_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).",
+	            b->name);
 }
 
 static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
@@ -166,7 +168,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 {
 	OpenCl* d = b->state = scree_allocate(sizeof *d);
 	if (!d)
-		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
 	d->step_version = 1; // a step of zeros, which no kernel holds yet
 	TRY(device_choose(options, &d->device));
@@ -237,7 +239,7 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	*backend = NULL;
 	Backend* b = scree_allocate(sizeof *b);
 	if (!b)
-		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	b->f = &functions;
 	b->distant = true;
 	scree_status status = open_device(b, options);

@@ -206,7 +206,7 @@ scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, 
 // Waits for the queue and adds up the laps.
 scree_status finish(OpenCl* d);
 
-// Creates a zeroed buffer. Fails with SCREE_OUT_OF_MEMORY when there is no room.
+// Creates a zeroed buffer. Fails with SCREE_ERROR_OUT_OF_MEMORY when there is no room.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
 // Gives a scratch buffer room for so many bytes, zeroed when it grows, and counts them with those of the pools.

@@ -77,7 +77,7 @@ scree_status persistent_open(OpenCl* d)
 	d->most_groups = cpu ? 1 : d->device.about.units * (int)(most / d->persistent.group);
 	d->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
 	if (!d->listed)
-		return fail(SCREE_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
 	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &d->list));
 	TRY(buffer_create(d, 2 * (size_t)d->most_groups * d->persistent.group * sizeof(cl_int), &d->probes));
 	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_LIST, sizeof d->list, &d->list));

@@ -49,8 +49,8 @@ scree_status primitives_open(OpenCl* d)
 		cl_int error;
 		*kernels[i].kernel = opencl.CreateKernel(d->program, kernels[i].name, &error);
 		if (error)
-			return fail(SCREE_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", kernels[i].name, opencl_error_name(error),
-			            (int)error);
+			return fail(SCREE_ERROR_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", kernels[i].name,
+			            opencl_error_name(error), (int)error);
 	}
 	return buffer_create(d, (size_t)SORT_BLOCKS * SORT_DIGITS * sizeof(cl_uint), &d->table);
 }

@@ -96,7 +96,7 @@ scree_status program_build(cl_context context, const Device* device, const char*
 		log_messages(*program, device->id);
 		opencl.ReleaseProgram(*program);
 		*program = NULL;
-		return fail(SCREE_DEVICE_FAILED,
+		return fail(SCREE_ERROR_DEVICE_FAILED,
 		            "The stages do not build on %s: clBuildProgram: %s (%d); the log has the messages.",
 		            device->about.name, opencl_error_name(error), (int)error);
 	}

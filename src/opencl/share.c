@@ -22,7 +22,7 @@ typedef struct // of a way to share
 
 static Way way_of(scree_sharing how)
 {
-	if (how == SCREE_SHARED_OPENGL)
+	if (how == SCREE_SHARING_OPENGL)
 		return (Way){"clCreateFromGLBuffer", "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"};
 	return (Way){"clCreateBufferWithProperties", "clEnqueueAcquireExternalMemObjectsKHR",
 	             "clEnqueueReleaseExternalMemObjectsKHR"};
@@ -30,7 +30,7 @@ static Way way_of(scree_sharing how)
 
 static cl_mem import(OpenCl* d, void* create, const SharedMemory* memory, cl_int* error)
 {
-	if (memory->how == SCREE_SHARED_OPENGL)
+	if (memory->how == SCREE_SHARING_OPENGL)
 		return ((CreateFromOpenGl)create)(d->context, CL_MEM_WRITE_ONLY, memory->buffer, error);
 	MemoryProperty properties[] = {MEMORY_OPAQUE_FD, (MemoryProperty)memory->file, 0};
 	return ((CreateFromFile)create)(d->context, properties, CL_MEM_READ_WRITE, memory->bytes, NULL, error);
@@ -47,14 +47,14 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory)
 		made.acquire = (Handover)opencl_find(d->device.platform, way.acquire);
 		made.release = (Handover)opencl_find(d->device.platform, way.release);
 		if (!create || !made.acquire || !made.release)
-			return fail(SCREE_NOT_SUPPORTED, "%s has no %s.", b->name,
+			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s has no %s.", b->name,
 			            !create         ? way.create
 			            : !made.acquire ? way.acquire
 			                            : way.release);
 		cl_int error = CL_SUCCESS;
 		made.memory = import(d, create, memory, &error);
 		if (error)
-			return fail(SCREE_NOT_SUPPORTED, "%s does not take the memory to share: %s says %s (%d).", b->name,
+			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s does not take the memory to share: %s says %s (%d).", b->name,
 			            way.create, opencl_error_name(error), (int)error);
 	}
 	scree_status status = finish(d);
@@ -94,7 +94,7 @@ scree_status context_open(OpenCl* d, const scree_opengl* opengl)
 	{
 		// cl_khr_gl_sharing: CL_GL_CONTEXT_KHR, then CL_EGL_, CL_GLX_ or CL_WGL_DISPLAY_KHR (CL_WGL_HDC_KHR)
 		static const cl_context_properties displays[] = {
-		    [SCREE_EGL] = 0x2009, [SCREE_GLX] = 0x200a, [SCREE_WGL] = 0x200b};
+		    [SCREE_WINDOW_EGL] = 0x2009, [SCREE_WINDOW_GLX] = 0x200a, [SCREE_WINDOW_WGL] = 0x200b};
 		cl_context_properties shared[] = {0x2008,
 		                                  (cl_context_properties)opengl->context,
 		                                  displays[opengl->system],
@@ -105,11 +105,11 @@ scree_status context_open(OpenCl* d, const scree_opengl* opengl)
 		d->context = opencl.CreateContext(shared, 1, &d->device.id, NULL, NULL, &error);
 		if (!error)
 		{
-			d->backend->sharing = SCREE_SHARED_OPENGL;
+			d->backend->sharing = SCREE_SHARING_OPENGL;
 			return SCREE_OK;
 		}
 	}
-	d->backend->sharing = d->device.shares_memory ? SCREE_SHARED_MEMORY : SCREE_COPIED;
+	d->backend->sharing = d->device.shares_memory ? SCREE_SHARING_MEMORY : SCREE_SHARING_COPIED;
 	d->context = opencl.CreateContext(plain, 1, &d->device.id, NULL, NULL, &error);
 	return opencl_check("clCreateContext", error);
 }

@@ -128,7 +128,7 @@ static scree_status create_buffer(Paper* paper, PaperPoolId pool)
 	if (!error)
 		return SCREE_OK;
 	d->buffers[pool] = NULL;
-	return fail(SCREE_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d)", paper->device, bytes,
+	return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d)", paper->device, bytes,
 	            opencl_error_name(error), (int)error);
 }
 
@@ -191,7 +191,7 @@ scree_status paper_opencl_open(Paper* paper, const char* part, bool allow_unequa
 {
 	PaperOpenCl* d = paper->opencl = scree_allocate(sizeof *d);
 	if (!d)
-		return fail(SCREE_OUT_OF_MEMORY, "paper_create: no memory");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory");
 	BackendOptions options = {.device = part, .allow_unequal_bits = allow_unequal_bits};
 	TRY(device_choose(&options, &d->device));
 	snprintf(paper->device, sizeof paper->device, "%s", d->device.about.name);

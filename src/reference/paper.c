@@ -30,7 +30,7 @@ scree_status paper_reserve(Paper* paper, int needed)
 	if (!larger || capacity > INT32_MAX)
 	{
 		scree_release(larger);
-		return fail(SCREE_OUT_OF_MEMORY, "paper_step: no memory for %d contacts", needed);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_step: no memory for %d contacts", needed);
 	}
 	scree_release(paper->pools.contact);
 	paper->pools.contact = larger;
@@ -46,10 +46,10 @@ static scree_status open_device(Paper* paper, const char* device, bool allow_une
 		return SCREE_OK;
 	}
 	if (strcmp(device, "opencl") != 0 && strncmp(device, "opencl:", 7) != 0)
-		return fail(SCREE_INVALID, "paper_create: device is \"%s\", must be cpu, opencl or opencl:NAME", device);
+		return fail(SCREE_ERROR_INVALID, "paper_create: device is \"%s\", must be cpu, opencl or opencl:NAME", device);
 #ifdef SCREE_NO_OPENCL
 	(void)allow_unequal_bits;
-	return fail(SCREE_NO_DEVICE, "%s", scree_opencl_remedy());
+	return fail(SCREE_ERROR_NO_DEVICE, "%s", scree_opencl_remedy());
 #else
 	return paper_opencl_open(paper, device[6] ? device + 7 : NULL, allow_unequal_bits);
 #endif
@@ -63,7 +63,7 @@ scree_status paper_create(scree_world* world, const char* device, bool allow_une
 	TRY(check_pointer("paper_create", "device", device));
 	Paper* made = scree_allocate(sizeof *made);
 	if (!made)
-		return fail(SCREE_OUT_OF_MEMORY, "paper_create: no memory");
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory");
 	scree_status status = paper_take(made, world);
 	if (status == SCREE_OK)
 		status = paper_reserve(made, FIRST_CONTACTS);
@@ -106,7 +106,7 @@ scree_status paper_step(Paper* paper, float dt)
 {
 	TRY(check_pointer("paper_step", "paper", paper));
 	if (!(dt > 0.0f && dt <= 1.0f))
-		return fail(SCREE_INVALID, "paper_step: dt is %g, must be above 0 and at most 1", (double)dt);
+		return fail(SCREE_ERROR_INVALID, "paper_step: dt is %g, must be above 0 and at most 1", (double)dt);
 	double begin = processor_milliseconds();
 	paper->pools.step.dt = dt;
 	paper->timings = (PaperTimings){0};
@@ -133,7 +133,8 @@ scree_status paper_apply(Paper* paper, int body, scree_vec force, float torque)
 {
 	TRY(check_pointer("paper_apply", "paper", paper));
 	if (body < 0 || body >= paper->pools.step.bodies)
-		return fail(SCREE_INVALID, "paper_apply: body is %d, must be from 0 to %d", body, paper->pools.step.bodies - 1);
+		return fail(SCREE_ERROR_INVALID, "paper_apply: body is %d, must be from 0 to %d", body,
+		            paper->pools.step.bodies - 1);
 	Where at = {"paper_apply", "force", ALONE};
 	TRY(check_vec(at, "", force, FLT_MAX));
 	at.argument = "torque";
@@ -152,7 +153,8 @@ static scree_status check_read(const char* function, const Paper* paper, const c
 	TRY(check_batch(function, argument, array, count));
 	if (count <= paper->pools.step.bodies)
 		return SCREE_OK;
-	return fail(SCREE_INVALID, "%s: count is %d, but there are %d bodies", function, count, paper->pools.step.bodies);
+	return fail(SCREE_ERROR_INVALID, "%s: count is %d, but there are %d bodies", function, count,
+	            paper->pools.step.bodies);
 }
 
 scree_status paper_poses(const Paper* paper, scree_pose* poses, int count)

@@ -34,10 +34,10 @@ void paper_destroy(Paper* paper); // null is allowed
 // Advances by dt seconds (0 < dt <= 1).
 scree_status paper_step(Paper* paper, float dt);
 
-// Adds to the accumulators of a body, named by its place in scree_get_bodies: N, N m, for the next step.
+// Adds to the accumulators of a body, named by its place in scree_world_get_bodies: N, N m, for the next step.
 scree_status paper_apply(Paper* paper, int body, scree_vec force, float torque);
 
-// Write the first count bodies in the order that scree_get_bodies had.
+// Write the first count bodies in the order that scree_world_get_bodies had.
 scree_status paper_poses(const Paper* paper, scree_pose* poses, int count);
 scree_status paper_velocities(const Paper* paper, scree_velocity* velocities, int count);
 

@@ -184,7 +184,7 @@ scree_status paper_resolve(Paper* paper)
 	{
 		void* larger = scree_allocate(bytes + bytes / 2);
 		if (!larger)
-			return fail(SCREE_OUT_OF_MEMORY, "paper_step: no memory to resolve %d contacts", count);
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_step: no memory to resolve %d contacts", count);
 		scree_release(paper->scratch);
 		paper->scratch = larger;
 		paper->scratch_bytes = bytes + bytes / 2;

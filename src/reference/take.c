@@ -4,7 +4,7 @@
 #include "stages/vec.h"
 #include "world.h"
 
-typedef struct // what scree_get_bodies and scree_get_collidables tell
+typedef struct // what scree_world_get_bodies and scree_body_get_collidables tell
 {
 	scree_body* bodies;
 	scree_pose* poses;
@@ -15,23 +15,23 @@ typedef struct // what scree_get_bodies and scree_get_collidables tell
 
 static scree_status no_memory(void)
 {
-	return fail(SCREE_OUT_OF_MEMORY, "paper_create: no memory for a copy of the world");
+	return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory for a copy of the world");
 }
 
 // One more body than there are: the null body at the end, which has the collidables without a body.
 static scree_status take_bodies(scree_world* world, Taken* taken)
 {
 	int count = taken->body_count;
-	TRY(scree_get_bodies(world, NULL, 0, &count));
+	TRY(scree_world_get_bodies(world, NULL, 0, &count));
 	taken->body_count = count;
 	taken->bodies = scree_allocate(((size_t)count + 1) * sizeof *taken->bodies);
 	taken->poses = scree_allocate((size_t)count * sizeof *taken->poses);
 	taken->velocities = scree_allocate((size_t)count * sizeof *taken->velocities);
 	if (!taken->bodies || !taken->poses || !taken->velocities)
 		return no_memory();
-	TRY(scree_get_bodies(world, taken->bodies, count, &count));
-	TRY(scree_get_poses(world, taken->bodies, taken->poses, count));
-	return scree_get_velocities(world, taken->bodies, taken->velocities, count);
+	TRY(scree_world_get_bodies(world, taken->bodies, count, &count));
+	TRY(scree_bodies_get_poses(world, taken->bodies, taken->poses, count));
+	return scree_bodies_get_velocities(world, taken->bodies, taken->velocities, count);
 }
 
 static scree_status count_collidables(const scree_world* world, const Taken* taken, int* most, int* sum)
@@ -40,7 +40,7 @@ static scree_status count_collidables(const scree_world* world, const Taken* tak
 	for (int i = 0; i <= taken->body_count; ++i)
 	{
 		int count;
-		TRY(scree_get_collidables(world, taken->bodies[i], NULL, 0, &count));
+		TRY(scree_body_get_collidables(world, taken->bodies[i], NULL, 0, &count));
 		*most = count > *most ? count : *most;
 		*sum += count;
 	}
@@ -65,9 +65,9 @@ static scree_status take_body(const scree_world* world, const Taken* taken, int 
 	motion.free_x = locks & SCREE_LOCK_X ? 0.0f : 1.0f;
 	motion.free_y = locks & SCREE_LOCK_Y ? 0.0f : 1.0f;
 	scree_velocity v = taken->velocities[i];
-	if (type != SCREE_DYNAMIC)
+	if (type != SCREE_BODY_DYNAMIC)
 		motion.gravity_scale = motion.linear_damping = motion.angular_damping = 0.0f;
-	if (type == SCREE_STATIC)
+	if (type == SCREE_BODY_STATIC)
 		v = (scree_velocity){{0.0f, 0.0f}, 0.0f};
 
 	scree_pose pose = taken->poses[i];
@@ -115,7 +115,7 @@ static scree_status fill(Paper* paper, const scree_world* world, const Taken* ta
 			TRY(take_body(world, taken, i, &paper->pools.body[i], &kind));
 			center = paper->pools.body[i].local_center;
 		}
-		TRY(scree_get_collidables(world, taken->bodies[i], taken->collidables, most, &count));
+		TRY(scree_body_get_collidables(world, taken->bodies[i], taken->collidables, most, &count));
 		for (int k = 0; k < count; ++k, ++collidable)
 		{
 			TRY(take_collidable(world, taken->collidables[k], collidable));
@@ -138,7 +138,7 @@ static scree_status take(Paper* paper, scree_world* world, Taken* taken)
 	TRY(count_collidables(world, taken, &most, &p->step.collidables));
 	p->step.bodies = taken->body_count;
 	p->step.attributes = world->attribute_count;
-	scree_vec gravity = scree_get_gravity(world);
+	scree_vec gravity = scree_world_get_gravity(world);
 	p->step.gravity_x = gravity.x;
 	p->step.gravity_y = gravity.y;
 

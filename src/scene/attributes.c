@@ -71,9 +71,9 @@ static bool shape_fail(Reader* reader, const Place* place)
 static bool make_box(scree_vec half, float radius, scree_shape* shape)
 {
 	if (radius == 0)
-		return scree_make_box(half.x, half.y, shape) == SCREE_OK;
+		return scree_shape_make_box(half.x, half.y, shape) == SCREE_OK;
 	scree_vec corners[4] = {{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
-	return scree_make_polygon(corners, 4, radius, shape) == SCREE_OK;
+	return scree_shape_make_polygon(corners, 4, radius, shape) == SCREE_OK;
 }
 
 static bool read_shape(Reader* reader, const Place* place, const json_t* value, scree_shape* shape)
@@ -110,7 +110,7 @@ static bool read_shape(Reader* reader, const Place* place, const json_t* value, 
 	{
 		if (!reader_constant(reader, at, geometry, any_size, &radius))
 			return false;
-		status = scree_make_circle((scree_vec){0, 0}, (float)radius, shape);
+		status = scree_shape_make_circle((scree_vec){0, 0}, (float)radius, shape);
 	}
 	else if (strcmp(key, "box") == 0)
 	{
@@ -122,16 +122,16 @@ static bool read_shape(Reader* reader, const Place* place, const json_t* value, 
 	{
 		if (!read_points(reader, at, geometry, 2, 2, points, &count))
 			return false;
-		status = capsule ? scree_make_capsule(points[0], points[1], (float)radius, shape)
-		                 : scree_make_segment(points[0], points[1], shape);
+		status = capsule ? scree_shape_make_capsule(points[0], points[1], (float)radius, shape)
+		                 : scree_shape_make_segment(points[0], points[1], shape);
 	}
 	else
 	{
 		bool hull = strcmp(key, "hull") == 0;
 		if (!read_points(reader, at, geometry, 3, hull ? MAX_HULL_POINTS : SCREE_MAX_VERTICES, points, &count))
 			return false;
-		status = hull ? scree_make_hull(points, count, (float)radius, shape)
-		              : scree_make_polygon(points, count, (float)radius, shape);
+		status = hull ? scree_shape_make_hull(points, count, (float)radius, shape)
+		              : scree_shape_make_polygon(points, count, (float)radius, shape);
 	}
 	return status == SCREE_OK || shape_fail(reader, at);
 }
@@ -152,7 +152,7 @@ bool attributes_read(Reader* reader, const Place* place, const json_t* value, Sc
 		if (strlen(name) >= NAME_SIZE || !*name)
 			return reader_fail(reader, at, "a name has 1 to %d characters", NAME_SIZE - 1);
 		Attribute* attribute = &scene->attributes[scene->attribute_count];
-		attribute->def = scree_default_attribute_def();
+		attribute->def = scree_attribute_def_default();
 		strcpy(attribute->name, name);
 		if (!reader_object(reader, at, entry, attribute_keys) || !read_shape(reader, at, entry, &attribute->def.shape))
 			return false;

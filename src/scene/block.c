@@ -78,7 +78,7 @@ static bool read_bits(Reader* reader, const Place* place, const json_t* object, 
 
 static bool read_filter(Reader* reader, const Place* place, const json_t* object, scree_filter* filter)
 {
-	*filter = scree_default_filter();
+	*filter = scree_filter_default();
 	const json_t* group = json_object_get(object, "group");
 	double number = 0;
 	if (group && !reader_constant(reader, KEY(place, "group"), group, (Range){-1e9, 1e9, true, false}, &number))
@@ -265,8 +265,8 @@ static bool read_parts(Reader* reader, const Place* place, const json_t* value, 
 static bool read_type(Reader* reader, const Place* place, const json_t* value, scree_body_type* type)
 {
 	static const char* const names[] = {"static", "kinematic", "dynamic"};
-	static const scree_body_type types[] = {SCREE_STATIC, SCREE_KINEMATIC, SCREE_DYNAMIC};
-	*type = SCREE_DYNAMIC;
+	static const scree_body_type types[] = {SCREE_BODY_STATIC, SCREE_BODY_KINEMATIC, SCREE_BODY_DYNAMIC};
+	*type = SCREE_BODY_DYNAMIC;
 	if (!value)
 		return true;
 	for (int k = 0; k < 3; ++k)

@@ -26,12 +26,12 @@ static bool build_batch(void* context, const void* items)
 	if (batch->bodies)
 	{
 		scree_body* handles = parts > 0 ? build->bodies : NULL;
-		build->status = scree_create_bodies(build->world, batch->bodies, batch->count, handles);
+		build->status = scree_bodies_create(build->world, batch->bodies, batch->count, handles);
 		for (int k = 0; k < parts; ++k)
 			batch->parts[k].body = build->bodies[k / block->part_count];
 	}
 	if (build->status == SCREE_OK && parts > 0)
-		build->status = scree_create_collidables(build->world, batch->parts, parts, NULL);
+		build->status = scree_collidables_create(build->world, batch->parts, parts, NULL);
 	return build->status == SCREE_OK;
 }
 
@@ -40,7 +40,7 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 	char sentence[SENTENCE_SIZE];
 	Reader* reader = calloc(1, sizeof(Reader));
 	scree_attribute* attributes = calloc((size_t)scene->attribute_count, sizeof(scree_attribute));
-	Build build = {world, attributes, malloc(BATCH_SIZE * sizeof(scree_body)), SCREE_OUT_OF_MEMORY};
+	Build build = {world, attributes, malloc(BATCH_SIZE * sizeof(scree_body)), SCREE_ERROR_OUT_OF_MEMORY};
 	if (!reader || !attributes || !build.bodies)
 		goto done;
 	reader->sentence = sentence;
@@ -48,12 +48,12 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 
 	build.status = SCREE_OK;
 	for (int k = 0; k < scene->attribute_count && build.status == SCREE_OK; ++k)
-		build.status = scree_create_attribute(world, &scene->attributes[k].def, &attributes[k]);
+		build.status = scree_attribute_create(world, &scene->attributes[k].def, &attributes[k]);
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{
 		// all numbers were checked when the scene was read: what can fail is memory, here or in the world
 		if (!block_walk(reader, &scene->blocks[k], build_batch, &build) && build.status == SCREE_OK)
-			build.status = SCREE_OUT_OF_MEMORY;
+			build.status = SCREE_ERROR_OUT_OF_MEMORY;
 	}
 done:
 	free(build.bodies);

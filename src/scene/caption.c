@@ -4,8 +4,8 @@
 
 void device_text(const scree_world* world, char* text, size_t size)
 {
-	const char* name = scree_world_device(world);
-	int threads = scree_world_threads(world), lanes = scree_world_lanes(world);
+	const char* name = scree_world_get_device(world);
+	int threads = scree_world_get_threads(world), lanes = scree_world_get_lanes(world);
 	if (threads > 0)
 		snprintf(text, size, "%s (%d thread%s, %d lane%s)", name, threads, threads == 1 ? "" : "s", lanes,
 		         lanes == 1 ? "" : "s");

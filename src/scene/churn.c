@@ -168,12 +168,12 @@ static scree_status apply(scree_world* world, Room* room, const SceneChange* cha
 	}
 	if (chosen == 0)
 		return SCREE_OK;
-	scree_status status = replaced ? scree_destroy_bodies(world, room->some, chosen)
-	                               : scree_set_poses(world, room->some, room->poses, chosen);
+	scree_status status = replaced ? scree_bodies_destroy(world, room->some, chosen)
+	                               : scree_bodies_set_poses(world, room->some, room->poses, chosen);
 	if (status != SCREE_OK)
 		return status;
-	return replaced ? scree_create_bodies(world, room->defs, chosen, NULL)
-	                : scree_set_velocities(world, room->some, room->velocities, chosen);
+	return replaced ? scree_bodies_create(world, room->defs, chosen, NULL)
+	                : scree_bodies_set_velocities(world, room->some, room->velocities, chosen);
 }
 
 scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
@@ -183,14 +183,14 @@ scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
 	SceneChange* changes;
 	int count = scene_changes(scene, step, &changes), bodies = 0;
 	Room room = {0};
-	scree_status status = scree_get_bodies(world, NULL, 0, &bodies);
+	scree_status status = scree_world_get_bodies(world, NULL, 0, &bodies);
 	if (status == SCREE_OK && (count < 0 || !open_room(&room, bodies, scene->attribute_count, count)))
-		status = SCREE_OUT_OF_MEMORY;
+		status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (status == SCREE_OK)
-		status = scree_get_bodies(world, room.bodies, bodies, &bodies);
+		status = scree_world_get_bodies(world, room.bodies, bodies, &bodies);
 	// equal attributes are one: these are the handles that the bodies have
 	for (int k = 0; k < scene->attribute_count && status == SCREE_OK; ++k)
-		status = scree_create_attribute(world, &scene->attributes[k].def, &room.attributes[k]);
+		status = scree_attribute_create(world, &scene->attributes[k].def, &room.attributes[k]);
 	if (status == SCREE_OK)
 		status = apply(world, &room, changes, count, false);
 	if (status == SCREE_OK)

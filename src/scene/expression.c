@@ -116,10 +116,10 @@ static double* apply(const Instruction* i, double* top, const Item* item, const 
 		*top = sqrt(b);
 		return b < 0 ? NULL : top;
 	case OP_SIN:
-		*top = scree_make_rot((float)b).s;
+		*top = scree_rot_make((float)b).s;
 		return top;
 	case OP_COS:
-		*top = scree_make_rot((float)b).c;
+		*top = scree_rot_make((float)b).c;
 		return top;
 	default:
 		break;

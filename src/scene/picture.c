@@ -156,7 +156,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	double line = fmin(fmax(0.03 * p->aim.scale, 0.7), 1.4);
 	trace(p, shape, pose);
 	cairo_set_line_width(p->cairo, line);
-	if (shape->kind == SCREE_SEGMENT || s->body < 0)
+	if (shape->kind == SCREE_SHAPE_SEGMENT || s->body < 0)
 	{
 		set_color(p->cairo, s->body < 0 ? glass : rim, 1);
 		cairo_set_line_width(p->cairo, fmax(2 * line, 1.5));
@@ -170,7 +170,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 		return;
 	}
 	cairo_fill_preserve(p->cairo);
-	if (shape->kind == SCREE_CIRCLE)
+	if (shape->kind == SCREE_SHAPE_CIRCLE)
 	{
 		// a spoke shows how it turned
 		double x = (pose.position.x + pose.rotation.c * shape->vertices[0].x - pose.rotation.s * shape->vertices[0].y -

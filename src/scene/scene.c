@@ -288,7 +288,7 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	{
 		reader->file = path;
 		reader->sentence = sentence;
-		scene->world = scree_default_world_def();
+		scene->world = scree_world_def_default();
 		scene->dt = 1.0f / 60.0f;
 		scene->substeps = 4;
 		good = read_scene(reader, root, settings, count, scene);

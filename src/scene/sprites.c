@@ -27,7 +27,7 @@ static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attrib
 		p->attribute_count = needed;
 	}
 	scree_attribute_def* def = &p->attributes[attribute.index];
-	return def->shape.count > 0 || scree_get_attribute(world, attribute, def) == SCREE_OK;
+	return def->shape.count > 0 || scree_attribute_get_def(world, attribute, def) == SCREE_OK;
 }
 
 Color sprite_base(int entry) { return entry < 0 ? stone : palette[entry]; }
@@ -77,11 +77,11 @@ static bool add_body(Sprites* p, scree_world* world, scree_body body, int positi
 	scree_collidable few[8];
 	scree_collidable* list = few;
 	int count = 0;
-	bool good = scree_get_collidables(world, body, few, 8, &count) == SCREE_OK;
+	bool good = scree_body_get_collidables(world, body, few, 8, &count) == SCREE_OK;
 	if (good && count > 8)
 	{
 		list = malloc((size_t)count * sizeof *list);
-		good = list && scree_get_collidables(world, body, list, count, &count) == SCREE_OK;
+		good = list && scree_body_get_collidables(world, body, list, count, &count) == SCREE_OK;
 	}
 	for (int k = 0; good && k < count; ++k)
 		good = add_sprite(p, world, list[k], position, moving);
@@ -92,10 +92,10 @@ static bool add_body(Sprites* p, scree_world* world, scree_body body, int positi
 
 bool sprites_list(Sprites* p, scree_world* world)
 {
-	if (scree_get_bodies(world, NULL, 0, &p->body_count) != SCREE_OK)
+	if (scree_world_get_bodies(world, NULL, 0, &p->body_count) != SCREE_OK)
 		return false;
 	p->bodies = malloc(((size_t)p->body_count + 1) * sizeof(scree_body));
-	if (!p->bodies || scree_get_bodies(world, p->bodies, p->body_count, &p->body_count) != SCREE_OK)
+	if (!p->bodies || scree_world_get_bodies(world, p->bodies, p->body_count, &p->body_count) != SCREE_OK)
 		return false;
 	for (int moving = 0; moving < 2; ++moving)
 	{
@@ -104,7 +104,7 @@ bool sprites_list(Sprites* p, scree_world* world)
 			scree_body_type type;
 			if (scree_body_get_type(world, p->bodies[k], &type) != SCREE_OK)
 				return false;
-			if ((type == SCREE_DYNAMIC) == moving && !add_body(p, world, p->bodies[k], k, moving))
+			if ((type == SCREE_BODY_DYNAMIC) == moving && !add_body(p, world, p->bodies[k], k, moving))
 				return false;
 		}
 		if (!moving)

@@ -71,7 +71,7 @@ static bool pose_of(Walk* walk, const Number position[2], const Number* angle, s
 	if (!float_of(walk, &position[0], &pose->position.x) || !float_of(walk, &position[1], &pose->position.y) ||
 	    !float_of(walk, angle, &radians))
 		return false;
-	pose->rotation = radians == 0 ? (scree_rot){1, 0} : scree_make_rot(radians);
+	pose->rotation = radians == 0 ? (scree_rot){1, 0} : scree_rot_make(radians);
 	return true;
 }
 
@@ -87,7 +87,7 @@ static bool choice_of(Walk* walk, const Choice* choice, scree_attribute* attribu
 static bool body_of(Walk* walk, scree_body_def* body)
 {
 	const Block* b = walk->block;
-	*body = scree_default_body_def();
+	*body = scree_body_def_default();
 	body->type = b->type;
 	body->locks = b->locks;
 	return pose_of(walk, b->position, &b->angle, &body->pose) &&
@@ -141,7 +141,7 @@ static bool add_item(Walk* walk)
 	{
 		const Part* part = &block->parts[k];
 		scree_collidable_def* def = &batch->parts[(size_t)place * (size_t)block->part_count + (size_t)k];
-		*def = scree_default_collidable_def();
+		*def = scree_collidable_def_default();
 		def->filter = part->filter;
 		if (!choice_of(walk, &part->choice, &def->attribute) ||
 		    !pose_of(walk, part->position, &part->angle, &def->pose))

@@ -39,7 +39,8 @@ static Balls drop(Validation* v, double height, double restitution, int substeps
 	for (int k = 0; k < BALLS; ++k)
 	{
 		balls.high[k] = height + 0.013 * k;
-		lab_put(balls.lab, SCREE_DYNAMIC, &ball, 3.0f * (float)(k - BALLS / 2), (float)(balls.high[k] + RADIUS), 0.0f);
+		lab_put(balls.lab, SCREE_BODY_DYNAMIC, &ball, 3.0f * (float)(k - BALLS / 2), (float)(balls.high[k] + RADIUS),
+		        0.0f);
 	}
 	return balls;
 }

@@ -113,7 +113,7 @@ static Crowd gather(Validation* v, int count)
 	for (int k = 0; k < count; ++k)
 	{
 		float x = 2.0f * (float)(k % side), y = 2.0f * (float)(k / side);
-		c.bodies[k] = lab_put(c.lab, SCREE_DYNAMIC, &box, x, y, 0.0f);
+		c.bodies[k] = lab_put(c.lab, SCREE_BODY_DYNAMIC, &box, x, y, 0.0f);
 		c.spread[k] = (scree_pose){{x, y}, {1.0f, 0.0f}};
 		c.heaped[k] = (scree_pose){{0.0005f * x, 0.0005f * y}, {1.0f, 0.0f}};
 	}

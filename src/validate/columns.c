@@ -69,7 +69,7 @@ static void weight(Validation* v, double density, Limit limit, double sink)
 	add_column(lab, 10, 0.0, 0.0);
 	scree_attribute_def top = box_of(0.5, 0.5);
 	top.density = (float)density;
-	lab_put(lab, SCREE_DYNAMIC, &top, 0.0f, 10.5f, 0.0f);
+	lab_put(lab, SCREE_BODY_DYNAMIC, &top, 0.0f, 10.5f, 0.0f);
 	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, 0.25);
 }
 
@@ -84,7 +84,7 @@ static void mixed(Validation* v, int count)
 	scree_attribute_def kinds[4] = {box_of(0.5, 0.25), rounded_of(0.5, 0.25, 0.1), polygon_of(hexagon, 6),
 	                                capsule_of(0.25, 0.25)};
 	for (int k = 0; k < count; ++k)
-		lab_put(lab, SCREE_DYNAMIC, &kinds[k % 4], 0.0f, 0.25f + 0.5f * (float)k, 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &kinds[k % 4], 0.0f, 0.25f + 0.5f * (float)k, 0.0f);
 	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.014, 0.01);
 }
 
@@ -105,9 +105,9 @@ static void card_house(Validation* v, int levels)
 		for (int k = 0; k < levels - level; ++k, x += 2.0 * pitch)
 		{
 			if (k < levels - level - 1)
-				lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + 0.25), (float)(y + half - 0.015), 1.57079633f);
-			lab_put(lab, SCREE_DYNAMIC, &card, (float)x, (float)y, -angle);
-			lab_put(lab, SCREE_DYNAMIC, &card, (float)(x + pitch), (float)y, angle);
+				lab_put(lab, SCREE_BODY_DYNAMIC, &card, (float)(x + 0.25), (float)(y + half - 0.015), 1.57079633f);
+			lab_put(lab, SCREE_BODY_DYNAMIC, &card, (float)x, (float)y, -angle);
+			lab_put(lab, SCREE_BODY_DYNAMIC, &card, (float)(x + pitch), (float)y, angle);
 		}
 	}
 	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.033, 0.0075);
@@ -128,7 +128,7 @@ static void arch(Validation* v, int stones)
 		                        {(float)(outside * cos(b)), (float)(outside * sin(b))},
 		                        {(float)(inside * cos(b)), (float)(inside * sin(b))}};
 		scree_attribute_def stone = polygon_of(corners, 4);
-		lab_put(lab, SCREE_DYNAMIC, &stone, 0.0f, 0.0f, 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &stone, 0.0f, 0.0f, 0.0f);
 	}
 	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.017, 0.01);
 }
@@ -142,7 +142,7 @@ static void pyramid(Validation* v, int base, double sink, double lean)
 	for (int row = 0; row < base; ++row)
 	{
 		for (int k = 0; k < base - row; ++k)
-			lab_put(lab, SCREE_DYNAMIC, &box, 0.55f * ((float)k - 0.5f * (float)(base - row - 1)),
+			lab_put(lab, SCREE_BODY_DYNAMIC, &box, 0.55f * ((float)k - 0.5f * (float)(base - row - 1)),
 			        0.25f + 0.5f * (float)row, 0.0f);
 	}
 	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, sink, lean);

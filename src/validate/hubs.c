@@ -20,14 +20,14 @@ static int add_plate(Lab* lab, int crates, double density, double y)
 {
 	scree_attribute_def plate = box_of(width_of(crates), 0.25);
 	plate.density = (float)density;
-	return lab_put(lab, SCREE_DYNAMIC, &plate, 0.0f, (float)y, 0.0f);
+	return lab_put(lab, SCREE_BODY_DYNAMIC, &plate, 0.0f, (float)y, 0.0f);
 }
 
 static void add_crates(Lab* lab, int count, double y)
 {
 	scree_attribute_def crate = box_of(CRATE, CRATE);
 	for (int k = 0; k < count; ++k)
-		lab_put(lab, SCREE_DYNAMIC, &crate, (float)(PITCH * (k - 0.5 * (count - 1))), (float)y, 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &crate, (float)(PITCH * (k - 0.5 * (count - 1))), (float)y, 0.0f);
 }
 
 // The deepest overlap in five seconds, looked at every ten steps, and at their end.

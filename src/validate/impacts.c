@@ -23,7 +23,7 @@ static void against_floor(Validation* v, double friction)
 	Lab* lab = open_empty(v);
 	scree_attribute_def floor = box_of(0.5 * APART * runs + 10.0, 0.5);
 	floor.friction = (float)friction;
-	int first = lab_put(lab, SCREE_STATIC, &floor, 0.0f, -0.5f, 0.0f) + 1;
+	int first = lab_put(lab, SCREE_BODY_STATIC, &floor, 0.0f, -0.5f, 0.0f) + 1;
 	for (int k = 0; k < runs; ++k)
 	{
 		scree_attribute_def body = box_of(random_between(&seed, 0.1, 0.5), random_between(&seed, 0.05, 0.5));
@@ -73,7 +73,7 @@ static void struck(Validation* v, double ratio)
 	for (int k = 0; k < runs; ++k)
 	{
 		float x = (float)(APART * (k - runs / 2));
-		lab_put(lab, SCREE_DYNAMIC, &light, x, (float)random_between(&seed, 1.0, 1.7), 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &light, x, (float)random_between(&seed, 1.0, 1.7), 0.0f);
 		alone(lab, k);
 		lab_throw(lab, &heavy, x + (float)random_between(&seed, -0.3, 0.3), 0.0f, 0.0f,
 		          (scree_velocity){{0.0f, 40.0f}, 0.0f});

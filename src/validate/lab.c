@@ -89,7 +89,7 @@ static void weigh(LabBody* body, const LabPart* parts)
 		y += m * cy;
 		inertia += (double)parts[k].surface.density * (double)s->inertia + m * (cx * cx + cy * cy);
 	}
-	if (body->def.type != SCREE_DYNAMIC || mass == 0.0)
+	if (body->def.type != SCREE_BODY_DYNAMIC || mass == 0.0)
 		return;
 	body->mass = (float)mass;
 	body->center = (scree_vec){(float)(x / mass), (float)(y / mass)};
@@ -111,16 +111,16 @@ int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count
 
 int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle)
 {
-	LabPart part = {*surface, scree_default_filter()};
-	scree_body_def def = scree_default_body_def();
+	LabPart part = {*surface, scree_filter_default()};
+	scree_body_def def = scree_body_def_default();
 	def.type = type;
-	def.pose = (scree_pose){{x, y}, scree_make_rot(angle)};
+	def.pose = (scree_pose){{x, y}, scree_rot_make(angle)};
 	return lab_add(lab, &def, &part, 1);
 }
 
 int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity)
 {
-	int body = lab_put(lab, SCREE_DYNAMIC, surface, x, y, angle);
+	int body = lab_put(lab, SCREE_BODY_DYNAMIC, surface, x, y, angle);
 	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
 	return body;
 }
@@ -203,7 +203,7 @@ double lab_fastest(const Lab* lab, int* body)
 	double most = 0.0;
 	for (int k = 0; k < lab->count; ++k)
 	{
-		double speed = lab->bodies[k].def.type == SCREE_DYNAMIC ? lab_speed(lab, k) : 0.0;
+		double speed = lab->bodies[k].def.type == SCREE_BODY_DYNAMIC ? lab_speed(lab, k) : 0.0;
 		if (speed <= most) // false for what is not a number
 			continue;
 		most = speed;

@@ -17,10 +17,10 @@ static bool read_part(const scree_world* model, scree_collidable collidable, Lab
 	scree_pose pose;
 	scree_shape shape;
 	if (!report(scree_collidable_get_attribute(model, collidable, &attribute)) ||
-	    !report(scree_get_attribute(model, attribute, &part->surface)) ||
+	    !report(scree_attribute_get_def(model, attribute, &part->surface)) ||
 	    !report(scree_collidable_get_local_pose(model, collidable, &pose)) ||
 	    !report(scree_collidable_get_filter(model, collidable, &part->filter)) ||
-	    !report(scree_transform_shape(&part->surface.shape, pose, &shape)))
+	    !report(scree_shape_transform(&part->surface.shape, pose, &shape)))
 		return false;
 	part->surface.shape = shape;
 	return true;
@@ -28,7 +28,7 @@ static bool read_part(const scree_world* model, scree_collidable collidable, Lab
 
 static bool read_def(scree_world* model, scree_body body, scree_body_def* def)
 {
-	*def = scree_default_body_def();
+	*def = scree_body_def_default();
 	return report(scree_body_get_type(model, body, &def->type)) &&
 	       report(scree_body_get_pose(model, body, &def->pose)) &&
 	       report(scree_body_get_velocity(model, body, &def->velocity)) &&
@@ -41,11 +41,11 @@ static bool add_body(Lab* lab, scree_world* model, scree_body body)
 {
 	scree_body_def def;
 	int count = 0;
-	if (!read_def(model, body, &def) || !report(scree_get_collidables(model, body, NULL, 0, &count)))
+	if (!read_def(model, body, &def) || !report(scree_body_get_collidables(model, body, NULL, 0, &count)))
 		return false;
 	scree_collidable* collidables = demand(malloc(((size_t)count + 1) * sizeof *collidables));
 	LabPart* parts = demand(malloc(((size_t)count + 1) * sizeof *parts));
-	bool good = report(scree_get_collidables(model, body, collidables, count, &count));
+	bool good = report(scree_body_get_collidables(model, body, collidables, count, &count));
 	for (int k = 0; k < count && good; ++k)
 		good = read_part(model, collidables[k], &parts[k]);
 	if (good)
@@ -58,9 +58,9 @@ static bool add_body(Lab* lab, scree_world* model, scree_body body)
 static bool add_bodies(Lab* lab, scree_world* model)
 {
 	int count = 0;
-	scree_get_bodies(model, NULL, 0, &count);
+	scree_world_get_bodies(model, NULL, 0, &count);
 	scree_body* bodies = demand(malloc(((size_t)count + 1) * sizeof *bodies));
-	bool good = report(scree_get_bodies(model, bodies, count, &count));
+	bool good = report(scree_world_get_bodies(model, bodies, count, &count));
 	for (int k = 0; k < count && good; ++k)
 		good = add_body(lab, model, bodies[k]);
 	free(bodies);
@@ -82,14 +82,14 @@ Lab* lab_scene(Validation* v, const char* name, const SceneSetting* setting)
 		scree_world_def flat = scene->world;
 		flat.device = "cpu";
 		flat.threads = 1;
-		if (!report(scree_create_world(&flat, &model)) || !report(scene_build(scene, model)))
+		if (!report(scree_world_create(&flat, &model)) || !report(scene_build(scene, model)))
 			v->broken = true;
 	}
 	v->broken = v->broken || !scene;
 	Lab* lab = lab_open(v, &def);
 	if (!v->broken && !add_bodies(lab, model))
 		v->broken = true;
-	scree_destroy_world(model);
+	scree_world_destroy(model);
 	scene_free(scene);
 	return lab;
 }

@@ -34,14 +34,14 @@ static void* open(const LabOptions* options, const LabDef* lab)
 	State* state = calloc(1, sizeof(State));
 	if (!state)
 		return NULL;
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.gravity = lab->gravity;
 	def.max_speed = lab->max_speed;
 	def.device = options->device;
 	def.threads = options->threads;
 	def.lanes = options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
-	if (report(scree_create_world(&def, &state->world)))
+	if (report(scree_world_create(&def, &state->world)))
 		return state;
 	free(state);
 	return NULL;
@@ -50,7 +50,7 @@ static void* open(const LabOptions* options, const LabDef* lab)
 static void close(void* context)
 {
 	State* state = context;
-	scree_destroy_world(state->world);
+	scree_world_destroy(state->world);
 	free(state->bodies);
 	free(state->firsts);
 	free(state->some);
@@ -88,11 +88,11 @@ static bool add_others(State* state, const Lab* lab, int index)
 	for (int k = 1; k < body->count; ++k)
 	{
 		const LabPart* part = &lab->parts[body->first + k];
-		scree_collidable_def def = scree_default_collidable_def();
+		scree_collidable_def def = scree_collidable_def_default();
 		def.body = state->bodies[index];
 		def.filter = part->filter;
-		if (!report(scree_create_attribute(state->world, &part->surface, &def.attribute)) ||
-		    !report(scree_create_collidable(state->world, &def, NULL)))
+		if (!report(scree_attribute_create(state->world, &part->surface, &def.attribute)) ||
+		    !report(scree_collidable_create(state->world, &def, NULL)))
 			return false;
 	}
 	return body->count < 2 || report(scree_body_set_velocity(state->world, state->bodies[index], body->def.velocity));
@@ -109,7 +109,7 @@ static bool find_firsts(State* state, const Lab* lab, int first, int count)
 		if (lab->bodies[k].count == 0)
 			continue;
 		bool same = last && memcmp(&part->surface, &last->surface, sizeof part->surface) == 0;
-		if (!same && !report(scree_create_attribute(state->world, &part->surface, &attribute)))
+		if (!same && !report(scree_attribute_create(state->world, &part->surface, &attribute)))
 			return false;
 		last = part;
 		state->firsts[k] = (First){attribute, part->filter};
@@ -132,7 +132,7 @@ static bool create_some(State* state, const Lab* lab, const int* bodies, int fir
 		state->defs[k].attribute = state->firsts[index].attribute;
 		state->defs[k].filter = state->firsts[index].filter;
 	}
-	if (!report(scree_create_bodies(state->world, state->defs, count, state->some)))
+	if (!report(scree_bodies_create(state->world, state->defs, count, state->some)))
 		return false;
 	for (int k = 0; k < count; ++k)
 	{
@@ -162,14 +162,14 @@ static bool create(void* context, const Lab* lab, int first, int count)
 static bool replace(void* context, const Lab* lab, const int* bodies, int count)
 {
 	State* state = context;
-	return gather(state, bodies, count) && report(scree_destroy_bodies(state->world, state->some, count)) &&
+	return gather(state, bodies, count) && report(scree_bodies_destroy(state->world, state->some, count)) &&
 	       create_some(state, lab, bodies, 0, count);
 }
 
 static bool set_poses(void* context, const int* bodies, const scree_pose* poses, int count)
 {
 	State* state = context;
-	return gather(state, bodies, count) && report(scree_set_poses(state->world, state->some, poses, count));
+	return gather(state, bodies, count) && report(scree_bodies_set_poses(state->world, state->some, poses, count));
 }
 
 static bool set_velocity(void* context, int body, scree_velocity velocity)
@@ -188,7 +188,8 @@ static bool step(void* context, float dt, int substeps, int* frozen)
 {
 	State* state = context;
 	scree_counters counters;
-	if (!report(scree_step(state->world, dt, substeps)) || !report(scree_get_counters(state->world, &counters)))
+	if (!report(scree_world_step(state->world, dt, substeps)) ||
+	    !report(scree_world_get_counters(state->world, &counters)))
 		return false;
 	*frozen += counters.nonfinite;
 	return true;
@@ -197,33 +198,33 @@ static bool step(void* context, float dt, int substeps, int* frozen)
 static bool read(void* context, scree_pose* poses, scree_velocity* velocities)
 {
 	State* state = context;
-	return report(scree_get_poses(state->world, state->bodies, poses, state->count)) &&
-	       report(scree_get_velocities(state->world, state->bodies, velocities, state->count));
+	return report(scree_bodies_get_poses(state->world, state->bodies, poses, state->count)) &&
+	       report(scree_bodies_get_velocities(state->world, state->bodies, velocities, state->count));
 }
 
 static bool wait(void* context)
 {
 	State* state = context;
-	return report(scree_wait(state->world));
+	return report(scree_world_wait(state->world));
 }
 
 static bool hash(void* context, uint64_t* hash)
 {
 	State* state = context;
-	return report(scree_world_hash(state->world, hash));
+	return report(scree_world_get_hash(state->world, hash));
 }
 
 static double bytes(void* context)
 {
 	State* state = context;
 	scree_counters counters;
-	return report(scree_get_counters(state->world, &counters)) ? (double)counters.device_bytes : 0.0;
+	return report(scree_world_get_counters(state->world, &counters)) ? (double)counters.device_bytes : 0.0;
 }
 
 bool scree_lab_counters(void* context, scree_counters* counters)
 {
 	State* state = context;
-	return report(scree_get_counters(state->world, counters));
+	return report(scree_world_get_counters(state->world, counters));
 }
 
 const LabEngine scree_lab = {"scree", open, create, replace, set_poses, set_velocity, push,

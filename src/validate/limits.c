@@ -20,7 +20,7 @@ static void chips(Validation* v, double speed, int count)
 	Lab* lab = open_with(v, 0.0, 400.0);
 	scree_attribute_def wall = box_of(0.5, 100.0), chip = box_of(0.02, 0.01);
 	uint64_t seed = 21;
-	lab_put(lab, SCREE_STATIC, &wall, 0.5f, 0.0f, 0.0f);
+	lab_put(lab, SCREE_BODY_STATIC, &wall, 0.5f, 0.0f, 0.0f);
 	for (int k = 0; k < count; ++k)
 		lab_throw(lab, &chip, (float)(-0.5 - random_between(&seed, 0.0, 0.3 * speed)),
 		          (float)(0.15 * (k - 0.5 * count)), (float)random_between(&seed, -3.0, 3.0),
@@ -36,7 +36,7 @@ static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 {
 	int frozen = 0, chips = 200;
 	double most = 0.0;
-	begin(v, "%s rod at %g rad/s among chips", type == SCREE_KINEMATIC ? "kinematic" : "dynamic", spin);
+	begin(v, "%s rod at %g rad/s among chips", type == SCREE_BODY_KINEMATIC ? "kinematic" : "dynamic", spin);
 	for (int run = 0; run < runs; ++run)
 	{
 		Lab* lab = open_with(v, 10.0, 400.0);
@@ -44,12 +44,12 @@ static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 		rod.density = 10.0f;
 		uint64_t seed = (uint64_t)run;
 		add_floor(lab, 3.0);
-		lab_put(lab, SCREE_STATIC, &side, -1.4f, 4.0f, 0.0f);
-		lab_put(lab, SCREE_STATIC, &side, 1.4f, 4.0f, 0.0f);
+		lab_put(lab, SCREE_BODY_STATIC, &side, -1.4f, 4.0f, 0.0f);
+		lab_put(lab, SCREE_BODY_STATIC, &side, 1.4f, 4.0f, 0.0f);
 		int body = lab_throw(lab, &rod, 0.0f, 1.3f, 0.0f, (scree_velocity){{0.0f, 0.0f}, (float)spin});
 		lab->bodies[body].def.type = type;
 		for (int k = 0; k < chips; ++k)
-			lab_put(lab, SCREE_DYNAMIC, &chip, (float)random_between(&seed, -1.2, 1.2), (float)(1.5 + 0.01 * k),
+			lab_put(lab, SCREE_BODY_DYNAMIC, &chip, (float)random_between(&seed, -1.2, 1.2), (float)(1.5 + 0.01 * k),
 			        (float)random_between(&seed, -3.0, 3.0));
 		for (int step = 0; step < 180; ++step)
 		{
@@ -86,7 +86,7 @@ static void burst(Validation* v, int count, double width, int movers, double max
 		                           (float)random_between(&seed, -20.0, 20.0)};
 		int body = lab_throw(lab, &bar, (float)random_between(&seed, -5.0, 5.0), (float)random_between(&seed, 1.0, 9.0),
 		                     0.0f, velocity);
-		lab->bodies[body].def.type = SCREE_KINEMATIC;
+		lab->bodies[body].def.type = SCREE_BODY_KINEMATIC;
 	}
 	add_jumble(lab, count, 0.1, 1.0, (scree_box){{-half, 1.0f}, {half, 1.0f + 2.0f * half}}, &seed);
 	for (int step = 0; step < 120; ++step)
@@ -131,7 +131,7 @@ static void force(Validation* v, double newton)
 	begin(v, "force of %g N", newton);
 	Lab* lab = open_with(v, 0.0, 400.0);
 	scree_attribute_def box = box_of(0.5, 0.5);
-	int body = lab_put(lab, SCREE_DYNAMIC, &box, 0.0f, 0.0f, 0.0f);
+	int body = lab_put(lab, SCREE_BODY_DYNAMIC, &box, 0.0f, 0.0f, 0.0f);
 	lab_push(lab, body, (scree_vec){(float)newton, 0.0f});
 	lab_step(lab, 1);
 	lab_read(lab);
@@ -148,8 +148,8 @@ void limits_experiment(Validation* v)
 	chips(v, 20.0, v->quick ? 250 : 1000);
 	chips(v, 100.0, v->quick ? 250 : 1000);
 	chips(v, 400.0, v->quick ? 250 : 1000);
-	spinner(v, SCREE_DYNAMIC, 60.0, v->quick ? 1 : 20);
-	spinner(v, SCREE_KINEMATIC, 30.0, v->quick ? 1 : 20);
+	spinner(v, SCREE_BODY_DYNAMIC, 60.0, v->quick ? 1 : 20);
+	spinner(v, SCREE_BODY_KINEMATIC, 30.0, v->quick ? 1 : 20);
 	bursts(v, 300, 8.0, 0, 400.0, runs);
 	bursts(v, 300, 2.0, 0, 400.0, runs);
 	bursts(v, 300, 0.0, 0, 400.0, runs);

@@ -61,8 +61,8 @@ static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, do
 	scree_attribute_def slope = box_of(200.0, 0.5);
 	slope.friction = surface.friction = (float)friction;
 	float c = (float)cos(angle), s = (float)sin(angle);
-	lab_put(lab, SCREE_STATIC, &slope, 0.5f * s, -0.5f * c, (float)angle);
-	lab_put(lab, SCREE_DYNAMIC, &surface, (float)-half * s, (float)half * c, (float)angle);
+	lab_put(lab, SCREE_BODY_STATIC, &slope, 0.5f * s, -0.5f * c, (float)angle);
+	lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)-half * s, (float)half * c, (float)angle);
 	return lab;
 }
 
@@ -125,7 +125,7 @@ static void dominoes(Validation* v)
 	int first = add_floor(lab, 40.0) + 1, last = -1;
 	scree_attribute_def domino = box_of(0.125, 0.5);
 	for (int k = 0; k < 40; ++k)
-		lab_put(lab, SCREE_DYNAMIC, &domino, 0.6f * (float)(k - 20), 0.5f, 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &domino, 0.6f * (float)(k - 20), 0.5f, 0.0f);
 	lab_step(lab, 120);
 	lab_read(lab);
 	double moved = 0.0;

@@ -6,7 +6,7 @@
 // A shape that cannot be made leaves an empty one, which an engine refuses with a sentence.
 static scree_attribute_def surface_of(scree_status status, const scree_shape* shape)
 {
-	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute_def def = scree_attribute_def_default();
 	def.shape = status == SCREE_OK ? *shape : (scree_shape){0};
 	return def;
 }
@@ -14,7 +14,7 @@ static scree_attribute_def surface_of(scree_status status, const scree_shape* sh
 scree_attribute_def box_of(double half_width, double half_height)
 {
 	scree_shape shape;
-	return surface_of(scree_make_box((float)half_width, (float)half_height, &shape), &shape);
+	return surface_of(scree_shape_make_box((float)half_width, (float)half_height, &shape), &shape);
 }
 
 scree_attribute_def rounded_of(double half_width, double half_height, double radius)
@@ -22,39 +22,40 @@ scree_attribute_def rounded_of(double half_width, double half_height, double rad
 	float x = (float)(half_width - radius), y = (float)(half_height - radius);
 	scree_vec corners[4] = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 	scree_shape shape;
-	return surface_of(scree_make_polygon(corners, 4, (float)radius, &shape), &shape);
+	return surface_of(scree_shape_make_polygon(corners, 4, (float)radius, &shape), &shape);
 }
 
 scree_attribute_def circle_of(double radius)
 {
 	scree_shape shape;
-	return surface_of(scree_make_circle((scree_vec){0.0f, 0.0f}, (float)radius, &shape), &shape);
+	return surface_of(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, (float)radius, &shape), &shape);
 }
 
 scree_attribute_def capsule_of(double half_length, double radius)
 {
 	float x = (float)half_length;
 	scree_shape shape;
-	return surface_of(scree_make_capsule((scree_vec){-x, 0.0f}, (scree_vec){x, 0.0f}, (float)radius, &shape), &shape);
+	return surface_of(scree_shape_make_capsule((scree_vec){-x, 0.0f}, (scree_vec){x, 0.0f}, (float)radius, &shape),
+	                  &shape);
 }
 
 scree_attribute_def polygon_of(const scree_vec* corners, int count)
 {
 	scree_shape shape;
-	return surface_of(scree_make_polygon(corners, count, 0.0f, &shape), &shape);
+	return surface_of(scree_shape_make_polygon(corners, count, 0.0f, &shape), &shape);
 }
 
 scree_attribute_def wall_of(double height)
 {
 	float y = (float)(0.5 * height);
 	scree_shape shape;
-	return surface_of(scree_make_segment((scree_vec){0.0f, -y}, (scree_vec){0.0f, y}, &shape), &shape);
+	return surface_of(scree_shape_make_segment((scree_vec){0.0f, -y}, (scree_vec){0.0f, y}, &shape), &shape);
 }
 
 int add_floor(Lab* lab, double half_width)
 {
 	scree_attribute_def floor = box_of(half_width, 0.5);
-	return lab_put(lab, SCREE_STATIC, &floor, 0.0f, -0.5f, 0.0f);
+	return lab_put(lab, SCREE_BODY_STATIC, &floor, 0.0f, -0.5f, 0.0f);
 }
 
 int add_column(Lab* lab, int count, double x, double jitter)
@@ -63,7 +64,8 @@ int add_column(Lab* lab, int count, double x, double jitter)
 	uint64_t seed = 1;
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
-		lab_put(lab, SCREE_DYNAMIC, &box, (float)(x + random_between(&seed, -jitter, jitter)), 0.5f + (float)k, 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)(x + random_between(&seed, -jitter, jitter)), 0.5f + (float)k,
+		        0.0f);
 	return first;
 }
 
@@ -100,14 +102,14 @@ int add_heap(Lab* lab, int count, bool all, double x)
 	double half = 0.4 * columns, high = 0.8 * ceil((double)count / columns) + 2.0;
 	scree_attribute_def wall = box_of(0.5, high);
 	scree_attribute_def floor = box_of(half + 1.0, 0.5);
-	lab_put(lab, SCREE_STATIC, &floor, (float)x, -0.5f, 0.0f);
-	lab_put(lab, SCREE_STATIC, &wall, (float)(x - half - 0.5), (float)high, 0.0f);
-	lab_put(lab, SCREE_STATIC, &wall, (float)(x + half + 0.5), (float)high, 0.0f);
+	lab_put(lab, SCREE_BODY_STATIC, &floor, (float)x, -0.5f, 0.0f);
+	lab_put(lab, SCREE_BODY_STATIC, &wall, (float)(x - half - 0.5), (float)high, 0.0f);
+	lab_put(lab, SCREE_BODY_STATIC, &wall, (float)(x + half + 0.5), (float)high, 0.0f);
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
 	{
 		scree_attribute_def surface = mixed(k % (all ? 6 : 2), random_between(&seed, 0.2, 0.36));
-		lab_put(lab, SCREE_DYNAMIC, &surface, (float)(x + 0.8 * (k % columns - 0.5 * (columns - 1))),
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)(x + 0.8 * (k % columns - 0.5 * (columns - 1))),
 		        (float)(0.5 + 0.8 * (k / columns)), (float)random_between(&seed, -3.0, 3.0));
 	}
 	return first;
@@ -121,7 +123,7 @@ int add_jumble(Lab* lab, int count, double small, double large, scree_box place,
 		scree_attribute_def surface = mixed(k % 6, 0.5 * random_between(seed, small, large));
 		double x = random_between(seed, (double)place.lower.x, (double)place.upper.x);
 		double y = random_between(seed, (double)place.lower.y, (double)place.upper.y);
-		lab_put(lab, SCREE_DYNAMIC, &surface, (float)x, (float)y, (float)random_between(seed, -3.0, 3.0));
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, (float)random_between(seed, -3.0, 3.0));
 	}
 	return first;
 }

@@ -38,7 +38,7 @@ static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
 	for (int k = 0; k < SIZES; ++k)
 	{
 		scree_attribute_def surface = shape_of(kind, sizes[k]);
-		lab_put(lab, SCREE_DYNAMIC, &surface, starts[start] + 15.0f * (float)k, sizes[k], 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, starts[start] + 15.0f * (float)k, sizes[k], 0.0f);
 	}
 	for (int done = 0; done < steps; done += 60)
 	{

@@ -73,14 +73,14 @@ static void slide_over(Validation* v, const Slider* slider, double speed, double
 	{
 		float y = (float)(APART * (k - TRACKS / 2));
 		for (int n = -before; n < behind; ++n)
-			lab_put(lab, SCREE_STATIC, &plate, (float)(tile * (n + 0.5)), y - 0.25f, 0.0f);
+			lab_put(lab, SCREE_BODY_STATIC, &plate, (float)(tile * (n + 0.5)), y - 0.25f, 0.0f);
 	}
 	for (int k = 0; k < TRACKS; ++k)
 	{
 		double x = -slider->half - reach * (k % PHASES + 0.37) / PHASES, y = APART * (k - TRACKS / 2) + slider->half;
 		if (k == PHASES) // those behind are set down when the first have settled
 			lab_step(lab, SETTLE);
-		bodies[k] = k < PHASES ? lab_put(lab, SCREE_DYNAMIC, &surface, (float)x, (float)y, 0.0f)
+		bodies[k] = k < PHASES ? lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f)
 		                       : lab_throw(lab, &surface, (float)x, (float)y, 0.0f, velocity);
 	}
 	for (int k = 0; k < PHASES; ++k)
@@ -120,8 +120,8 @@ static void ledge(Validation* v, double height)
 	Lab* lab = lab_open(v, &def);
 	scree_attribute_def plate = box_of(10.0, 0.5), box = box_of(0.5, 0.5);
 	plate.friction = box.friction = 0.0f;
-	lab_put(lab, SCREE_STATIC, &plate, -10.0f, -0.5f, 0.0f);
-	lab_put(lab, SCREE_STATIC, &plate, 10.0f, (float)(height - 0.5), 0.0f);
+	lab_put(lab, SCREE_BODY_STATIC, &plate, -10.0f, -0.5f, 0.0f);
+	lab_put(lab, SCREE_BODY_STATIC, &plate, 10.0f, (float)(height - 0.5), 0.0f);
 	int body = lab_throw(lab, &box, -3.0f, 0.5f, 0.0f, (scree_velocity){{4.0f, 0.0f}, 0.0f});
 	double deepest = 0.0, least = 4.0;
 	for (int k = 0; k < 120; ++k)
@@ -146,12 +146,12 @@ static void stack(Validation* v)
 	Lab* lab = lab_open(v, &def);
 	scree_attribute_def plate = box_of(0.125, 0.25), box = box_of(0.3, 0.3);
 	for (int k = -40; k < 40; ++k)
-		lab_put(lab, SCREE_STATIC, &plate, 0.25f * (float)k, -0.25f, 0.0f);
+		lab_put(lab, SCREE_BODY_STATIC, &plate, 0.25f * (float)k, -0.25f, 0.0f);
 	int first = lab->count;
 	for (int row = 0; row < 8; ++row)
 		for (int k = 0; k < 8 - row; ++k)
-			lab_put(lab, SCREE_DYNAMIC, &box, 0.65f * ((float)k - 0.5f * (float)(7 - row)), 0.3f + 0.6f * (float)row,
-			        0.0f);
+			lab_put(lab, SCREE_BODY_DYNAMIC, &box, 0.65f * ((float)k - 0.5f * (float)(7 - row)),
+			        0.3f + 0.6f * (float)row, 0.0f);
 	lab_step(lab, v->quick ? 600 : 3600);
 	lab_read(lab);
 	double moved = 0.0;

@@ -51,8 +51,8 @@ static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 {
 	for (int k = 1; k <= 20; ++k)
 	{
-		lab_put(lab, SCREE_STATIC, barrier, 0.0f, (float)(APART * (-runs / 2 - k)), 0.0f);
-		lab_put(lab, SCREE_STATIC, barrier, 0.0f, (float)(APART * (runs - runs / 2 - 1 + k)), 0.0f);
+		lab_put(lab, SCREE_BODY_STATIC, barrier, 0.0f, (float)(APART * (-runs / 2 - k)), 0.0f);
+		lab_put(lab, SCREE_BODY_STATIC, barrier, 0.0f, (float)(APART * (runs - runs / 2 - 1 + k)), 0.0f);
 	}
 }
 
@@ -85,11 +85,11 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 	{
 		float y = (float)(APART * (k - runs / 2));
 		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m, from its center to the wall
-		lab_put(lab, SCREE_STATIC, &barrier, 0.0f, y, 0.0f);
+		lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
 		bool plain = k % 2 == 0; // else aslant and off the middle
 		double angle = plain ? 0.0 : random_between(&seed, -1.0, 1.0),
 		       off = plain ? 0.0 : random_between(&seed, -0.2, 0.2);
-		bodies[2 * k] = lab_put(lab, SCREE_DYNAMIC, &light, (float)-gap, y, (float)angle);
+		bodies[2 * k] = lab_put(lab, SCREE_BODY_DYNAMIC, &light, (float)-gap, y, (float)angle);
 		bodies[2 * k + 1] =
 		    lab_throw(lab, &heavy, -1.5f, y + (float)off, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
@@ -116,7 +116,7 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 		{
 			float y = (float)(APART * (k - runs / 2)), angle = (float)random_between(&seed, -3.0, 3.0);
 			double x = -3.0 - random_between(&seed, 0.0, speeds[s] / 60.0), spin = random_between(&seed, -30.0, 30.0);
-			lab_put(lab, SCREE_STATIC, &barrier, 0.0f, y, 0.0f);
+			lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
 			bodies[k] =
 			    lab_throw(lab, &body, (float)x, y, angle, (scree_velocity){{(float)speeds[s], 0.0f}, (float)spin});
 		}
@@ -148,7 +148,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 		// upright walls turned until they enclose an angle and meet at x = 0
 		double y = APART * (k - runs / 2), half = opening(k, runs);
 		for (int s = -1; s <= 1; s += 2)
-			lab_put(lab, SCREE_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
+			lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
 			        (float)(s * (1.57079633 - half)));
 		bodies[k] = lab_throw(lab, &box, -3.5f, (float)(y + random_between(&seed, -0.05, 0.05)),
 		                      (float)random_between(&seed, -0.8, 0.8), (scree_velocity){{(float)speed, 0.0f}, 0.0f});

@@ -147,7 +147,7 @@ int main(int count, char** arguments)
 {
 	Options o = parse(count, arguments);
 	const scree_hooks hooks = {.log = quiet};
-	scree_set_hooks(&hooks);
+	scree_hooks_set(&hooks);
 	if (o.replay)
 		return replay(&o);
 	o.shrink = o.shrink < 0.0 ? 20.0 : o.shrink;

@@ -15,7 +15,7 @@ static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
 	if (left.status == SCREE_OK && call->kind == CALL_step && hashes)
-		left.status = scree_world_hash(pair->worlds[k], &left.word);
+		left.status = scree_world_get_hash(pair->worlds[k], &left.word);
 	return left;
 }
 
@@ -116,7 +116,7 @@ void pair_forget(Pair* pair)
 {
 	for (int k = 0; k < 2; ++k)
 	{
-		scree_destroy_world(pair->worlds[k]);
+		scree_world_destroy(pair->worlds[k]);
 		pair->worlds[k] = NULL;
 	}
 }
@@ -132,7 +132,7 @@ void pair_close(Pair* pair)
 
 static bool left_differs(const Left* a, const Left* b, Outcome* outcome)
 {
-	bool refused = a->status == SCREE_INVALID || a->status == SCREE_STALE || a->status == SCREE_OK;
+	bool refused = a->status == SCREE_ERROR_INVALID || a->status == SCREE_ERROR_STALE || a->status == SCREE_OK;
 	if (a->status == b->status && a->word == b->word && refused)
 		return false;
 	outcome->differs = true;
@@ -195,7 +195,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 		if (left[k].status != SCREE_OK)
 			snprintf(left[k].error, sizeof left[k].error, "%s", scree_error());
 		// by its whole name, which costs nothing while the world is there
-		snprintf(pair->homes[k], sizeof pair->homes[k], "%s", scree_world_device(pair->worlds[k]));
+		snprintf(pair->homes[k], sizeof pair->homes[k], "%s", scree_world_get_device(pair->worlds[k]));
 	}
 	if (left[0].status == SCREE_OK && left[1].status == SCREE_OK)
 		return true;

@@ -30,7 +30,7 @@ static scree_attribute attribute_of(const Turn* t)
 	return k >= 0 && k < MOST_NAMES ? t->names->attributes[k] : (scree_attribute){0, 0};
 }
 
-static scree_pose pose_of(const Turn* t) { return (scree_pose){vec(t, "x", "y"), scree_make_rot(real(t, "angle"))}; }
+static scree_pose pose_of(const Turn* t) { return (scree_pose){vec(t, "x", "y"), scree_rot_make(real(t, "angle"))}; }
 
 static scree_filter filter_of(const Turn* t)
 {
@@ -46,7 +46,7 @@ static scree_collidable collidable_of(const Turn* t)
 		return k < MOST_NAMES ? t->names->collidables[k] : (scree_collidable){0, 0};
 	scree_collidable list[64];
 	scree_body body = body_of(t, whole(t, "body"));
-	if (scree_get_collidables(t->world, body, list, 64, &count) != SCREE_OK || count == 0)
+	if (scree_body_get_collidables(t->world, body, list, 64, &count) != SCREE_OK || count == 0)
 		return (scree_collidable){0, 0};
 	count = count < 64 ? count : 64;
 	return list[((which % count) + count) % count];
@@ -63,10 +63,10 @@ static scree_status make_polygon(const Turn* t, scree_shape* shape)
 	count = count < 0 ? 0 : count > 16 ? 16 : count;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_rot q = scree_make_rot(real(t, "angle") + 6.28318531f * (float)k / (float)count);
+		scree_rot q = scree_rot_make(real(t, "angle") + 6.28318531f * (float)k / (float)count);
 		corners[k] = (scree_vec){0.5f * real(t, "width") * q.c, 0.5f * real(t, "height") * q.s};
 	}
-	return scree_make_polygon(corners, count, real(t, "radius"), shape);
+	return scree_shape_make_polygon(corners, count, real(t, "radius"), shape);
 }
 
 static scree_status make_hull(const Turn* t, scree_shape* shape)
@@ -85,7 +85,7 @@ static scree_status make_hull(const Turn* t, scree_shape* shape)
 		}
 		points[k] = (scree_vec){two[0], two[1]};
 	}
-	return scree_make_hull(points, count, real(t, "radius"), shape);
+	return scree_shape_make_hull(points, count, real(t, "radius"), shape);
 }
 
 static scree_status make_shape(const Turn* t, scree_shape* shape)
@@ -93,13 +93,13 @@ static scree_status make_shape(const Turn* t, scree_shape* shape)
 	switch (t->call->kind)
 	{
 	case CALL_box:
-		return scree_make_box(0.5f * real(t, "width"), 0.5f * real(t, "height"), shape);
+		return scree_shape_make_box(0.5f * real(t, "width"), 0.5f * real(t, "height"), shape);
 	case CALL_circle:
-		return scree_make_circle(vec(t, "x", "y"), real(t, "radius"), shape);
+		return scree_shape_make_circle(vec(t, "x", "y"), real(t, "radius"), shape);
 	case CALL_capsule:
-		return scree_make_capsule(vec(t, "x", "y"), vec(t, "x2", "y2"), real(t, "radius"), shape);
+		return scree_shape_make_capsule(vec(t, "x", "y"), vec(t, "x2", "y2"), real(t, "radius"), shape);
 	case CALL_segment:
-		return scree_make_segment(vec(t, "x", "y"), vec(t, "x2", "y2"), shape);
+		return scree_shape_make_segment(vec(t, "x", "y"), vec(t, "x2", "y2"), shape);
 	case CALL_polygon:
 		return make_polygon(t, shape);
 	default:
@@ -109,7 +109,7 @@ static scree_status make_shape(const Turn* t, scree_shape* shape)
 
 static scree_status run_attribute(const Turn* t)
 {
-	scree_attribute_def def = scree_default_attribute_def();
+	scree_attribute_def def = scree_attribute_def_default();
 	scree_attribute made = {0, 0};
 	scree_status status = make_shape(t, &def.shape);
 	def.density = real(t, "density");
@@ -118,7 +118,7 @@ static scree_status run_attribute(const Turn* t)
 	def.rolling_resistance = real(t, "rolling");
 	def.tangent_speed = real(t, "tangent");
 	if (status == SCREE_OK)
-		status = scree_create_attribute(t->world, &def, &made);
+		status = scree_attribute_create(t->world, &def, &made);
 	int k = whole(t, "attribute");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
 		t->names->attributes[k] = made;
@@ -131,7 +131,7 @@ static scree_status run_attribute(const Turn* t)
 
 static scree_status run_body(const Turn* t)
 {
-	scree_body_def def = scree_default_body_def();
+	scree_body_def def = scree_body_def_default();
 	def.type = (scree_body_type)whole(t, "type");
 	def.pose = pose_of(t);
 	def.velocity = (scree_velocity){vec(t, "vx", "vy"), real(t, "w")};
@@ -143,7 +143,7 @@ static scree_status run_body(const Turn* t)
 	if (real(t, "attribute") >= 0.0f)
 		def.attribute = attribute_of(t);
 	scree_body made = {0, 0};
-	scree_status status = scree_create_body(t->world, &def, &made);
+	scree_status status = scree_body_create(t->world, &def, &made);
 	int k = whole(t, "body");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
 		t->names->bodies[k] = made;
@@ -165,35 +165,35 @@ static scree_status run_bodies(const Turn* t)
 	columns = columns > 0 ? columns : 1;
 	for (int k = 0; k < count; ++k)
 	{
-		defs[k] = scree_default_body_def();
+		defs[k] = scree_body_def_default();
 		defs[k].type = (scree_body_type)whole(t, "type");
 		defs[k].attribute = attribute_of(t);
 		defs[k].pose.position.x = real(t, "x") + (float)(k % columns) * real(t, "dx");
 		defs[k].pose.position.y = real(t, "y") + (float)(k / columns) * real(t, "dy");
 		defs[k].velocity = (scree_velocity){vec(t, "vx", "vy"), real(t, "w")};
 	}
-	return scree_create_bodies(t->world, defs, count, t->names->bodies + (count > 0 ? first : 0));
+	return scree_bodies_create(t->world, defs, count, t->names->bodies + (count > 0 ? first : 0));
 }
 
 static scree_status run_destroy(const Turn* t)
 {
 	int first = whole(t, "body");
 	if (whole(t, "count") == 0)
-		return scree_destroy_body(t->world, body_of(t, first));
+		return scree_body_destroy(t->world, body_of(t, first));
 	int count = batch_count(t);
-	return scree_destroy_bodies(t->world, t->names->bodies + (count > 0 ? first : 0), count);
+	return scree_bodies_destroy(t->world, t->names->bodies + (count > 0 ? first : 0), count);
 }
 
 static scree_status run_collidable(const Turn* t)
 {
-	scree_collidable_def def = scree_default_collidable_def();
+	scree_collidable_def def = scree_collidable_def_default();
 	scree_collidable made = {0, 0};
 	def.attribute = attribute_of(t);
 	if (real(t, "body") >= 0.0f)
 		def.body = body_of(t, whole(t, "body"));
 	def.pose = pose_of(t);
 	def.filter = filter_of(t);
-	scree_status status = scree_create_collidable(t->world, &def, &made);
+	scree_status status = scree_collidable_create(t->world, &def, &made);
 	int k = whole(t, "collidable");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
 		t->names->collidables[k] = made;
@@ -205,7 +205,7 @@ static scree_status run_place(const Turn* t)
 	int k = whole(t, "collidable");
 	scree_collidable collidable = k >= 0 && k < MOST_NAMES ? t->names->collidables[k] : (scree_collidable){0, 0};
 	scree_pose pose = pose_of(t);
-	return scree_set_collidable_poses(t->world, &collidable, &pose, 1);
+	return scree_collidables_set_poses(t->world, &collidable, &pose, 1);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -242,21 +242,21 @@ static scree_status run_batch(const Turn* t)
 	switch (kind)
 	{
 	case CALL_force:
-		return scree_apply_forces(t->world, b.bodies, b.vectors, count);
+		return scree_bodies_apply_forces(t->world, b.bodies, b.vectors, count);
 	case CALL_force_at:
-		return scree_apply_forces_at(t->world, b.bodies, b.vectors, b.points, count);
+		return scree_bodies_apply_forces_at(t->world, b.bodies, b.vectors, b.points, count);
 	case CALL_torque:
-		return scree_apply_torques(t->world, b.bodies, b.numbers, count);
+		return scree_bodies_apply_torques(t->world, b.bodies, b.numbers, count);
 	case CALL_impulse:
-		return scree_apply_impulses(t->world, b.bodies, b.vectors, count);
+		return scree_bodies_apply_impulses(t->world, b.bodies, b.vectors, count);
 	case CALL_impulse_at:
-		return scree_apply_impulses_at(t->world, b.bodies, b.vectors, b.points, count);
+		return scree_bodies_apply_impulses_at(t->world, b.bodies, b.vectors, b.points, count);
 	case CALL_angular_impulse:
-		return scree_apply_angular_impulses(t->world, b.bodies, b.numbers, count);
+		return scree_bodies_apply_angular_impulses(t->world, b.bodies, b.numbers, count);
 	case CALL_velocity:
-		return scree_set_velocities(t->world, b.bodies, b.velocities, count);
+		return scree_bodies_set_velocities(t->world, b.bodies, b.velocities, count);
 	default:
-		return scree_set_poses(t->world, b.bodies, b.poses, count);
+		return scree_bodies_set_poses(t->world, b.bodies, b.poses, count);
 	}
 }
 
@@ -320,25 +320,25 @@ static uint64_t mixed(uint64_t word, const void* bytes, size_t count)
 static scree_status run_read(const Turn* t)
 {
 	static scree_contact contacts[MOST_READ];
-	static scree_shown shown[MOST_READ];
+	static scree_render_row shown[MOST_READ];
 	uint64_t word = 0xcbf29ce484222325u;
 	int counts[3] = {0};
-	scree_status status = scree_get_contacts(t->world, contacts, MOST_READ, &counts[0]);
+	scree_status status = scree_world_get_contacts(t->world, contacts, MOST_READ, &counts[0]);
 	for (int k = 0; k < counts[0] && k < MOST_READ && status == SCREE_OK; ++k)
 	{
 		contacts[k].points[1] = contacts[k].count > 1 ? contacts[k].points[1] : (scree_contact_point){.feature = 0};
 		word = mixed(word, &contacts[k], sizeof contacts[k]);
 	}
 	if (status == SCREE_OK)
-		status = scree_get_overlaps(t->world, contacts, 0, &counts[1]);
+		status = scree_world_get_overlaps(t->world, contacts, 0, &counts[1]);
 	if (status == SCREE_OK)
-		status = scree_get_shown(t->world, shown, MOST_READ, &counts[2]);
+		status = scree_world_get_render_rows(t->world, shown, MOST_READ, &counts[2]);
 	if (status == SCREE_OK)
 		word = mixed(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
 	word = mixed(word, counts, sizeof counts);
 	scree_counters c;
 	if (status == SCREE_OK)
-		status = scree_get_counters(t->world, &c);
+		status = scree_world_get_counters(t->world, &c);
 	if (status == SCREE_OK)
 	{
 		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts, c.touching,
@@ -364,13 +364,13 @@ static scree_status run_clear(const Turn* t)
 	static scree_body bodies[MOST_NAMES];
 	static scree_collidable collidables[MOST_NAMES];
 	int count;
-	scree_status status = scree_get_bodies(t->world, bodies, MOST_NAMES, &count);
+	scree_status status = scree_world_get_bodies(t->world, bodies, MOST_NAMES, &count);
 	if (status == SCREE_OK)
-		status = scree_destroy_bodies(t->world, bodies, count < MOST_NAMES ? count : MOST_NAMES);
+		status = scree_bodies_destroy(t->world, bodies, count < MOST_NAMES ? count : MOST_NAMES);
 	if (status == SCREE_OK)
-		status = scree_get_collidables(t->world, (scree_body){0, 0}, collidables, MOST_NAMES, &count);
+		status = scree_body_get_collidables(t->world, (scree_body){0, 0}, collidables, MOST_NAMES, &count);
 	if (status == SCREE_OK)
-		status = scree_destroy_collidables(t->world, collidables, count < MOST_NAMES ? count : MOST_NAMES);
+		status = scree_collidables_destroy(t->world, collidables, count < MOST_NAMES ? count : MOST_NAMES);
 	memset(t->names, 0, sizeof *t->names);
 	return status;
 }
@@ -379,7 +379,7 @@ static scree_status run_move(const Turn* t)
 {
 	if (!t->place->other[0])
 		return SCREE_OK;
-	return scree_move_world(t->world, whole(t, "back") ? t->home : t->place->other);
+	return scree_world_move(t->world, whole(t, "back") ? t->home : t->place->other);
 }
 
 scree_status run_call(const Turn* t)
@@ -408,15 +408,15 @@ scree_status run_call(const Turn* t)
 	case CALL_collidable:
 		return run_collidable(t);
 	case CALL_remove:
-		return scree_destroy_collidable(t->world, collidable_of(t));
+		return scree_collidable_destroy(t->world, collidable_of(t));
 	case CALL_filter:
 		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
 	case CALL_place:
 		return run_place(t);
 	case CALL_gravity:
-		return scree_set_gravity(t->world, vec(t, "x", "y"));
+		return scree_world_set_gravity(t->world, vec(t, "x", "y"));
 	case CALL_step:
-		return scree_step(t->world, real(t, "dt"), whole(t, "substeps"));
+		return scree_world_step(t->world, real(t, "dt"), whole(t, "substeps"));
 	case CALL_move:
 		return run_move(t);
 	case CALL_read:
@@ -434,7 +434,7 @@ scree_status run_call(const Turn* t)
 scree_status run_world(const Place* place, const Call* call, scree_world** world)
 {
 	Turn t = {.call = call};
-	scree_world_def def = scree_default_world_def();
+	scree_world_def def = scree_world_def_default();
 	def.device = place->device;
 	def.threads = place->threads;
 	def.lanes = place->lanes;
@@ -446,5 +446,5 @@ scree_status run_world(const Place* place, const Call* call, scree_world** world
 	def.max_speed = real(&t, "max_speed");
 	def.body_capacity = whole(&t, "bodies");
 	def.contact_capacity = whole(&t, "contacts");
-	return scree_create_world(&def, world);
+	return scree_world_create(&def, world);
 }

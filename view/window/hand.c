@@ -47,11 +47,11 @@ static int compare_index(const void* key, const void* body)
 }
 
 // The body of the last row, which is drawn on top, under the cursor; null for none.
-static scree_body body_under(const Hand* hand, const Look* look, const scree_shown* rows, int count)
+static scree_body body_under(const Hand* hand, const Look* look, const scree_render_row* rows, int count)
 {
 	for (int k = count - 1; k >= 0; --k)
 	{
-		const scree_shown* row = &rows[k];
+		const scree_render_row* row = &rows[k];
 		if (row->attribute < 0 || row->attribute >= look->attribute_count || row->body < 0)
 			continue;
 		const scree_shape* shape = &look->attributes[row->attribute].shape;
@@ -62,7 +62,7 @@ static scree_body body_under(const Hand* hand, const Look* look, const scree_sho
 		const scree_body* body =
 		    bsearch(&index, look->bodies, (size_t)look->body_count, sizeof *look->bodies, compare_index);
 		scree_body_type type;
-		if (body && scree_body_get_type(hand->world, *body, &type) == SCREE_OK && type == SCREE_DYNAMIC)
+		if (body && scree_body_get_type(hand->world, *body, &type) == SCREE_OK && type == SCREE_BODY_DYNAMIC)
 			return *body;
 	}
 	return (scree_body){0};
@@ -73,10 +73,10 @@ bool hand_pick(Hand* hand, const Look* look)
 	int count = 0;
 	scree_pose pose;
 	hand->body = (scree_body){0};
-	if (scree_get_shown(hand->world, NULL, 0, &count) != SCREE_OK)
+	if (scree_world_get_render_rows(hand->world, NULL, 0, &count) != SCREE_OK)
 		return false;
-	scree_shown* rows = malloc(((size_t)count + 1) * sizeof *rows);
-	if (rows && scree_get_shown(hand->world, rows, count, &count) == SCREE_OK)
+	scree_render_row* rows = malloc(((size_t)count + 1) * sizeof *rows);
+	if (rows && scree_world_get_render_rows(hand->world, rows, count, &count) == SCREE_OK)
 		hand->body = body_under(hand, look, rows, count);
 	free(rows);
 	if (!hand_holds(hand) || scree_body_get_pose(hand->world, hand->body, &pose) != SCREE_OK ||
@@ -139,22 +139,22 @@ scree_status hand_pull(Hand* hand)
 // A ball, a box and a capsule, half as wide as that.
 static scree_status make_thrown(Hand* hand, float half)
 {
-	scree_attribute_def defs[3] = {scree_default_attribute_def(), scree_default_attribute_def(),
-	                               scree_default_attribute_def()};
-	scree_status status = scree_make_circle((scree_vec){0, 0}, half, &defs[0].shape);
+	scree_attribute_def defs[3] = {scree_attribute_def_default(), scree_attribute_def_default(),
+	                               scree_attribute_def_default()};
+	scree_status status = scree_shape_make_circle((scree_vec){0, 0}, half, &defs[0].shape);
 	if (status == SCREE_OK)
-		status = scree_make_box(half, half, &defs[1].shape);
+		status = scree_shape_make_box(half, half, &defs[1].shape);
 	if (status == SCREE_OK)
-		status = scree_make_capsule((scree_vec){-half, 0}, (scree_vec){half, 0}, 0.6f * half, &defs[2].shape);
+		status = scree_shape_make_capsule((scree_vec){-half, 0}, (scree_vec){half, 0}, 0.6f * half, &defs[2].shape);
 	for (int k = 0; k < 3 && status == SCREE_OK; ++k)
-		status = scree_create_attribute(hand->world, &defs[k], &hand->thrown[k]);
+		status = scree_attribute_create(hand->world, &defs[k], &hand->thrown[k]);
 	hand->thrown_size = status == SCREE_OK ? half : 0.0f;
 	return status;
 }
 
 scree_status hand_launch(Hand* hand, float size)
 {
-	scree_body_def body = scree_default_body_def();
+	scree_body_def body = scree_body_def_default();
 	float half = size < 0.01f ? 0.005f : 0.5f * size;
 	scree_status status = half == hand->thrown_size ? SCREE_OK : make_thrown(hand, half);
 	body.attribute = hand->thrown[hand->launched % 3];
@@ -162,7 +162,7 @@ scree_status hand_launch(Hand* hand, float size)
 	float speed = hypotf(hand->velocity.x, hand->velocity.y), most = speed > FASTEST ? FASTEST / speed : 1.0f;
 	body.velocity.linear = (scree_vec){hand->velocity.x * most, hand->velocity.y * most};
 	if (status == SCREE_OK)
-		status = scree_create_body(hand->world, &body, NULL);
+		status = scree_body_create(hand->world, &body, NULL);
 	hand->launched += status == SCREE_OK;
 	return status;
 }

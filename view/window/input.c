@@ -13,7 +13,7 @@
 static int find_device(const Viewer* v)
 {
 	const Play* play = &v->play;
-	const char* now = strcmp(play->device, "auto") == 0 ? play->device : scree_world_device(play->world);
+	const char* now = strcmp(play->device, "auto") == 0 ? play->device : scree_world_get_device(play->world);
 	int k = 0;
 	while (k < play->device_count && strcmp(play->devices[k].name, now) != 0)
 		++k;

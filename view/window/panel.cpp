@@ -162,7 +162,7 @@ static void draw_device(Viewer* v)
 {
 	Play* play = &v->play;
 	ImGui::SetNextItemWidth(-1.0f);
-	if (ImGui::BeginCombo("##device", scree_world_device(play->world)))
+	if (ImGui::BeginCombo("##device", scree_world_get_device(play->world)))
 	{
 		for (int k = 0; k < play->device_count; ++k)
 			if (ImGui::Selectable(play->devices[k].name, strcmp(play->devices[k].name, play->device) == 0))

@@ -77,13 +77,13 @@ static bool build(const Play* play, const Scene* scene, scree_world** world, cha
 	def.allow_unequal_bits = play->options->allow_unequal_bits;
 	def.timings = true;
 	def.opengl = play->opengl;
-	scree_status status = scree_create_world(&def, world);
+	scree_status status = scree_world_create(&def, world);
 	if (status == SCREE_OK)
 		status = scene_build(scene, *world);
 	if (status == SCREE_OK)
 		return true;
 	failed(sentence);
-	scree_destroy_world(*world);
+	scree_world_destroy(*world);
 	*world = NULL;
 	return false;
 }
@@ -101,16 +101,16 @@ bool play_begin(Play* play, const char* name, bool fresh, char* sentence)
 	            (!fresh || read_parameters(play, path, set, sentence));
 	Scene* scene = good ? load(play, path, fresh, sentence) : NULL;
 	good = scene && build(play, scene, &world, sentence) &&
-	       (scree_get_counters(world, &counters) == SCREE_OK || failed(sentence));
+	       (scree_world_get_counters(world, &counters) == SCREE_OK || failed(sentence));
 	if (!good)
 	{
-		scree_destroy_world(world);
+		scree_world_destroy(world);
 		scene_free(scene);
 		*play = kept;
 		return false;
 	}
 	scene_free(play->scene);
-	scree_destroy_world(play->world);
+	scree_world_destroy(play->world);
 	play->scene = scene;
 	play->world = world;
 	play->counters = counters;
@@ -128,16 +128,16 @@ bool play_open(Play* play, const ViewOptions* options, const scree_opengl* openg
 	snprintf(play->device, sizeof play->device, "%s", options->device);
 	play->scene_count = scene_list(options->executable, &play->scenes);
 	int count = 0;
-	scree_get_devices(NULL, 0, &count);
+	scree_devices_get(NULL, 0, &count);
 	play->devices = calloc((size_t)count + 1, sizeof *play->devices);
-	if (!play->devices || scree_get_devices(play->devices, count, &play->device_count) != SCREE_OK)
+	if (!play->devices || scree_devices_get(play->devices, count, &play->device_count) != SCREE_OK)
 		play->device_count = 0;
 	return play_begin(play, options->scene, true, sentence);
 }
 
 void play_close(Play* play)
 {
-	scree_destroy_world(play->world);
+	scree_world_destroy(play->world);
 	scene_free(play->scene);
 	for (int k = 0; k < play->scene_count; ++k)
 		free(play->scenes[k]);
@@ -148,7 +148,7 @@ void play_close(Play* play)
 
 bool play_move(Play* play, const char* device, char* sentence)
 {
-	if (scree_move_world(play->world, device) != SCREE_OK)
+	if (scree_world_move(play->world, device) != SCREE_OK)
 		return failed(sentence);
 	snprintf(play->device, sizeof play->device, "%s", device);
 	play->step = 0;
@@ -162,8 +162,9 @@ bool play_step(Play* play, char* sentence)
 {
 	scree_timings t;
 	if (scene_churn(play->scene, play->world, play->steps++) != SCREE_OK ||
-	    scree_step(play->world, play->scene->dt, play->scene->substeps) != SCREE_OK ||
-	    scree_get_counters(play->world, &play->counters) != SCREE_OK || scree_get_timings(play->world, &t) != SCREE_OK)
+	    scree_world_step(play->world, play->scene->dt, play->scene->substeps) != SCREE_OK ||
+	    scree_world_get_counters(play->world, &play->counters) != SCREE_OK ||
+	    scree_world_get_timings(play->world, &t) != SCREE_OK)
 		return failed(sentence);
 	const float stages[STAGES] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
 	for (int k = 0; k < STAGES; ++k)
@@ -175,7 +176,7 @@ bool play_step(Play* play, char* sentence)
 
 bool play_hash(Play* play, char* sentence)
 {
-	if (scree_world_hash(play->world, &play->hash) != SCREE_OK)
+	if (scree_world_get_hash(play->world, &play->hash) != SCREE_OK)
 		return failed(sentence);
 	play->hashed = true;
 	return true;

@@ -92,7 +92,7 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 static bool glx_context(scree_opengl* opengl)
 {
 #ifdef __linux__
-	*opengl = (scree_opengl){SCREE_GLX, glXGetCurrentContext(), glXGetCurrentDisplay()};
+	*opengl = (scree_opengl){SCREE_WINDOW_GLX, glXGetCurrentContext(), glXGetCurrentDisplay()};
 	return opengl->context && opengl->display;
 #else
 	(void)opengl;
