@@ -113,9 +113,13 @@ WIDE_STAGE(narrow_phase_keep)
 
 		Word along = wanders & ~anew & lane_bits(on & lags);
 		for (int k = 0; along >> k != 0; ++k)
-			if (along >> k & 1)
-				p->contact_found[i + k].then =
-				    make_float4(lane(a[2], k), lane(a[3], k), lane(found[6], k), lane(found[7], k));
+		{
+			if (!(along >> k & 1))
+				continue;
+			Placed now = p->placed[p->pair[i + k].x];
+			Float4 then = p->contact_found[i + k].then;
+			p->contact_found[i + k].then = make_float4(now.c, now.s, then.z, then.w);
+		}
 	}
 	Word look = anew | (there & lane_bits((moved & MOVED_BOX) != 0));
 	if (look == 0)
