@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 // figure.c -- scree bench figure5 and figure6: what the paper's two figures of measurements show, measured again.
 //
-// Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines. Figure 5: processing time over the number
-// of bodies, on the CPU and on OpenCL. Figure 6: share of each stage in the time at 100 bodies. Here the paper's pipeline
-// stands beside ours, and both go on to a million bodies; where a step would take too long, the row says how long.
+// Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines. Figure 5: processing time over the
+// number of bodies, on the CPU and on OpenCL. Figure 6: share of each stage in the time at 100 bodies. Here the paper's
+// pipeline stands beside ours, and both go on to a million bodies; where a step would take too long, the row says how
+// long.
 //
-// The paper does not say what its scene was, but that detection took most of the time "under normal conditions", and that many
-// contacts, as of stacked bodies, move the bottleneck to resolution. So there are two scenes: boxes that drift, with
-// few contacts, and pyramids of ten boxes.
+// The paper does not say what its scene was, but that detection took most of the time "under normal conditions", and
+// that many contacts, as of stacked bodies, move the bottleneck to resolution. So there are two scenes: boxes that
+// drift, with few contacts, and pyramids of ten boxes.
 //
-// Every run begins with one second of the world's time that is not measured, for all sizes, pipelines and devices the same:
-// before that, bodies that drift have not met. It is simulated by our own pipeline, because the paper's would need
-// minutes for it where a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
+// Every run begins with one second of the world's time that is not measured, for all sizes, pipelines and devices the
+// same: before that, bodies that drift have not met. It is simulated by our own pipeline, because the paper's would
+// need minutes for it where a step takes seconds. All devices of a pipeline must have the same hash after the same
+// steps.
 #include "figure.h"
 #include "commands.h"
 #include "csv.h"
@@ -155,8 +157,8 @@ static void print_row(Figure* figure, Curve* curve, const Rows* rows)
 	fprintf(stderr, ": %.3f ms a step, %.4f contacts a body\n", curve->ms, contacts / bodies);
 }
 
-// A row of no steps: what a step would take, from the last size that was run. The paper tests every pair, and goes through
-// all contacts after each resolution.
+// A row of no steps: what a step would take, from the last size that was run. The paper tests every pair, and goes
+// through all contacts after each resolution.
 static void print_estimate(Figure* figure, const Curve* curve, int bodies, double ms)
 {
 	fprintf(figure->csv, "%s,%s,%s,%s,%d,%d,,,0,0,%.0f,,", figure_scenes[figure->scene], figure->settings,
@@ -174,8 +176,8 @@ static double estimate(const Curve* curve, int bodies)
 	return curve->ms * (pipelines[curve->pipeline] == PIPELINE_PAPER ? growth * growth : growth);
 }
 
-// Where and by how many steps a run is warmed up. The paper's pipeline takes over from all threads of the CPU. Ours is warmed up
-// where it is measured, unless that would take the CPU too long: the bits are the same.
+// Where and by how many steps a run is warmed up. The paper's pipeline takes over from all threads of the CPU. Ours is
+// warmed up where it is measured, unless that would take the CPU too long: the bits are the same.
 static void plan_warm_up(const Figure* figure, const Curve* curve, const Scene* scene, double expected,
                          Options* options)
 {
@@ -280,8 +282,8 @@ static int measure(Figure* figure, Curve* curve, Plan* plan, const Options* size
 	return code;
 }
 
-// Of both pipelines a curve on one thread of the CPU and one on OpenCL, of ours one on all threads; of a device that is not there
-// none. --device cpu leaves out OpenCL, and --threads 1 what more threads would do.
+// Of both pipelines a curve on one thread of the CPU and one on OpenCL, of ours one on all threads; of a device that is
+// not there none. --device cpu leaves out OpenCL, and --threads 1 what more threads would do.
 static int curves_of(Figure* figure, Curve curves[FIGURE_PIPELINES * FIGURE_PLACES])
 {
 	const Options* options = figure->options;

@@ -39,8 +39,8 @@ typedef enum // where a pipeline runs
 	ON_OPENCL,
 } FigurePlace;
 
-// Draws a CSV that figure5_command or figure6_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the crossovers of figure 5.
-// Returns an exit code; without gnuplot it says that nothing is drawn, and all is well.
+// Draws a CSV that figure5_command or figure6_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the
+// crossovers of figure 5. Returns an exit code; without gnuplot it says that nothing is drawn, and all is well.
 int plot_figure(const char* csv, int number);
 
 #endif

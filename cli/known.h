@@ -17,8 +17,8 @@ typedef struct
 	int count;
 } Known;
 
-// Reads the columns scene, settings, steps and hash of a CSV file, such as bench prints. Null: no file, nothing is known.
-// Returns an exit code, after printing what is wrong.
+// Reads the columns scene, settings, steps and hash of a CSV file, such as bench prints. Null: no file, nothing is
+// known. Returns an exit code, after printing what is wrong.
 int known_open(const char* path, Known* known);
 void known_close(Known* known);
 

@@ -89,8 +89,8 @@ static bool has_scene(const Table* table, int scene)
 	return found;
 }
 
-// Triangles where OpenCL becomes faster than the CPU. The number of bodies stands beside them on the left; on the right, where they
-// are close together, in the corner that curves do not reach.
+// Triangles where OpenCL becomes faster than the CPU. The number of bodies stands beside them on the left; on the
+// right, where they are close together, in the corner that curves do not reach.
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	int lines = 0;

@@ -99,8 +99,8 @@ int report(scree_status status)
 	return status == SCREE_OK ? EXIT_GOOD : status == SCREE_ERROR_INVALID ? EXIT_BAD : EXIT_FAILED;
 }
 
-// Steps of the soft pipeline, whatever pipeline follows, and a move to where that one wants its world. A pipeline with one
-// thread does not care: it takes from the world what it needs, wherever that is.
+// Steps of the soft pipeline, whatever pipeline follows, and a move to where that one wants its world. A pipeline with
+// one thread does not care: it takes from the world what it needs, wherever that is.
 static scree_status warm_up(const Options* options, Simulation* simulation)
 {
 	const Scene* scene = simulation->scene;

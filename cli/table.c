@@ -24,8 +24,8 @@ static void remove_all(char* text, const char* part)
 		memmove(at, at + strlen(part), strlen(at + strlen(part)) + 1);
 }
 
-// A device's name as a reader wants it: "opencl:NVIDIA H200" is "NVIDIA H200". PoCL names the processor's architecture before the
-// processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" is "PoCL, Intel Xeon Processor".
+// A device's name as a reader wants it: "opencl:NVIDIA H200" is "NVIDIA H200". PoCL names the processor's architecture
+// before the processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" is "PoCL, Intel Xeon Processor".
 static void show_device(const char* device, char* text, size_t size)
 {
 	static const char* const pocl[] = {"cpu-", "pthread-"};

@@ -29,8 +29,8 @@ int table_read(const char* csv, Table* table);
 // The next row of a curve after one (null: the first), null at the end.
 const Row* table_next(const Table* table, const Row* after, int scene, int pipeline, FigurePlace place);
 
-// The bodies from which on OpenCL is faster than the CPU at that place for good, and the time of a step there. Returns 0 where it
-// never is, or is from the smallest size on.
+// The bodies from which on OpenCL is faster than the CPU at that place for good, and the time of a step there. Returns
+// 0 where it never is, or is from the smallest size on.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms);
 void table_print_crossovers(const Table* table);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // attribute.c -- attributes: made once for equal values, then shared by index.
+#include "definition.h"
 #include "geometry.h"
 #include "world.h"
 #include <string.h>
@@ -16,11 +17,11 @@
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
-scree_attribute_def scree_attribute_def_default(void)
+void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 {
-	scree_attribute_def def = {.density = 1.0f, .friction = 0.6f, .cookie = COOKIE_ATTRIBUTE};
-	scree_shape_make_box(0.5f, 0.5f, &def.shape);
-	return def;
+	scree_attribute_def made = {.size = (uint32_t)size, .density = 1.0f, .friction = 0.6f};
+	scree_shape_make_box(0.5f, 0.5f, &made.shape);
+	write_result(def, size, &made, sizeof made);
 }
 
 // A hash of all bytes (FNV-1a: Fowler, Noll, Vo, 1991) that is never 0.
@@ -37,7 +38,6 @@ static uint32_t name_of(const scree_attribute_def* def)
 static scree_status check_def(const char* function, scree_attribute_def* def)
 {
 	Where at = {function, "def", ALONE};
-	TRY(check_cookie(at, def->cookie, COOKIE_ATTRIBUTE, "scree_attribute_def_default"));
 	TRY(shape_finish((Where){function, "def.shape", ALONE}, &def->shape));
 	if (def->density != 0.0f)
 		TRY(check_real(at, ".density (when it is not 0)", def->density, LEAST_DENSITY, MOST_DENSITY));
@@ -55,7 +55,7 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	plain.restitution = def->restitution + 0.0f;
 	plain.rolling_resistance = def->rolling_resistance + 0.0f;
 	plain.tangent_speed = def->tangent_speed + 0.0f;
-	plain.cookie = COOKIE_ATTRIBUTE;
+	plain.size = sizeof plain;
 	*def = plain;
 	return SCREE_OK;
 }
@@ -102,7 +102,9 @@ scree_status scree_attribute_create(scree_world* world, const scree_attribute_de
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "def", def));
 	TRY(check_pointer(function, "attribute", attribute));
-	scree_attribute_def plain = *def;
+	TRY(check_definition((Where){function, "def", ALONE}, def, 0, &attribute_definition));
+	scree_attribute_def local;
+	scree_attribute_def plain = *(const scree_attribute_def*)definition_at(def, 0, &attribute_definition, &local);
 	TRY(check_def(function, &plain));
 	TRY(reserve(world, function));
 
@@ -125,14 +127,17 @@ scree_status scree_attribute_create(scree_world* world, const scree_attribute_de
 	return SCREE_OK;
 }
 
-scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute, scree_attribute_def* def)
+scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attribute attribute,
+                                           scree_attribute_def* def, size_t size)
 {
 	const char* function = "scree_attribute_get_def";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "def", def));
 	int index = 0;
 	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &index));
-	*def = world->attributes[index];
+	scree_attribute_def known = world->attributes[index];
+	known.size = (uint32_t)size;
+	write_result(def, size, &known, sizeof known);
 	return SCREE_OK;
 }
 

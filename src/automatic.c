@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // automatic.c -- device "auto": a world begins on the CPU, and goes where its steps take less time.
 //
-// A small world must not pay for what only a large one gains from. So the GPU is opened when it may win back its opening
-// within the steps to come, by a thread while the world goes on; and a trial on the other device, there and perhaps back
-// again, is made when the world has worked for so long that the trial is a small part of it.
+// A small world must not pay for what only a large one gains from. So the GPU is opened when it may win back its
+// opening within the steps to come, by a thread while the world goes on; and a trial on the other device, there and
+// perhaps back again, is made when the world has worked for so long that the trial is a small part of it.
 //
 // None of this changes a bit of the world, since both devices leave the same; so the clock may decide.
 #include "automatic.h"
@@ -27,15 +27,15 @@
 // which are large beyond doubt have the GPU opened before their first step. (Pyramids on 16 threads: 5e-4.)
 #define BODY_STEP 4e-4
 
-// Opening a GPU before it has been measured, ms: an H200 with its program in the cache, 215 to 235 with nothing beside it.
-// How long it really took replaces this for the worlds to come.
+// Opening a GPU before it has been measured, ms: an H200 with its program in the cache, 215 to 235 with nothing beside
+// it. How long it really took replaces this for the worlds to come.
 #define OPENING 230
 
 // Copying a world, bytes a ms: slower than any bus of a GPU that is worth it.
 #define MOVE_SPEED 4e6
 
-// Steps of a trial; the first, which finds caches cold, is not counted. A trial ends early when it has taken the time of
-// so many steps of the device before.
+// Steps of a trial; the first, which finds caches cold, is not counted. A trial ends early when it has taken the time
+// of so many steps of the device before.
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
@@ -75,8 +75,8 @@ static int compare(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-// The step of rank share, from 0 to 1, among the last ones, by their times: single steps tell of the machine's other work.
-// The first since the world came counts only when it is the only one.
+// The step of rank share, from 0 to 1, among the last ones, by their times: single steps tell of the machine's other
+// work. The first since the world came counts only when it is the only one.
 static double meter_step(const Meter* m, double share)
 {
 	double sorted[RECENT_STEPS];

@@ -42,8 +42,8 @@ typedef enum
 #include "stages/stages.def"
 #undef X
 	STAGE_COUNT,
-	// What a stage of one item cannot do. Each backend has its own, with equal results.
-	// SORT: sorts items 0 to end of pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
+	// What a stage of one item cannot do. Each backend has its own, with equal results. SORT: sorts items 0 to end of
+	// pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
 	PRIMITIVE_SORT = STAGE_COUNT,
 	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
 	PRIMITIVE_SCAN,
@@ -115,8 +115,8 @@ typedef struct // every function that returns a status has set the error's sente
 	// copies items first to first + count - 1 to and from the device, in order with the runs; read waits
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
-	// read in two halves: what is copied is what the runs before read_begin left, and read_end waits for the copy alone,
-	// not for the runs after it. One copy at a time, of HELD_BYTES at most.
+	// read in two halves: what is copied is what the runs before read_begin left, and read_end waits for the copy
+	// alone, not for the runs after it. One copy at a time, of HELD_BYTES at most.
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
 	scree_status (*wait)(Backend* b);
@@ -128,9 +128,11 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*show)(Backend* b, const Run* run);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
-	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing does.
+	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing
+	// does.
 	void (*spare)(Backend* b, bool core);
-	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are none
+	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are
+	// none
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
 	// copies one to the other so many times with all that the device has; waits

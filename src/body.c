@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
 // body.c -- bodies: made and destroyed.
+#include "definition.h"
 #include "world.h"
 #include <string.h>
 
-scree_body_def scree_body_def_default(void)
+void scree_body_def_default_sized(scree_body_def* def, size_t size)
 {
-	return (scree_body_def){.type = SCREE_BODY_DYNAMIC,
-	                        .pose.rotation.c = 1.0f,
-	                        .gravity_scale = 1.0f,
-	                        .filter = scree_filter_default(),
-	                        .cookie = COOKIE_BODY};
+	const scree_body_def made = {.size = (uint32_t)size,
+	                             .type = SCREE_BODY_DYNAMIC,
+	                             .pose.rotation.c = 1.0f,
+	                             .gravity_scale = 1.0f,
+	                             .filter = scree_filter_default()};
+	write_result(def, size, &made, sizeof made);
+}
+
+static const scree_body_def* def_at(const scree_body_def* defs, int k, scree_body_def* local)
+{
+	return definition_at(defs, k, &body_definition, local);
 }
 
 scree_body body_handle(const scree_world* world, int index)
@@ -46,7 +53,6 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 {
 	int attribute = 0;
 	scree_pose pose = def->pose;
-	TRY(check_cookie(at, def->cookie, COOKIE_BODY, "scree_body_def_default"));
 	TRY(check_type(at, ".type", def->type));
 	TRY(check_pose(at, ".pose", &pose));
 	TRY(check_velocity(at, ".velocity", def->velocity));
@@ -138,11 +144,15 @@ static scree_status create(scree_world* world, const char* function, const char*
 {
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, defs, count));
+	scree_body_def local;
 	int collidables = 0;
 	for (int k = 0; k < count; ++k)
 	{
-		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs + k));
-		collidables += has_attribute(defs + k);
+		Where at = {function, argument, alone ? ALONE : k};
+		TRY(check_definition(at, defs, k, &body_definition));
+		const scree_body_def* def = def_at(defs, k, &local);
+		TRY(check_def(world, at, def));
+		collidables += has_attribute(def);
 	}
 	TRY(reserve(world, function, count, collidables));
 	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
@@ -151,8 +161,9 @@ static scree_status create(scree_world* world, const char* function, const char*
 		            collidables);
 	for (int k = 0, next = 0; k < count; ++k)
 	{
-		if (has_attribute(defs + k))
-			slots[next++] = kind_of_type(defs[k].type);
+		const scree_body_def* def = def_at(defs, k, &local);
+		if (has_attribute(def))
+			slots[next++] = kind_of_type(def->type);
 	}
 	TRY(collidables_take(world, slots, collidables));
 	int* indices = slots + collidables;
@@ -165,7 +176,8 @@ static scree_status create(scree_world* world, const char* function, const char*
 			fetch_rows(world->host_bodies, indices[k + BODY_SOON], sizeof *world->host_bodies);
 		if (next + BODY_SOON < collidables)
 			fetch_collidable(world, slots[next + BODY_SOON]);
-		put(world, (Where){function, argument, k}, defs + k, indices[k], has_attribute(defs + k) ? slots[next++] : -1);
+		const scree_body_def* def = def_at(defs, k, &local);
+		put(world, (Where){function, argument, k}, def, indices[k], has_attribute(def) ? slots[next++] : -1);
 		if (bodies)
 			bodies[k] = body_handle(world, indices[k]);
 	}

@@ -83,14 +83,6 @@ scree_status check_velocity(Where at, const char* member, scree_velocity velocit
 	return check_component(at, member, ".angular", velocity.angular, SCREE_HUGE);
 }
 
-scree_status check_cookie(Where at, int cookie, int expected, const char* default_function)
-{
-	if (cookie == expected)
-		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, at, ".cookie", "is %d: the definition was not made by %s", cookie,
-	              default_function);
-}
-
 scree_status check_pointer(const char* function, const char* argument, const void* pointer)
 {
 	return pointer ? SCREE_OK : fail(SCREE_ERROR_INVALID, "%s: %s is null", function, argument);

@@ -18,12 +18,6 @@
 #define MAX_ITEMS    (1 << 24)
 #define MAX_CONTACTS (8 * MAX_ITEMS)
 
-// what scree_default_*_def leave in a definition, so that one without its defaults is caught
-#define COOKIE_WORLD      0x57c2ee01
-#define COOKIE_ATTRIBUTE  0x57c2ee02
-#define COOKIE_BODY       0x57c2ee03
-#define COOKIE_COLLIDABLE 0x57c2ee04
-
 #define ALONE (-1)
 
 typedef struct // where a value stands, as its user wrote it
@@ -54,7 +48,6 @@ scree_status check_vec(Where at, const char* member, scree_vec v, float limit);
 scree_status check_pose(Where at, const char* member, scree_pose* pose);
 
 scree_status check_velocity(Where at, const char* member, scree_velocity velocity);
-scree_status check_cookie(Where at, int cookie, int expected, const char* default_function);
 scree_status check_pointer(const char* function, const char* argument, const void* pointer);
 
 // 0 <= count <= MAX_ITEMS, and an array where there is something in it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // collidable.c -- collidables: made, destroyed, and what the user asks and sets of one.
+#include "definition.h"
 #include "world.h"
 
 int kind_of_type(scree_body_type type)
@@ -17,10 +18,11 @@ int collidable_kind(const scree_world* world, int index)
 
 scree_filter scree_filter_default(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
 
-scree_collidable_def scree_collidable_def_default(void)
+void scree_collidable_def_default_sized(scree_collidable_def* def, size_t size)
 {
-	return (scree_collidable_def){
-	    .pose.rotation.c = 1.0f, .filter = scree_filter_default(), .cookie = COOKIE_COLLIDABLE};
+	const scree_collidable_def made = {
+	    .size = (uint32_t)size, .pose.rotation.c = 1.0f, .filter = scree_filter_default()};
+	write_result(def, size, &made, sizeof made);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -164,10 +166,13 @@ static void update_masses(scree_world* world, const int* bodies, int count)
 	}
 }
 
-static scree_status check_def(const scree_world* world, Where at, const scree_collidable_def* def, HostCollidable* made)
+static scree_status check_def(const scree_world* world, Where at, const scree_collidable_def* defs, int k,
+                              HostCollidable* made)
 {
+	scree_collidable_def local;
+	TRY(check_definition(at, defs, k, &collidable_definition));
+	const scree_collidable_def* def = definition_at(defs, k, &collidable_definition, &local);
 	*made = (HostCollidable){.body = -1, .pose = def->pose, .filter = def->filter, .user = def->user};
-	TRY(check_cookie(at, def->cookie, COOKIE_COLLIDABLE, "scree_collidable_def_default"));
 	TRY(check_attribute(world, at, ".attribute", def->attribute, &made->attribute));
 	if (def->body.index != 0 || def->body.generation != 0)
 		TRY(check_body(world, at, ".body", def->body, &made->body));
@@ -181,7 +186,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	TRY(check_batch(function, argument, defs, count));
 	HostCollidable made;
 	for (int k = 0; k < count; ++k)
-		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs + k, &made));
+		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs, k, &made));
 	TRY(collidables_reserve(world, function, count));
 	TRY(pending_reserve(world, function, 0, count, count));
 	int* slots = world_scratch(world, 2 * (size_t)count * sizeof *slots);
@@ -191,14 +196,14 @@ static scree_status create(scree_world* world, const char* function, const char*
 	int* bodies = slots + count;
 	for (int k = 0; k < count; ++k)
 	{
-		check_def(world, (Where){function, argument, k}, defs + k, &made);
+		check_def(world, (Where){function, argument, k}, defs, k, &made);
 		bodies[k] = made.body;
 		slots[k] = made.body < 0 ? KIND_FREE : kind_of_type(world->host_bodies[made.body].type);
 	}
 	TRY(collidables_take(world, slots, count));
 	for (int k = 0; k < count; ++k)
 	{
-		check_def(world, (Where){function, argument, k}, defs + k, &made);
+		check_def(world, (Where){function, argument, k}, defs, k, &made);
 		collidable_put(world, slots[k], &made);
 		if (collidables)
 			collidables[k] = collidable_handle(world, slots[k]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // contacts.c -- the contacts and overlaps of the last step, back from the device.
+#include "definition.h"
 #include "stages/rolling.h"
 #include "world.h"
 
@@ -49,6 +50,12 @@ static bool is_wanted(const scree_world* world, const ContactRows* rows, int k, 
 	       was_there(world, rows->pair[k].y);
 }
 
+static scree_body body_of(const scree_world* world, int collidable)
+{
+	int body = world->host_collidables[collidable].body;
+	return body < 0 ? (scree_body){0, 0} : body_handle(world, body);
+}
+
 static scree_contact contact_at(const scree_world* world, const ContactRows* rows, int k)
 {
 	Int2 pair = rows->pair[k];
@@ -85,7 +92,11 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 	                         .b = collidable_handle(world, pair.y),
 	                         .normal = {at.normal.x, at.normal.y},
 	                         .color = rows->color[k],
-	                         .count = (int)(rows->flags[k] & CONTACT_COUNT)};
+	                         .count = (int)(rows->flags[k] & CONTACT_COUNT),
+	                         .body_a = body_of(world, pair.x),
+	                         .body_b = body_of(world, pair.y),
+	                         .user_a = world->host_collidables[pair.x].user,
+	                         .user_b = world->host_collidables[pair.y].user};
 	contact.points[0] = (scree_contact_point){{a.x + at.point[0].x, a.y + at.point[0].y},
 	                                          at.separation[0],
 	                                          impulse[0],
@@ -100,8 +111,8 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 	return contact;
 }
 
-static scree_status list(scree_world* world, const char* function, Word detected, scree_contact* contacts, int capacity,
-                         int* count, ContactRows* rows)
+static scree_status list(scree_world* world, const char* function, Word detected, scree_contact* contacts, size_t size,
+                         int capacity, int* count, ContactRows* rows)
 {
 	int slots = world->pipeline.counters.contacts, total = 0;
 	TRY(read_pool(world, function, POOL_contact_flags, slots, (void**)&rows->flags));
@@ -120,8 +131,10 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{
-			if (is_wanted(world, rows, k, detected))
-				contacts[listed++] = contact_at(world, rows, k);
+			if (!is_wanted(world, rows, k, detected))
+				continue;
+			scree_contact contact = contact_at(world, rows, k);
+			write_result((char*)contacts + size * (size_t)listed++, size, &contact, sizeof contact);
 		}
 	}
 	*count = total;
@@ -129,7 +142,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 }
 
 static scree_status get(scree_world* world, const char* function, const char* argument, Word detected,
-                        scree_contact* contacts, int capacity, int* count)
+                        scree_contact* contacts, size_t size, int capacity, int* count)
 {
 	TRY(world_check(world, function));
 	TRY(check_list(function, argument, contacts, capacity, count));
@@ -140,17 +153,19 @@ static scree_status get(scree_world* world, const char* function, const char* ar
 		return SCREE_OK;
 	}
 	ContactRows rows = {0};
-	scree_status status = list(world, function, detected, contacts, capacity, count, &rows);
+	scree_status status = list(world, function, detected, contacts, size, capacity, count, &rows);
 	release(&rows);
 	return status;
 }
 
-scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count)
+scree_status scree_world_get_contacts_sized(scree_world* world, scree_contact* contacts, size_t size, int capacity,
+                                            int* count)
 {
-	return get(world, "scree_world_get_contacts", "contacts", 0, contacts, capacity, count);
+	return get(world, "scree_world_get_contacts", "contacts", 0, contacts, size, capacity, count);
 }
 
-scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count)
+scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size, int capacity,
+                                            int* count)
 {
-	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, capacity, count);
+	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
 }

@@ -2,6 +2,7 @@
 // devices.c -- which devices there are, and the one that a world runs on.
 #include "devices.h"
 #include "check.h"
+#include "definition.h"
 #include <string.h>
 
 #ifdef SCREE_NO_OPENCL
@@ -22,12 +23,29 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 }
 #endif
 
-scree_status scree_devices_get(scree_device* devices, int capacity, int* count)
+static int list_devices(scree_device* devices, int capacity)
 {
-	TRY(check_list("scree_devices_get", "devices", devices, capacity, count));
 	int cpus = cpu_devices(devices, capacity);
 	int left = capacity > cpus ? capacity - cpus : 0;
-	*count = cpus + opencl_devices(left > 0 ? devices + cpus : NULL, left);
+	return cpus + opencl_devices(left > 0 ? devices + cpus : NULL, left);
+}
+
+scree_status scree_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count)
+{
+	const char* function = "scree_devices_get";
+	TRY(check_list(function, "devices", devices, capacity, count));
+	int there = list_devices(NULL, 0), listed = there < capacity ? there : capacity;
+	if (listed > 0)
+	{
+		scree_device* known = scree_allocate((size_t)listed * sizeof *known);
+		if (!known)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d devices", function, listed);
+		list_devices(known, listed);
+		for (int k = 0; k < listed; ++k)
+			write_result((char*)devices + size * (size_t)k, size, known + k, sizeof *known);
+		scree_release(known);
+	}
+	*count = there;
 	return SCREE_OK;
 }
 

@@ -7,6 +7,7 @@
 // of spokes are left out. A body that cannot move counts as written, which it is not.
 #include "traffic.h"
 #include "clock.h"
+#include "definition.h"
 #include "world.h"
 
 // bytes of one constraint in a row of its block
@@ -79,12 +80,12 @@ scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool e
 	};
 }
 
-scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic)
+scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
 {
 	const char* function = "scree_world_get_traffic";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "traffic", traffic));
-	*traffic = world->pipeline.traffic;
+	write_result(traffic, size, &world->pipeline.traffic, sizeof world->pipeline.traffic);
 	return SCREE_OK;
 }
 

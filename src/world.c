@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // world.c -- the world: created, stepped, hashed, counted and destroyed.
 #include "world.h"
+#include "definition.h"
 #include "devices.h"
 #include <limits.h>
 #include <stdio.h>
@@ -9,16 +10,17 @@
 // Shorter than this, rates of change are too large for a float; seconds.
 #define SHORTEST_STEP 1e-9f
 
-scree_world_def scree_world_def_default(void)
+void scree_world_def_default_sized(scree_world_def* def, size_t size)
 {
-	return (scree_world_def){.gravity = {0.0f, -10.0f},
-	                         .device = "auto",
-	                         .contact_hertz = 52.0f,
-	                         .contact_damping_ratio = 15.0f,
-	                         .contact_push_speed = 3.0f,
-	                         .restitution_threshold = 1.0f,
-	                         .max_speed = 400.0f,
-	                         .cookie = COOKIE_WORLD};
+	const scree_world_def made = {.size = (uint32_t)size,
+	                              .gravity = {0.0f, -10.0f},
+	                              .device = "auto",
+	                              .contact_hertz = 52.0f,
+	                              .contact_damping_ratio = 15.0f,
+	                              .contact_push_speed = 3.0f,
+	                              .restitution_threshold = 1.0f,
+	                              .max_speed = 400.0f};
+	write_result(def, size, &made, sizeof made);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -87,9 +89,7 @@ scree_status grow(const char* function, void** array, int* capacity, size_t item
 
 static scree_status check_def(const char* function, const scree_world_def* def)
 {
-	TRY(check_pointer(function, "def", def));
 	Where at = {function, "def", ALONE};
-	TRY(check_cookie(at, def->cookie, COOKIE_WORLD, "scree_world_def_default"));
 	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
 	TRY(check_device(at, ".device", def->device));
 	if (def->opengl && (!def->opengl->context || !def->opengl->display))
@@ -167,6 +167,10 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	const char* function = "scree_world_create";
 	TRY(check_pointer(function, "world", world));
 	*world = NULL;
+	TRY(check_pointer(function, "def", def));
+	TRY(check_definition((Where){function, "def", ALONE}, def, 0, &world_definition));
+	scree_world_def local;
+	def = definition_at(def, 0, &world_definition, &local);
 	TRY(check_def(function, def));
 	Backend* backend;
 	TRY(device_open(def, &backend));
@@ -251,7 +255,7 @@ scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 	return world_note(world, status);
 }
 
-scree_status scree_world_get_counters(scree_world* world, scree_counters* counters)
+scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size)
 {
 	const char* function = "scree_world_get_counters";
 	TRY(world_check(world, function));
@@ -260,42 +264,43 @@ scree_status scree_world_get_counters(scree_world* world, scree_counters* counte
 	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
 	const Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
-	*counters = (scree_counters){.bodies = world->bodies.alive,
-	                             .dynamic_bodies = world->dynamic_bodies,
-	                             .collidables = world->collidables.alive,
-	                             .attributes = world->attribute_count,
-	                             .contacts = c->alive - c->released,
-	                             .touching = c->touching,
-	                             .spokes = c->color_count[COLORS],
-	                             .moved = c->moved,
-	                             .new_contacts = c->created,
-	                             .grown = pipeline->grown,
-	                             .nonfinite = c->nonfinite,
-	                             .held = c->held,
-	                             .penetration = bits_float(c->penetration),
-	                             .steps = pipeline->steps,
-	                             .device_bytes = world->backend->bytes};
+	scree_counters now = {.bodies = world->bodies.alive,
+	                      .dynamic_bodies = world->dynamic_bodies,
+	                      .collidables = world->collidables.alive,
+	                      .attributes = world->attribute_count,
+	                      .contacts = c->alive - c->released,
+	                      .touching = c->touching,
+	                      .spokes = c->color_count[COLORS],
+	                      .moved = c->moved,
+	                      .new_contacts = c->created,
+	                      .grown = pipeline->grown,
+	                      .nonfinite = c->nonfinite,
+	                      .held = c->held,
+	                      .penetration = bits_float(c->penetration),
+	                      .steps = pipeline->steps,
+	                      .device_bytes = world->backend->bytes};
 	for (int color = 0; color < COLORS; ++color)
-		counters->colors += c->color_count[color] > 0;
+		now.colors += c->color_count[color] > 0;
+	write_result(counters, size, &now, sizeof now);
 	return SCREE_OK;
 }
 
-scree_status scree_world_get_timings(scree_world* world, scree_timings* timings)
+scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* timings, size_t size)
 {
 	const char* function = "scree_world_get_timings";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "timings", timings));
-	*timings = (scree_timings){0};
-	if (!world->def.timings)
-		return SCREE_OK;
+	scree_timings now = {0};
 	const double* boxes = world->pipeline.boxes;
-	*timings = (scree_timings){.step = (float)world->pipeline.milliseconds,
-	                           .transform = (float)boxes[BOX_transform],
-	                           .broad_phase = (float)boxes[BOX_broad_phase],
-	                           .narrow_phase = (float)boxes[BOX_narrow_phase],
-	                           .color = (float)boxes[BOX_color],
-	                           .solve = (float)boxes[BOX_solve],
-	                           .finalize = (float)boxes[BOX_finalize]};
+	if (world->def.timings)
+		now = (scree_timings){.step = (float)world->pipeline.milliseconds,
+		                      .transform = (float)boxes[BOX_transform],
+		                      .broad_phase = (float)boxes[BOX_broad_phase],
+		                      .narrow_phase = (float)boxes[BOX_narrow_phase],
+		                      .color = (float)boxes[BOX_color],
+		                      .solve = (float)boxes[BOX_solve],
+		                      .finalize = (float)boxes[BOX_finalize]};
+	write_result(timings, size, &now, sizeof now);
 	return SCREE_OK;
 }
 

@@ -109,7 +109,7 @@ static void world_functions(void** state)
 	def = scree_world_def_default(); \
 	def.change;                      \
 	INVALID(scree_world_create, (&def, &made), sentence)
-	DEF(cookie = 0, "def.cookie is 0: the definition was not made by scree_world_def_default");
+	DEF(size = 0, "def.size is 0: the definition was not made by scree_world_def_default");
 	DEF(gravity.x = NAN, "def.gravity.x is nan, must be finite");
 	DEF(gravity.y = INFINITY, "def.gravity.y is inf, must be finite");
 	DEF(device = NULL, "def.device is null");
@@ -222,7 +222,7 @@ static void attribute_functions(void** state)
 	def = scree_attribute_def_default(); \
 	def.change;                          \
 	INVALID(scree_attribute_create, (world, &def, &made), sentence)
-	DEF(cookie = 1, "def.cookie is 1: the definition was not made by scree_attribute_def_default");
+	DEF(size = 1, "def.size is 1: the definition was not made by scree_attribute_def_default");
 	DEF(density = -1, "is -1, must be from");
 	DEF(density = 1e-30f, "def.density");
 	DEF(density = INFINITY, "def.density");
@@ -255,7 +255,7 @@ static void body_functions(void** state)
 	defs[2].change;                                                                   \
 	REFUSED(scree_bodies_create, (world, defs, 3, made), status, "defs[2]" sentence); \
 	REFUSED(scree_body_create, (world, &defs[2], made), status, "def" sentence)
-	DEF(SCREE_ERROR_INVALID, cookie = 0, ".cookie is 0: the definition was not made by scree_body_def_default");
+	DEF(SCREE_ERROR_INVALID, size = 0, ".size is 0: the definition was not made by scree_body_def_default");
 	DEF(SCREE_ERROR_INVALID, type = 3, ".type is 3");
 	DEF(SCREE_ERROR_INVALID, linear_damping = -1, ".linear_damping is -1, must be finite and at least 0");
 	DEF(SCREE_ERROR_INVALID, angular_damping = NAN, ".angular_damping is nan");
@@ -423,7 +423,7 @@ static void collidable_functions(void** state)
 	defs[1].change;                                                                        \
 	REFUSED(scree_collidables_create, (world, defs, 2, made), status, "defs[1]" sentence); \
 	REFUSED(scree_collidable_create, (world, &defs[1], made), status, "def" sentence)
-	DEF(SCREE_ERROR_INVALID, cookie = 0, ".cookie is 0: the definition was not made by scree_collidable_def_default");
+	DEF(SCREE_ERROR_INVALID, size = 0, ".size is 0: the definition was not made by scree_collidable_def_default");
 	DEF(SCREE_ERROR_STALE, attribute = foreign, ".attribute (index 0) is no attribute");
 	DEF(SCREE_ERROR_STALE, attribute.generation = 0, ".attribute is null");
 	DEF(SCREE_ERROR_STALE, body = stale, ".body (index 4");

@@ -15,8 +15,13 @@
 // Between two steps, changes (forces, velocities, poses, ...) are collected and travel to the device as one batch.
 // Reading anything back sends what is pending first, so that one reads what one wrote.
 //
-// Determinism. After the same calls in the same order, a world has the same scree_world_get_hash on every device, with any
-// number of threads or lanes, and with every compiler that keeps IEEE 754 arithmetic.
+// Versions. Definitions and results get further members with time, always at the end. So a definition begins with its
+// size, which its default sets, and whoever fills a result is told its size; the functions that do so are at the end of
+// this header. A program and a library of different versions work together, or the library refuses what it does not
+// know with a sentence.
+//
+// Determinism. After the same calls in the same order, a world has the same scree_world_get_hash on every device, with
+// any number of threads or lanes, and with every compiler that keeps IEEE 754 arithmetic.
 #ifndef SCREE_H
 #define SCREE_H
 
@@ -93,8 +98,8 @@ typedef struct scree_hooks
 	void* context;
 } scree_hooks;
 
-// Installs hooks, copied; null restores the defaults. Fails with SCREE_ERROR_INVALID while a world exists, or when only one
-// of allocate and release is given.
+// Installs hooks, copied; null restores the defaults. Fails with SCREE_ERROR_INVALID while a world exists, or when only
+// one of allocate and release is given.
 SCREE_API scree_status scree_hooks_set(const scree_hooks* hooks);
 
 // Bytes of host memory in use by the library now.
@@ -166,7 +171,7 @@ typedef struct scree_device
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null when capacity
 // is 0) and the number there are into count. When there is no OpenCL, scree_opencl_remedy says what to install.
-SCREE_API scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
+static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
 
 // One sentence on what to install to get an OpenCL device, or an empty string when there is one.
 SCREE_API const char* scree_opencl_remedy(void);
@@ -192,6 +197,7 @@ typedef struct scree_opengl // a context of OpenGL
 
 typedef struct scree_world_def
 {
+	uint32_t size;           // set by scree_world_def_default
 	scree_vec gravity;       // m/s^2, default (0, -10)
 	const char* device;      // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
 	int threads;             // CPU worker threads, 0 (default) for one a core, at most 64
@@ -210,17 +216,16 @@ typedef struct scree_world_def
 	int contact_capacity;       // the same for contacts
 	int contact_limit; // most contacts, 300 bytes each; a step that finds more fails with SCREE_ERROR_CROWDED and changes
 	                   // nothing. 0 (default) for 32 a collidable, and 2 million at least
-	int cookie;        // set by scree_world_def_default
 } scree_world_def;
 
-SCREE_API scree_world_def scree_world_def_default(void);
+static inline scree_world_def scree_world_def_default(void);
 
 // Creates a world into *world, which the caller owns and gives to scree_world_destroy. On failure *world is null.
 //
-// With device "auto" the world begins on the CPU. scree_world_step moves it to a GPU, and back, when its steps take less time
-// there, and tells the log so (SCREE_LOG_INFO, with both times). A GPU is opened when the world is large enough to gain
-// from it, by a thread while the world goes on; one that fails, or whose bits are not the CPU's, is logged and left
-// alone. Moving changes no bit of the world. docs/auto.md says when it moves.
+// With device "auto" the world begins on the CPU. scree_world_step moves it to a GPU, and back, when its steps take
+// less time there, and tells the log so (SCREE_LOG_INFO, with both times). A GPU is opened when the world is large
+// enough to gain from it, by a thread while the world goes on; one that fails, or whose bits are not the CPU's, is
+// logged and left alone. Moving changes no bit of the world. docs/auto.md says when it moves.
 SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_world** world);
 
 // Destroys a world and everything in it. Null is allowed.
@@ -230,9 +235,9 @@ SCREE_API void scree_world_destroy(scree_world* world);
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
 // Bodies that lie in one place make contacts by the square of their number. Where these are more than
-// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED, and the sentence names the most crowded place and how
-// many collidables are there; where there is no memory for them, it fails with SCREE_ERROR_OUT_OF_MEMORY. Nothing has changed
-// then: time stands still, and when bodies have been moved apart or destroyed the world goes on.
+// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED, and the sentence names the most crowded place
+// and how many collidables are there; where there is no memory for them, it fails with SCREE_ERROR_OUT_OF_MEMORY.
+// Nothing has changed then: time stands still, and when bodies have been moved apart or destroyed the world goes on.
 //
 // A step that breaks off later, because the device failed or had no memory left for what the solver needs, cannot be
 // undone: from then on the world refuses every call that works on it with the same status, and can only be destroyed.
@@ -246,13 +251,14 @@ SCREE_API scree_vec scree_world_get_gravity(const scree_world* world);
 SCREE_API const char* scree_world_get_device(const scree_world* world);
 
 // Moves a world to another device between two steps. device is what scree_world_def.device takes: "cpu", "opencl" or
-// "opencl:NAME" for good, "auto" to leave the choice to scree_world_step from now on. The world goes on with the same bits:
-// its hash, handles, contacts and impulses, and what the user has changed since the last step all stay. Threads, lanes,
-// allow_unequal_bits and timings are those of its definition.
+// "opencl:NAME" for good, "auto" to leave the choice to scree_world_step from now on. The world goes on with the same
+// bits: its hash, handles, contacts and impulses, and what the user has changed since the last step all stay. Threads,
+// lanes, allow_unequal_bits and timings are those of its definition.
 //
-// It costs the opening of the device, some 0.3 s for a GPU, and the transfer of the world, some 1 kB a body; both devices
-// hold it for that moment. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world is where it was, as it was;
-// only if the device that it was on failed while it was read (SCREE_ERROR_DEVICE_FAILED) it is broken, as after scree_world_step.
+// It costs the opening of the device, some 0.3 s for a GPU, and the transfer of the world, some 1 kB a body; both
+// devices hold it for that moment. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world is
+// where it was, as it was; only if the device that it was on failed while it was read (SCREE_ERROR_DEVICE_FAILED) it is
+// broken, as after scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
 // CPU threads and lanes in use; 0 on an OpenCL device.
@@ -282,7 +288,7 @@ typedef struct scree_counters
 	uint64_t device_bytes; // memory of the pools on the device
 } scree_counters;
 
-SCREE_API scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
+static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 
 typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings
 {
@@ -290,7 +296,7 @@ typedef struct scree_timings // milliseconds of the last step; zero unless scree
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
 } scree_timings;
 
-SCREE_API scree_status scree_world_get_timings(scree_world* world, scree_timings* timings);
+static inline scree_status scree_world_get_timings(scree_world* world, scree_timings* timings);
 
 typedef struct scree_traffic // memory that the solve stage of the last step asked for
 {
@@ -302,11 +308,11 @@ typedef struct scree_traffic // memory that the solve stage of the last step ask
 
 // Counts the bytes that the last step's solve stage read and wrote by its algorithm: the same on every device, whatever
 // caches save. Both members over scree_timings.solve are the rate that it achieved. Zeros before the first step.
-SCREE_API scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
+static inline scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
 
 // Measures how fast the world's device copies its own memory: bytes read and written a second, both counted, with all
-// threads of a CPU. Takes some milliseconds on a GPU and up to a second elsewhere, and 512 MB for that time, or less where
-// there is less. The world stays as it is.
+// threads of a CPU. Takes some milliseconds on a GPU and up to a second elsewhere, and 512 MB for that time, or less
+// where there is less. The world stays as it is.
 SCREE_API scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth);
 
 // Waits until the device has finished everything that was asked of it.
@@ -363,17 +369,17 @@ SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pos
 
 typedef struct scree_attribute_def
 {
+	uint32_t size; // set by scree_attribute_def_default
 	scree_shape shape;
 	float density;            // kg/m^2, >= 0, default 1
 	float friction;           // >= 0, default 0.6; a pair takes the geometric mean, 1000 at most
 	float restitution;        // 0 to 1, default 0; a pair takes the larger
 	float rolling_resistance; // >= 0, default 0: times the larger radius of the pair, a lever in metres
 	float tangent_speed;      // m/s, default 0: a conveyor belt along the surface, counter-clockwise around the shape
-	int cookie;
 } scree_attribute_def;
 
 // Defaults with a box of half a metre a side (1 m wide).
-SCREE_API scree_attribute_def scree_attribute_def_default(void);
+static inline scree_attribute_def scree_attribute_def_default(void);
 
 // Makes an attribute, or returns the one that exists with equal values. Attributes live as long as their world and
 // never change.
@@ -381,8 +387,8 @@ SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_at
                                               scree_attribute* attribute);
 
 // The values that an attribute was made of.
-SCREE_API scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
-                                               scree_attribute_def* def);
+static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
+                                                   scree_attribute_def* def);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Bodies
@@ -418,6 +424,7 @@ typedef struct scree_filter
 
 typedef struct scree_body_def
 {
+	uint32_t size;             // set by scree_body_def_default
 	scree_body_type type;      // default SCREE_BODY_DYNAMIC
 	scree_pose pose;           // of the body's origin; default the world's origin
 	scree_velocity velocity;   // default 0
@@ -428,10 +435,9 @@ typedef struct scree_body_def
 	scree_attribute attribute; // when not null, the body is made with one collidable of it, at the body's origin
 	scree_filter filter;       // of that collidable
 	uint64_t user;             // kept for the user, not simulated; default 0
-	int cookie;
 } scree_body_def;
 
-SCREE_API scree_body_def scree_body_def_default(void);
+static inline scree_body_def scree_body_def_default(void);
 SCREE_API scree_filter scree_filter_default(void);
 
 // Creates count bodies from count definitions. All or none: on failure no body is created. bodies (may be null) gets
@@ -524,15 +530,15 @@ typedef struct scree_collidable
 
 typedef struct scree_collidable_def
 {
+	uint32_t size; // set by scree_collidable_def_default
 	scree_attribute attribute;
 	scree_body body; // null for a collidable without a body: it detects overlaps and nothing answers to it
 	scree_pose pose; // in the body's frame; in the world when there is no body
 	scree_filter filter;
 	uint64_t user;
-	int cookie;
 } scree_collidable_def;
 
-SCREE_API scree_collidable_def scree_collidable_def_default(void);
+static inline scree_collidable_def scree_collidable_def_default(void);
 
 SCREE_API scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
                                                 scree_collidable* collidables);
@@ -586,23 +592,27 @@ typedef struct scree_contact
 	                  // that of hubs, bodies with more than 32 contacts. -1 for an overlap
 	int count;        // 1 or 2
 	scree_contact_point points[2];
+	scree_body body_a, body_b; // of a and b; null for a collidable without a body
+	uint64_t user_a, user_b;   // of a and b, as scree_collidable_set_user left them
 } scree_contact;
 
 // Writes up to capacity of the touching contacts that bodies answer to, in the order of the contact pool (equal on all
 // devices), and how many there are.
-SCREE_API scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity, int* count);
+static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
+                                                    int* count);
 
 // The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
 // shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
-SCREE_API scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity, int* count);
+static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
+                                                    int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Drawing
 //
-// What a renderer needs of every collidable, in one array that fits a vertex buffer: row k is the collidable of index k.
-// scree_world_get_render_rows copies the rows to the host. Where scree_world_get_sharing says more than SCREE_SHARING_COPIED, they need not leave
-// the device: it is given memory that OpenGL draws from, and scree_world_write_render_rows writes them there. The rows are the same, bit for
-// bit. docs/share.md has an example.
+// What a renderer needs of every collidable, in one array that fits a vertex buffer: row k is the collidable of index
+// k. scree_world_get_render_rows copies the rows to the host. Where scree_world_get_sharing says more than
+// SCREE_SHARING_COPIED, they need not leave the device: it is given memory that OpenGL draws from, and
+// scree_world_write_render_rows writes them there. The rows are the same, bit for bit. docs/share.md has an example.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_render_row // 32 bytes
@@ -618,21 +628,22 @@ typedef struct scree_render_row // 32 bytes
 SCREE_API scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity,
                                                    int* count);
 
-// The way in which this world can share: that of its device, but SCREE_SHARING_OPENGL only when the world was made with a
-// scree_world_def.opengl that the driver took.
+// The way in which this world can share: that of its device, but SCREE_SHARING_OPENGL only when the world was made with
+// a scree_world_def.opengl that the driver took.
 SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 
 // Memory that another interface allocated on the same device (scree_device.uuid) and exported as an opaque file
-// descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The world
-// takes over the descriptor when this succeeds. bytes is how much of the allocation is used, at least one row. Fails with
-// SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_MEMORY or the driver refuses the memory.
-// The memory is shared until it is replaced by another call, scree_world_unshare, the world's move to another device (of itself,
-// where that is "auto"), or its end.
+// descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The
+// world takes over the descriptor when this succeeds. bytes is how much of the allocation is used, at least one row.
+// Fails with SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_MEMORY or the driver
+// refuses the memory. The memory is shared until it is replaced by another call, scree_world_unshare, the world's move
+// to another device (of itself, where that is "auto"), or its end.
 SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
-// A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in scree_world_write_render_rows; bytes
-// is the size of its storage, at least one row. It must outlive the sharing, and keep its storage. Fails with
-// SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_OPENGL or the driver refuses the buffer.
+// A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in
+// scree_world_write_render_rows; bytes is the size of its storage, at least one row. It must outlive the sharing, and
+// keep its storage. Fails with SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_OPENGL
+// or the driver refuses the buffer.
 SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
 // Lets go of what was shared; null and worlds that share nothing are allowed.
@@ -642,6 +653,93 @@ SCREE_API void scree_world_unshare(scree_world* world);
 // when this returns. OpenGL must be done with the rows of before: wait for a fence behind the last draw. Fails with
 // SCREE_ERROR_INVALID, and writes count all the same, when there are more rows than fit: share something larger.
 SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Versions
+//
+// The functions of the library behind those above that are static and inline, which pass the size that a struct has in
+// the program. A binding for another language calls these. Members that the library does not know become 0.
+// ---------------------------------------------------------------------------------------------------------------
+
+SCREE_API void scree_world_def_default_sized(scree_world_def* def, size_t size);
+static inline scree_world_def scree_world_def_default(void)
+{
+	scree_world_def def;
+	scree_world_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size);
+static inline scree_attribute_def scree_attribute_def_default(void)
+{
+	scree_attribute_def def;
+	scree_attribute_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API void scree_body_def_default_sized(scree_body_def* def, size_t size);
+static inline scree_body_def scree_body_def_default(void)
+{
+	scree_body_def def;
+	scree_body_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API void scree_collidable_def_default_sized(scree_collidable_def* def, size_t size);
+static inline scree_collidable_def scree_collidable_def_default(void)
+{
+	scree_collidable_def def;
+	scree_collidable_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API scree_status scree_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count);
+static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count)
+{
+	return scree_devices_get_sized(devices, sizeof *devices, capacity, count);
+}
+
+SCREE_API scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size);
+static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters)
+{
+	return scree_world_get_counters_sized(world, counters, sizeof *counters);
+}
+
+SCREE_API scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* timings, size_t size);
+static inline scree_status scree_world_get_timings(scree_world* world, scree_timings* timings)
+{
+	return scree_world_get_timings_sized(world, timings, sizeof *timings);
+}
+
+SCREE_API scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size);
+static inline scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic)
+{
+	return scree_world_get_traffic_sized(world, traffic, sizeof *traffic);
+}
+
+SCREE_API scree_status scree_world_get_contacts_sized(scree_world* world, scree_contact* contacts, size_t size,
+                                                      int capacity, int* count);
+static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
+                                                    int* count)
+{
+	return scree_world_get_contacts_sized(world, contacts, sizeof *contacts, capacity, count);
+}
+
+SCREE_API scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size,
+                                                      int capacity, int* count);
+static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
+                                                    int* count)
+{
+	return scree_world_get_overlaps_sized(world, overlaps, sizeof *overlaps, capacity, count);
+}
+
+SCREE_API scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attribute attribute,
+                                                     scree_attribute_def* def, size_t size);
+static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
+                                                   scree_attribute_def* def)
+{
+	return scree_attribute_get_def_sized(world, attribute, def, sizeof *def);
+}
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// test_versions.c -- programs built with an older header, or a newer one, on this library.
+//
+// This file is compiled with tests/older/scree/scree.h, so that its structs are shorter than the library's. Newer ones are
+// made here, by members behind the ones of that header.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <scree/scree.h>
+#include <string.h>
+
+#define OK(call) assert_int_equal(call, SCREE_OK)
+
+typedef struct
+{
+	scree_body_def def;
+	uint64_t later[2];
+} NewerBody;
+
+typedef struct
+{
+	scree_counters counters;
+	uint64_t later[2];
+} NewerCounters;
+
+static scree_world* open_world(void)
+{
+	scree_world_def def = scree_world_def_default();
+	assert_int_equal(def.size, sizeof def);
+	def.device = "cpu";
+	scree_world* world;
+	OK(scree_world_create(&def, &world));
+	return world;
+}
+
+static scree_attribute box_of(scree_world* world)
+{
+	scree_attribute_def def = scree_attribute_def_default(), same;
+	scree_attribute attribute;
+	OK(scree_attribute_create(world, &def, &attribute));
+	OK(scree_attribute_get_def(world, attribute, &same));
+	assert_int_equal(same.size, sizeof same);
+	assert_true(same.density == 1.0f && same.shape.count == 4);
+	return attribute;
+}
+
+// a ground and a box that lies on it, each a metre wide
+static void two_boxes(scree_world* world, scree_body bodies[2])
+{
+	scree_body_def defs[2] = {scree_body_def_default(), scree_body_def_default()};
+	defs[0].attribute = defs[1].attribute = box_of(world);
+	defs[0].type = SCREE_BODY_STATIC;
+	defs[1].pose.position.y = 1.0f;
+	OK(scree_bodies_create(world, defs, 2, bodies));
+}
+
+// An older program gets what it knows of a contact, and nothing is written behind it.
+static void older_results(void** state)
+{
+	(void)state;
+	scree_world* world = open_world();
+	scree_body bodies[2];
+	two_boxes(world, bodies);
+	OK(scree_world_step(world, 1.0f / 60.0f, 4));
+	scree_contact contacts[3];
+	memset(contacts, 0x5a, sizeof contacts);
+	int count = 0;
+	OK(scree_world_get_contacts(world, contacts, 3, &count));
+	assert_int_equal(count, 1);
+	assert_int_equal(contacts[0].count, 2);
+	assert_true(contacts[0].normal.y == 1.0f || contacts[0].normal.y == -1.0f);
+	unsigned char kept[2 * sizeof *contacts];
+	memset(kept, 0x5a, sizeof kept);
+	assert_memory_equal(contacts + 1, kept, sizeof kept);
+
+	// half of the counters
+	size_t half = offsetof(scree_counters, grown);
+	scree_counters counters;
+	memset(&counters, 0x5a, sizeof counters);
+	OK(scree_world_get_counters_sized(world, &counters, half));
+	assert_int_equal(counters.bodies, 2);
+	assert_int_equal(counters.touching, 1);
+	assert_memory_equal((char*)&counters + half, kept, sizeof counters - half);
+	scree_world_destroy(world);
+}
+
+// What a newer program knows and the library does not is 0 in results, and must be 0 in definitions.
+static void newer_structs(void** state)
+{
+	(void)state;
+	scree_world *world = open_world(), *twin = open_world();
+	scree_body bodies[2];
+	two_boxes(twin, bodies);
+	NewerBody defs[2];
+	memset(defs, 0x5a, sizeof defs);
+	scree_attribute box = box_of(world);
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_body_def_default_sized(&defs[k].def, sizeof *defs);
+		assert_int_equal(defs[k].def.size, sizeof *defs);
+		assert_true(defs[k].later[0] == 0 && defs[k].later[1] == 0);
+		defs[k].def.attribute = box;
+		defs[k].def.pose.position.y = (float)k;
+	}
+	defs[0].def.type = SCREE_BODY_STATIC;
+
+	defs[1].later[0] = 1;
+	assert_int_equal(scree_bodies_create(world, &defs->def, 2, bodies), SCREE_ERROR_INVALID);
+	assert_non_null(strstr(scree_error(), "defs[1] sets a member that version "));
+	defs[1].later[0] = 0;
+	defs[1].def.size = sizeof(scree_body_def);
+	assert_int_equal(scree_bodies_create(world, &defs->def, 2, bodies), SCREE_ERROR_INVALID);
+	assert_non_null(strstr(scree_error(), ", and that of the first is "));
+	defs[1].def.size = sizeof *defs;
+	OK(scree_bodies_create(world, &defs->def, 2, bodies));
+
+	uint64_t hash, expected;
+	for (int k = 0; k < 10; ++k)
+	{
+		OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		OK(scree_world_step(twin, 1.0f / 60.0f, 4));
+	}
+	OK(scree_world_get_hash(world, &hash));
+	OK(scree_world_get_hash(twin, &expected));
+	assert_int_equal(hash, expected);
+
+	NewerCounters counters;
+	memset(&counters, 0x5a, sizeof counters);
+	OK(scree_world_get_counters_sized(world, &counters.counters, sizeof counters));
+	assert_int_equal(counters.counters.bodies, 2);
+	assert_true(counters.later[0] == 0 && counters.later[1] == 0);
+	scree_world_destroy(world);
+	scree_world_destroy(twin);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(older_results),
+	    cmocka_unit_test(newer_structs),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
