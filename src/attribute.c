@@ -168,7 +168,7 @@ void attribute_item(const scree_world* world, int index, Attribute* item)
 	                    .friction = def->friction,
 	                    .restitution = def->restitution,
 	                    .rolling_resistance = def->rolling_resistance,
-	                    .tangent_speed = def->tangent_speed};
+	                    .tangent_speed = 0.0f - def->tangent_speed};
 	scree_vec lower = shape->vertices[0], upper = lower;
 	for (int k = 0; k < shape->count; ++k)
 	{

@@ -12,6 +12,8 @@
 
 const DefinitionType world_definition = {sizeof(scree_world_def), END_OF(scree_world_def, contact_limit),
                                          "scree_world_def_default"};
+const DefinitionType tuning_definition = {sizeof(scree_tuning), END_OF(scree_tuning, max_speed),
+                                          "scree_world_get_tuning"};
 const DefinitionType attribute_definition = {sizeof(scree_attribute_def), END_OF(scree_attribute_def, tangent_speed),
                                              "scree_attribute_def_default"};
 const DefinitionType body_definition = {sizeof(scree_body_def), END_OF(scree_body_def, user), "scree_body_def_default"};

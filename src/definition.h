@@ -14,7 +14,8 @@ typedef struct // of one type of definition
 	const char* default_function; // fills one with defaults
 } DefinitionType;
 
-extern const DefinitionType world_definition, attribute_definition, body_definition, collidable_definition;
+extern const DefinitionType world_definition, tuning_definition, attribute_definition, body_definition,
+    collidable_definition;
 
 // Definition k of a batch, all of which have the size of the first.
 scree_status check_definition(Where at, const void* defs, int k, const DefinitionType* type);

@@ -5,7 +5,6 @@
 //
 // integrate runs inside solve, once per substep.
 #include "pipeline.h"
-#include "clock.h"
 #include "crowd.h"
 #include "traffic.h"
 #include "tree.h"
@@ -440,7 +439,6 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 {
 	Pipeline* pipeline = &world->pipeline;
 	Backend* b = world->backend;
-	double begin = clock_milliseconds();
 	pipeline->begun = false;
 	scree_status status = list_reserve(&pipeline->list, substeps);
 	if (!status)
@@ -463,7 +461,6 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 			world->broken = status;
 		return status;
 	}
-	pipeline->milliseconds = clock_milliseconds() - begin;
 	int constraints = 0;
 	for (int color = 0; color <= COLORS; ++color)
 		constraints += pipeline->counters.color_count[color];

@@ -6,7 +6,7 @@
 // bodies. So it depends neither on the device nor on the size of its caches. Padding, counters and the sorting and summing
 // of spokes are left out. A body that cannot move counts as written, which it is not.
 #include "traffic.h"
-#include "clock.h"
+#include "cpu/processor.h"
 #include "definition.h"
 #include "world.h"
 
@@ -95,9 +95,9 @@ static scree_status time_copies(Backend* b, size_t bytes, double* bandwidth)
 	double spent = 0;
 	for (int k = 0; k < TRIES && spent < ENOUGH; ++k)
 	{
-		double begin = clock_milliseconds();
+		double begin = processor_milliseconds();
 		TRY(b->f->copy(b, COPIES));
-		double time = clock_milliseconds() - begin;
+		double time = processor_milliseconds() - begin;
 		double found = time > 0 ? 1e3 * 2.0 * COPIES * (double)bytes / time : 0;
 		*bandwidth = found > *bandwidth ? found : *bandwidth;
 		spent += time;

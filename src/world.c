@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // world.c -- the world: created, stepped, hashed, counted and destroyed.
 #include "world.h"
+#include "cpu/processor.h"
 #include "definition.h"
 #include "devices.h"
 #include <limits.h>
@@ -87,6 +88,25 @@ scree_status grow(const char* function, void** array, int* capacity, size_t item
 // create and destroy
 // ---------------------------------------------------------------------------------------------------------------
 
+static scree_tuning tuning_of(const scree_world_def* def)
+{
+	return (scree_tuning){.size = sizeof(scree_tuning),
+	                      .contact_hertz = def->contact_hertz,
+	                      .contact_damping_ratio = def->contact_damping_ratio,
+	                      .contact_push_speed = def->contact_push_speed,
+	                      .restitution_threshold = def->restitution_threshold,
+	                      .max_speed = def->max_speed};
+}
+
+static scree_status check_tuning(Where at, const scree_tuning* tuning)
+{
+	TRY(check_real(at, ".contact_hertz", tuning->contact_hertz, 1e-3f, 1e6f));
+	TRY(check_real(at, ".contact_damping_ratio", tuning->contact_damping_ratio, 0.0f, 1e6f));
+	TRY(check_real(at, ".contact_push_speed", tuning->contact_push_speed, 0.0f, SCREE_HUGE));
+	TRY(check_real(at, ".restitution_threshold", tuning->restitution_threshold, 0.0f, FLT_MAX));
+	return check_real(at, ".max_speed", tuning->max_speed, 1e-3f, SCREE_HUGE);
+}
+
 static scree_status check_def(const char* function, const scree_world_def* def)
 {
 	Where at = {function, "def", ALONE};
@@ -101,11 +121,8 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
 	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
 		return refuse(SCREE_ERROR_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
-	TRY(check_real(at, ".contact_hertz", def->contact_hertz, 1e-3f, 1e6f));
-	TRY(check_real(at, ".contact_damping_ratio", def->contact_damping_ratio, 0.0f, 1e6f));
-	TRY(check_real(at, ".contact_push_speed", def->contact_push_speed, 0.0f, SCREE_HUGE));
-	TRY(check_real(at, ".restitution_threshold", def->restitution_threshold, 0.0f, FLT_MAX));
-	TRY(check_real(at, ".max_speed", def->max_speed, 1e-3f, SCREE_HUGE));
+	scree_tuning tuning = tuning_of(def);
+	TRY(check_tuning(at, &tuning));
 	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
 		              MAX_ITEMS);
@@ -215,9 +232,11 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
 	TRY(automatic_choose(world));
+	double upload = processor_milliseconds();
 	TRY(world_flush(world));
 	double begin = automatic_clock();
 	scree_status status = pipeline_step(world, dt, substeps);
+	world->pipeline.milliseconds = processor_milliseconds() - upload;
 	if (status == SCREE_OK && world->automatic.trial)
 		status = world->backend->f->wait(world->backend);
 	automatic_count(world, begin);
@@ -238,7 +257,44 @@ scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
 	return SCREE_OK;
 }
 
-scree_vec scree_world_get_gravity(const scree_world* world) { return world ? world->def.gravity : (scree_vec){0}; }
+scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity)
+{
+	const char* function = "scree_world_get_gravity";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "gravity", gravity));
+	*gravity = world->def.gravity;
+	return SCREE_OK;
+}
+
+scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
+{
+	const char* function = "scree_world_get_tuning";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "tuning", tuning));
+	scree_tuning now = tuning_of(&world->def);
+	now.size = (uint32_t)size;
+	write_result(tuning, size, &now, sizeof now);
+	return SCREE_OK;
+}
+
+scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning)
+{
+	const char* function = "scree_world_set_tuning";
+	Where at = {function, "tuning", ALONE};
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "tuning", tuning));
+	TRY(check_definition(at, tuning, 0, &tuning_definition));
+	scree_tuning local;
+	tuning = definition_at(tuning, 0, &tuning_definition, &local);
+	TRY(check_tuning(at, tuning));
+	world->def.contact_hertz = tuning->contact_hertz;
+	world->def.contact_damping_ratio = tuning->contact_damping_ratio;
+	world->def.contact_push_speed = tuning->contact_push_speed;
+	world->def.restitution_threshold = tuning->restitution_threshold;
+	world->def.max_speed = tuning->max_speed;
+	return SCREE_OK;
+}
+
 const char* scree_world_get_device(const scree_world* world) { return world ? world->device : ""; }
 int scree_world_get_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
 int scree_world_get_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }

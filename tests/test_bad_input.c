@@ -146,6 +146,27 @@ static void world_functions(void** state)
 		INVALID(scree_world_set_gravity, (world, (scree_vec){0, bad[k]}), "gravity.y");
 	}
 	INVALID(scree_world_set_gravity, (NULL, (scree_vec){0, 0}), "world is null");
+	INVALID(scree_world_get_gravity, (world, NULL), "gravity is null");
+	scree_tuning tuning;
+	INVALID(scree_world_get_tuning, (world, NULL), "tuning is null");
+	INVALID(scree_world_set_tuning, (world, NULL), "tuning is null");
+#define TUNING(change, sentence)                       \
+	assert_ok(scree_world_get_tuning(world, &tuning)); \
+	tuning.change;                                     \
+	INVALID(scree_world_set_tuning, (world, &tuning), sentence)
+	TUNING(size = 0, "tuning.size is 0: the definition was not made by scree_world_get_tuning");
+	TUNING(contact_hertz = 0.0f, "tuning.contact_hertz is 0, must be from 0.001");
+	TUNING(contact_damping_ratio = -1.0f, "tuning.contact_damping_ratio is -1");
+	TUNING(contact_push_speed = NAN, "tuning.contact_push_speed is nan");
+	TUNING(restitution_threshold = -0.5f, "tuning.restitution_threshold is -0.5");
+	TUNING(max_speed = 0.0f, "tuning.max_speed is 0");
+#undef TUNING
+	int listed;
+	scree_body_state body_state;
+	INVALID(scree_world_get_states, (NULL, NULL, &body_state, 1, &listed), "world is null");
+	INVALID(scree_world_get_states, (world, NULL, NULL, 1, &listed), "states is null");
+	INVALID(scree_world_get_states, (world, NULL, &body_state, -1, &listed), "capacity is -1");
+	INVALID(scree_world_get_states, (world, NULL, &body_state, 1, NULL), "count is null");
 	INVALID(scree_world_get_hash, (NULL, &before), "world is null");
 	INVALID(scree_world_get_hash, (world, NULL), "hash is null");
 	INVALID(scree_world_get_counters, (world, NULL), "counters is null");

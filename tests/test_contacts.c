@@ -190,7 +190,9 @@ static void settings_are_kept(void** state)
 	assert_true(linear == 0.25f && angular == 0.75f && scale == -2.0f && locks == SCREE_LOCK_X);
 	assert_true(user == 12345678901234567890u && type == SCREE_BODY_KINEMATIC);
 	assert_ok(scree_world_set_gravity(world, (scree_vec){1.0f, 2.0f}));
-	assert_true(scree_world_get_gravity(world).x == 1.0f && scree_world_get_gravity(world).y == 2.0f);
+	scree_vec gravity;
+	assert_int_equal(scree_world_get_gravity(world, &gravity), SCREE_OK);
+	assert_true(gravity.x == 1.0f && gravity.y == 2.0f);
 	assert_ok(scree_world_wait(world));
 	scree_world_destroy(world);
 }

@@ -424,7 +424,9 @@ static void test_build(void** state)
 	assert_int_equal(counters.dynamic_bodies, 6);
 	assert_int_equal(counters.collidables, 12);
 	assert_int_equal(counters.attributes, 2);
-	assert_true(scree_world_get_gravity(world).x == 1 && scree_world_get_gravity(world).y == -3);
+	scree_vec gravity;
+	assert_int_equal(scree_world_get_gravity(world, &gravity), SCREE_OK);
+	assert_true(gravity.x == 1 && gravity.y == -3);
 
 	scree_body bodies[8];
 	scree_pose poses[8];

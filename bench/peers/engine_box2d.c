@@ -157,7 +157,9 @@ static void* open(const Scene* scene, const EngineOptions* options)
 		return NULL;
 	}
 	b2WorldDef def = b2DefaultWorldDef();
-	def.gravity = vec(scree_world_get_gravity(model));
+	scree_vec gravity = {0};
+	scree_world_get_gravity(model, &gravity);
+	def.gravity = vec(gravity);
 	def.enableSleep = false;
 	def.enableContinuous = options->continuous;
 	def.workerCount = options->threads;

@@ -231,7 +231,7 @@ SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_worl
 // Destroys a world and everything in it. Null is allowed.
 SCREE_API void scree_world_destroy(scree_world* world);
 
-// Advances a world by dt seconds (0 < dt <= 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
+// Advances a world by dt seconds (1e-9 to 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
 // Bodies that lie in one place make contacts by the square of their number. Where these are more than
@@ -245,7 +245,22 @@ SCREE_API scree_status scree_world_step(scree_world* world, float dt, int subste
 
 // Gravity, m/s^2, each component finite.
 SCREE_API scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity);
-SCREE_API scree_vec scree_world_get_gravity(const scree_world* world);
+SCREE_API scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity);
+
+typedef struct scree_tuning // the members of scree_world_def of the same names
+{
+	uint32_t size; // set by scree_world_get_tuning
+	float contact_hertz;
+	float contact_damping_ratio;
+	float contact_push_speed;
+	float restitution_threshold;
+	float max_speed;
+} scree_tuning;
+
+// How the solver is tuned now, and from the next step on. Get it, change members, set it: ranges are those of
+// scree_world_def.
+static inline scree_status scree_world_get_tuning(const scree_world* world, scree_tuning* tuning);
+SCREE_API scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning);
 
 // The device that the world runs on now, as in scree_device.name; owned by the world, and changed when it moves.
 SCREE_API const char* scree_world_get_device(const scree_world* world);
@@ -292,7 +307,7 @@ static inline scree_status scree_world_get_counters(scree_world* world, scree_co
 
 typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings
 {
-	float step; // wall clock of scree_world_step, up to the end of the device's work
+	float step; // wall clock of scree_world_step, from the upload of what was changed to the end of the device's work
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
 } scree_timings;
 
@@ -326,6 +341,16 @@ typedef struct scree_attribute
 {
 	uint32_t index, generation;
 } scree_attribute;
+
+static const scree_attribute SCREE_NULL_ATTRIBUTE = {0, 0};
+static inline bool scree_attribute_is_null(scree_attribute attribute)
+{
+	return attribute.index == 0 && attribute.generation == 0;
+}
+static inline bool scree_attribute_equals(scree_attribute a, scree_attribute b)
+{
+	return a.index == b.index && a.generation == b.generation;
+}
 
 typedef enum scree_shape_kind
 {
@@ -375,7 +400,8 @@ typedef struct scree_attribute_def
 	float friction;           // >= 0, default 0.6; a pair takes the geometric mean, 1000 at most
 	float restitution;        // 0 to 1, default 0; a pair takes the larger
 	float rolling_resistance; // >= 0, default 0: times the larger radius of the pair, a lever in metres
-	float tangent_speed;      // m/s, default 0: a conveyor belt along the surface, counter-clockwise around the shape
+	float tangent_speed; // m/s, default 0: a conveyor belt along the surface, clockwise around the shape: what lies
+	                     // on top is carried to the right
 } scree_attribute_def;
 
 // Defaults with a box of half a metre a side (1 m wide).
@@ -398,6 +424,13 @@ typedef struct scree_body
 {
 	uint32_t index, generation;
 } scree_body;
+
+static const scree_body SCREE_NULL_BODY = {0, 0};
+static inline bool scree_body_is_null(scree_body body) { return body.index == 0 && body.generation == 0; }
+static inline bool scree_body_equals(scree_body a, scree_body b)
+{
+	return a.index == b.index && a.generation == b.generation;
+}
 
 typedef enum scree_body_type
 {
@@ -481,6 +514,17 @@ SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_bo
 SCREE_API scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies,
                                                    scree_velocity* velocities, int count);
 
+typedef struct scree_body_state
+{
+	scree_pose pose; // of the body's origin
+	scree_velocity velocity;
+} scree_body_state;
+
+// The state of all bodies alive, by rising index: writes up to capacity of them, and how many there are. bodies (may be
+// null) gets their handles.
+SCREE_API scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states,
+                                              int capacity, int* count);
+
 // The same for one body.
 SCREE_API scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force);
 SCREE_API scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point);
@@ -493,6 +537,14 @@ SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body bo
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
+
+// Points of a body: from its frame to the world and back, m, and how fast one that is now at a world point moves, m/s.
+SCREE_API scree_status scree_body_get_world_point(scree_world* world, scree_body body, scree_vec local,
+                                                  scree_vec* point);
+SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body body, scree_vec point,
+                                                  scree_vec* local);
+SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point,
+                                                     scree_vec* velocity);
 
 // Settings of one body; ranges as in scree_body_def. Setters reach the device with the next batch.
 SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body,
@@ -527,6 +579,16 @@ typedef struct scree_collidable
 {
 	uint32_t index, generation;
 } scree_collidable;
+
+static const scree_collidable SCREE_NULL_COLLIDABLE = {0, 0};
+static inline bool scree_collidable_is_null(scree_collidable collidable)
+{
+	return collidable.index == 0 && collidable.generation == 0;
+}
+static inline bool scree_collidable_equals(scree_collidable a, scree_collidable b)
+{
+	return a.index == b.index && a.generation == b.generation;
+}
 
 typedef struct scree_collidable_def
 {
@@ -620,7 +682,7 @@ typedef struct scree_render_row // 32 bytes
 	scree_pose pose;   // of the attribute's shape in the world
 	scree_vec center;  // from there to the body's center of mass, world axes, m
 	int32_t attribute; // index of its handle; -1 where there is no collidable: skip the row
-	int32_t body;      // index of its handle, -1 for none
+	int32_t body;      // index of its handle, which is 1 or more; -1 for none
 } scree_render_row;
 
 // Writes up to capacity rows of the world as it is now, and how many there are: one more than the highest index that a
@@ -703,6 +765,12 @@ SCREE_API scree_status scree_world_get_counters_sized(scree_world* world, scree_
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters)
 {
 	return scree_world_get_counters_sized(world, counters, sizeof *counters);
+}
+
+SCREE_API scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size);
+static inline scree_status scree_world_get_tuning(const scree_world* world, scree_tuning* tuning)
+{
+	return scree_world_get_tuning_sized(world, tuning, sizeof *tuning);
 }
 
 SCREE_API scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* timings, size_t size);

@@ -138,7 +138,8 @@ static scree_status take(Paper* paper, scree_world* world, Taken* taken)
 	TRY(count_collidables(world, taken, &most, &p->step.collidables));
 	p->step.bodies = taken->body_count;
 	p->step.attributes = world->attribute_count;
-	scree_vec gravity = scree_world_get_gravity(world);
+	scree_vec gravity;
+	TRY(scree_world_get_gravity(world, &gravity));
 	p->step.gravity_x = gravity.x;
 	p->step.gravity_y = gravity.y;
 

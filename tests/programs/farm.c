@@ -3,7 +3,7 @@
 //
 // A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
 #include "programs/farm.h"
-#include "clock.h"
+#include "cpu/processor.h"
 #include <inttypes.h>
 #include <math.h>
 #include <signal.h>
@@ -97,10 +97,10 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 {
 	Program program = {0}, before = {0};
 	pair_forget(pair);
-	for (int k = first; k < end && clock_milliseconds() < until; ++k)
+	for (int k = first; k < end && processor_milliseconds() < until; ++k)
 	{
 		uint64_t seed = o->seed + (uint64_t)k;
-		desk->since = clock_milliseconds();
+		desk->since = processor_milliseconds();
 		desk->seed = seed;
 		program_make(&program, seed, o->calls);
 		pair->every = o->every;
@@ -112,7 +112,7 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 		if (outcome.differs)
 		{
 			desk->failed += 1;
-			desk->since = clock_milliseconds() + 4e3 * o->shrink;
+			desk->since = processor_milliseconds() + 4e3 * o->shrink;
 			if ((*reports)++ < o->reports)
 				report(o, pair, &program, &before, seed);
 			pair_forget(pair);
@@ -136,9 +136,9 @@ static void work(const Options* o, int job, Desk* desk)
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
 	pair.limits = o->limits;
-	double until = o->seconds > 0.0 ? clock_milliseconds() + 1000.0 * o->seconds : INFINITY;
+	double until = o->seconds > 0.0 ? processor_milliseconds() + 1000.0 * o->seconds : INFINITY;
 	int reports = 0, stride = o->jobs * o->life;
-	for (int first = job * o->life; first < o->programs && clock_milliseconds() < until; first += stride)
+	for (int first = job * o->life; first < o->programs && processor_milliseconds() < until; first += stride)
 	{
 		int end = first + o->life < o->programs ? first + o->life : o->programs;
 		live(o, &pair, first, end, until, desk, &reports);
@@ -151,7 +151,7 @@ static void work(const Options* o, int job, Desk* desk)
 static bool ended(const Options* o, Desk* desk, pid_t child)
 {
 	int status = 0;
-	bool late = !desk->finished && clock_milliseconds() - desk->since > 1000.0 * o->limit;
+	bool late = !desk->finished && processor_milliseconds() - desk->since > 1000.0 * o->limit;
 	if (late)
 		kill(child, SIGKILL);
 	if (waitpid(child, &status, late ? 0 : WNOHANG) != child)
@@ -174,7 +174,7 @@ int farm_run(const Options* o)
 		fprintf(stderr, "programs: no memory for %d processes\n", o->jobs);
 		return 2;
 	}
-	double begin = clock_milliseconds();
+	double begin = processor_milliseconds();
 	fflush(stdout);
 	for (int k = 0; k < o->jobs; ++k)
 	{
@@ -200,6 +200,6 @@ int farm_run(const Options* o)
 			all.frozen += desks[k].frozen;
 		}
 	printf("%s: %d programs, %d steps, %d bodies frozen, %d failures, %.1f s\n", o->places[1].device, all.done,
-	       all.steps, all.frozen, all.failed, 1e-3 * (clock_milliseconds() - begin));
+	       all.steps, all.frozen, all.failed, 1e-3 * (processor_milliseconds() - begin));
 	return all.failed > 0;
 }

@@ -380,6 +380,28 @@ static void put_destroy(Maker* m)
 	put(m, call);
 }
 
+static void set_tuning(Maker* m, Call* call)
+{
+	if (chance(m, 0.3))
+		call_set(call, "max_speed", PICK(m, 1e-3f, 1.0f, 20.0f, 1e5f));
+	if (chance(m, 0.2))
+		call_set(call, "threshold", PICK(m, 0.0f, 0.1f, FLT_MAX));
+	if (chance(m, 0.2))
+		call_set(call, "push", PICK(m, 0.0f, 0.1f, 30.0f, 1e5f));
+	if (chance(m, 0.2))
+	{
+		call_set(call, "hertz", PICK(m, 1e-3f, 5.0f, 30.0f, 1e6f));
+		call_set(call, "ratio", PICK(m, 0.0f, 0.1f, 1.0f, 1e6f));
+	}
+}
+
+static void put_tuning(Maker* m)
+{
+	Call call = call_make(CALL_tuning);
+	set_tuning(m, &call);
+	put(m, call);
+}
+
 static void put_gravity(Maker* m)
 {
 	Call call = call_make(CALL_gravity);
@@ -416,7 +438,7 @@ static void put_any(Maker* m)
 	else if (k < 92)
 		put_attribute(m);
 	else if (k < 95)
-		put_gravity(m);
+		chance(m, 0.5) ? put_gravity(m) : put_tuning(m);
 	else if (k < 97)
 		put_alone(m, m->moves ? CALL_move : CALL_step, m->moves ? "back" : "substeps",
 		          m->moves ? (float)chance(m, 0.6) : 4.0f);
@@ -433,17 +455,7 @@ static void put_world(Maker* m)
 		call_set(&call, "gravity_x", amount(m, 5.0f));
 		call_set(&call, "gravity_y", amount(m, 20.0f));
 	}
-	if (chance(m, 0.3))
-		call_set(&call, "max_speed", PICK(m, 1e-3f, 1.0f, 20.0f, 1e5f));
-	if (chance(m, 0.2))
-		call_set(&call, "threshold", PICK(m, 0.0f, 0.1f, FLT_MAX));
-	if (chance(m, 0.2))
-		call_set(&call, "push", PICK(m, 0.0f, 0.1f, 30.0f, 1e5f));
-	if (chance(m, 0.2))
-	{
-		call_set(&call, "hertz", PICK(m, 1e-3f, 5.0f, 30.0f, 1e6f));
-		call_set(&call, "ratio", PICK(m, 0.0f, 0.1f, 1.0f, 1e6f));
-	}
+	set_tuning(m, &call);
 	if (chance(m, 0.3))
 		call_set(&call, "bodies", 200.0f);
 	if (chance(m, 0.3))

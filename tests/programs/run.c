@@ -359,6 +359,18 @@ static scree_status run_read(const Turn* t)
 	return status;
 }
 
+static scree_status run_tuning(const Turn* t)
+{
+	scree_tuning tuning;
+	scree_status status = scree_world_get_tuning(t->world, &tuning);
+	tuning.contact_hertz = real(t, "hertz");
+	tuning.contact_damping_ratio = real(t, "ratio");
+	tuning.contact_push_speed = real(t, "push");
+	tuning.restitution_threshold = real(t, "threshold");
+	tuning.max_speed = real(t, "max_speed");
+	return status == SCREE_OK ? scree_world_set_tuning(t->world, &tuning) : status;
+}
+
 static scree_status run_clear(const Turn* t)
 {
 	static scree_body bodies[MOST_NAMES];
@@ -415,6 +427,8 @@ scree_status run_call(const Turn* t)
 		return run_place(t);
 	case CALL_gravity:
 		return scree_world_set_gravity(t->world, vec(t, "x", "y"));
+	case CALL_tuning:
+		return run_tuning(t);
 	case CALL_step:
 		return scree_world_step(t->world, real(t, "dt"), whole(t, "substeps"));
 	case CALL_move:

@@ -3,7 +3,7 @@
 //
 // This work is based on:
 // Andreas Zeller, Ralf Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002.
-#include "clock.h"
+#include "cpu/processor.h"
 #include "programs/program.h"
 #include <math.h>
 #include <string.h>
@@ -16,7 +16,7 @@ typedef struct
 	double end; // ms by the clock
 } Shrink;
 
-static bool over(const Shrink* s) { return clock_milliseconds() > s->end; }
+static bool over(const Shrink* s) { return processor_milliseconds() > s->end; }
 
 // Keeps the trial if it differs too, up to where it does.
 static bool keeps(Shrink* s)
@@ -83,7 +83,7 @@ static void simplify(Shrink* s)
 
 void program_shrink(Program* program, Pair* pair, double seconds)
 {
-	Shrink s = {.best = program, .pair = pair, .end = clock_milliseconds() + 1000.0 * seconds};
+	Shrink s = {.best = program, .pair = pair, .end = processor_milliseconds() + 1000.0 * seconds};
 	for (int before = 0; before != program->count && !over(&s);)
 	{
 		before = program->count;

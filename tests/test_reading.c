@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// test_reading.c -- what a program reads of bodies and of the world, and what it sets of the world, between two steps.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <math.h>
+
+// All states in one call are those of one body after the other, of the bodies alive, by rising index.
+static void states_of_all(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_body made[20];
+	for (int k = 0; k < 20; ++k)
+		made[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 1.1f * (float)k, 0.3f * (float)(k % 3));
+	OK(scree_body_set_velocity(world, made[3], (scree_velocity){{1.0f, 2.0f}, 3.0f}));
+	run_steps(world, 3);
+	OK(scree_body_destroy(world, made[5]));
+
+	scree_body bodies[20];
+	scree_body_state states[20];
+	int count = 0;
+	OK(scree_world_get_states(world, bodies, states, 20, &count));
+	assert_int_equal(count, 19);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_pose pose;
+		scree_velocity velocity;
+		assert_true(scree_body_equals(bodies[k], made[k + (k >= 5)]));
+		OK(scree_body_get_pose(world, bodies[k], &pose));
+		OK(scree_body_get_velocity(world, bodies[k], &velocity));
+		assert_memory_equal(&pose, &states[k].pose, sizeof pose);
+		assert_memory_equal(&velocity, &states[k].velocity, sizeof velocity);
+	}
+	OK(scree_world_get_states(world, NULL, states, 2, &count));
+	assert_int_equal(count, 19);
+	OK(scree_world_get_states(world, NULL, NULL, 0, &count));
+	assert_int_equal(count, 19);
+	scree_world_destroy(world);
+}
+
+// A box that turns about its center, a quarter of a circle on: its corner, and back.
+static void points_of_a_body(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 2.0f, 1.0f, 10.0f, 20.0f);
+	OK(scree_body_set_pose(world, box, (scree_pose){{10.0f, 20.0f}, scree_rot_make(1.57079633f)}));
+	OK(scree_body_set_velocity(world, box, (scree_velocity){{5.0f, 0.0f}, 2.0f}));
+	scree_vec point, local, velocity;
+	OK(scree_body_get_world_point(world, box, (scree_vec){2.0f, 1.0f}, &point));
+	NEAR(point.x, 9.0, 1e-5);
+	NEAR(point.y, 22.0, 1e-5);
+	OK(scree_body_get_local_point(world, box, point, &local));
+	NEAR(local.x, 2.0, 1e-5);
+	NEAR(local.y, 1.0, 1e-5);
+	OK(scree_body_get_point_velocity(world, box, point, &velocity));
+	NEAR(velocity.x, 5.0 - 2.0 * 2.0, 1e-5);
+	NEAR(velocity.y, 2.0 * -1.0, 1e-5);
+	scree_world_destroy(world);
+}
+
+// A lower limit of speed holds from the next step on, and a threshold of restitution decides about the next impact.
+static void tuning_between_steps(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_attribute_def ball = surface_of(circle_shape(0.5f));
+	ball.restitution = 1.0f;
+	add_floor(world);
+	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), 0.0f, 5.5f, 0.0f);
+	scree_tuning tuning;
+	OK(scree_world_get_tuning(world, &tuning));
+	assert_true(tuning.max_speed == 400.0f && tuning.contact_hertz == 52.0f);
+	run_steps(world, 30);
+	assert_true(velocity_of(world, body).linear.y < -4.0f);
+	tuning.max_speed = 2.0f;
+	tuning.restitution_threshold = 3.0f;
+	OK(scree_world_set_tuning(world, &tuning));
+	run_steps(world, 1);
+	NEAR(velocity_of(world, body).linear.y, -2.0, 1e-4);
+	run_steps(world, 300);
+	NEAR(velocity_of(world, body).linear.y, 0.0, 1e-3);
+	NEAR(position_of(world, body).y, 0.5, 0.01);
+
+	scree_vec gravity;
+	OK(scree_world_get_gravity(world, &gravity));
+	assert_true(gravity.x == 0.0f && gravity.y == -10.0f);
+	scree_world_destroy(world);
+}
+
+static void handles_compare(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 1.0f, 0.0f, 0.0f);
+	scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 1.0f, 9.0f, 0.0f);
+	assert_true(scree_body_equals(a, a) && !scree_body_equals(a, b) && !scree_body_is_null(a));
+	assert_true(scree_body_is_null(SCREE_NULL_BODY) && !scree_body_is_valid(world, SCREE_NULL_BODY));
+	assert_true(scree_collidable_is_null(SCREE_NULL_COLLIDABLE) && scree_attribute_is_null(SCREE_NULL_ATTRIBUTE));
+	scree_world_destroy(world);
+}
+
+// A contact names the bodies, and the user words of the collidables.
+static void contacts_name_bodies(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_body floor = add_floor(world), box = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
+	scree_collidable part;
+	int count;
+	OK(scree_body_get_collidables(world, box, &part, 1, &count));
+	OK(scree_collidable_set_user(world, part, 77));
+	run_steps(world, 2);
+	scree_contact contact;
+	OK(scree_world_get_contacts(world, &contact, 1, &count));
+	assert_int_equal(count, 1);
+	bool first = scree_collidable_equals(contact.a, part);
+	assert_true(scree_body_equals(first ? contact.body_a : contact.body_b, box));
+	assert_true(scree_body_equals(first ? contact.body_b : contact.body_a, floor));
+	assert_int_equal(first ? contact.user_a : contact.user_b, 77);
+	assert_int_equal(first ? contact.user_b : contact.user_a, 0);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(states_of_all),        cmocka_unit_test(points_of_a_body),
+	    cmocka_unit_test(tuning_between_steps), cmocka_unit_test(handles_compare),
+	    cmocka_unit_test(contacts_name_bodies),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
