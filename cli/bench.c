@@ -195,9 +195,11 @@ int bench_command(const Options* options)
 	Bench bench = {.options = options};
 	if (options->argument_count > 0)
 		return measure_all(&bench, options->arguments, options->argument_count);
-	char** names;
-	int count = scene_list(options->executable, &names);
-	int code = measure_all(&bench, names, count);
+	char **names, missing[SCENE_SENTENCE];
+	int count = scene_list(options->executable, &names, missing);
+	if (count == 0)
+		fprintf(stderr, "scree bench: %s\n", missing);
+	int code = count > 0 ? measure_all(&bench, names, count) : EXIT_FAILED;
 	for (int k = 0; k < count; ++k)
 		free(names[k]);
 	free(names);

@@ -7,7 +7,8 @@
 int scenes_command(const Options* options)
 {
 	char** names;
-	int count = scene_list(options->executable, &names);
+	char missing[SCENE_SENTENCE];
+	int count = scene_list(options->executable, &names, missing);
 	int code = EXIT_GOOD;
 	for (int k = 0; k < count; ++k)
 	{
@@ -27,7 +28,7 @@ int scenes_command(const Options* options)
 	free(names);
 	if (count == 0)
 	{
-		fprintf(stderr, "scree: there are no scenes; SCREE_SCENES may name their folder\n");
+		fprintf(stderr, "scree scenes: %s\n", missing);
 		code = EXIT_FAILED;
 	}
 	return code;

@@ -74,25 +74,34 @@ void print_help(FILE* file)
 	fprintf(file, "scree %s -- 2D rigid bodies, the same bits on every device\n\n", scree_version());
 	for (int k = 0; k < COMMAND_COUNT; ++k)
 		fprintf(file, "  scree %-28s %s\n", commands[k].usage, commands[k].help);
-	fprintf(file, "  scree %-28s %s\n\n", "help", "this text; --version prints the version");
-	for (int k = 0; k < OPTION_COUNT; ++k)
-	{
-		char usage[64], users[64] = "";
-		snprintf(usage, sizeof usage, "--%s %s", table[k].name, table[k].value ? table[k].value : "");
-		for (int n = 0; n < COMMAND_COUNT; ++n)
-		{
-			if (table[k].commands & commands[n].command)
-				snprintf(users + strlen(users), sizeof users - strlen(users), "%s%s", users[0] ? ", " : "",
-				         commands[n].name);
-		}
-		fprintf(file, "  -%c, %-26s %s%s%s%s\n", table[k].letter, usage, table[k].help,
-		        table[k].letter == 'h' ? "" : " (", table[k].letter == 'h' ? "" : users,
-		        table[k].letter == 'h' ? "" : ")");
-	}
+	fprintf(file, "  scree %-28s %s\n", "help", "this text; --version prints the version");
 	fprintf(file,
+	        "\nscree COMMAND --help lists the options of a command.\n"
 	        "\nA scene is a name from `scree scenes` or the path of a JSON file. SCREE_SCENES names another folder\n"
 	        "to look in first. Exit codes: 0 done, 1 a device or a file failed, or a measurement is\n"
 	        "invalid, 2 bad arguments or a bad scene.\n");
+}
+
+static void print_command_help(FILE* file, Command command)
+{
+	// bench is a command, and the first word of others
+	for (int k = 0; k < COMMAND_COUNT; ++k)
+	{
+		if (commands[k].command == command || (command == BENCH && strncmp(commands[k].usage, "bench ", 6) == 0))
+			fprintf(file, "  scree %-28s %s\n", commands[k].usage, commands[k].help);
+	}
+	fprintf(file, "\n");
+	for (int k = 0; k < OPTION_COUNT; ++k)
+	{
+		char usage[64];
+		snprintf(usage, sizeof usage, "--%s %s", table[k].name, table[k].value ? table[k].value : "");
+		if (table[k].commands & command)
+			fprintf(file, "  -%c, %-26s %s\n", table[k].letter, usage, table[k].help);
+	}
+	if (command == VIEW)
+		print_view_help(file);
+	if (command == VALIDATE)
+		print_validate_help(file);
 }
 
 static bool read_int(const Options* options, const char* name, const char* text, int low, int high, int* number)
@@ -168,6 +177,15 @@ static bool read_size(Options* options, const char* text)
 	return false;
 }
 
+static bool ends_in(const Options* options, const char* name, const char* text, const char* ending)
+{
+	size_t length = strlen(text), end = strlen(ending);
+	if (length > end && strcmp(text + length - end, ending) == 0)
+		return true;
+	fprintf(stderr, "scree %s: --%s %s: must end in %s\n", options->name, name, text, ending);
+	return false;
+}
+
 static bool read_renderer(const char* text)
 {
 	if (strcmp(text, "gl") == 0 || strcmp(text, "cairo") == 0)
@@ -199,7 +217,7 @@ static bool read_option(Options* options, char letter, char* value)
 		return true;
 	case 'p':
 		options->picture = value;
-		return true;
+		return ends_in(options, "picture", value, ".png");
 	case 'v':
 		options->video = value;
 		return true;
@@ -239,13 +257,43 @@ static bool read_option(Options* options, char letter, char* value)
 		options->quick = true;
 		return true;
 	default: // 'h'
-		print_help(stdout);
-		if (options->command == VIEW)
-			print_view_help(stdout);
-		if (options->command == VALIDATE)
-			print_validate_help(stdout);
+		print_command_help(stdout, options->command);
 		exit(fflush(stdout) == 0 ? EXIT_GOOD : EXIT_FAILED);
 	}
+}
+
+// Where one option leaves another without effect: true after printing so, when one of letters is given.
+static bool idle(const Options* options, unsigned given, const char* letters, const char* because)
+{
+	for (int k = 0; k < OPTION_COUNT; ++k)
+	{
+		if (!(given >> k & 1) || !strchr(letters, table[k].letter))
+			continue;
+		fprintf(stderr, "scree %s: --%s has no effect: %s\n", options->name, table[k].name, because);
+		return true;
+	}
+	return false;
+}
+
+static bool have_effect(const Options* options, unsigned given)
+{
+	bool figure = options->command == FIGURE,
+	     other = figure || options->command == VALIDATE || options->command == VIEW;
+	if (options->command == RUN && !options->picture && !options->video &&
+	    idle(options, given, "S", "there is no --picture or --video"))
+		return false;
+	if (!other && strncmp(options->device, "opencl", 6) == 0 && idle(options, given, "tl", "the device is not the CPU"))
+		return false;
+	if (options->pipeline == PIPELINE_PAPER && idle(options, given, "l", "the pipeline paper knows no lanes"))
+		return false;
+	if (options->pipeline == PIPELINE_PAPER && options->threads > 1 &&
+	    idle(options, given, "t", "the pipeline paper runs on one thread"))
+		return false;
+	if (figure && options->draw && idle(options, given, "ndtlurm", "--draw measures nothing"))
+		return false;
+	if (options->command == VALIDATE && options->names && idle(options, given, "dtluq", "--names runs nothing"))
+		return false;
+	return !options->whole || !idle(options, given, "k", "--whole knows no hashes");
 }
 
 bool options_read(Options* options, int count, char** words)
@@ -261,6 +309,7 @@ bool options_read(Options* options, int count, char** words)
 	longs[OPTION_COUNT] = (struct option){0};
 
 	const char* command = options->name;
+	unsigned given = 0; // a bit each
 	opterr = 0;
 	for (;;)
 	{
@@ -280,16 +329,19 @@ bool options_read(Options* options, int count, char** words)
 		}
 		for (int k = 0; k < OPTION_COUNT; ++k)
 		{
-			if (table[k].letter == letter && !(table[k].commands & options->command))
+			if (table[k].letter != letter)
+				continue;
+			if (!(table[k].commands & options->command))
 			{
 				fprintf(stderr, "scree %s: takes no --%s\n", command, table[k].name);
 				return false;
 			}
+			given |= 1u << k;
 		}
 		if (!read_option(options, (char)letter, optarg))
 			return false;
 	}
 	options->arguments = words + optind;
 	options->argument_count = count - optind;
-	return true;
+	return have_effect(options, given);
 }

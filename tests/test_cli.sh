@@ -39,6 +39,9 @@ small=(--device cpu --threads 1 --steps 5 --set rows=6)
 # help and versions
 expect 0 'scree run SCENE|FILE' help
 expect 0 '--allow-unequal-bits' run --help
+expect 0 'scree hash SCENE|FILE' hash --help
+grep -q -- '--picture' out && fail "hash --help: lists options of other commands"
+expect 0 'bench figure5|figure6' bench figure5 --help
 expect 0 '.' --version
 expect 2 'scree run SCENE|FILE'
 
@@ -56,6 +59,14 @@ refuse 2 '--lanes 3: must be 1, 4, 8 or 16' run pile --lanes 3
 refuse 2 '--pipeline rough: must be one of soft paper' run pile --pipeline rough
 refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
 refuse 2 '--size 10: must be WxH' run pile --size 10
+refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
+refuse 2 '--size has no effect: there is no --picture or --video' run pile --size 640x480
+refuse 2 '--threads has no effect: the device is not the CPU' run pile --device opencl --threads 2
+refuse 2 '--lanes has no effect' run pile --pipeline paper --lanes 4
+refuse 2 '--threads has no effect: the pipeline paper' run pile --pipeline paper --threads 2
+refuse 2 '--known has no effect' bench pile --whole --known x.csv
+refuse 2 '--quick has no effect' validate --names --quick
+refuse 2 '--limit has no effect: --draw measures nothing' bench figure5 --draw x.csv --limit 9
 refuse 2 '0 arguments, takes one scene' run
 refuse 2 '2 arguments, takes one scene' run pile pile
 refuse 2 '--steps N is missing' hash pile
@@ -87,6 +98,11 @@ printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodie
 SCREE_SCENES=own expect 0 'ball' scenes --names
 SCREE_SCENES=own expect 0 'bodies         1' run ball --steps 2 --device cpu
 SCREE_SCENES=own expect 0 'bodies         22' run pyramid "${small[@]}"
+SCREE_SCENES=own expect 0 'pyramid' scenes --names
+[ "$(sort out)" = "$(cat out)" ] || fail "scenes --names: not sorted"
+[ "$(grep -c -x ball out)" = 1 ] || fail "scenes --names: not one ball"
+SCREE_SCENES=nowhere refuse 1 'SCREE_SCENES is "nowhere", which is no folder' scenes
+SCREE_SCENES=nowhere refuse 2 'SCREE_SCENES is "nowhere", which is no folder' run pyramid "${small[@]}"
 
 # frames: both ways draw the same picture of the same world, unless there is nothing to draw with
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
@@ -133,7 +149,8 @@ if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
 	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
 	refuse 1 'cannot write nowhere/picture.png' run pyramid "${small[@]}" --picture nowhere/picture.png
-	[ -w /dev/full ] && refuse 1 'cannot write /dev/full' run pyramid "${small[@]}" --picture /dev/full
+	ln -s /dev/full full.png
+	[ -w /dev/full ] && refuse 1 'cannot write full.png' run pyramid "${small[@]}" --picture full.png
 	if command -v ffmpeg >/dev/null; then
 		expect 0 '' run pyramid "${small[@]}" --video "it's a video.mp4" --size 321x201
 		[ -s "it's a video.mp4" ] || fail "run --video: no file"

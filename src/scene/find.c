@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #define FOLDERS 4
@@ -21,6 +22,17 @@ static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 	if (slash)
 		snprintf(folder[count++], SCENE_PATH, "%.*s/../share/scree/scenes", (int)(slash - executable), executable);
 	return count;
+}
+
+// A folder that the user chose must be there.
+static bool check_chosen(char* sentence)
+{
+	const char* chosen = getenv("SCREE_SCENES");
+	struct stat about;
+	if (!chosen || !*chosen || (stat(chosen, &about) == 0 && S_ISDIR(about.st_mode)))
+		return true;
+	snprintf(sentence, SCENE_SENTENCE, "SCREE_SCENES is \"%.160s\", which is no folder", chosen);
+	return false;
 }
 
 static bool ends_in_json(const char* name)
@@ -41,6 +53,8 @@ bool scene_find(const char* name, const char* executable, char* path, char* sent
 		snprintf(path, SCENE_PATH, "%s", name);
 		return true;
 	}
+	if (!check_chosen(sentence))
+		return false;
 	char folder[FOLDERS][SCENE_PATH];
 	int count = folders(executable, folder);
 	for (int k = 0; k < count; ++k)
@@ -59,32 +73,49 @@ static int is_scene(const struct dirent* entry)
 	return ends_in_json(entry->d_name) && !strstr(entry->d_name, ".schema.");
 }
 
-int scene_list(const char* executable, char*** names)
+static int compare_names(const void* a, const void* b) { return strcmp(*(char* const*)a, *(char* const*)b); }
+
+// Adds the scenes of a folder that are not in the list yet; returns how many there are then, -1 without memory.
+static int list_folder(const char* folder, char*** names, int count)
 {
-	char folder[FOLDERS][SCENE_PATH];
-	int count = folders(executable, folder);
-	for (int k = 0; k < count; ++k)
+	struct dirent** entries;
+	int found = scandir(folder, &entries, is_scene, NULL);
+	char** list = found > 0 ? realloc(*names, (size_t)(count + found) * sizeof(char*)) : NULL;
+	int kept = found > 0 && !list ? -1 : count;
+	*names = list ? list : *names;
+	for (int n = 0; n < found; ++n)
 	{
-		struct dirent** entries;
-		int found = scandir(folder[k], &entries, is_scene, alphasort);
-		if (found < 0)
-			continue;
-		char** list = calloc((size_t)found + 1, sizeof(char*));
-		int kept = 0;
-		for (int n = 0; n < found; ++n)
-		{
-			if (list)
-				list[kept++] = strndup(entries[n]->d_name, strlen(entries[n]->d_name) - 5);
-			free(entries[n]);
-		}
-		free(entries);
-		if (kept > 0)
-		{
-			*names = list;
-			return kept;
-		}
-		free(list);
+		char* name = list ? strndup(entries[n]->d_name, strlen(entries[n]->d_name) - 5) : NULL;
+		if (name && (count == 0 || !bsearch(&name, list, (size_t)count, sizeof *list, compare_names)))
+			list[kept++] = name;
+		else
+			free(name);
+		free(entries[n]);
 	}
+	if (found >= 0)
+		free(entries);
+	if (kept > count)
+		qsort(list, (size_t)kept, sizeof *list, compare_names);
+	return kept;
+}
+
+int scene_list(const char* executable, char*** names, char* sentence)
+{
 	*names = NULL;
-	return 0;
+	if (!check_chosen(sentence))
+		return 0;
+	char folder[FOLDERS][SCENE_PATH];
+	int folder_count = folders(executable, folder), count = 0;
+	for (int k = 0; k < folder_count && count >= 0; ++k)
+	{
+		int known = count;
+		count = list_folder(folder[k], names, count);
+		for (int n = 0; n < known && count < 0; ++n)
+			free((*names)[n]);
+	}
+	if (count <= 0)
+		snprintf(sentence, SCENE_SENTENCE, "%s",
+		         count < 0 ? "there is no memory to list the scenes"
+		                   : "there are no scenes; SCREE_SCENES may name their folder");
+	return count > 0 ? count : 0;
 }

@@ -74,9 +74,9 @@ int scene_changes(const Scene* scene, int64_t step, SceneChange** changes);
 // and writes a sentence when there is none.
 bool scene_find(const char* name, const char* executable, char* path, char* sentence);
 
-// Lists the names of the scenes in the first folder that has any, sorted, into *names (free each, then the list).
-// Returns how many there are.
-int scene_list(const char* executable, char*** names);
+// Lists the names of the scenes in all of these folders, sorted, into *names (free each, then the list). Returns how
+// many there are; where there are none, sentence says why.
+int scene_list(const char* executable, char*** names, char* sentence);
 
 // Writes the title and the parameters with their defaults ("rows=100 columns=20") of a scene file.
 bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,

@@ -126,7 +126,7 @@ bool play_open(Play* play, const ViewOptions* options, const scree_opengl* openg
 {
 	*play = (Play){.options = options, .opengl = opengl, .rate = 1.0f};
 	snprintf(play->device, sizeof play->device, "%s", options->device);
-	play->scene_count = scene_list(options->executable, &play->scenes);
+	play->scene_count = scene_list(options->executable, &play->scenes, sentence);
 	int count = 0;
 	scree_devices_get(NULL, 0, &count);
 	play->devices = calloc((size_t)count + 1, sizeof *play->devices);
