@@ -104,6 +104,11 @@ SCREE_SCENES=own expect 0 'pyramid' scenes --names
 SCREE_SCENES=nowhere refuse 1 'SCREE_SCENES is "nowhere", which is no folder' scenes
 SCREE_SCENES=nowhere refuse 2 'SCREE_SCENES is "nowhere", which is no folder' run pyramid "${small[@]}"
 
+# the first scene of docs/scenes.md is one
+sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall.json
+expect 0 'bodies         82' run wall.json --steps 2 --device cpu
+expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
+
 # frames: both ways draw the same picture of the same world, unless there is nothing to draw with
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
 	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
