@@ -30,7 +30,7 @@ typedef enum // what a pool has an item for
 
 typedef enum
 {
-#define X(type, name, per) POOL_##name,
+#define X(type, name, per, role) POOL_##name,
 #include "pools/pools.def"
 #undef X
 	POOL_COUNT
@@ -68,11 +68,19 @@ typedef enum // the boxes of the figure
 	BOX_COUNT
 } Box;
 
+typedef enum // what becomes of a pool from one step to the next
+{
+	STATE,   // lasts: goes along to another device
+	DERIVED, // lasts, but is made anew from the state on another device
+	SCRATCH, // written before it is read in every step: anything may stand in it between two
+} Role;
+
 typedef struct // of pools.def, in order; src/pools.c
 {
 	const char* name;
 	size_t bytes; // an item
 	Per per;
+	Role role;
 } PoolInfo;
 extern const PoolInfo pool_info[POOL_COUNT];
 extern const char* const stage_names[RUN_KINDS];

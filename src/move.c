@@ -12,12 +12,6 @@
 
 #define BOUNCE_BYTES ((size_t)4 << 20) // between two devices of which neither's memory is the host's
 
-// written before they are read in every step
-static const bool scratch[POOL_COUNT] = {
-    [POOL_moved_list] = true, [POOL_scan] = true,       [POOL_free_slot] = true, [POOL_began] = true,
-    [POOL_uncolored0] = true, [POOL_uncolored1] = true, [POOL_shown] = true,
-};
-
 static int smaller(int a, int b) { return a < b ? a : b; }
 
 // How many items of a kind outlive a step. What is pending has no room on the device yet.
@@ -96,7 +90,7 @@ static scree_status copy_all(Move* m)
 		if (from->capacity[per] > to->capacity[per])
 			TRY(to->f->resize(to, (Per)per, from->capacity[per]));
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
-		if (!scratch[pool])
+		if (pool_info[pool].role == STATE)
 			TRY(copy(m, (PoolId)pool, 0, 0, lasting_items(world, pool_info[pool].per)));
 	for (int t = 0; t < 2; ++t)
 		TRY(copy(m, POOL_leaf, t * from->capacity[COLLIDABLE], t * to->capacity[COLLIDABLE],

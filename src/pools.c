@@ -4,7 +4,7 @@
 
 // clang-format off
 const PoolInfo pool_info[POOL_COUNT] = {
-#define X(type, name, per) {#name, sizeof(type), per},
+#define X(type, name, per, role) {#name, sizeof(type), per, role},
 #include "pools/pools.def"
 #undef X
 };

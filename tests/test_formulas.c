@@ -25,14 +25,14 @@
 
 static void open_pools(Pools* p)
 {
-#define X(type, name, per) p->name = scree_allocate(ITEMS * sizeof(type));
+#define X(type, name, per, role) p->name = scree_allocate(ITEMS * sizeof(type));
 #include "pools/pools.def"
 #undef X
 }
 
 static void close_pools(Pools* p)
 {
-#define X(type, name, per) scree_release(p->name);
+#define X(type, name, per, role) scree_release(p->name);
 #include "pools/pools.def"
 #undef X
 }

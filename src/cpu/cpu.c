@@ -50,7 +50,7 @@ static const int chunks[STAGE_COUNT] = {
 };
 
 static const size_t pool_offsets[POOL_COUNT] = {
-#define X(type, name, per) offsetof(Pools, name),
+#define X(type, name, per, role) offsetof(Pools, name),
 #include "pools/pools.def"
 #undef X
 };

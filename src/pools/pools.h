@@ -323,7 +323,7 @@ typedef struct // one entry of the list that a backend works through, in order
 
 typedef struct
 {
-#define X(type, name, per) GLOBAL type* name;
+#define X(type, name, per, role) GLOBAL type* name;
 #include "pools/pools.def"
 #undef X
 	Step step;
