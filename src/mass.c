@@ -110,20 +110,39 @@ scree_status scree_body_get_mass(const scree_world* world, scree_body body, scre
 	return SCREE_OK;
 }
 
+// body and mass say where the two stand in the call.
+static scree_status check_mass(const scree_world* world, Where body, Where mass, scree_body handle, scree_mass value)
+{
+	int index = 0;
+	TRY(check_body(world, body, "", handle, &index));
+	if (world->host_bodies[index].type != SCREE_BODY_DYNAMIC)
+		return refuse(SCREE_ERROR_INVALID, body, "", "is not dynamic: it has no mass");
+	TRY(check_real(mass, ".mass", value.mass, LEAST_MASS, MOST_MASS));
+	if (value.inertia != 0.0f)
+		TRY(check_real(mass, ".inertia (when it is not 0)", value.inertia, LEAST_INERTIA, MOST_MASS));
+	return check_vec(mass, ".center", value.center, SCREE_HUGE);
+}
+
 scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
 {
 	const char* function = "scree_body_set_mass";
 	TRY(world_check(world, function));
-	int index = 0;
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
-	if (world->host_bodies[index].type != SCREE_BODY_DYNAMIC)
-		return fail(SCREE_ERROR_INVALID, "%s: body is not dynamic: it has no mass", function);
-	Where at = {function, "mass", ALONE};
-	TRY(check_real(at, ".mass", mass.mass, LEAST_MASS, MOST_MASS));
-	if (mass.inertia != 0.0f)
-		TRY(check_real(at, ".inertia (when it is not 0)", mass.inertia, LEAST_INERTIA, MOST_MASS));
-	TRY(check_vec(at, ".center", mass.center, SCREE_HUGE));
+	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
 	TRY(pending_reserve(world, function, 0, 0, 2));
-	mass_set(world, index, mass);
+	mass_set(world, (int)body.index, mass);
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
+{
+	const char* function = "scree_bodies_set_masses";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "bodies", bodies, count));
+	TRY(check_batch(function, "masses", masses, count));
+	for (int k = 0; k < count; ++k)
+		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
+	TRY(pending_reserve(world, function, 0, 0, 2 * count));
+	for (int k = 0; k < count; ++k)
+		mass_set(world, (int)bodies[k].index, masses[k]);
 	return SCREE_OK;
 }

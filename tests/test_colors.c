@@ -3,10 +3,9 @@
 // the plainest way.
 #include "stage_support.h"
 
-// for the priorities of contacts; what it says of stages is of no use here
-#include "stages/dialect.h"
-#undef STAGE
-#define STAGE(name) INLINE void name##_item(const Pools* p, int i)
+// for the priorities of contacts
+#include "stage_items.h"
+
 #include "stages/color.h"
 
 #define KEY_BITS 13 // of a color, or of a hub among MOST_BODIES

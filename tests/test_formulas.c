@@ -11,12 +11,8 @@
 #include "support.h"
 #include <math.h>
 
-// each stage as a function of one item: name_item(p, i)
-#include "stages/dialect.h"
-#undef STAGE
-#undef LIST_STAGE
-#define STAGE(name)                    INLINE void name##_item(const Pools* p, int i)
-#define LIST_STAGE(name, list, length) INLINE int name##_item(const Pools* p, int i)
+#include "stage_items.h"
+
 #include "stages/finalize.h"
 #include "stages/solve.h"
 #include "stages/transform.h"

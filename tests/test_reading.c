@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "support.h"
-#include <math.h>
+#include <string.h>
 
 // All states in one call are those of one body after the other, of the bodies alive, by rising index.
 static void states_of_all(void** state)
@@ -94,6 +94,38 @@ static void tuning_between_steps(void** state)
 	scree_world_destroy(world);
 }
 
+// Masses in a batch are those set one by one, and all or none.
+static void masses_in_a_batch(void** state)
+{
+	(void)state;
+	scree_world* worlds[2];
+	uint64_t hashes[2];
+	const scree_mass masses[3] = {{2.0f, 1.0f, {0.0f, 0.1f}}, {5.0f, 0.0f, {0.0f, 0.0f}}, {0.1f, 0.2f, {0.2f, 0.0f}}};
+	for (int w = 0; w < 2; ++w)
+	{
+		scree_world* world = worlds[w] = open_world(-10.0f);
+		scree_body bodies[3], floor = add_floor(world);
+		for (int k = 0; k < 3; ++k)
+			bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.6f * (float)k, 0.5f + 1.1f * (float)k);
+		for (int k = 0; w == 0 && k < 3; ++k)
+			OK(scree_body_set_mass(world, bodies[k], masses[k]));
+		if (w == 1)
+		{
+			scree_body mixed[3] = {bodies[0], bodies[1], floor};
+			uint64_t before = hash_of(world);
+			assert_int_equal(scree_bodies_set_masses(world, mixed, masses, 3), SCREE_ERROR_INVALID);
+			assert_non_null(strstr(scree_error(), "bodies[2] is not dynamic: it has no mass"));
+			assert_int_equal(hash_of(world), before);
+			OK(scree_bodies_set_masses(world, bodies, masses, 3));
+		}
+		run_steps(world, 60);
+		hashes[w] = hash_of(world);
+	}
+	assert_int_equal(hashes[0], hashes[1]);
+	scree_world_destroy(worlds[0]);
+	scree_world_destroy(worlds[1]);
+}
+
 static void handles_compare(void** state)
 {
 	(void)state;
@@ -133,7 +165,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(states_of_all),        cmocka_unit_test(points_of_a_body),
 	    cmocka_unit_test(tuning_between_steps), cmocka_unit_test(handles_compare),
-	    cmocka_unit_test(contacts_name_bodies),
+	    cmocka_unit_test(contacts_name_bodies), cmocka_unit_test(masses_in_a_batch),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

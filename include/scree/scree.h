@@ -570,6 +570,8 @@ typedef struct scree_mass
 // scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
+SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
+                                               int count); // all or none
 
 // ---------------------------------------------------------------------------------------------------------------
 // Collidables
