@@ -33,9 +33,11 @@
 // Solves with more items a run than this are always shared. The slower way is tried again after so many solves, times the
 // square of how much slower it was.
 #define ALWAYS_SHARED 2048
-#define REST          64
+#define REST          32
 // beyond so many times slower, which a busy machine can feign, it is tried no more seldom
-#define MOST_SLOWER 100.0
+#define MOST_SLOWER 8.0
+// so many solves take turns at first: one alone may have been interrupted
+#define FIRST_SOLVES 8
 
 // Stages whose items take long, and unequally long, are handed out in chunks to whoever is free. The others are split
 // evenly and in order, so that a worker meets the same bodies and constraints in every pass.
@@ -61,6 +63,7 @@ static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) /
 typedef struct // whether workers share the solve: the clock decides, since it depends on how far cores are apart
 {
 	double cost[2]; // ns an item, alone and shared; 0 before the first time
+	int solves;     // that took turns at first
 	int rest;       // solves until the slower way is tried again
 	bool shares;
 } Choice;
@@ -231,22 +234,22 @@ static void run_list(Cpu* cpu, const Run* runs, int count, int grain)
 }
 
 // A solve of so many items, in the way that took less time before. The other way is tried now and then, the more seldom
-// the slower it was.
+// the slower it was. A time that is longer than before may be that of an interruption, and counts for a quarter.
 static void run_solve(Cpu* cpu, const Run* runs, int count, double items)
 {
 	Choice* c = &cpu->choice;
 	double mean = items / count;
-	bool tries = c->cost[0] > 0 && c->cost[1] > 0 && --c->rest < 0;
-	if (mean > ALWAYS_SHARED || mean < SOLVE_GRAIN)
+	bool open = mean >= SOLVE_GRAIN && mean <= ALWAYS_SHARED, first = open && c->solves < FIRST_SOLVES;
+	bool tries = open && !first && --c->rest < 0;
+	if (!open)
 		c->shares = mean > ALWAYS_SHARED;
-	else if (c->cost[0] == 0 || c->cost[1] == 0)
-		c->shares = c->cost[1] == 0;
 	else
-		c->shares = (c->cost[1] < c->cost[0]) != tries;
+		c->shares = first ? c->solves % 2 == 0 : (c->cost[1] < c->cost[0]) != tries;
+	c->solves += first;
 	double begin = processor_milliseconds();
 	run_list(cpu, runs, count, c->shares ? SOLVE_GRAIN : INT_MAX);
 	double cost = 1e6 * (processor_milliseconds() - begin) / items, *known = &c->cost[c->shares];
-	*known = *known > 0 ? 0.75 * *known + 0.25 * cost : cost;
+	*known = *known > 0 && cost > *known ? 0.75 * *known + 0.25 * cost : cost;
 	if (tries)
 	{
 		double slower = c->cost[c->shares] / c->cost[!c->shares];
