@@ -280,7 +280,7 @@ static bool have_effect(const Options* options, unsigned given)
 	bool figure = options->command == FIGURE,
 	     other = figure || options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
-	    idle(options, given, "S", "there is no --picture or --video"))
+	    idle(options, given, "SRaL", "there is no --picture or --video"))
 		return false;
 	if (!other && strncmp(options->device, "opencl", 6) == 0 && idle(options, given, "tl", "the device is not the CPU"))
 		return false;

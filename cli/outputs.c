@@ -37,12 +37,7 @@ int outputs_begin(Outputs* outputs, const Options* options, Options* drawn)
 	*outputs = (Outputs){.options = options};
 	*drawn = *options;
 	if (!options->picture && !options->video)
-	{
-		if (!options->renderer && !options->paint && !options->layers)
-			return EXIT_GOOD;
-		fprintf(stderr, "scree run: --renderer, --paint and --layers need --picture or --video\n");
-		return EXIT_BAD;
-	}
+		return EXIT_GOOD;
 	int code = EXIT_GOOD;
 	outputs->artist = artist_open(options, &code);
 	if (outputs->artist)

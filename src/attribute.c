@@ -150,7 +150,7 @@ scree_attribute attribute_handle(const scree_world* world, int index)
 scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
                              int* index)
 {
-	if (attribute.index == 0 && attribute.generation == 0)
+	if (scree_attribute_is_null(attribute))
 		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (attribute.index >= (uint32_t)world->attribute_count ||
 	    world->attribute_names[attribute.index] != attribute.generation)

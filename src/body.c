@@ -34,7 +34,7 @@ bool scree_body_is_valid(const scree_world* world, scree_body body) { return wor
 
 scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
 {
-	if (body.index == 0 && body.generation == 0)
+	if (scree_body_is_null(body))
 		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (!is_valid(world, body))
 		return refuse(SCREE_ERROR_STALE, at, member,
@@ -44,10 +44,7 @@ scree_status check_body(const scree_world* world, Where at, const char* member, 
 	return SCREE_OK;
 }
 
-static bool has_attribute(const scree_body_def* def)
-{
-	return def->attribute.index != 0 || def->attribute.generation != 0;
-}
+static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
 
 static scree_status check_def(const scree_world* world, Where at, const scree_body_def* def)
 {

@@ -129,7 +129,7 @@ static bool is_valid(const scree_world* world, scree_collidable collidable)
 
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index)
 {
-	if (collidable.index == 0 && collidable.generation == 0)
+	if (scree_collidable_is_null(collidable))
 		return refuse(SCREE_ERROR_STALE, at, "", "is null");
 	if (!is_valid(world, collidable))
 		return refuse(SCREE_ERROR_STALE, at, "",
@@ -174,7 +174,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_co
 	const scree_collidable_def* def = definition_at(defs, k, &collidable_definition, &local);
 	*made = (HostCollidable){.body = -1, .pose = def->pose, .filter = def->filter, .user = def->user};
 	TRY(check_attribute(world, at, ".attribute", def->attribute, &made->attribute));
-	if (def->body.index != 0 || def->body.generation != 0)
+	if (!scree_body_is_null(def->body))
 		TRY(check_body(world, at, ".body", def->body, &made->body));
 	return check_pose(at, ".pose", &made->pose);
 }
@@ -274,7 +274,7 @@ scree_status scree_body_get_collidables(const scree_world* world, scree_body bod
 	TRY(check_pointer(function, "world", world));
 	TRY(check_list(function, "collidables", collidables, capacity, count));
 	int listed = 0, index = 0;
-	if (body.index == 0 && body.generation == 0)
+	if (scree_body_is_null(body))
 	{
 		for (int k = 0; k < world->collidables.used; ++k)
 		{

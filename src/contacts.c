@@ -53,7 +53,7 @@ static bool is_wanted(const scree_world* world, const ContactRows* rows, int k, 
 static scree_body body_of(const scree_world* world, int collidable)
 {
 	int body = world->host_collidables[collidable].body;
-	return body < 0 ? (scree_body){0, 0} : body_handle(world, body);
+	return body < 0 ? SCREE_NULL_BODY : body_handle(world, body);
 }
 
 static scree_contact contact_at(const scree_world* world, const ContactRows* rows, int k)

@@ -232,15 +232,16 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
 	TRY(automatic_choose(world));
-	double upload = processor_milliseconds();
+	double start = processor_milliseconds();
 	TRY(world_flush(world));
 	double begin = automatic_clock();
 	scree_status status = pipeline_step(world, dt, substeps);
-	world->pipeline.milliseconds = processor_milliseconds() - upload;
+	double milliseconds = processor_milliseconds() - start;
 	if (status == SCREE_OK && world->automatic.trial)
 		status = world->backend->f->wait(world->backend);
 	automatic_count(world, begin);
 	TRY(world_note(world, status));
+	world->pipeline.milliseconds = milliseconds;
 	const Counters* c = &world->pipeline.counters;
 	if (c->nonfinite > 0)
 		log_sentence(SCREE_LOG_WARNING,

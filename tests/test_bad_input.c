@@ -6,7 +6,6 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -97,6 +96,14 @@ static int tear_down(void** state)
 	return scree_memory() == 0 ? 0 : -1;
 }
 
+// what scree_world_def and scree_tuning have in common
+#define BAD_TUNINGS(BAD, name)                                                                               \
+	BAD(contact_hertz = 0.0f, name "contact_hertz is 0, must be from 0.001");                                \
+	BAD(contact_damping_ratio = -1.0f, name "contact_damping_ratio is -1");                                  \
+	BAD(contact_push_speed = NAN, name "contact_push_speed is nan");                                         \
+	BAD(restitution_threshold = -0.5f, name "restitution_threshold is -0.5, must be finite and at least 0"); \
+	BAD(max_speed = 0.0f, name "max_speed is 0")
+
 static void world_functions(void** state)
 {
 	(void)state;
@@ -118,11 +125,7 @@ static void world_functions(void** state)
 	DEF(threads = -1, "def.threads is -1, must be from 0 to 64");
 	DEF(threads = 65, "def.threads is 65");
 	DEF(lanes = 3, "def.lanes is 3, must be 0, 1, 4, 8 or 16");
-	DEF(contact_hertz = 0.0f, "def.contact_hertz is 0, must be from 0.001");
-	DEF(contact_damping_ratio = -1.0f, "def.contact_damping_ratio is -1");
-	DEF(contact_push_speed = NAN, "def.contact_push_speed is nan");
-	DEF(restitution_threshold = -0.5f, "def.restitution_threshold is -0.5, must be finite and at least 0");
-	DEF(max_speed = 0.0f, "def.max_speed is 0");
+	BAD_TUNINGS(DEF, "def.");
 	DEF(body_capacity = -5, "def.body_capacity is -5");
 	DEF(contact_capacity = INT32_MAX, "def.contact_capacity is 2147483647");
 	DEF(contact_limit = -1, "def.contact_limit is -1, must be from 0 to 134217728");
@@ -155,11 +158,7 @@ static void world_functions(void** state)
 	tuning.change;                                     \
 	INVALID(scree_world_set_tuning, (world, &tuning), sentence)
 	TUNING(size = 0, "tuning.size is 0: the definition was not made by scree_world_get_tuning");
-	TUNING(contact_hertz = 0.0f, "tuning.contact_hertz is 0, must be from 0.001");
-	TUNING(contact_damping_ratio = -1.0f, "tuning.contact_damping_ratio is -1");
-	TUNING(contact_push_speed = NAN, "tuning.contact_push_speed is nan");
-	TUNING(restitution_threshold = -0.5f, "tuning.restitution_threshold is -0.5");
-	TUNING(max_speed = 0.0f, "tuning.max_speed is 0");
+	BAD_TUNINGS(TUNING, "tuning.");
 #undef TUNING
 	int listed;
 	scree_body_state body_state;
@@ -519,84 +518,6 @@ static void nearly_normal_rotations_are_taken(void** state)
 	assert_memory_equal(&pose, &again, sizeof pose);
 }
 
-static int fewer_allocations;
-static void* failing_allocate(size_t bytes, size_t alignment, void* context)
-{
-	(void)context;
-	if (fewer_allocations >= 0 && fewer_allocations-- == 0)
-		return NULL;
-	return aligned_alloc(alignment, bytes);
-}
-
-static void plain_release(void* memory, void* context)
-{
-	(void)context;
-	free(memory);
-}
-
-// Memory runs out at every allocation in turn: a status, nothing lost, nothing changed.
-static void memory_runs_out(void** state)
-{
-	(void)state;
-	scree_hooks hooks = {.allocate = failing_allocate, .release = plain_release};
-	fewer_allocations = -1;
-	assert_ok(scree_hooks_set(&hooks));
-	int refused = 0;
-	for (int allowed = 0;; ++allowed)
-	{
-		scree_world_def world_def = scree_world_def_default();
-		world_def.device = "cpu";
-		world_def.threads = 1;
-		scree_world* made = NULL;
-		scree_attribute_def box = scree_attribute_def_default();
-		scree_body_def defs[40];
-		scree_attribute attribute;
-		fewer_allocations = allowed;
-		scree_status status = scree_world_create(&world_def, &made);
-		if (status == SCREE_OK)
-			status = scree_attribute_create(made, &box, &attribute);
-		for (int k = 0; k < 40 && status == SCREE_OK; ++k)
-		{
-			defs[k] = scree_body_def_default();
-			defs[k].attribute = attribute;
-			defs[k].pose.position.y = 1.5f * (float)k;
-		}
-		int bodies = 0;
-		for (int round = 0; round < 20 && status == SCREE_OK; ++round)
-		{
-			status = scree_bodies_create(made, defs, 40, NULL);
-			bodies += status == SCREE_OK ? 40 : 0;
-		}
-		if (status == SCREE_OK)
-			status = scree_world_step(made, 0.01f, 2);
-		bool done = fewer_allocations >= 0;
-		if (status != SCREE_OK)
-		{
-			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
-			++refused;
-		}
-
-		// the next call has memory again, and all goes on, unless a step had begun (test_faults.c)
-		fewer_allocations = -1;
-		if (made)
-		{
-			int count;
-			assert_ok(scree_world_get_bodies(made, NULL, 0, &count));
-			assert_int_equal(count, bodies);
-			if (scree_world_wait(made) == SCREE_OK)
-				assert_ok(scree_world_step(made, 0.01f, 2));
-			else
-				assert_int_equal(bodies, 800);
-		}
-		scree_world_destroy(made);
-		assert_int_equal(scree_memory(), 0);
-		if (done)
-			break;
-	}
-	assert_true(refused > 20);
-	assert_ok(scree_hooks_set(NULL));
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -605,7 +526,5 @@ int main(void)
 	    cmocka_unit_test(batch_functions),      cmocka_unit_test(setting_functions),
 	    cmocka_unit_test(collidable_functions), cmocka_unit_test(nearly_normal_rotations_are_taken),
 	};
-	const struct CMUnitTest memory[] = {cmocka_unit_test(memory_runs_out)};
-	int failures = cmocka_run_group_tests_name("arguments", tests, set_up, tear_down);
-	return failures + cmocka_run_group_tests_name("memory", memory, NULL, NULL);
+	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -61,6 +61,7 @@ refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
 refuse 2 '--size has no effect: there is no --picture or --video' run pile --size 640x480
+refuse 2 '--paint has no effect: there is no --picture or --video' run pile --paint speed
 refuse 2 '--threads has no effect: the device is not the CPU' run pile --device opencl --threads 2
 refuse 2 '--lanes has no effect' run pile --pipeline paper --lanes 4
 refuse 2 '--threads has no effect: the pipeline paper' run pile --pipeline paper --threads 2

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_versions.c -- programs built with an older header, or a newer one, on this library.
 //
-// This file is compiled with tests/older/scree/scree.h, so that its structs are shorter than the library's. Newer ones are
-// made here, by members behind the ones of that header.
+// This file is compiled with a header from which tests/CMakeLists.txt has taken the last members of scree_contact, so that
+// the library's is longer. Newer structs are made here, by members behind the ones of that header.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -67,6 +67,7 @@ static void older_results(void** state)
 	two_boxes(world, bodies);
 	OK(scree_world_step(world, 1.0f / 60.0f, 4));
 	scree_contact contacts[3];
+	assert_int_equal(sizeof *contacts, offsetof(scree_contact, points) + sizeof contacts->points);
 	memset(contacts, 0x5a, sizeof contacts);
 	int count = 0;
 	OK(scree_world_get_contacts(world, contacts, 3, &count));

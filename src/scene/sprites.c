@@ -110,7 +110,7 @@ bool sprites_list(Sprites* p, scree_world* world)
 		if (!moving)
 			p->first_moving = p->count;
 	}
-	return add_body(p, world, (scree_body){0, 0}, -1, false);
+	return add_body(p, world, SCREE_NULL_BODY, -1, false);
 }
 
 void sprites_free(Sprites* p)

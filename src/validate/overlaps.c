@@ -15,38 +15,49 @@ typedef struct
 {
 	const char* name;
 	int every;            // steps from one look to the next; each costs as much as some steps
-	double deepest, mean; // mm, at most: of all looks, and mean of the deepest of each; 0: chance, and only shown
+	double deepest, mean; // mm, at most: of all looks, or 0, and mean of the deepest of each
 	double sank;          // mm, at most, the body that sank most; 0: not a stack
 } Known;
 
 static const Known scenes[] = {
     {"pyramid", 4, 18.4, 8.63, 300.0}, {"pyramids", 10, 1.05, 0.77, 3.27}, {"pile", 1, 0.0, 46.0, 0.0},
-    {"tumbler", 1, 160.0, 0.0, 0.0},   {"smash", 1, 191.0, 52.0, 0.0},     {"washer", 1, 145.0, 35.0, 0.0},
+    {"tumbler", 1, 160.0, 64.0, 0.0},  {"smash", 1, 191.0, 52.0, 0.0},     {"washer", 1, 145.0, 35.0, 0.0},
 };
 
-static void watch(Validation* v, const Known* known, int steps)
+typedef struct // of the looks at a run, m
 {
-	int every = known->every;
-	begin(v, "%s", known->name);
-	Lab* lab = lab_scene(v, known->name, NULL);
-	double deepest = 0.0, sum = 0.0, sank = 0.0;
-	int deepest_step = 0;
+	double deepest, mean;
+	int step; // of the deepest
+} Depths;
+
+static Depths depths_of(Lab* lab, int steps, int every)
+{
+	Depths depths = {0};
 	for (int step = every; step <= steps; step += every)
 	{
 		lab_step(lab, every);
 		double overlap = lab_overlap(lab, NULL);
-		if (overlap > deepest)
-			deepest_step = step;
-		deepest = fmax(deepest, overlap);
-		sum += overlap * every / steps;
+		if (overlap > depths.deepest)
+			depths.step = step;
+		depths.deepest = fmax(depths.deepest, overlap);
+		depths.mean += overlap * every / steps;
 	}
+	return depths;
+}
+
+static void watch(Validation* v, const Known* known, int steps)
+{
+	begin(v, "%s", known->name);
+	Lab* lab = lab_scene(v, known->name, NULL);
+	Depths depths = depths_of(lab, steps, known->every);
+	double sank = 0.0;
 	for (int k = 0; k < lab->count; ++k)
 		sank = fmax(sank, (double)(lab->bodies[k].def.pose.position.y - lab->poses[k].position.y));
 	bool judged = !v->quick;
-	where(v, "step %d", deepest_step);
-	row(v, "deepest overlap", 1e3 * deepest, "mm", judged && known->deepest > 0.0 ? AT_MOST : SHOWN, known->deepest);
-	row(v, "mean of the deepest at each look", 1e3 * sum, "mm", judged && known->mean > 0.0 ? AT_MOST : SHOWN,
-	    known->mean);
+	where(v, "step %d", depths.step);
+	row(v, "deepest overlap", 1e3 * depths.deepest, "mm", judged && known->deepest > 0.0 ? AT_MOST : SHOWN,
+	    known->deepest);
+	row(v, "mean of the deepest at each look", 1e3 * depths.mean, "mm", judged ? AT_MOST : SHOWN, known->mean);
 	if (known->sank > 0.0)
 		row(v, "sank", 1e3 * sank, "mm", judged ? AT_MOST : SHOWN, known->sank);
 	row(v, "bodies frozen", lab->frozen, "", AT_MOST, 0.0);
@@ -57,14 +68,14 @@ static void watch(Validation* v, const Known* known, int steps)
 typedef struct
 {
 	const char *name, *scene, *parameter;
-	int first, steps; // the parameter goes up from there by apart
-	int apart;
+	int first, apart;     // value of the parameter in the first run, and by how much it goes up
+	int steps;            // of a run
 	double deepest, mean; // mm, at most: medians of the runs
 } Several;
 
 static const Several repeated[] = {
-    {"7 piles", "pile", "count", 1970, 200, 10, 210.0, 52.0},
-    {"7 drums", "tumbler", "degrees", 22, 600, 1, 134.0, 64.0},
+    {"7 piles", "pile", "count", 1970, 10, 200, 210.0, 52.0},
+    {"7 drums", "tumbler", "degrees", 22, 1, 600, 134.0, 64.0},
 };
 
 static void watch_several(Validation* v, const Several* known)
@@ -77,13 +88,9 @@ static void watch_several(Validation* v, const Several* known)
 		snprintf(value, sizeof value, "%d", known->first + run * known->apart);
 		SceneSetting setting = {.name = known->parameter, .value = value};
 		Lab* lab = lab_scene(v, known->scene, &setting);
-		for (int step = 0; step < known->steps; ++step)
-		{
-			lab_step(lab, 1);
-			double overlap = lab_overlap(lab, NULL);
-			deepest[run] = fmax(deepest[run], overlap);
-			mean[run] += overlap / known->steps;
-		}
+		Depths depths = depths_of(lab, known->steps, 1);
+		deepest[run] = depths.deepest;
+		mean[run] = depths.mean;
 		lab_close(lab);
 	}
 	v->steps = known->steps;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// test_memory.c -- memory that runs out, at every allocation in turn.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <stdlib.h>
+
+static int fewer_allocations;
+static void* failing_allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	if (fewer_allocations >= 0 && fewer_allocations-- == 0)
+		return NULL;
+	return aligned_alloc(alignment, bytes);
+}
+
+static void plain_release(void* memory, void* context)
+{
+	(void)context;
+	free(memory);
+}
+
+// Memory runs out at every allocation in turn: a status, nothing lost, nothing changed.
+static void memory_runs_out(void** state)
+{
+	(void)state;
+	scree_hooks hooks = {.allocate = failing_allocate, .release = plain_release};
+	fewer_allocations = -1;
+	OK(scree_hooks_set(&hooks));
+	int refused = 0;
+	for (int allowed = 0;; ++allowed)
+	{
+		scree_world_def world_def = scree_world_def_default();
+		world_def.device = "cpu";
+		world_def.threads = 1;
+		scree_world* made = NULL;
+		scree_attribute_def box = scree_attribute_def_default();
+		scree_body_def defs[40];
+		scree_attribute attribute;
+		fewer_allocations = allowed;
+		scree_status status = scree_world_create(&world_def, &made);
+		if (status == SCREE_OK)
+			status = scree_attribute_create(made, &box, &attribute);
+		for (int k = 0; k < 40 && status == SCREE_OK; ++k)
+		{
+			defs[k] = scree_body_def_default();
+			defs[k].attribute = attribute;
+			defs[k].pose.position.y = 1.5f * (float)k;
+		}
+		int bodies = 0;
+		for (int round = 0; round < 20 && status == SCREE_OK; ++round)
+		{
+			status = scree_bodies_create(made, defs, 40, NULL);
+			bodies += status == SCREE_OK ? 40 : 0;
+		}
+		if (status == SCREE_OK)
+			status = scree_world_step(made, 0.01f, 2);
+		bool done = fewer_allocations >= 0;
+		if (status != SCREE_OK)
+		{
+			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
+			++refused;
+		}
+
+		// the next call has memory again, and all goes on, unless a step had begun (test_faults.c)
+		fewer_allocations = -1;
+		if (made)
+		{
+			int count;
+			OK(scree_world_get_bodies(made, NULL, 0, &count));
+			assert_int_equal(count, bodies);
+			if (scree_world_wait(made) == SCREE_OK)
+				OK(scree_world_step(made, 0.01f, 2));
+			else
+				assert_int_equal(bodies, 800);
+		}
+		scree_world_destroy(made);
+		assert_int_equal(scree_memory(), 0);
+		if (done)
+			break;
+	}
+	assert_true(refused > 20);
+	OK(scree_hooks_set(NULL));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(memory_runs_out)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
