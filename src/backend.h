@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- what a device must do: hold the pools and work through lists of runs. It knows no order of stages.
+// backend.h -- what a device must do: hold the pools, work through lists of runs, and solve. It knows no order of stages.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "pools/pools.h"
+#include "runs.h"
 #include "scree/scree.h"
+#include "solve.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -120,6 +122,9 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*resize)(Backend* b, Per per, int capacity);
 	// works through runs in order, each complete before the next begins; may return before the device is done
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
+	// A solve, to the final poses: as solve_list lists it, or in another form with the same result. list is empty, and has
+	// room for that.
+	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
 	// copies items first to first + count - 1 to and from the device, in order with the runs; read waits
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);

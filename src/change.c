@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // change.c -- forces, impulses, velocities and poses, by the array and one at a time: each becomes a command.
+#include "tree.h"
 #include "world.h"
 
 typedef struct // one call
@@ -72,7 +73,7 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 	else if (kind == COMMAND_POSE)
 	{
 		if (host->type == SCREE_BODY_STATIC && host->collidables > 0)
-			tree_touch(world, tree_of_kind(KIND_STATIC));
+			tree_touch(&world->pipeline, tree_of_kind(KIND_STATIC));
 	}
 	else if (host->type != SCREE_BODY_DYNAMIC)
 		return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // check.c -- checks of what users pass, and their sentences.
 #include "check.h"
+#include "pools/pools.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

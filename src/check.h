@@ -6,18 +6,6 @@
 #include "scree/scree.h"
 #include <float.h>
 
-#define TRY(expression)                         \
-	do                                          \
-	{                                           \
-		scree_status try_status = (expression); \
-		if (try_status != SCREE_OK)             \
-			return try_status;                  \
-	} while (0)
-
-// Most bodies, collidables or attributes of a world: what the indices of the trees can name.
-#define MAX_ITEMS    (1 << 24)
-#define MAX_CONTACTS (8 * MAX_ITEMS)
-
 #define ALONE (-1)
 
 typedef struct // where a value stands, as its user wrote it

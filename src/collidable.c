@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // collidable.c -- collidables: made, destroyed, and what the user asks and sets of one.
 #include "definition.h"
+#include "tree.h"
 #include "world.h"
 
 int kind_of_type(scree_body_type type)
@@ -46,13 +47,13 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 	{
 		int kind = slots[k];
 		slots[k] = slots_take(&world->collidables);
-		scree_status status = tree_insert(world, tree_of_kind(kind), slots[k]);
+		scree_status status = tree_insert(&world->pipeline, tree_of_kind(kind), slots[k]);
 		if (status == SCREE_OK)
 			continue;
 
 		for (; k >= 0; --k)
 		{
-			tree_withdraw(world, slots[k]);
+			tree_withdraw(&world->pipeline, slots[k]);
 			slots_put_back(&world->collidables, slots[k], used);
 		}
 		return status;
@@ -109,7 +110,7 @@ void collidable_remove(scree_world* world, int index)
 		--body->collidables;
 		list_changed(world, host->previous);
 	}
-	tree_leave(world, tree_of_kind(collidable_kind(world, index)), index);
+	tree_leave(&world->pipeline, tree_of_kind(collidable_kind(world, index)), index);
 	slots_free(&world->collidables, index);
 	pending_collidable(world, index);
 }
@@ -370,7 +371,7 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
 	TRY(pending_reserve(world, function, 0, 1, 0));
 	// its leaf is there already; the tree has to hear that the box changes
-	TRY(tree_insert(world, tree_of_kind(collidable_kind(world, index)), index));
+	TRY(tree_insert(&world->pipeline, tree_of_kind(collidable_kind(world, index)), index));
 	world->host_collidables[index].filter = filter;
 	pending_collidable(world, index);
 	return SCREE_OK;

@@ -4,7 +4,7 @@
 // Bodies that were put into one place by mistake make pairs by the square of their number: 22,000 boxes at one point are
 // 242 million pairs, and a contact takes some 300 bytes.
 #include "crowd.h"
-#include "world.h"
+#include "error.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -13,11 +13,11 @@
 #define CONTACTS_A_COLLIDABLE 32
 #define LEAST_LIMIT           2000000
 
-int contact_limit(const scree_world* world)
+int contact_limit(const StepRequest* request)
 {
-	if (world->def.contact_limit > 0)
-		return world->def.contact_limit;
-	int64_t limit = (int64_t)CONTACTS_A_COLLIDABLE * world->collidables.used;
+	if (request->contact_limit > 0)
+		return request->contact_limit;
+	int64_t limit = (int64_t)CONTACTS_A_COLLIDABLE * request->collidables;
 	limit = limit < LEAST_LIMIT ? LEAST_LIMIT : limit;
 	return limit < MAX_CONTACTS ? (int)limit : MAX_CONTACTS;
 }
@@ -88,11 +88,11 @@ static int crowded_place(const Float4* boxes, int count, uint64_t* keys, scree_v
 	return over;
 }
 
-scree_status crowd_fail(scree_world* world)
+scree_status crowd_fail(Pipeline* pipeline, const Step* step)
 {
-	Backend* b = world->backend;
-	int count = world->collidables.used, contacts = world->pipeline.counters.alive,
-	    pairs = world->pipeline.counters.pairs, limit = contact_limit(world);
+	Backend* b = pipeline->backend;
+	int count = step->collidables, contacts = pipeline->counters.alive, pairs = pipeline->counters.pairs,
+	    limit = step->contact_limit;
 	Float4* boxes = scree_allocate((size_t)count * sizeof *boxes);
 	uint64_t* keys = scree_allocate((size_t)count * sizeof *keys);
 	scree_status status = boxes && keys ? b->f->read(b, POOL_box, 0, count, boxes) : SCREE_OK;

@@ -13,6 +13,15 @@
 // sets the sentence of scree_error on this thread and returns status
 scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 
+// returns from the function that it stands in, unless the status is SCREE_OK
+#define TRY(expression)                         \
+	do                                          \
+	{                                           \
+		scree_status try_status = (expression); \
+		if (try_status != SCREE_OK)             \
+			return try_status;                  \
+	} while (0)
+
 // passes one sentence to the log hook
 void log_sentence(scree_log_level level, const char* format, ...) FORMAT(2, 3);
 

@@ -458,10 +458,10 @@ static scree_status flush(scree_world* world)
 	}
 
 	// room for everything before anything is sent
-	TRY(pipeline_reserve(world, ATTRIBUTE, world->attribute_count));
-	TRY(pipeline_reserve(world, BODY, world->bodies.used));
-	TRY(pipeline_reserve(world, COLLIDABLE, world->collidables.used));
-	TRY(pipeline_reserve(world, COMMAND, commands + 1));
+	TRY(pipeline_reserve(&world->pipeline, ATTRIBUTE, world->attribute_count));
+	TRY(pipeline_reserve(&world->pipeline, BODY, world->bodies.used));
+	TRY(pipeline_reserve(&world->pipeline, COLLIDABLE, world->collidables.used));
+	TRY(pipeline_reserve(&world->pipeline, COMMAND, commands + 1));
 	size_t bytes = (size_t)(world->attribute_count - p->attributes) * sizeof(Attribute);
 	bytes = larger(bytes, (size_t)body_rows * sizeof(BodyState));
 	bytes = larger(bytes, (size_t)collidable_rows * sizeof(Filter));

@@ -111,14 +111,7 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_world_unshare(world); // what another device has is no use to this one
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
-	for (int t = 0; t < 2; ++t)
-	{
-		// -1: this device has been told of no tree
-		TreeState* state = &world->pipeline.trees[t];
-		memset(&state->sent, -1, sizeof state->sent);
-		state->touched = true;
-	}
-	world->pipeline.split = false; // scratch
+	pipeline_move(&world->pipeline, to);
 	return SCREE_OK;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// pipeline.h -- the step, and what it keeps on the host from one step to the next.
+// pipeline.h -- the step: what it is asked for, and what it keeps on the host from one step to the next.
 #ifndef PIPELINE_H
 #define PIPELINE_H
 #include "backend.h"
+#include "runs.h"
 
-typedef struct // host side of one tree of the broad phase; src/tree.c
+typedef struct // host side of one tree of the broad phase; tree.c
 {
 	Tree tree, sent; // as it is, and as the device has it
 	int* added;      // collidables to append to the leaves in the next step
@@ -19,21 +20,28 @@ typedef struct // host side of one tree of the broad phase; src/tree.c
 	bool shrunk; // there are more of these than left has
 } TreeState;
 
-typedef struct // a list under construction
+typedef struct // what a step is asked for
 {
-	Run* runs;
-	int count, capacity;
-} RunList;
+	float dt; // s
+	int substeps;
+	scree_vec gravity;
+	scree_tuning tuning;
+	int bodies, collidables; // slots in use
+	int contact_limit;       // 0 for the default
+	bool timings;
+} StepRequest;
 
 typedef struct
 {
+	Backend* backend;
 	Counters counters;  // as read back in the last step
 	TreeState trees[2]; // what moves; what is static
-	uint8_t* member;    // of each collidable slot: bit t when tree t has a leaf for it
+	uint8_t* member;    // of each collidable slot; tree.c
 	int member_capacity;
 	RunList list;
 	Step step;                    // constants of the last step: kernels that need none keep those
 	int used[PER_COUNT];          // most items that a kind of pool needed since idle was 0
+	int first_contacts;           // slots of contacts that the pools begin with
 	int idle;                     // steps since pools were last looked at for room to give back
 	int sparse;                   // steps with few contacts for their slots
 	bool jumps;                   // the user placed or made something since the last step: boxes may jump
@@ -51,41 +59,51 @@ typedef struct
 	scree_traffic traffic;   // of the last step
 } Pipeline;
 
-// Gives the pools their first sizes. world->backend is open; world->def has the capacities to begin with.
-scree_status pipeline_open(scree_world* world);
-void pipeline_close(scree_world* world); // releases what the pipeline holds, not the backend
+// Gives the pools of a backend their first sizes: room for so many bodies and contacts, 0 for the default. The backend stays
+// the caller's.
+scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts);
+void pipeline_close(Pipeline* pipeline);
 
-// One step: dt seconds in substeps. world_flush has been called.
-scree_status pipeline_step(scree_world* world, float dt, int substeps);
+// The pools are on another device now.
+void pipeline_move(Pipeline* pipeline, Backend* backend);
 
-// The hash of all simulated state. world_flush has been called.
-scree_status pipeline_hash(scree_world* world, uint64_t* hash);
+// One step. The user's changes are on the device. On failure begun says whether the world broke off in the middle.
+scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request);
 
-// Brings the pool shown up to date for all slots of collidables; where it is shared, in the memory that OpenGL draws
-// from. world_flush has been called.
-scree_status pipeline_show(scree_world* world, bool shared);
+// The hash of all simulated state, of so many slots.
+scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
+
+// Brings the pool shown up to date for so many slots of collidables; where it is shared, in the memory that OpenGL draws from.
+scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared);
+
+// ---------------------------------------------------------------------------------------------------------------
+// room.c
+// ---------------------------------------------------------------------------------------------------------------
 
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.
-scree_status pipeline_reserve(scree_world* world, Per per, int capacity);
-
-// places of spokes, padding included
-static inline int pipeline_spokes(const Counters* c) { return c->color_begin[COLORS + 1] - c->color_begin[COLORS]; }
+scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
 // After a step: gives back the room of pools that have long been much too large.
-void pipeline_trim(scree_world* world);
+void pipeline_trim(Pipeline* pipeline);
 
 // Counts the step; whether contacts have long been few for the slots that they are spread over.
-bool pipeline_sparse(scree_world* world);
+bool pipeline_sparse(Pipeline* pipeline);
 
-// Makes sure that tree t (0: moving, 1: static) has a leaf for a collidable. Its row is written by the time of the next
-// step.
-scree_status tree_insert(scree_world* world, int t, int collidable);
-// Takes back the leaf that was inserted last: its slot is free again, and the pools may have no room for it.
-void tree_withdraw(scree_world* world, int collidable);
-// The box of some collidable of tree t changed by the user's doing.
-void tree_touch(scree_world* world, int t);
-// The same; the collidable was destroyed, or went to the other tree.
-void tree_leave(scree_world* world, int t, int collidable);
+// ---------------------------------------------------------------------------------------------------------------
+// for the files of the step
+// ---------------------------------------------------------------------------------------------------------------
+
+// Runs what has been listed, and empties the list.
+scree_status pipeline_run(Pipeline* pipeline, const Step* step);
+
+// The solve and what follows it. bound is a counter that is 0 when the layout of the constraints is not that of the counters
+// that the host knows, or NO_COUNT.
+scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
+
+// detect.c: boxes to colored contacts. Sets *solved when the rest of the step has been run as well. most is the longest list
+// that it makes.
+#define DETECT_RUNS_MOST (4 * MAX_ROUNDS + 128)
+scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* request, bool* solved);
 
 #endif

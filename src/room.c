@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // room.c -- how much room the pools have: made when a stage found too little, given back when most of it was long idle.
+#include "error.h"
+#include "solve.h"
 #include "tree.h"
-#include "world.h"
 #include <math.h>
 
 // Room is given back when for so many steps, 2 s of a game, never more than an eighth of it was used; twice what was used
@@ -26,16 +27,11 @@ static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1)
 
 static int larger(int a, int b) { return a > b ? a : b; }
 
-static int first_contacts(const scree_world* world)
-{
-	return world->def.contact_capacity > 0 ? world->def.contact_capacity + 1 : 512;
-}
-
 static void note(Pipeline* pipeline, Per per, int used) { pipeline->used[per] = larger(pipeline->used[per], used); }
 
-static scree_status resize(scree_world* world, Per per, int64_t capacity)
+static scree_status resize(Pipeline* pipeline, Per per, int64_t capacity)
 {
-	Backend* b = world->backend;
+	Backend* b = pipeline->backend;
 	if (capacity <= b->capacity[per])
 		return SCREE_OK;
 	if (capacity > INT32_MAX / 2)
@@ -44,66 +40,59 @@ static scree_status resize(scree_world* world, Per per, int64_t capacity)
 	return b->f->resize(b, per, (int)capacity);
 }
 
-scree_status pipeline_reserve(scree_world* world, Per per, int capacity)
+scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 {
-	Backend* b = world->backend;
+	Backend* b = pipeline->backend;
 	int old = b->capacity[per];
-	note(&world->pipeline, per, capacity);
+	note(pipeline, per, capacity);
 	if (capacity <= old)
 		return SCREE_OK;
 	int64_t wanted = rounded(capacity > old + old / 2 ? capacity : (int64_t)old + old / 2);
-	world->pipeline.grown += old > 0;
+	pipeline->grown += old > 0;
 
 	scree_status status = SCREE_OK;
 	int* leaves = NULL;
 	if (per == CONTACT)
 	{
-		status = resize(world, CONSTRAINT, constraints_of(wanted));
+		status = resize(pipeline, CONSTRAINT, constraints_of(wanted));
 		if (!status)
-			status = resize(world, BLOCK, constraints_of(wanted) / MAX_LANES);
+			status = resize(pipeline, BLOCK, constraints_of(wanted) / MAX_LANES);
 		if (!status)
-			status = resize(world, KEY, wanted);
+			status = resize(pipeline, KEY, wanted);
 	}
 	if (per == CONSTRAINT)
-		status = resize(world, BLOCK, wanted / MAX_LANES);
+		status = resize(pipeline, BLOCK, wanted / MAX_LANES);
 	if (per == COLLIDABLE)
 	{
-		status = tree_save(world, &leaves);
+		status = tree_save(pipeline, &leaves);
 		if (!status)
-			status = resize(world, LEAF, 2 * wanted);
+			status = resize(pipeline, LEAF, 2 * wanted);
 		if (!status)
-			status = resize(world, NODE, 2 * (int64_t)tree_nodes((int)wanted));
+			status = resize(pipeline, NODE, 2 * (int64_t)tree_nodes((int)wanted));
 		if (!status)
-			status = resize(world, KEY, wanted);
+			status = resize(pipeline, KEY, wanted);
 	}
 	if (!status)
-		status = resize(world, per, wanted);
+		status = resize(pipeline, per, wanted);
 	if (!status && per == COLLIDABLE)
-		status = tree_restore(world, leaves);
+		status = tree_restore(pipeline, leaves);
 	scree_release(leaves);
 	return status;
 }
 
-scree_status pipeline_open(scree_world* world)
+scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
 {
-	int bodies = world->def.body_capacity;
-	world->pipeline.guard_way = INFINITY;
-	scree_status status = pipeline_reserve(world, ONE, 1);
-	if (!status)
-		status = pipeline_reserve(world, HASH, HASH_SUMS);
-	if (!status)
-		status = pipeline_reserve(world, TREE, 2);
-	if (!status)
-		status = pipeline_reserve(world, ATTRIBUTE, 16);
-	if (!status)
-		status = pipeline_reserve(world, BODY, bodies > 0 ? bodies + 1 : 256);
-	if (!status)
-		status = pipeline_reserve(world, COLLIDABLE, bodies > 0 ? bodies : 256);
-	if (!status)
-		status = pipeline_reserve(world, CONTACT, first_contacts(world));
-	if (!status)
-		status = pipeline_reserve(world, COMMAND, LEAST_ROOM);
-	return status;
+	pipeline->backend = backend;
+	pipeline->guard_way = INFINITY;
+	pipeline->first_contacts = contacts > 0 ? contacts + 1 : 512;
+	TRY(pipeline_reserve(pipeline, ONE, 1));
+	TRY(pipeline_reserve(pipeline, HASH, HASH_SUMS));
+	TRY(pipeline_reserve(pipeline, TREE, 2));
+	TRY(pipeline_reserve(pipeline, ATTRIBUTE, 16));
+	TRY(pipeline_reserve(pipeline, BODY, bodies > 0 ? bodies + 1 : 256));
+	TRY(pipeline_reserve(pipeline, COLLIDABLE, bodies > 0 ? bodies : 256));
+	TRY(pipeline_reserve(pipeline, CONTACT, pipeline->first_contacts));
+	return pipeline_reserve(pipeline, COMMAND, LEAST_ROOM);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -112,47 +101,44 @@ scree_status pipeline_open(scree_world* world)
 
 // Gives a kind of pool as much room as twice its use, if that is much less than it has. Whether it has done so: what has
 // no memory to become smaller stays as large as it is, and no harm is done.
-static bool shrink(scree_world* world, Per per, int least)
+static bool shrink(Pipeline* pipeline, Per per, int least)
 {
-	Backend* b = world->backend;
-	int64_t wanted = rounded(larger(2 * world->pipeline.used[per], least));
+	Backend* b = pipeline->backend;
+	int64_t wanted = rounded(larger(2 * pipeline->used[per], least));
 	return wanted * IDLE_SHARE < b->capacity[per] && b->f->resize(b, per, (int)wanted) == SCREE_OK;
 }
 
-static void shrink_all(scree_world* world)
+static void shrink_all(Pipeline* pipeline)
 {
-	Backend* b = world->backend;
-	int contacts = first_contacts(world);
-	shrink(world, CONTACT, contacts);
-	if (shrink(world, CONSTRAINT, (int)constraints_of(b->capacity[CONTACT])))
+	Backend* b = pipeline->backend;
+	shrink(pipeline, CONTACT, pipeline->first_contacts);
+	if (shrink(pipeline, CONSTRAINT, (int)constraints_of(b->capacity[CONTACT])))
 		b->f->resize(b, BLOCK, b->capacity[CONSTRAINT] / MAX_LANES);
-	shrink(world, KEY, larger(b->capacity[CONTACT], b->capacity[COLLIDABLE]));
-	shrink(world, SPOKE, LEAST_ROOM);
-	shrink(world, SPOKE_BLOCK, LEAST_ROOM);
-	shrink(world, COMMAND, LEAST_ROOM);
+	shrink(pipeline, KEY, larger(b->capacity[CONTACT], b->capacity[COLLIDABLE]));
+	shrink(pipeline, SPOKE, LEAST_ROOM);
+	shrink(pipeline, SPOKE_BLOCK, LEAST_ROOM);
+	shrink(pipeline, COMMAND, LEAST_ROOM);
 }
 
-bool pipeline_sparse(scree_world* world)
+bool pipeline_sparse(Pipeline* pipeline)
 {
-	Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
 	int64_t alive = c->alive - c->released;
 	pipeline->sparse = c->contacts > SPARSE_SHARE * alive + SPARSE_SLOTS ? pipeline->sparse + 1 : 0;
 	return pipeline->sparse >= SPARSE_STEPS;
 }
 
-void pipeline_trim(scree_world* world)
+void pipeline_trim(Pipeline* pipeline)
 {
-	Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;
 	note(pipeline, CONTACT, c->contacts + 1);
 	note(pipeline, CONSTRAINT, c->color_begin[COLORS + 1]);
-	note(pipeline, SPOKE, pipeline_spokes(c));
-	note(pipeline, SPOKE_BLOCK, pipeline_spokes(c) / MAX_LANES);
-	note(pipeline, KEY, larger(c->pairs, pipeline_spokes(c)));
+	note(pipeline, SPOKE, layout_spokes(c));
+	note(pipeline, SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
+	note(pipeline, KEY, larger(c->pairs, layout_spokes(c)));
 	if (++pipeline->idle < IDLE_STEPS)
 		return;
-	shrink_all(world);
+	shrink_all(pipeline);
 	pipeline->idle = 0;
 	for (int per = 0; per < PER_COUNT; ++per)
 		pipeline->used[per] = 0;

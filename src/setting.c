@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // setting.c -- what is set and asked of one body: type, damping, gravity scale, locks, user word.
+#include "tree.h"
 #include "world.h"
 
 scree_status check_type(Where at, const char* member, scree_body_type type)
@@ -69,7 +70,14 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 		return SCREE_OK;
 	int old_tree = tree_of_kind(kind_of_type(host->type)), new_tree = tree_of_kind(kind_of_type(type));
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
-		TRY(tree_insert(world, new_tree, k));
+	{
+		scree_status status = tree_insert(&world->pipeline, new_tree, k);
+		if (status == SCREE_OK)
+			continue;
+		for (int done = host->first_collidable; done != k; done = world->host_collidables[done].next)
+			tree_leave(&world->pipeline, new_tree, done);
+		return status;
+	}
 
 	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
 	host->type = type;
@@ -77,7 +85,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	{
 		pending_collidable(world, k);
 		if (old_tree != new_tree)
-			tree_leave(world, old_tree, k);
+			tree_leave(&world->pipeline, old_tree, k);
 	}
 	if (type == SCREE_BODY_STATIC)
 		pending_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);

@@ -37,7 +37,7 @@ scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* r
 	int used = world->collidables.used, wanted = used < capacity ? used : capacity;
 	if (wanted > 0)
 	{
-		TRY(world_note(world, pipeline_show(world, false)));
+		TRY(world_note(world, pipeline_show(&world->pipeline, world->collidables.used, false)));
 		TRY(world_note(world, world->backend->f->read(world->backend, POOL_shown, 0, wanted, rows)));
 	}
 	*count = used;
@@ -99,5 +99,5 @@ scree_status scree_world_write_render_rows(scree_world* world, int* count)
 	if (*count > world->shared_rows)
 		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and what is shared has room for %d", function, *count,
 		            world->shared_rows);
-	return *count > 0 ? world_note(world, pipeline_show(world, true)) : SCREE_OK;
+	return *count > 0 ? world_note(world, pipeline_show(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
 }

@@ -2,11 +2,11 @@
 // traffic.h -- the bytes that the solve stage moves, counted by its algorithm.
 #ifndef TRAFFIC_H
 #define TRAFFIC_H
+#include "pools/pools.h"
 #include "scree/scree.h"
-#include <stdbool.h>
 
-// Of one step with so many constraints (padding not counted), rows of bodies and substeps; extras, bounces and round as in Step.
-// Where some attribute has restitution, every constraint counts as one that may bounce.
-scree_traffic traffic_of_solve(int constraints, int bodies, int substeps, bool extras, bool bounces, bool round);
+// Of one step over these constraints (padding not counted) and so many rows of bodies. Where some attribute has restitution,
+// every constraint counts as one that may bounce.
+scree_traffic traffic_of_solve(const Counters* layout, int bodies, int substeps, const Step* step);
 
 #endif

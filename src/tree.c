@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tree.c -- the host's share of the broad phase's trees: which leaves there are, and when to put them in order.
 #include "tree.h"
-#include "world.h"
+#include "error.h"
 #include <string.h>
 
 // Whether boxes jump so far that the leaves must be put in order, the device says, which looks at all of them. Where it said
@@ -10,6 +10,10 @@
 
 // so many collidables that left before they are looked at, they are fetched
 #define LEFT_SOON 24
+
+// Pipeline.member: a leaf lies in tree t; the collidable is there and belongs to tree t
+#define HAS_LEAF(t) (1 << (t))
+#define BELONGS(t)  (4 << (t))
 
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
@@ -25,12 +29,12 @@ int tree_nodes(int leaves)
 }
 
 // where the tree lies in the pools, and its levels; the device is told what changed
-static scree_status tree_layout(scree_world* world, int t)
+static scree_status tree_layout(Pipeline* pipeline, int t)
 {
-	Backend* b = world->backend;
-	TreeState* state = &world->pipeline.trees[t];
+	Backend* b = pipeline->backend;
+	TreeState* state = &pipeline->trees[t];
 	Tree* tree = &state->tree;
-	int capacity = world->backend->capacity[COLLIDABLE];
+	int capacity = pipeline->backend->capacity[COLLIDABLE];
 	tree->leaf_begin = t * capacity;
 	int begin = t * tree_nodes(capacity), count = tree->leaves;
 	for (tree->top = 0;; ++tree->top)
@@ -48,9 +52,8 @@ static scree_status tree_layout(scree_world* world, int t)
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
-scree_status tree_insert(scree_world* world, int t, int collidable)
+scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 {
-	Pipeline* pipeline = &world->pipeline;
 	if (collidable >= pipeline->member_capacity)
 	{
 		int capacity = collidable + collidable / 2 + 64;
@@ -62,7 +65,8 @@ scree_status tree_insert(scree_world* world, int t, int collidable)
 	}
 	TreeState* state = &pipeline->trees[t];
 	state->touched = true;
-	if (pipeline->member[collidable] & 1 << t)
+	pipeline->member[collidable] |= BELONGS(t);
+	if (pipeline->member[collidable] & HAS_LEAF(t))
 		return SCREE_OK;
 	if (state->added_count == state->added_capacity)
 	{
@@ -70,39 +74,46 @@ scree_status tree_insert(scree_world* world, int t, int collidable)
 		int* added =
 		    scree_reallocate(state->added, sizeof(int) * (size_t)state->added_capacity, sizeof(int) * (size_t)capacity);
 		if (!added)
+		{
+			pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d new leaves", capacity);
+		}
 		state->added = added;
 		state->added_capacity = capacity;
 	}
-	pipeline->member[collidable] |= (uint8_t)(1 << t);
+	pipeline->member[collidable] |= HAS_LEAF(t);
 	state->added[state->added_count++] = collidable;
 	return SCREE_OK;
 }
 
-void tree_withdraw(scree_world* world, int collidable)
+void tree_withdraw(Pipeline* pipeline, int collidable)
 {
-	Pipeline* pipeline = &world->pipeline;
+	// the insertion may have failed before there was room for it
+	if (collidable >= pipeline->member_capacity)
+		return;
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
+		pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 		if (state->added_count == 0 || state->added[state->added_count - 1] != collidable)
 			continue;
 		--state->added_count;
-		pipeline->member[collidable] &= (uint8_t) ~(1 << t);
+		pipeline->member[collidable] &= (uint8_t)~HAS_LEAF(t);
 	}
 }
 
-void tree_touch(scree_world* world, int t) { world->pipeline.trees[t].touched = true; }
+void tree_touch(Pipeline* pipeline, int t) { pipeline->trees[t].touched = true; }
 
-void tree_leave(scree_world* world, int t, int collidable)
+void tree_leave(Pipeline* pipeline, int t, int collidable)
 {
-	TreeState* state = &world->pipeline.trees[t];
+	TreeState* state = &pipeline->trees[t];
 	state->touched = true;
+	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
 		// a look at all slots costs no more than at as many that left
 		int capacity = 2 * state->left_capacity + 64;
-		int* left = capacity <= world->collidables.used + 64
+		int* left = capacity <= pipeline->member_capacity
 		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
 		                                   sizeof(int) * (size_t)capacity)
 		                : NULL;
@@ -114,12 +125,12 @@ void tree_leave(scree_world* world, int t, int collidable)
 		state->left[state->left_count++] = collidable;
 }
 
-scree_status tree_flush(scree_world* world)
+scree_status tree_flush(Pipeline* pipeline)
 {
-	Backend* b = world->backend;
+	Backend* b = pipeline->backend;
 	for (int t = 0; t < 2; ++t)
 	{
-		TreeState* state = &world->pipeline.trees[t];
+		TreeState* state = &pipeline->trees[t];
 		if (state->added_count > 0)
 		{
 			int first = t * b->capacity[COLLIDABLE] + state->tree.leaves;
@@ -131,7 +142,7 @@ scree_status tree_flush(scree_world* world)
 			state->added_count = 0;
 			state->touched = true;
 		}
-		scree_status status = tree_layout(world, t);
+		scree_status status = tree_layout(pipeline, t);
 		if (status)
 			return status;
 	}
@@ -161,67 +172,39 @@ void tree_count(TreeState* state, const Counters* counters, int t)
 	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
-// does collidable k belong to tree t?
-static bool tree_owns(const scree_world* world, int t, int k)
-{
-	if (k >= world->collidables.used || !(world->collidables.generation[k] & 1))
-		return false;
-	int body = world->host_collidables[k].body;
-	bool fixed = body >= 0 && world->host_bodies[body].type == SCREE_BODY_STATIC;
-	return fixed == (t == 1);
-}
-
 // Takes the leaf of collidable k out of tree t, if it has one and does not belong there any more.
-static void drop(scree_world* world, int t, int k)
+static void drop(Pipeline* pipeline, int t, int k)
 {
-	Pipeline* pipeline = &world->pipeline;
-	if (!(pipeline->member[k] & 1 << t) || tree_owns(world, t, k))
+	if ((pipeline->member[k] & (HAS_LEAF(t) | BELONGS(t))) != HAS_LEAF(t))
 		return;
-	pipeline->member[k] &= (uint8_t) ~(1 << t);
+	pipeline->member[k] &= (uint8_t)~HAS_LEAF(t);
 	--pipeline->trees[t].tree.leaves;
 }
 
-// what drop reads of collidables that come later
-static void fetch_left(const scree_world* world, const TreeState* state, int k)
+scree_status tree_ordered(Pipeline* pipeline, int t)
 {
-	if (k + 2 * LEFT_SOON < state->left_count)
-	{
-		int left = state->left[k + 2 * LEFT_SOON];
-		fetch_soon(world->pipeline.member + left);
-		fetch_soon(world->collidables.generation + left);
-		fetch_soon(&world->host_collidables[left].body);
-	}
-	if (k + LEFT_SOON >= state->left_count)
-		return;
-	int body = world->host_collidables[state->left[k + LEFT_SOON]].body;
-	if (body >= 0)
-		fetch_soon(&world->host_bodies[body].type);
-}
-
-scree_status tree_ordered(scree_world* world, int t)
-{
-	Pipeline* pipeline = &world->pipeline;
 	TreeState* state = &pipeline->trees[t];
 	state->unsorted = 0;
 	state->strayed = 0;
 	if (!state->shrunk && state->left_count == 0)
 		return SCREE_OK;
 	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)
-		drop(world, t, k);
+		drop(pipeline, t, k);
 	for (int k = 0; k < state->left_count; ++k)
 	{
-		fetch_left(world, state, k);
-		drop(world, t, state->left[k]);
+		if (k + LEFT_SOON < state->left_count)
+			fetch_soon(pipeline->member + state->left[k + LEFT_SOON]);
+		drop(pipeline, t, state->left[k]);
 	}
 	state->left_count = 0;
 	state->shrunk = false;
-	return tree_layout(world, t);
+	return tree_layout(pipeline, t);
 }
 
-scree_status tree_save(scree_world* world, int** leaves)
+scree_status tree_save(Pipeline* pipeline, int** leaves)
 {
-	Backend* b = world->backend;
-	const TreeState* trees = world->pipeline.trees;
+	Backend* b = pipeline->backend;
+	const TreeState* trees = pipeline->trees;
 	*leaves = scree_allocate(sizeof(int) * (size_t)(trees[0].tree.leaves + trees[1].tree.leaves));
 	if (!*leaves)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move %d leaves",
@@ -238,20 +221,20 @@ scree_status tree_save(scree_world* world, int** leaves)
 	return SCREE_OK;
 }
 
-scree_status tree_restore(scree_world* world, int* leaves)
+scree_status tree_restore(Pipeline* pipeline, int* leaves)
 {
-	Backend* b = world->backend;
+	Backend* b = pipeline->backend;
 	const int* from = leaves;
 	scree_status status = SCREE_OK;
 	for (int t = 0; t < 2 && !status; ++t)
 	{
-		TreeState* state = &world->pipeline.trees[t];
+		TreeState* state = &pipeline->trees[t];
 		if (state->tree.leaves > 0)
 			status = b->f->write(b, POOL_leaf, t * b->capacity[COLLIDABLE], state->tree.leaves, from);
 		from += state->tree.leaves;
 		state->touched = true;
 		if (!status)
-			status = tree_layout(world, t);
+			status = tree_layout(pipeline, t);
 	}
 	return status;
 }

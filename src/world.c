@@ -166,7 +166,7 @@ scree_status world_create(const scree_world_def* def, Backend* backend, scree_wo
 	}
 	snprintf(made->device, sizeof made->device, "%s", backend->name);
 	made->backend = backend;
-	scree_status status = pipeline_open(made);
+	scree_status status = pipeline_open(&made->pipeline, backend, def->body_capacity, def->contact_capacity);
 	if (status == SCREE_OK)
 		status = add_ground(made, function);
 	if (status == SCREE_OK)
@@ -204,7 +204,7 @@ void scree_world_destroy(scree_world* world)
 	if (!world)
 		return;
 	automatic_close(world);
-	pipeline_close(world);
+	pipeline_close(&world->pipeline);
 	if (world->backend)
 		world->backend->f->close(world->backend);
 	pending_close(&world->pending);
@@ -235,7 +235,18 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	double start = processor_milliseconds();
 	TRY(world_flush(world));
 	double begin = automatic_clock();
-	scree_status status = pipeline_step(world, dt, substeps);
+	StepRequest request = {.dt = dt,
+	                       .substeps = substeps,
+	                       .gravity = world->def.gravity,
+	                       .tuning = tuning_of(&world->def),
+	                       .bodies = world->bodies.used,
+	                       .collidables = world->collidables.used,
+	                       .contact_limit = world->def.contact_limit,
+	                       .timings = world->def.timings};
+	scree_status status = pipeline_step(&world->pipeline, &request);
+	// the boxes have moved on and the bodies have not: what touched in between would never be found again
+	if (status != SCREE_OK && world->pipeline.begun)
+		world->broken = status;
 	double milliseconds = processor_milliseconds() - start;
 	if (status == SCREE_OK && world->automatic.trial)
 		status = world->backend->f->wait(world->backend);
@@ -307,7 +318,7 @@ scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 	TRY(check_pointer(function, "hash", hash));
 	TRY(world_flush(world));
 	double begin = automatic_clock();
-	scree_status status = pipeline_hash(world, hash);
+	scree_status status = pipeline_hash(&world->pipeline, world->bodies.used, world->collidables.used, hash);
 	automatic_count(world, begin);
 	return world_note(world, status);
 }

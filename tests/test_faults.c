@@ -333,6 +333,12 @@ static scree_status faulty_run(Backend* b, const Step* step, const Run* runs, in
 	return status ? status : real->run(b, step, runs, count);
 }
 
+static scree_status faulty_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
+{
+	scree_status status = device_fails(false);
+	return status ? status : real->solve(b, step, solve, list);
+}
+
 static scree_status faulty_write(Backend* b, PoolId pool, int first, int count, const void* items)
 {
 	scree_status status = device_fails(false);
@@ -373,6 +379,7 @@ static const BackendFunctions faulty = {
     .close = faulty_close,
     .resize = faulty_resize,
     .run = faulty_run,
+    .solve = faulty_solve,
     .write = faulty_write,
     .read = faulty_read,
     .read_begin = faulty_read_begin,

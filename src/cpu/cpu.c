@@ -258,20 +258,34 @@ static void run_solve(Cpu* cpu, const Run* runs, int count, double items)
 	}
 }
 
-static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+static void set_step(Cpu* cpu, const Step* step)
 {
-	Cpu* cpu = b->state;
 	cpu->pools.step = *step;
 	if (cpu->timed)
 		cpu->mark = processor_milliseconds();
+}
+
+static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	Cpu* cpu = b->state;
+	set_step(cpu, step);
+	run_list(cpu, runs, count, cpu->choice.shares ? GRAIN : ALONE_GRAIN);
+	return SCREE_OK;
+}
+
+static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
+{
+	Cpu* cpu = b->state;
+	set_step(cpu, step);
+	solve_list(solve, list);
 	double items = 0;
-	if (b->threads > 1 && count > 0 && runs[0].stage == STAGE_solve_begin)
-		for (int k = 0; k < count; ++k)
-			items += runs[k].end - runs[k].begin;
-	if (items > 0)
-		run_solve(cpu, runs, count, items);
+	for (int k = 0; k < list->count; ++k)
+		items += list->runs[k].end - list->runs[k].begin;
+	if (b->threads > 1 && items > 0)
+		run_solve(cpu, list->runs, list->count, items);
 	else
-		run_list(cpu, runs, count, cpu->choice.shares ? GRAIN : ALONE_GRAIN);
+		run_list(cpu, list->runs, list->count, INT_MAX);
+	list->count = 0;
 	return SCREE_OK;
 }
 
@@ -420,6 +434,7 @@ static const BackendFunctions functions = {
     .close = cpu_close,
     .resize = cpu_resize,
     .run = cpu_run,
+    .solve = cpu_solve,
     .write = cpu_write,
     .read = cpu_read,
     .read_begin = cpu_read_begin,

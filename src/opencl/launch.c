@@ -165,6 +165,14 @@ scree_status kernels_bind(OpenCl* d, Per per)
 	return primitives_bind(d);
 }
 
+void step_set(OpenCl* d, const Step* step)
+{
+	if (memcmp(&d->step, step, sizeof *step) == 0)
+		return;
+	d->step = *step;
+	++d->step_version;
+}
+
 scree_status kernel_step(OpenCl* d, Kernel* kernel)
 {
 	if (kernel->version == d->step_version)
@@ -209,25 +217,15 @@ static scree_status one_run(OpenCl* d, const Run* run)
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
 {
 	OpenCl* d = b->state;
-	if (memcmp(&d->step, step, sizeof *step) != 0)
-	{
-		d->step = *step;
-		++d->step_version;
-	}
+	step_set(d, step);
 	// the user's changes may give a body another mass, and leaves of a new order make better tiles
 	for (int i = 0; i < count; ++i)
 		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
 	for (int i = 0; i < count;)
 	{
-		int solved = solve_length(d, runs + i, count - i);
-		int together = solved ? 0 : persistent_length(d, runs + i, count - i);
-		if (solved)
-			TRY(solve_run(d, runs + i, solved));
-		else if (together)
-			TRY(persistent_run(d, runs + i, together));
-		else
-			TRY(one_run(d, runs + i));
-		i += solved ? solved : together ? together : 1;
+		int together = persistent_length(d, runs + i, count - i);
+		TRY(together ? persistent_run(d, runs + i, together) : one_run(d, runs + i));
+		i += together ? together : 1;
 	}
 	return CALL(Flush, d->queue);
 }

@@ -72,13 +72,5 @@ scree_status opencl_check(const char* function, cl_int code);
 
 // calls a function of OpenCL that returns a code, and checks it
 #define CALL(name, ...) opencl_check("cl" #name, opencl.name(__VA_ARGS__))
-// leaves the function with the status of what failed
-#define TRY(expression)                      \
-	do                                       \
-	{                                        \
-		scree_status status_ = (expression); \
-		if (status_ != SCREE_OK)             \
-			return status_;                  \
-	} while (0)
 
 #endif

@@ -224,6 +224,7 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .close = opencl_close,
 	    .resize = opencl_resize,
 	    .run = opencl_run,
+	    .solve = opencl_solve,
 	    .write = opencl_write,
 	    .read = opencl_read,
 	    .read_begin = opencl_read_begin,

@@ -4,6 +4,7 @@
 #define OPENCL_H
 #include "opencl/device.h"
 #include "opencl/limits.h"
+#include "stages/schedule.h"
 
 typedef struct
 {
@@ -54,16 +55,13 @@ typedef struct // memory that OpenGL draws from
 	Handover acquire, release;
 } Shared;
 
-typedef struct // the runs of a whole solve, to be launched in another form than one by one
+typedef enum // of a solve
 {
-	cl_int constraints, bodies, substeps, passes;
-	cl_int bound;
-	const Run* colors; // the first of a run a color
-	int color_count;
-	cl_int hubs;
-	const Run* guard; // the last run
-	int length;       // runs
-} Solve;
+	FORM_ANY,
+	FORM_RELAY,
+	FORM_TILES,
+	FORM_LAUNCHES // by color
+} SolveForm;
 
 enum // kernels of tiles.cl that take all pools, in the order in which they are launched
 {
@@ -73,11 +71,8 @@ enum // kernels of tiles.cl that take all pools, in the order in which they are 
 	TILE_ORDER,
 	TILE_PREPARE,
 	TILE_PREPARE_PLAIN, // instead
-	TILE_WARM_START,
-	TILE_BIAS,
-	TILE_RELAX,
-	TILE_BOUNCE,
-	TILE_BORDER,
+	TILE_PASS,          // one a kind of pass, in their order
+	TILE_BORDER = TILE_PASS + PASS_KINDS,
 	TILE_KERNELS
 };
 
@@ -149,14 +144,8 @@ typedef struct
 	Scratch notes; // NOTE_FLOAT4S a constraint that does not stay in registers
 	Scratch parts; // two words a spoke, and a hub
 
-	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size
-	enum
-	{
-		SOLVER_ANY,
-		SOLVER_RELAY,
-		SOLVER_TILES,
-		SOLVER_NONE // no room for any
-	} solver;
+	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size; launches where there was no room for another
+	SolveForm solver;
 
 	// tiles.c
 	Tiles tiles;
@@ -225,6 +214,9 @@ size_t pool_offset(const OpenCl* d, PoolId pool);
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel);
 scree_status kernels_bind(OpenCl* d, Per per);
 
+// Takes the constants of a step for all kernels launched from now on.
+void step_set(OpenCl* d, const Step* step);
+
 // Sets the step of a kernel that takes all pools, when it is not the current one.
 scree_status kernel_step(OpenCl* d, Kernel* kernel);
 
@@ -262,9 +254,6 @@ scree_status tiles_run(OpenCl* d, const Solve* solve);
 
 // Reads the environment.
 void solve_open(OpenCl* d);
-// How many runs from the first on are a whole solve that is better launched in another form; 0 for none.
-int solve_length(OpenCl* d, const Run* runs, int count);
-scree_status solve_run(OpenCl* d, const Run* runs, int count);
 
 // Takes note of the counters that have been read. Fails when a kernel gave up waiting.
 scree_status opencl_note(Backend* b, const Counters* counters);
@@ -286,6 +275,7 @@ void opencl_copy_release(Backend* b);
 scree_status opencl_copy(Backend* b, int times);
 
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count);
+scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list);
 scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT]);
 
 #endif

@@ -32,7 +32,7 @@ scree_status rows_reserve(OpenCl* d, const Solve* solve)
 // groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
 static size_t hub_groups(const OpenCl* d, const Solve* solve)
 {
-	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->hubs;
+	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->layout->hubs;
 	return hubs < most ? hubs : most;
 }
 
@@ -53,8 +53,8 @@ static int spread_of(int constraints, size_t places)
 static size_t other_groups(const OpenCl* d, const Solve* solve)
 {
 	size_t most = other_most(d, solve), group = d->relay_hubs.group;
-	int spread = spread_of(solve->constraints, most * group);
-	size_t groups = groups_of(solve->constraints * spread, group);
+	int constraints = solve_constraints(solve), spread = spread_of(constraints, most * group);
+	size_t groups = groups_of(constraints * spread, group);
 	return groups < most ? groups : most;
 }
 
@@ -64,13 +64,14 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
 	TRY(rows_reserve(d, solve));
 	const Kernel* relay = relay_kernel(d);
-	bool registers = solve->constraints <= relay->groups * (int)relay->group;
-	if (solve->hubs > 0)
+	int constraints = solve_constraints(solve), hubs = solve->layout->hubs;
+	bool registers = constraints <= relay->groups * (int)relay->group;
+	if (hubs > 0)
 	{
-		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(solve->constraints + solve->hubs)));
-		registers = (size_t)solve->constraints <= other_groups(d, solve) * d->relay_hubs.group;
+		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));
+		registers = (size_t)constraints <= other_groups(d, solve) * d->relay_hubs.group;
 	}
-	return scratch_reserve(d, &d->notes, registers ? 1 : (size_t)solve->constraints * NOTE_FLOAT4S * sizeof(cl_float4));
+	return scratch_reserve(d, &d->notes, registers ? 1 : (size_t)constraints * NOTE_FLOAT4S * sizeof(cl_float4));
 }
 
 // Whether work-items really run together, each on its own.
@@ -150,7 +151,8 @@ static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel ker
 	cl_int spins = SPINS;
 	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
 	TRY(CALL(SetKernelArg, kernel, RELAY_NOTES, sizeof(cl_mem), &d->notes.buffer));
-	const cl_int* values[] = {&solve->substeps, &solve->passes, &solve->bound, &spins, &spread};
+	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
+	const cl_int* values[] = {&solve->substeps, &passes, &solve->bound, &spins, &spread};
 	for (cl_uint k = 0; k < 5; ++k)
 		TRY(CALL(SetKernelArg, kernel, substeps + k, sizeof(cl_int), values[k]));
 	return SCREE_OK;
@@ -160,7 +162,7 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->relay_hubs.kernel;
 	cl_int groups = (cl_int)hub_groups(d, solve),
-	       spread = spread_of(solve->constraints, other_most(d, solve) * d->relay_hubs.group);
+	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * d->relay_hubs.group);
 	TRY(kernel_step(d, &d->relay_hubs));
 	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
@@ -171,14 +173,14 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 
 scree_status relay_run(OpenCl* d, const Solve* solve)
 {
-	if (solve->hubs > 0)
+	if (solve->layout->hubs > 0)
 		return relay_hubs_run(d, solve);
 	Kernel* relay = relay_kernel(d);
 	size_t most = (size_t)relay->groups;
-	cl_int spread = spread_of(solve->constraints, most * relay->group);
+	cl_int constraints = solve_constraints(solve), spread = spread_of(constraints, most * relay->group);
 	TRY(kernel_step(d, relay));
 	TRY(relay_arguments(d, solve, relay->kernel, RELAY_SUBSTEPS, spread));
-	TRY(CALL(SetKernelArg, relay->kernel, RELAY_COUNT, sizeof(cl_int), &solve->constraints));
-	size_t groups = groups_of(solve->constraints * spread, relay->group);
+	TRY(CALL(SetKernelArg, relay->kernel, RELAY_COUNT, sizeof constraints, &constraints));
+	size_t groups = groups_of(constraints * spread, relay->group);
 	return launch(d, relay->kernel, (groups < most ? groups : most) * relay->group, relay->group);
 }

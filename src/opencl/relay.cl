@@ -81,33 +81,33 @@ INLINE void relay_pass_on(const Pools* p, const Relay* r, Side side, int q, Body
 		return;
 	}
 	uint turn = relay_turn(q + 1, 0);
-	bool moves_on = q < 2 * r->substeps; // or bounce follows relax at once
-	if (moves_on && !(q & 1))
-		body_accelerate(&p->step, row, m, base, q == 0);
-	if (moves_on && q & 1)
+	int before = schedule_before(r->substeps, q + 1);
+	if (before == BODY_ACCELERATES)
+		body_accelerate(&p->step, row, m, base, schedule_first(q + 1));
+	if (before == BODY_MOVES)
 	{
 		body_move(&p->step, row, m);
 		relay_give(words + 2, turn, row[4], row[5], row[6]);
 	}
 	relay_give(words, turn, row[0], row[1], row[2]);
-	if (moves_on && !(q & 1))
+	if (before == BODY_ACCELERATES)
 		p->base[side.body] = make_float4(base[0], base[1], base[2], 0.0f);
 }
 
 // What the last one of a pass will move a body on with.
-INLINE void relay_bring(const Pools* p, Side side, int q, float m[8], float base[4])
+INLINE void relay_bring(const Pools* p, const Relay* r, Side side, int q, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
 		return;
 	body_motion(p, side.body, m);
-	if (q == 0)
+	if (schedule_first(q + 1))
 	{
 		BodyState state = p->body[side.body];
 		base[0] = state.vx;
 		base[1] = state.vy;
 		base[2] = state.w;
 	}
-	else if (!(q & 1))
+	else if (schedule_before(r->substeps, q + 1) == BODY_ACCELERATES)
 	{
 		Float4 old = p->base[side.body];
 		base[0] = old.x;
@@ -128,7 +128,7 @@ INLINE void relay_ready(const Pools* p, const Relay* r, Side side, int q, Body* 
 		body->d = vec(row[4], row[5]);
 		body->da = row[6];
 	}
-	relay_bring(p, side, q, m, base);
+	relay_bring(p, r, side, q, m, base);
 }
 
 // Waits until three components of two rows have come. False when that took too long, here or elsewhere.
@@ -163,8 +163,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
 		relay_ready(p, r, sa, q, a, motion_a, base_a);
 		relay_ready(p, r, sb, q, b, motion_b, base_b);
-		bool moved = q > 1, passed = q > 0;
-		uint move = relay_turn(q & ~1, 0);
+		bool moved = schedule_moved(q) > 0, passed = q > 0;
+		uint move = relay_turn(schedule_moved(q), 0);
 		well = relay_wait(p, r, sa.moves && moved, row_a + 2, move, &a->d, &a->da, sb.moves && moved, row_b + 2,
 		                       move, &b->d, &b->da);
 		body_turn(a);

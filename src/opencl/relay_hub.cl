@@ -37,7 +37,7 @@ INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* 
 	b->d = vec(row[4], row[5]);
 	b->da = row[6];
 	b->inv_inertia = row[7];
-	bool well = relay_wait(p, r, waits && q > 1, words + 2, relay_turn(q & ~1, 0), &b->d, &b->da, waits, words,
+	bool well = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_turn(schedule_moved(q), 0), &b->d, &b->da, waits, words,
 	                       relay_turn(q, side.before), &b->v, &b->w);
 	body_turn(b);
 	return well;
@@ -57,14 +57,14 @@ INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, floa
 	b.d = vec(0.0f, 0.0f);
 	b.da = 0.0f;
 	b.inv_inertia = row[7];
-	if (side.last && q > 1)
+	if (side.last && schedule_moved(q) > 0)
 	{
 		// it came with the velocity, before
 		volatile __global const ulong2* moved =
 		    (volatile __global const ulong2*)(r->rows + RELAY_WORDS * (ulong)side.body + 2);
-		relay_open(*moved, relay_turn(q & ~1, 0), &b.d.x, &b.d.y, &b.da);
+		relay_open(*moved, relay_turn(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
 	}
-	relay_bring(p, side, q, m, base);
+	relay_bring(p, r, side, q, m, base);
 	relay_pass_to(r, side, q, b);
 	relay_pass_on(p, r, side, q, b, m, base);
 }
@@ -81,11 +81,6 @@ INLINE bool relay_take_part(const Pools* p, const Relay* r, volatile __global ul
 	Vec none;
 	float no;
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
-}
-
-INLINE int relay_pass(const Relay* r, int q)
-{
-	return q == 0 ? HUB_WARM_START : q > 2 * r->substeps ? HUB_REBOUND : q & 1 ? HUB_BIAS : HUB_RELAX;
 }
 
 // Pass q of hub n, by a group: nothing once fault is set, which it sets when something never came. Parts of light ends are
@@ -111,7 +106,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	group_meet();
 	if (*fault)
 		return;
-	hub_work(p, &h, relay_pass(r, q), bench);
+	hub_work(p, &h, schedule_pass(r->substeps, q), bench);
 
 	// the hub itself comes behind its spokes
 	group_meet();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// solve.c -- finds the runs of a whole solve in a list, and the form in which they are fastest.
+// solve.c -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
 #include "error.h"
 #include "opencl/opencl.h"
+#include "stages/schedule.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,103 +21,73 @@ enum
 	END_BOUND
 };
 
-static int solve_find(const Run* runs, int count, Solve* solve)
-{
-	*solve = (Solve){.passes = 1, .bound = runs->count}; // of all runs alike but that of guard
-	if (runs[0].stage != STAGE_solve_begin)
-		return 0;
-	for (int k = 0; k < count; ++k)
-		switch (runs[k].stage)
-		{
-		case STAGE_prepare:
-			solve->constraints = runs[k].end;
-			break;
-		case STAGE_hub:
-			// a run a turn
-			if ((runs[k].argument & 255) == HUB_WARM_START)
-				solve->hubs += runs[k].end;
-			if ((runs[k].argument & 255) == HUB_REBOUND)
-				solve->passes = 2;
-			break;
-		case STAGE_warm_start:
-			if (solve->color_count++ == 0)
-				solve->colors = &runs[k];
-			break;
-		case STAGE_integrate_velocity:
-			++solve->substeps;
-			break;
-		case STAGE_bounce:
-			solve->passes = 2;
-			break;
-		case STAGE_finalize:
-			solve->bodies = runs[k].end;
-			solve->passes += 2 * solve->substeps;
-			break;
-		case STAGE_guard:
-			solve->guard = &runs[k];
-			solve->length = k + 1;
-			return solve->length;
-		}
-	return 0;
-}
-
 void solve_open(OpenCl* d)
 {
 	const char* forced = getenv("SCREE_SOLVER");
-	d->solver = SOLVER_ANY;
+	d->solver = FORM_ANY;
 	if (forced && strcmp(forced, "relay") == 0)
-		d->solver = SOLVER_RELAY;
+		d->solver = FORM_RELAY;
 	if (forced && strcmp(forced, "tiles") == 0)
-		d->solver = SOLVER_TILES;
+		d->solver = FORM_TILES;
 }
 
 bool solve_plain(const OpenCl* d) { return !d->step.extras && !d->step.bounces && !d->step.round; }
 
-static bool relayed(const OpenCl* d, const Solve* solve)
+// Room for a solve as a relay or in tiles. Launches by color need none: they follow where there is no room.
+static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
-	return d->solver == SOLVER_RELAY || (d->solver == SOLVER_ANY && solve->constraints <= RELAY_CONSTRAINTS);
+	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
 }
 
-int solve_length(OpenCl* d, const Run* runs, int count)
+// The form in which a solve is fastest, as far as this device can.
+static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
-	Solve solve;
-	if (d->relay.groups == 0 || d->solver == SOLVER_NONE || !solve_find(runs, count, &solve))
-		return 0;
-	bool relay = relayed(d, &solve);
+	if (d->relay.groups == 0 || d->solver == FORM_LAUNCHES)
+		return FORM_LAUNCHES;
+	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
+	if (d->solver == FORM_RELAY || (d->solver == FORM_ANY && few))
+		return FORM_RELAY;
 	// a hub's spokes lie in many tiles
-	if (!relay && solve.hubs > 0)
-		return 0;
-	if (!relay && d->solver != SOLVER_TILES && !tiles_pay(d, &solve))
-		return 0;
-	scree_status status = relay ? relay_reserve(d, &solve) : tiles_reserve(d, &solve);
-	if (status == SCREE_OK)
-		return solve.length;
-	// launches need no room
-	log_sentence(SCREE_LOG_WARNING, "%s: %s; the solver is slower without.", d->backend->name, scree_error());
-	d->solver = SOLVER_NONE;
-	return 0;
+	bool tiles = solve->layout->hubs == 0 && (d->solver == FORM_TILES || tiles_pay(d, solve));
+	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
 // Moves what no constraint pushes, and finalizes all bodies; then those that go far.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;
+	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
+	Run guard = {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)};
 	TRY(kernel_step(d, &d->solve_end));
 	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
 	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
-	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &solve->passes));
+	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &passes));
 	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
 	size_t group = d->solve_end.group;
 	d->box = BOX_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
-	return stage_run_within(d, solve->guard, GUARD_GROUPS);
+	return stage_run_within(d, &guard, GUARD_GROUPS);
 }
 
-scree_status solve_run(OpenCl* d, const Run* runs, int count)
+scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
-	Solve solve;
-	solve_find(runs, count, &solve);
+	OpenCl* d = b->state;
+	step_set(d, step);
+	SolveForm form = solve_form(d, solve);
+	if (form != FORM_LAUNCHES && form_reserve(d, solve, form) != SCREE_OK)
+	{
+		log_sentence(SCREE_LOG_WARNING, "%s: %s; the solver is slower without.", b->name, scree_error());
+		d->solver = form = FORM_LAUNCHES;
+	}
+	if (form == FORM_LAUNCHES)
+	{
+		solve_list(solve, list);
+		scree_status status = opencl_run(b, step, list->runs, list->count);
+		list->count = 0;
+		return status;
+	}
 	d->box = BOX_solve;
-	TRY(relayed(d, &solve) ? relay_run(d, &solve) : tiles_run(d, &solve));
-	return solve_end(d, &solve);
+	TRY(form == FORM_RELAY ? relay_run(d, solve) : tiles_run(d, solve));
+	TRY(solve_end(d, solve));
+	return CALL(Flush, d->queue);
 }

@@ -69,15 +69,18 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 	base[0] = row[0];
 	base[1] = row[1];
 	base[2] = row[2];
-	for (int k = 1; k <= q && k <= 2 * substeps; ++k)
+	for (int k = 1; k <= q; ++k)
 	{
-		if (k % 2 == 0)
+		int before = schedule_before(substeps, k);
+		if (before == BODY_STAYS)
+			return;
+		if (before == BODY_MOVES)
 		{
 			body_move(&p->step, row, m);
 			continue;
 		}
 		bool rests = all_zero(row, 3) && all_zero(base, 3);
-		body_accelerate(&p->step, row, m, base, k == 1);
+		body_accelerate(&p->step, row, m, base, schedule_first(k));
 		if (rests && all_zero(row, 3) && all_zero(base, 3))
 			return;
 	}
@@ -299,11 +302,12 @@ INLINE void runner_relax(const Pools* p, int i, Runner* u)
 
 INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
 {
-	if (q == 0)
+	int pass = schedule_pass(substeps, q);
+	if (pass == PASS_WARM_START)
 		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
-	else if (q > 2 * substeps)
+	else if (pass == PASS_BOUNCE)
 		runner_bounce(p, i, u);
-	else if (q & 1)
+	else if (pass == PASS_BIAS)
 		runner_bias(p, i, u);
 	else
 		runner_relax(p, i, u);

@@ -23,22 +23,22 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, __lo
 		row[6] = 0.0f;
 		p->base[body] = make_float4(row[0], row[1], row[2], 0.0f);
 	}
-	else if (q <= 2 * r->substeps)
+	else if (schedule_before(r->substeps, q) != BODY_STAYS)
 	{
 		float m[8] = {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f};
 		if (!(resident & TILE_PLAIN))
 			body_motion(p, body, m);
-		if (q & 1)
+		if (schedule_before(r->substeps, q) == BODY_ACCELERATES)
 		{
 			Float4 old = p->base[body];
 			float base[4] = {old.x, old.y, old.z, 0.0f};
-			body_accelerate(&p->step, row, m, base, q == 1);
+			body_accelerate(&p->step, row, m, base, schedule_first(q));
 			p->base[body] = make_float4(base[0], base[1], base[2], 0.0f);
 		}
 		else
 			body_move(&p->step, row, m);
 	}
-	if (!(q & 1))
+	if (q == 0 || schedule_before(r->substeps, q) == BODY_MOVES)
 		*(__global float4*)&p->body[body].dx = (float4)(row[4], row[5], row[6], row[7]);
 	Body b;
 	b.da = row[6];
@@ -66,22 +66,17 @@ INLINE void tile_scatter(__local Tile* tile, uint place, const Body* b)
 		tile->motion[place] = (float4)(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// what a pass does with a constraint
-#define TILE_WARM_START 0
-#define TILE_BIAS       1
-#define TILE_RELAX      2
-#define TILE_BOUNCE     3
-
+// whether a kind of pass reads a pair of a note
 INLINE bool tile_reads(int kind, int pair)
 {
 	switch (pair)
 	{
 	case TILE_NORMAL_MASS:
-		return kind != TILE_WARM_START;
+		return kind != PASS_WARM_START;
 	case TILE_TANGENT_MASS:
-		return kind == TILE_RELAX;
+		return kind == PASS_RELAX;
 	case TILE_TANGENT:
-		return kind != TILE_BIAS;
+		return kind != PASS_BIAS;
 	}
 	return true;
 }
@@ -118,13 +113,13 @@ INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 	u.gap[0] = pair_gap(&u.c, 0, gaps.z);
 	u.gap[1] = pair_gap(&u.c, 1, gaps.w);
 
-	bool ends = q + 1 == r->passes && kind >= TILE_RELAX;
+	bool ends = q + 1 == r->passes && kind >= PASS_RELAX;
 	int i = p->step.extras || ends ? t->order[j] : 0;
-	if (kind == TILE_WARM_START)
+	if (kind == PASS_WARM_START)
 		pair_push(p, i, &u.c, u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
-	else if (kind == TILE_BIAS)
+	else if (kind == PASS_BIAS)
 		runner_bias(p, i, &u);
-	else if (kind == TILE_RELAX)
+	else if (kind == PASS_RELAX)
 		runner_relax(p, i, &u);
 	else
 		runner_bounce(p, i, &u);
@@ -136,9 +131,9 @@ INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 		return;
 	}
 	__global float2* pairs = runner_pairs(t->notes, n, j);
-	if (kind != TILE_WARM_START)
+	if (kind != PASS_WARM_START)
 		pairs[TILE_NORMAL * n] = (float2)(u.normal[0], u.normal[1]);
-	if (kind == TILE_RELAX)
+	if (kind == PASS_RELAX)
 		pairs[TILE_TANGENT * n] = (float2)(u.tangent[0], u.tangent[1]);
 }
 
@@ -232,10 +227,10 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 		if (tile_wanted(&pools, bound))                                                                             \
 			tile_work(&pools, &r, &t, &tile, range, q, kind);                                                       \
 	}
-TILE_PASS_KERNEL(tile_warm_start, TILE_WARM_START)
-TILE_PASS_KERNEL(tile_bias, TILE_BIAS)
-TILE_PASS_KERNEL(tile_relax, TILE_RELAX)
-TILE_PASS_KERNEL(tile_bounce, TILE_BOUNCE)
+TILE_PASS_KERNEL(tile_warm_start, PASS_WARM_START)
+TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
+TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
+TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
 // Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
 INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile __local int* fault)

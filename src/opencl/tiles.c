@@ -17,11 +17,16 @@ static const struct
 	const char* name;
 	size_t group;
 } kernels[TILE_KERNELS] = {
-    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},        [TILE_LIST] = {"tile_list", STAGE_GROUP},
-    [TILE_COUNT] = {"tile_count", STAGE_GROUP},          [TILE_ORDER] = {"tile_order", STAGE_GROUP},
-    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP},      [TILE_PREPARE_PLAIN] = {"tile_prepare_plain", STAGE_GROUP},
-    [TILE_WARM_START] = {"tile_warm_start", TILE_GROUP}, [TILE_BIAS] = {"tile_bias", TILE_GROUP},
-    [TILE_RELAX] = {"tile_relax", TILE_GROUP},           [TILE_BOUNCE] = {"tile_bounce", TILE_GROUP},
+    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},
+    [TILE_LIST] = {"tile_list", STAGE_GROUP},
+    [TILE_COUNT] = {"tile_count", STAGE_GROUP},
+    [TILE_ORDER] = {"tile_order", STAGE_GROUP},
+    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP},
+    [TILE_PREPARE_PLAIN] = {"tile_prepare_plain", STAGE_GROUP},
+    [TILE_PASS + PASS_WARM_START] = {"tile_warm_start", TILE_GROUP},
+    [TILE_PASS + PASS_BIAS] = {"tile_bias", TILE_GROUP},
+    [TILE_PASS + PASS_RELAX] = {"tile_relax", TILE_GROUP},
+    [TILE_PASS + PASS_BOUNCE] = {"tile_bounce", TILE_GROUP},
     [TILE_BORDER] = {"tile_border", RELAY_GROUP},
 };
 
@@ -68,7 +73,7 @@ scree_status tiles_bind(OpenCl* d, Per per)
 static cl_int row_count(const OpenCl* d) { return (d->step.collidables - 1) / TILE_BODIES + 1; }
 
 // places of constraints: all, and what pads the colors of the border
-static cl_int place_count(const Solve* solve) { return solve->constraints + TILE_COLORS * RELAY_GROUP; }
+static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLORS * RELAY_GROUP; }
 
 scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 {
@@ -81,7 +86,7 @@ scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 	    [TILE_RESIDENT_BUFFER] = rows * TILE_BODIES * sizeof(cl_int),
 	    [TILE_TABLE_BUFFER] = (rows + 2) * TILE_COLORS * sizeof(cl_int),
 	    [TILE_TOTAL_BUFFER] = (rows + 2) * sizeof(cl_int),
-	    [TILE_RANK_BUFFER] = (size_t)solve->constraints * sizeof(cl_int),
+	    [TILE_RANK_BUFFER] = (size_t)solve_constraints(solve) * sizeof(cl_int),
 	    [TILE_ORDER_BUFFER] = places * sizeof(cl_int),
 	};
 	for (int k = 0; k < TILE_BUFFERS; ++k)
@@ -137,16 +142,21 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	         NULL));
 	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places), VALUE(solve->bound))));
 	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound))));
-	for (const Run* run = solve->colors; run < solve->colors + solve->color_count; ++run)
-		TRY(tile_run(d, TILE_COUNT, run->end - run->begin,
-		             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
-		                    VALUE(run->begin), VALUE(run->end))));
+	for (int color = 0; color < COLORS; ++color)
+	{
+		cl_int first = solve->layout->color_begin[color], end = first + solve->layout->color_count[color];
+		if (end > first)
+			TRY(tile_run(d, TILE_COUNT, end - first,
+			             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
+			                    VALUE(first), VALUE(end))));
+	}
 	TRY(plain_run(d, t->total, STAGE_GROUP, rows + 1, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
 	TRY(plain_run(d, t->begin, PRIMITIVE_GROUP, 1, 0, VALUES(VALUE(total), VALUE(rows))));
 	TRY(plain_run(d, t->range, STAGE_GROUP, rows + 2, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
-	TRY(tile_run(d, TILE_ORDER, solve->constraints,
+	cl_int constraints = solve_constraints(solve);
+	TRY(tile_run(d, TILE_ORDER, constraints,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
-	                    VALUE(order), VALUE(solve->constraints))));
+	                    VALUE(order), VALUE(constraints))));
 	t->stale = false;
 	t->rows = rows;
 	t->age = 0;
@@ -175,7 +185,7 @@ bool tiles_pay(OpenCl* d, const Solve* solve)
 {
 	Tiles* t = &d->tiles;
 	border_look(t);
-	return !t->stale || t->border <= BORDER_SHARE * solve->constraints || ++t->age >= BORDER_AGE;
+	return !t->stale || t->border <= BORDER_SHARE * solve_constraints(solve) || ++t->age >= BORDER_AGE;
 }
 
 scree_status tiles_run(OpenCl* d, const Solve* solve)
@@ -195,16 +205,15 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	int border = d->relay.groups * RELAY_GROUP;
 	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.groups)
 		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
-	for (cl_int q = 0; q < solve->passes; ++q)
+	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
+	for (cl_int q = 0; q < passes; ++q)
 	{
-		int kernel = q == 0 ? TILE_WARM_START : q > 2 * solve->substeps ? TILE_BOUNCE : q & 1 ? TILE_BIAS : TILE_RELAX;
-		TRY(tile_run(d, kernel, rows * TILE_GROUP,
+		TRY(tile_run(d, TILE_PASS + schedule_pass(solve->substeps, q), rows * TILE_GROUP,
 		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
-		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound))));
+		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound))));
 		TRY(tile_run(d, TILE_BORDER, border,
 		             VALUES(VALUE(d->rows.buffer), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
-		                    VALUE(solve->substeps), VALUE(solve->passes), VALUE(q), VALUE(solve->bound),
-		                    VALUE(spins))));
+		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound), VALUE(spins))));
 	}
 	return SCREE_OK;
 }

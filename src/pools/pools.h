@@ -27,12 +27,6 @@
 // A key of light ends: body from bit 32 on, turn of the hub from this one on, number of the spoke.
 #define HUB_KEY_TURN 30
 
-// what the stage hub does: Run.argument
-#define HUB_WARM_START 0
-#define HUB_BIAS       1
-#define HUB_RELAX      2
-#define HUB_REBOUND    3
-
 // Coloring rounds before the host looks whether any contact is left. Even: rounds alternate between two lists.
 #define MAX_ROUNDS 64
 
@@ -64,6 +58,10 @@
 // fewest collidables of a body for a work-item of guard, and most work-items
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64
+
+// Most bodies, collidables or attributes of a world: what the indices of the trees can name.
+#define MAX_ITEMS    (1 << 24)
+#define MAX_CONTACTS (8 * MAX_ITEMS)
 
 // an empty box overlaps nothing
 #define EMPTY_LOW  1.0e30f

@@ -11,6 +11,7 @@
 #ifndef HUB_H
 #define HUB_H
 #include "stages/answer.h"
+#include "stages/schedule.h"
 
 // Sums over spokes have a fixed order, whoever adds: HUB_COLUMNS of them, each over every HUB_COLUMNS-th spoke, then by halves.
 // As many as a group of a GPU has work-items, so that all of them take part.
@@ -243,9 +244,9 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 INLINE int hub_what(const Step* step, int pass, int k)
 {
 	// friction first, as in relax_pass; rolling resistance last, by the load that is left
-	if (pass == HUB_WARM_START || pass == HUB_RELAX)
+	if (pass == PASS_WARM_START || pass == PASS_RELAX)
 		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->extras ? HUB_ROLL : -1;
-	return k > 0 ? -1 : pass == HUB_BIAS ? HUB_SOFT : HUB_BOUNCE;
+	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
 }
 
 // A pass over the spokes of a hub whose light ends are known (spoke_begin).
@@ -255,9 +256,9 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
 	{
 		what = hub_what(&p->step, pass, k);
 		if (what >= 0)
-			hub_block(p, h, what, pass == HUB_WARM_START, bench);
+			hub_block(p, h, what, pass == PASS_WARM_START, bench);
 	}
-	if (pass == HUB_RELAX && p->step.extras)
+	if (pass == PASS_RELAX && p->step.extras)
 		HUB_EACH_COLUMN(c, h)
 	HUB_EACH_OF(i, c, h)
 	pair_total(p, i, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0));

@@ -5,6 +5,7 @@
 #include "pools/pools.h"
 #include "stages/vec.h"
 #include "stages/finite.h"
+#include "stages/schedule.h"
 #include "stages/command.h"
 #include "stages/transform.h"
 #include "stages/tree.h"
