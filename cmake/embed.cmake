@@ -1,14 +1,18 @@
 # embed.cmake -- writes the OpenCL program as one array of chars: ENTRY and all it includes, in place.
 #
-# Run at build time: cmake -DROOT=src -DENTRY=opencl/kernels.cl -DNAME=opencl_program -DOUT=program.c -P embed.cmake
+# Run at build time: cmake -DROOT=. -DENTRY=opencl/kernels.cl -DNAME=opencl_program -DOUT=program.c -P embed.cmake
 #
-# A header is inlined where it is first included, a .def (a list of X lines) wherever it is. Each piece comes after a
+# An include is looked for in src, then in ROOT. A header is inlined where it is first included, a .def (a list of X lines) wherever it is. Each piece comes after a
 # #line with its true name and line, so that a compiler's message leads to the source. Comments stay behind. What
-# the CPU alone includes (cpu/...) is left out. Text is only ever quoted and searched with FIND: CMake would split it at
+# the CPU alone includes (dialect/ but for dialect.h) is left out. Text is only ever quoted and searched with FIND: CMake would split it at
 # semicolons and join it at brackets if it were taken for a list.
 
 function(inline path out)
-	file(READ "${ROOT}/${path}" text)
+	set(file "${ROOT}/src/${path}")
+	if(NOT EXISTS "${file}")
+		set(file "${ROOT}/${path}")
+	endif()
+	file(READ "${file}" text)
 	string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
 	set(result "#line 1 \"${path}\"\n")
 	set(line 1)
@@ -26,7 +30,7 @@ function(inline path out)
 
 		string(APPEND result "${before}")
 		get_property(seen GLOBAL PROPERTY inlined_${name})
-		if(NOT seen AND NOT name MATCHES "^cpu/")
+		if(NOT seen AND (NOT name MATCHES "^dialect/" OR name STREQUAL "dialect/dialect.h"))
 			if(NOT name MATCHES "\\.def$")
 				set_property(GLOBAL PROPERTY inlined_${name} TRUE)
 			endif()
@@ -40,7 +44,7 @@ endfunction()
 
 # The arguments of every kernel: one buffer a kind of item, which holds the pools of that kind one behind the other, and
 # the items that each kind has room for. One argument a pool would cost 15 us a launch (75 buffers, NVIDIA).
-file(READ "${ROOT}/pools/pools.def" text)
+file(READ "${ROOT}/src/pools/pools.def" text)
 string(REGEX REPLACE "//[^\n]*" "" text "${text}")
 string(REGEX MATCHALL "X\\([A-Za-z0-9_]+, [a-z0-9_]+, [A-Z_]+, [A-Z]+\\)" pools "${text}")
 foreach(pool IN LISTS pools)

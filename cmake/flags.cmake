@@ -12,7 +12,8 @@ endif()
 function(scree_flags target)
 	set_target_properties(${target} PROPERTIES C_STANDARD 17 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
 		POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
-	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src
+		${PROJECT_SOURCE_DIR})
 	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
 		$<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
 	# vectors are passed only between functions of one file

@@ -1,10 +1,11 @@
 # program.cmake -- scree_embed(target entry name): compiles an OpenCL program into a target, as the array of chars `name`.
-file(GLOB SCREE_KERNEL_FILES CONFIGURE_DEPENDS src/stages/* src/pools/* src/*/*.cl src/*/*.h)
+file(GLOB_RECURSE SCREE_KERNEL_FILES CONFIGURE_DEPENDS src/*.h src/*.cl src/*.def reference/*.h reference/*.cl
+	reference/*.def)
 
 function(scree_embed target entry name)
 	set(out ${PROJECT_BINARY_DIR}/${name}.c)
 	add_custom_command(OUTPUT ${out}
-		COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}/src -DENTRY=${entry} -DNAME=${name} -DOUT=${out}
+		COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DENTRY=${entry} -DNAME=${name} -DOUT=${out}
 			-P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
 		DEPENDS ${SCREE_KERNEL_FILES} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
 		COMMENT "Embedding ${entry}" VERBATIM)

@@ -1,5 +1,5 @@
 # scene.cmake -- the scene files, which need Jansson, and pictures of them, which need Cairo.
-file(GLOB scene_sources CONFIGURE_DEPENDS src/scene/*.c)
+file(GLOB scene_sources CONFIGURE_DEPENDS scene/*.c)
 
 find_package(PkgConfig)
 if(PkgConfig_FOUND)

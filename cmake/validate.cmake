@@ -1,5 +1,5 @@
 # validate.cmake -- the experiments of scree validate, which scree_peers makes with Box2D as well.
-file(GLOB validate_sources CONFIGURE_DEPENDS src/validate/*.c)
+file(GLOB validate_sources CONFIGURE_DEPENDS validate/*.c)
 
 if(TARGET scree_scene)
 	add_library(scree_validate STATIC ${validate_sources})

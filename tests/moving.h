@@ -2,7 +2,7 @@
 // moving.h -- what the tests of worlds that move share: a world, the device to move it to, and a device that fails.
 #ifndef MOVING_H
 #define MOVING_H
-#include "world.h" // before cmocka, which makes a macro of fail
+#include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
 // stage_items.h -- stages as functions of one item, name_item(p, i), for tests to call: include the stages behind it.
 #ifndef STAGE_ITEMS_H
 #define STAGE_ITEMS_H
-#include "stages/dialect.h"
+#include "dialect/dialect.h"
 #undef STAGE
 #undef LIST_STAGE
 #define STAGE(name)                    INLINE void name##_item(const Pools* p, int i)

@@ -2,8 +2,8 @@
 // stage_support.h -- single stages on items made by hand, on every backend that there is.
 #ifndef STAGE_SUPPORT_H
 #define STAGE_SUPPORT_H
-#include "backend.h" // before cmocka, which makes a macro of fail
-#include "error.h"
+#include "backend/backend.h" // before cmocka, which makes a macro of fail
+#include "platform/error.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

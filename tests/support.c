@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // support.c -- what the tests of whole worlds share: short ways to build one, and runs compared step by step.
 #include "support.h"
-#include "cpu/processor.h"
-#include "world.h"
+#include "platform/processor.h"
+#include "world/world.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

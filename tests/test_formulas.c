@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_formulas.c -- stages whose items stand alone, called as functions, against formulas in double precision.
-#include "error.h" // before cmocka, which makes a macro of fail
+#include "platform/error.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -3,7 +3,7 @@
 //
 // The formula: hash(capacity 1, step) = hash(ample capacity, step), for each step; growth shows in Counters.grown alone.
 #include "support.h"
-#include "world.h"
+#include "world/world.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>

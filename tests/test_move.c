@@ -3,8 +3,8 @@
 //
 // The formula: hash(moved, step) = hash(not moved, step). test_parity.c holds every scene to it; here are the ways in
 // which a move can go wrong.
-#include "move.h"
 #include "moving.h"
+#include "world/migrate.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -3,8 +3,8 @@
 //
 // Formulas. Sort: the output is a permutation of the input, rising in the given bits, and keys whose bits are equal keep
 // their order. Scan: out[i] = in[0] + ... + in[i - 1].
-#include "backend.h"
-#include "error.h"
+#include "backend/backend.h"
+#include "platform/error.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_roles.c -- whether pools have the roles that pools.def says: what stands in scratch between two steps does not matter.
-#include "world.h" // before cmocka, which makes a macro of fail
+#include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

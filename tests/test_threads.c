@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_threads.c -- workers: every one runs once a region, and a barrier separates what is before from what is after.
-#include "cpu/threads.h"
-#include "error.h"
+#include "platform/error.h"
+#include "platform/threads.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

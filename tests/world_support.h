@@ -2,7 +2,7 @@
 // world_support.h -- worlds, boxes and what is read back of them, for the tests of the public interface.
 #ifndef WORLD_SUPPORT_H
 #define WORLD_SUPPORT_H
-#include "world.h"
+#include "world/world.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -5,12 +5,12 @@
 // the barrier looks up the bound of the next run, does small runs by itself on the way, and lets the others go on when
 // there is something to share. So bounds are read once, by one worker, when nobody writes them, and a small world never
 // wakes a thread.
-#include "backend.h"
+#include "backend/backend.h"
 #include "cpu/lanes.h"
 #include "cpu/primitives.h"
-#include "cpu/processor.h"
-#include "cpu/threads.h"
-#include "error.h"
+#include "platform/error.h"
+#include "platform/processor.h"
+#include "platform/threads.h"
 #include <limits.h>
 #include <stdatomic.h>
 #include <stdio.h>

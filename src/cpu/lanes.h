@@ -2,7 +2,7 @@
 // lanes.h -- the compiled stages, one table for each number of lanes.
 #ifndef LANES_H
 #define LANES_H
-#include "backend.h"
+#include "backend/backend.h"
 
 // does items begin to end - 1; a wide stage with LANES lanes needs begin and end to be multiples of LANES
 typedef void (*StageFunction)(const Pools* p, int begin, int end);

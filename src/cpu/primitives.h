@@ -2,7 +2,7 @@
 // primitives.h -- sort and scan, by all workers together or by one alone.
 #ifndef PRIMITIVES_H
 #define PRIMITIVES_H
-#include "cpu/threads.h"
+#include "platform/threads.h"
 #include <stdint.h>
 
 #define RADIX_BITS 8

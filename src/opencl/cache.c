@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cache.c -- built programs kept on disk: one file a key, checked when read, renamed into place when written.
 #include "opencl/cache.h"
-#include "error.h"
+#include "platform/error.h"
 #include <errno.h>
 #include <stdatomic.h>
 #include <stdio.h>

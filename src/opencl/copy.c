@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // copy.c -- copies within the device, to learn how fast its memory is.
-#include "error.h"
 #include "opencl/opencl.h"
+#include "platform/error.h"
 
 void opencl_copy_release(Backend* b)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // device.c -- lists OpenCL devices, judges and chooses them.
 #include "opencl/device.h"
-#include "error.h"
 #include "opencl/limits.h"
+#include "platform/error.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 // device.h -- the OpenCL devices of this machine, and whether each can keep the promise of equal bits.
 #ifndef OPENCL_DEVICE_H
 #define OPENCL_DEVICE_H
-#include "backend.h"
+#include "backend/backend.h"
 #include "opencl/loader.h"
 
 typedef struct

@@ -5,9 +5,9 @@
 // only for devices whose groups run together: they are the larger part of what there is to compile
 #ifdef TOGETHER
 #include "opencl/persistent.cl"
-#include "opencl/solve.cl"
-#include "opencl/relay.cl"
-#include "opencl/relay_hub.cl"
-#include "opencl/tiles.cl"
-#include "opencl/tile_pass.cl"
+#include "opencl/forms/registers.cl"
+#include "opencl/forms/relay.cl"
+#include "opencl/forms/relay_hub.cl"
+#include "opencl/forms/tiles.cl"
+#include "opencl/forms/tile_pass.cl"
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // launch.c -- works through lists of runs: launches, uploads and their times.
-#include "error.h"
 #include "opencl/opencl.h"
+#include "platform/error.h"
 #include <string.h>
 
 // A launch is given at most this many groups a compute unit, which fills any device; its items stride over the rest.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // loader.c -- finds the OpenCL library and its functions.
 #include "opencl/loader.h"
-#include "error.h"
+#include "platform/error.h"
 #include <stdatomic.h>
 
 OpenClFunctions opencl;

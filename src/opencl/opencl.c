@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // opencl.c -- the OpenCL backend: one buffer a kind of pool, one kernel a stage, one queue in order.
 #include "opencl/opencl.h"
-#include "error.h"
 #include "opencl/program.h"
+#include "platform/error.h"
 #include <limits.h>
 #include <stdio.h>
 

@@ -264,12 +264,12 @@ void shared_close(OpenCl* d);
 scree_status opencl_share(Backend* b, const SharedMemory* memory);
 scree_status opencl_show(Backend* b, const Run* run);
 
-// a transfer from the device in two halves; src/backend.h
+// a transfer from the device in two halves; src/backend/backend.h
 void held_close(OpenCl* d);
 scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count);
 scree_status opencl_read_end(Backend* b, void* items);
 
-// copies within the device; src/backend.h
+// copies within the device; src/backend/backend.h
 scree_status opencl_copy_reserve(Backend* b, size_t bytes);
 void opencl_copy_release(Backend* b);
 scree_status opencl_copy(Backend* b, int times);

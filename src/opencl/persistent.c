@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // persistent.c -- launches many runs at once (persistent.cl), where the device can.
-#include "error.h"
 #include "opencl/opencl.h"
+#include "platform/error.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // primitives.c -- launches sort and scan (primitives.cl).
-#include "error.h"
 #include "opencl/opencl.h"
+#include "platform/error.h"
 
 // most groups of a part each that so many items can use
 static size_t groups_for(int items, int grain, int most)

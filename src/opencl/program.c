@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // program.c -- builds an embedded OpenCL program, or takes it from the cache.
 #include "opencl/program.h"
-#include "error.h"
 #include "opencl/cache.h"
+#include "platform/error.h"
 #include <stdio.h>
 #include <string.h>
 

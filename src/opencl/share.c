@@ -5,8 +5,8 @@
 // for that; cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. Both want it handed over
 // before a kernel touches it, and handed back after. So the memory is an argument of one kernel, for one launch; the
 // others keep the pool.
-#include "error.h"
 #include "opencl/opencl.h"
+#include "platform/error.h"
 
 // of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not know
 #define MEMORY_OPAQUE_FD 0x2060

@@ -2,7 +2,7 @@
 // pools.h -- the types of pools.def, for C and OpenCL C alike.
 #ifndef POOLS_H
 #define POOLS_H
-#include "stages/dialect.h"
+#include "dialect/dialect.h"
 
 // ranges of constraints and bodies are padded to this many items, so that every lane count divides them
 #define MAX_LANES 16

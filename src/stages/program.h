@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // program.h -- all stages, in order; read by lanes1.c, one8.c and the OpenCL program.
 // clang-format off
-#include "stages/dialect.h"
+#include "dialect/dialect.h"
 #include "pools/pools.h"
 #include "stages/vec.h"
 #include "stages/finite.h"

@@ -6,7 +6,7 @@
 // Passes are numbered from 0. The CPU, launches by color, the relay, the tiles and the count of memory traffic read it here.
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
-#include "stages/dialect.h"
+#include "dialect/dialect.h"
 
 // kinds of passes
 #define PASS_WARM_START 0 // the impulses of the last step

@@ -100,7 +100,7 @@ STAGE(tree_stray)
 		atomic_add_int(&p->counters->strayed[p->argument], strayed);
 }
 
-// Are the walks of this step alone worth the order? What is less adds up from step to step; src/tree.c.
+// Are the walks of this step alone worth the order? What is less adds up from step to step; src/step/tree.c.
 STAGE(tree_judge)
 {
 	GLOBAL Counters* c = p->counters;

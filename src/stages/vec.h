@@ -2,7 +2,7 @@
 // vec.h -- vectors and rotations of the plane.
 #ifndef VEC_H
 #define VEC_H
-#include "stages/dialect.h"
+#include "dialect/dialect.h"
 
 typedef struct
 {

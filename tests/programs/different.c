@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // different.c -- the fields of the pools in which two worlds differ, with their bits.
 #include "programs/program.h"
-#include "world.h"
+#include "world/world.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -3,7 +3,7 @@
 //
 // A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
 #include "programs/farm.h"
-#include "cpu/processor.h"
+#include "platform/processor.h"
 #include <inttypes.h>
 #include <math.h>
 #include <signal.h>

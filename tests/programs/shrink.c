@@ -3,7 +3,7 @@
 //
 // This work is based on:
 // Andreas Zeller, Ralf Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002.
-#include "cpu/processor.h"
+#include "platform/processor.h"
 #include "programs/program.h"
 #include <math.h>
 #include <string.h>

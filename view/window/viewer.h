@@ -4,9 +4,9 @@
 #define VIEWER_H
 #include "view/shader.h"
 #include "view/window/capture.h"
-#include "view/window/hand.h"
-#include "view/window/play.h"
+#include "view/window/grab.h"
 #include "view/window/script.h"
+#include "view/window/session.h"
 
 typedef struct GLFWwindow GLFWwindow;
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// all_pairs.c -- the oracle of the broad phase: too simple to be wrong.
+#include "reference/paper.h"
+#include "stages/box.h"
+#include "world/check.h"
+
+scree_status paper_pairs(const scree_box* boxes, int box_count, PaperPair* pairs, int capacity, int* count)
+{
+	TRY(check_batch("paper_pairs", "boxes", boxes, box_count));
+	TRY(check_list("paper_pairs", "pairs", pairs, capacity, count));
+	*count = 0;
+	for (int a = 0; a < box_count; ++a)
+		for (int b = a + 1; b < box_count; ++b)
+		{
+			scree_box s = boxes[a], t = boxes[b];
+			if (!box_overlap(make_float4(s.lower.x, s.lower.y, s.upper.x, s.upper.y),
+			                 make_float4(t.lower.x, t.lower.y, t.upper.x, t.upper.y)))
+				continue;
+			if (*count < capacity)
+				pairs[*count] = (PaperPair){a, b};
+			++*count;
+		}
+	return SCREE_OK;
+}

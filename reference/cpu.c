@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// cpu.c -- the first three stages on the CPU: one thread, one item after the other.
+#include "platform/processor.h"
+#include "reference/state.h"
+
+#define PAPER_STAGE(name)                                \
+	INLINE void name##_item(const PaperPools* p, int i); \
+	static void name(const PaperPools* p, int count)     \
+	{                                                    \
+		for (int i = 0; i < count; ++i)                  \
+			name##_item(p, i);                           \
+	}                                                    \
+	INLINE void name##_item(const PaperPools* p, int i)
+
+#include "reference/stages.h"
+
+scree_status paper_cpu_run(Paper* paper)
+{
+	PaperPools* p = &paper->pools;
+	double last = processor_milliseconds(), now;
+	*p->contact_count = 0;
+#define X(name, items)                \
+	name(p, p->step.items);           \
+	now = processor_milliseconds();   \
+	paper->timings.name = now - last; \
+	last = now;
+	PAPER_STAGES(X)
+#undef X
+	if (*p->contact_count <= p->step.contact_capacity)
+		return SCREE_OK;
+
+	// there was no room for all; detection changes nothing and can be run again
+	scree_status status = paper_reserve(paper, *p->contact_count);
+	if (status != SCREE_OK)
+		return status;
+	*p->contact_count = 0;
+	detect(p, p->step.collidables);
+	paper->timings.detect += processor_milliseconds() - last;
+	return SCREE_OK;
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// import.c -- fills the pools of the paper's pipeline from a world.
+#include "reference/state.h"
+#include "stages/vec.h"
+#include "world/world.h"
+
+typedef struct // what scree_world_get_bodies and scree_body_get_collidables tell
+{
+	scree_body* bodies;
+	scree_pose* poses;
+	scree_velocity* velocities;
+	scree_collidable* collidables; // of one body, or those without one
+	int body_count;
+} Taken;
+
+static scree_status no_memory(void)
+{
+	return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory for a copy of the world");
+}
+
+// One more body than there are: the null body at the end, which has the collidables without a body.
+static scree_status take_bodies(scree_world* world, Taken* taken)
+{
+	int count = taken->body_count;
+	TRY(scree_world_get_bodies(world, NULL, 0, &count));
+	taken->body_count = count;
+	taken->bodies = scree_allocate(((size_t)count + 1) * sizeof *taken->bodies);
+	taken->poses = scree_allocate((size_t)count * sizeof *taken->poses);
+	taken->velocities = scree_allocate((size_t)count * sizeof *taken->velocities);
+	if (!taken->bodies || !taken->poses || !taken->velocities)
+		return no_memory();
+	TRY(scree_world_get_bodies(world, taken->bodies, count, &count));
+	TRY(scree_bodies_get_poses(world, taken->bodies, taken->poses, count));
+	return scree_bodies_get_velocities(world, taken->bodies, taken->velocities, count);
+}
+
+static scree_status count_collidables(const scree_world* world, const Taken* taken, int* most, int* sum)
+{
+	*most = *sum = 0;
+	for (int i = 0; i <= taken->body_count; ++i)
+	{
+		int count;
+		TRY(scree_body_get_collidables(world, taken->bodies[i], NULL, 0, &count));
+		*most = count > *most ? count : *most;
+		*sum += count;
+	}
+	return SCREE_OK;
+}
+
+static scree_status take_body(const scree_world* world, const Taken* taken, int i, PaperBody* body, int* kind)
+{
+	static const int kinds[] = {KIND_STATIC, KIND_KINEMATIC, KIND_DYNAMIC};
+	scree_body handle = taken->bodies[i];
+	scree_body_type type;
+	scree_mass mass;
+	uint32_t locks;
+	Motion motion = {0};
+	TRY(scree_body_get_type(world, handle, &type));
+	TRY(scree_body_get_mass(world, handle, &mass));
+	TRY(scree_body_get_locks(world, handle, &locks));
+	TRY(scree_body_get_damping(world, handle, &motion.linear_damping, &motion.angular_damping));
+	TRY(scree_body_get_gravity_scale(world, handle, &motion.gravity_scale));
+	*kind = kinds[type];
+
+	motion.free_x = locks & SCREE_LOCK_X ? 0.0f : 1.0f;
+	motion.free_y = locks & SCREE_LOCK_Y ? 0.0f : 1.0f;
+	scree_velocity v = taken->velocities[i];
+	if (type != SCREE_BODY_DYNAMIC)
+		motion.gravity_scale = motion.linear_damping = motion.angular_damping = 0.0f;
+	if (type == SCREE_BODY_STATIC)
+		v = (scree_velocity){{0.0f, 0.0f}, 0.0f};
+
+	scree_pose pose = taken->poses[i];
+	Vec q = vec(pose.rotation.c, pose.rotation.s);
+	Vec center = vec_add(vec(pose.position.x, pose.position.y), vec_turn(q, vec(mass.center.x, mass.center.y)));
+	*body = (PaperBody){
+	    .pose = make_float4(center.x, center.y, q.x, q.y),
+	    .motion = motion,
+	    .vx = v.linear.x,
+	    .vy = v.linear.y,
+	    .w = locks & SCREE_LOCK_ROTATION ? 0.0f : v.angular,
+	    .inv_mass = mass.mass > 0.0f ? 1.0f / mass.mass : 0.0f,
+	    .inv_inertia = mass.inertia > 0.0f && !(locks & SCREE_LOCK_ROTATION) ? 1.0f / mass.inertia : 0.0f,
+	    .local_center = make_float2(mass.center.x, mass.center.y),
+	};
+	return SCREE_OK;
+}
+
+static scree_status take_collidable(const scree_world* world, scree_collidable handle, PaperCollidable* collidable)
+{
+	scree_attribute attribute;
+	scree_pose pose;
+	scree_filter filter;
+	TRY(scree_collidable_get_attribute(world, handle, &attribute));
+	TRY(scree_collidable_get_local_pose(world, handle, &pose));
+	TRY(scree_collidable_get_filter(world, handle, &filter));
+	*collidable = (PaperCollidable){
+	    .place = make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s),
+	    .filter = {.category = filter.category, .mask = filter.mask, .group = filter.group},
+	    .attribute = (int)attribute.index,
+	};
+	return SCREE_OK;
+}
+
+// Body by body, then the collidables without one.
+static scree_status fill(Paper* paper, const scree_world* world, const Taken* taken, int most)
+{
+	PaperCollidable* collidable = paper->pools.collidable;
+	for (int i = 0; i <= taken->body_count; ++i)
+	{
+		int count, kind = KIND_FREE;
+		Float2 center = make_float2(0.0f, 0.0f);
+		if (i < taken->body_count)
+		{
+			TRY(take_body(world, taken, i, &paper->pools.body[i], &kind));
+			center = paper->pools.body[i].local_center;
+		}
+		TRY(scree_body_get_collidables(world, taken->bodies[i], taken->collidables, most, &count));
+		for (int k = 0; k < count; ++k, ++collidable)
+		{
+			TRY(take_collidable(world, taken->collidables[k], collidable));
+			collidable->kind = kind;
+			collidable->body = i < taken->body_count ? i : -1;
+			collidable->place.x -= center.x;
+			collidable->place.y -= center.y;
+		}
+	}
+	for (int i = 0; i < paper->pools.step.attributes; ++i)
+		attribute_item(world, i, &paper->pools.attribute[i]);
+	return SCREE_OK;
+}
+
+static scree_status take(Paper* paper, scree_world* world, Taken* taken)
+{
+	PaperPools* p = &paper->pools;
+	int most;
+	TRY(take_bodies(world, taken));
+	TRY(count_collidables(world, taken, &most, &p->step.collidables));
+	p->step.bodies = taken->body_count;
+	p->step.attributes = world->attribute_count;
+	scree_vec gravity;
+	TRY(scree_world_get_gravity(world, &gravity));
+	p->step.gravity_x = gravity.x;
+	p->step.gravity_y = gravity.y;
+
+	taken->collidables = scree_allocate((size_t)most * sizeof *taken->collidables);
+	p->attribute = scree_allocate((size_t)p->step.attributes * sizeof *p->attribute);
+	p->body = scree_allocate((size_t)p->step.bodies * sizeof *p->body);
+	p->collidable = scree_allocate((size_t)p->step.collidables * sizeof *p->collidable);
+	p->contact_count = scree_allocate(sizeof *p->contact_count);
+	if (!taken->collidables || !p->attribute || !p->body || !p->collidable || !p->contact_count)
+		return no_memory();
+	return fill(paper, world, taken, most);
+}
+
+scree_status paper_take(Paper* paper, scree_world* world)
+{
+	Taken taken = {0};
+	scree_status status = take(paper, world, &taken);
+	scree_release(taken.bodies);
+	scree_release(taken.poses);
+	scree_release(taken.velocities);
+	scree_release(taken.collidables);
+	return status;
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// opencl.c -- the first three stages through OpenCL: in every step the pools travel there, a kernel a stage, and back.
+#include "backend/backend.h"
+#include "opencl/program.h"
+#include "platform/error.h"
+#include "reference/state.h"
+#include <stdio.h>
+
+// work-items of a group, as in the paper
+#define GROUP 256
+
+// commands of one step that are timed; a step takes 12, and 4 more each time that the contact pool grows
+#define LAPS 64
+
+// written by cmake/embed.cmake
+extern const char paper_program[];
+extern const size_t paper_program_length;
+
+typedef struct // a command whose time has not been read
+{
+	cl_event event;
+	double* milliseconds;
+} Lap;
+
+typedef struct PaperOpenCl
+{
+	Device device;
+	cl_context context;
+	cl_command_queue queue; // in order: the barriers are the paper's, and change nothing
+	cl_program program;
+	cl_kernel kernels[PAPER_STAGE_COUNT];
+	size_t groups[PAPER_STAGE_COUNT]; // work-items of a group
+	cl_mem buffers[PAPER_POOL_COUNT];
+	Lap laps[LAPS];
+	int lap_count;
+} PaperOpenCl;
+
+// Waits for all commands and adds up their times.
+static scree_status finish(PaperOpenCl* d)
+{
+	scree_status status = CALL(Finish, d->queue);
+	for (int i = 0; i < d->lap_count; ++i)
+	{
+		cl_ulong begin = 0, end = 0; // ns
+		opencl.GetEventProfilingInfo(d->laps[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
+		opencl.GetEventProfilingInfo(d->laps[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
+		opencl.ReleaseEvent(d->laps[i].event);
+		*d->laps[i].milliseconds += 1e-6 * (double)(end - begin);
+	}
+	d->lap_count = 0;
+	return status;
+}
+
+// The event of a command that is about to be given; keep_lap counts it once it has been.
+static cl_event* next_lap(PaperOpenCl* d, double* milliseconds)
+{
+	ASSERT(d->lap_count < LAPS);
+	d->laps[d->lap_count].milliseconds = milliseconds;
+	return &d->laps[d->lap_count].event;
+}
+
+static scree_status keep_lap(PaperOpenCl* d, scree_status status)
+{
+	d->lap_count += status == SCREE_OK;
+	return status;
+}
+
+static scree_status barrier(PaperOpenCl* d) { return CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, NULL); }
+
+static scree_status to_device(Paper* paper, PaperPoolId pool)
+{
+	PaperOpenCl* d = paper->opencl;
+	PaperMemory host = paper_memory(paper, pool);
+	if (host.bytes == 0)
+		return SCREE_OK;
+	cl_event* event = next_lap(d, &paper->timings.to_device);
+	return keep_lap(
+	    d, CALL(EnqueueWriteBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, host.bytes, host.memory, 0, NULL, event));
+}
+
+static scree_status from_device(Paper* paper, PaperPoolId pool, size_t bytes)
+{
+	PaperOpenCl* d = paper->opencl;
+	if (bytes == 0)
+		return SCREE_OK;
+	cl_event* event = next_lap(d, &paper->timings.from_device);
+	return keep_lap(d, CALL(EnqueueReadBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, bytes,
+	                        paper_memory(paper, pool).memory, 0, NULL, event));
+}
+
+static scree_status launch(Paper* paper, PaperStageId stage)
+{
+	PaperOpenCl* d = paper->opencl;
+	PaperTimings* t = &paper->timings;
+	const int items[] = {
+#define X(name, items) paper->pools.step.items,
+		PAPER_STAGES(X)
+#undef X
+	};
+	double* const milliseconds[] = {
+#define X(name, items) &t->name,
+		PAPER_STAGES(X)
+#undef X
+	};
+	if (items[stage] == 0)
+		return SCREE_OK;
+
+	cl_kernel kernel = d->kernels[stage];
+	for (cl_uint i = 0; i < PAPER_POOL_COUNT; ++i)
+		TRY(CALL(SetKernelArg, kernel, i, sizeof d->buffers[i], &d->buffers[i]));
+	TRY(CALL(SetKernelArg, kernel, PAPER_POOL_COUNT, sizeof paper->pools.step, &paper->pools.step));
+	TRY(CALL(SetKernelArg, kernel, PAPER_POOL_COUNT + 1, sizeof items[stage], &items[stage]));
+	size_t group = d->groups[stage], size = ((size_t)items[stage] + group - 1) / group * group;
+	cl_event* event = next_lap(d, milliseconds[stage]);
+	TRY(keep_lap(d, CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &size, &group, 0, NULL, event)));
+	return barrier(d);
+}
+
+static scree_status create_buffer(Paper* paper, PaperPoolId pool)
+{
+	PaperOpenCl* d = paper->opencl;
+	size_t bytes = paper_memory(paper, pool).bytes;
+	if (d->buffers[pool])
+		opencl.ReleaseMemObject(d->buffers[pool]);
+	cl_int error;
+	// kernels need something to point at
+	d->buffers[pool] = opencl.CreateBuffer(d->context, CL_MEM_READ_WRITE, bytes ? bytes : 1, NULL, &error);
+	if (!error)
+		return SCREE_OK;
+	d->buffers[pool] = NULL;
+	return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d)", paper->device, bytes,
+	            opencl_error_name(error), (int)error);
+}
+
+// Detection, until there is room for all contacts: it changes nothing and can be run again.
+static scree_status run_detect(Paper* paper)
+{
+	PaperOpenCl* d = paper->opencl;
+	int* count = paper->pools.contact_count;
+	for (;;)
+	{
+		*count = 0;
+		TRY(to_device(paper, PAPER_POOL_contact_count));
+		TRY(barrier(d));
+		TRY(launch(paper, PAPER_STAGE_detect));
+		TRY(from_device(paper, PAPER_POOL_contact_count, sizeof *count));
+		TRY(finish(d));
+		if (*count <= paper->pools.step.contact_capacity)
+			return SCREE_OK;
+		TRY(paper_reserve(paper, *count));
+		TRY(create_buffer(paper, PAPER_POOL_contact));
+	}
+}
+
+scree_status paper_opencl_run(Paper* paper)
+{
+	// the contact pool is empty, so only three go there
+	TRY(to_device(paper, PAPER_POOL_attribute));
+	TRY(to_device(paper, PAPER_POOL_collidable));
+	TRY(to_device(paper, PAPER_POOL_body));
+	TRY(barrier(paper->opencl));
+	TRY(launch(paper, PAPER_STAGE_integrate));
+	TRY(launch(paper, PAPER_STAGE_transform));
+	TRY(run_detect(paper));
+
+	TRY(from_device(paper, PAPER_POOL_attribute, paper_memory(paper, PAPER_POOL_attribute).bytes));
+	TRY(from_device(paper, PAPER_POOL_collidable, paper_memory(paper, PAPER_POOL_collidable).bytes));
+	TRY(from_device(paper, PAPER_POOL_body, paper_memory(paper, PAPER_POOL_body).bytes));
+	TRY(from_device(paper, PAPER_POOL_contact, (size_t)*paper->pools.contact_count * sizeof(PaperContact)));
+	return finish(paper->opencl);
+}
+
+static scree_status create_kernel(PaperOpenCl* d, PaperStageId stage)
+{
+	static const char* const names[] = {
+#define X(name, items) #name,
+		PAPER_STAGES(X)
+#undef X
+	};
+	cl_int error;
+	d->kernels[stage] = opencl.CreateKernel(d->program, names[stage], &error);
+	TRY(opencl_check("clCreateKernel", error));
+	size_t most = 1;
+	TRY(CALL(GetKernelWorkGroupInfo, d->kernels[stage], d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	         NULL));
+	d->groups[stage] = most < GROUP ? most : GROUP;
+	return SCREE_OK;
+}
+
+scree_status paper_opencl_open(Paper* paper, const char* part, bool allow_unequal_bits)
+{
+	PaperOpenCl* d = paper->opencl = scree_allocate(sizeof *d);
+	if (!d)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory");
+	BackendOptions options = {.device = part, .allow_unequal_bits = allow_unequal_bits};
+	TRY(device_choose(&options, &d->device));
+	snprintf(paper->device, sizeof paper->device, "%s", d->device.about.name);
+
+	cl_int error;
+	cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
+	d->context = opencl.CreateContext(properties, 1, &d->device.id, NULL, NULL, &error);
+	TRY(opencl_check("clCreateContext", error));
+	d->queue = opencl.CreateCommandQueue(d->context, d->device.id, CL_QUEUE_PROFILING_ENABLE, &error);
+	TRY(opencl_check("clCreateCommandQueue", error));
+	TRY(program_build(d->context, &d->device, "", paper_program, paper_program_length, &d->program));
+	for (int i = 0; i < PAPER_STAGE_COUNT; ++i)
+		TRY(create_kernel(d, (PaperStageId)i));
+	for (int i = 0; i < PAPER_POOL_COUNT; ++i)
+		TRY(create_buffer(paper, (PaperPoolId)i));
+	return SCREE_OK;
+}
+
+void paper_opencl_close(Paper* paper)
+{
+	PaperOpenCl* d = paper->opencl;
+	if (!d)
+		return;
+	if (d->queue)
+		finish(d); // a failure changes nothing now
+	for (int i = 0; i < PAPER_POOL_COUNT; ++i)
+		if (d->buffers[i])
+			opencl.ReleaseMemObject(d->buffers[i]);
+	for (int i = 0; i < PAPER_STAGE_COUNT; ++i)
+		if (d->kernels[i])
+			opencl.ReleaseKernel(d->kernels[i]);
+	if (d->program)
+		opencl.ReleaseProgram(d->program);
+	if (d->queue)
+		opencl.ReleaseCommandQueue(d->queue);
+	if (d->context)
+		opencl.ReleaseContext(d->context);
+	scree_release(d);
+	paper->opencl = NULL;
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// bandwidth.c -- the memory traffic of a step, and how fast the world's device copies: what it may be compared with.
+#include "platform/processor.h"
+#include "world/definition.h"
+#include "world/world.h"
+
+// Of two blocks to copy between; a device with less room takes the half, down to the least.
+#define MOST_BYTES  ((size_t)256 << 20)
+#define LEAST_BYTES ((size_t)1 << 20)
+// The best of so many tries counts, each of so many copies, so that what starts and ends them weighs little; fewer tries on
+// a device that is so slow that they would take longer than this, in ms.
+#define TRIES  4
+#define COPIES 8
+#define ENOUGH 500.0
+
+scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
+{
+	const char* function = "scree_world_get_traffic";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "traffic", traffic));
+	write_result(traffic, size, &world->pipeline.traffic, sizeof world->pipeline.traffic);
+	return SCREE_OK;
+}
+
+static scree_status time_copies(Backend* b, size_t bytes, double* bandwidth)
+{
+	TRY(b->f->copy(b, 1));
+	double spent = 0;
+	for (int k = 0; k < TRIES && spent < ENOUGH; ++k)
+	{
+		double begin = processor_milliseconds();
+		TRY(b->f->copy(b, COPIES));
+		double time = processor_milliseconds() - begin;
+		double found = time > 0 ? 1e3 * 2.0 * COPIES * (double)bytes / time : 0;
+		*bandwidth = found > *bandwidth ? found : *bandwidth;
+		spent += time;
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth)
+{
+	const char* function = "scree_world_measure_bandwidth";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "bandwidth", bandwidth));
+	Backend* b = world->backend;
+	size_t bytes = MOST_BYTES;
+	scree_status status = b->f->copy_reserve(b, bytes);
+	while (status == SCREE_ERROR_OUT_OF_MEMORY && bytes > LEAST_BYTES)
+	{
+		bytes /= 2;
+		status = b->f->copy_reserve(b, bytes);
+	}
+	double found = 0;
+	if (status == SCREE_OK)
+		status = time_copies(b, bytes, &found);
+	b->f->copy_release(b);
+	if (status == SCREE_OK)
+		*bandwidth = found;
+	return world_note(world, status);
+}

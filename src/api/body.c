@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// body.c -- bodies: made and destroyed.
+#include "world/definition.h"
+#include "world/world.h"
+#include <string.h>
+
+void scree_body_def_default_sized(scree_body_def* def, size_t size)
+{
+	const scree_body_def made = {.size = (uint32_t)size,
+	                             .type = SCREE_BODY_DYNAMIC,
+	                             .pose.rotation.c = 1.0f,
+	                             .gravity_scale = 1.0f,
+	                             .filter = scree_filter_default()};
+	write_result(def, size, &made, sizeof made);
+}
+
+static const scree_body_def* def_at(const scree_body_def* defs, int k, scree_body_def* local)
+{
+	return definition_at(defs, k, &body_definition, local);
+}
+
+scree_body body_handle(const scree_world* world, int index)
+{
+	return (scree_body){(uint32_t)index, world->bodies.generation[index]};
+}
+
+static bool is_valid(const scree_world* world, scree_body body)
+{
+	return body.index < (uint32_t)world->bodies.used && body.generation & 1 &&
+	       world->bodies.generation[body.index] == body.generation;
+}
+
+bool scree_body_is_valid(const scree_world* world, scree_body body) { return world && is_valid(world, body); }
+
+scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
+{
+	if (scree_body_is_null(body))
+		return refuse(SCREE_ERROR_STALE, at, member, "is null");
+	if (!is_valid(world, body))
+		return refuse(SCREE_ERROR_STALE, at, member,
+		              "(index %u, generation %u) was destroyed, or is none of this world's bodies", body.index,
+		              body.generation);
+	*index = (int)body.index;
+	return SCREE_OK;
+}
+
+static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
+
+static scree_status check_def(const scree_world* world, Where at, const scree_body_def* def)
+{
+	int attribute = 0;
+	scree_pose pose = def->pose;
+	TRY(check_type(at, ".type", def->type));
+	TRY(check_pose(at, ".pose", &pose));
+	TRY(check_velocity(at, ".velocity", def->velocity));
+	TRY(check_real(at, ".gravity_scale", def->gravity_scale, -FLT_MAX, FLT_MAX));
+	TRY(check_real(at, ".linear_damping", def->linear_damping, 0.0f, FLT_MAX));
+	TRY(check_real(at, ".angular_damping", def->angular_damping, 0.0f, FLT_MAX));
+	TRY(check_locks(at, ".locks", def->locks));
+	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
+}
+
+// so many bodies before they are made or destroyed, what the host knows of them is fetched: they may lie anywhere
+#define BODY_SOON 8
+
+static void fetch_rows(const void* rows, int index, size_t bytes)
+{
+	const char* row = (const char*)rows + (size_t)index * bytes;
+	fetch_soon(row);
+	fetch_soon(row + bytes - 1);
+}
+
+// A handle that may be anything.
+static void fetch_body(const scree_world* world, scree_body body)
+{
+	if (body.index >= (uint32_t)world->bodies.used)
+		return;
+	fetch_soon(world->bodies.generation + body.index);
+	fetch_rows(world->host_bodies, (int)body.index, sizeof *world->host_bodies);
+}
+
+static void fetch_collidable(const scree_world* world, int collidable)
+{
+	if (collidable < 0)
+		return;
+	fetch_soon(world->collidables.generation + collidable);
+	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
+}
+
+// A body in a slot that was taken, by a definition that has been checked; slot is that of its collidable, if it has one.
+static void put(scree_world* world, Where at, const scree_body_def* def, int index, int slot)
+{
+	bool moves = def->type == SCREE_BODY_DYNAMIC;
+	world->dynamic_bodies += moves;
+	HostBody* host = world->host_bodies + index;
+	*host = (HostBody){.type = def->type,
+	                   .locks = def->locks,
+	                   .gravity_scale = def->gravity_scale,
+	                   .linear_damping = def->linear_damping,
+	                   .angular_damping = def->angular_damping,
+	                   .first_collidable = -1,
+	                   .last_collidable = -1,
+	                   .user = def->user,
+	                   .waiting = host->waiting};
+	if (has_attribute(def))
+	{
+		HostCollidable made = {.body = index, .pose.rotation.c = 1.0f, .filter = def->filter};
+		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
+		collidable_put(world, slot, &made);
+	}
+	host->mass = mass_of_body(world, index);
+
+	scree_pose pose = def->pose;
+	check_pose(at, ".pose", &pose); // takes rounding out
+	pending_body(world, (BodyRow){.index = index,
+	                              .pose = pose,
+	                              .center = host->mass.center,
+	                              .velocity = body_velocity_allowed(host, def->velocity),
+	                              .inv_mass = mass_inverse(host),
+	                              .inv_inertia = mass_inverse_inertia(host),
+	                              .gravity_scale = moves ? def->gravity_scale : 0.0f,
+	                              .linear_damping = moves ? def->linear_damping : 0.0f,
+	                              .angular_damping = moves ? def->angular_damping : 0.0f,
+	                              .locks = def->locks});
+}
+
+static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
+{
+	if (world->bodies.alive + count > MAX_ITEMS)
+		return fail(SCREE_ERROR_INVALID, "%s: %d more bodies beside %d: a world holds at most %d", function, count,
+		            world->bodies.alive, MAX_ITEMS);
+	if (!slots_reserve(&world->bodies, count))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more bodies", function, count);
+	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
+	TRY(collidables_reserve(world, function, collidables));
+	return pending_reserve(world, function, count, collidables, 0);
+}
+
+static scree_status create(scree_world* world, const char* function, const char* argument, const scree_body_def* defs,
+                           int count, scree_body* bodies, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, defs, count));
+	scree_body_def local;
+	int collidables = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		Where at = {function, argument, alone ? ALONE : k};
+		TRY(check_definition(at, defs, k, &body_definition));
+		const scree_body_def* def = def_at(defs, k, &local);
+		TRY(check_def(world, at, def));
+		collidables += has_attribute(def);
+	}
+	TRY(reserve(world, function, count, collidables));
+	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
+	if (!slots)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
+		            collidables);
+	for (int k = 0, next = 0; k < count; ++k)
+	{
+		const scree_body_def* def = def_at(defs, k, &local);
+		if (has_attribute(def))
+			slots[next++] = kind_of_type(def->type);
+	}
+	TRY(collidables_take(world, slots, collidables));
+	int* indices = slots + collidables;
+	for (int k = 0; k < count; ++k)
+		indices[k] = slots_take(&world->bodies);
+
+	for (int k = 0, next = 0; k < count; ++k)
+	{
+		if (k + BODY_SOON < count)
+			fetch_rows(world->host_bodies, indices[k + BODY_SOON], sizeof *world->host_bodies);
+		if (next + BODY_SOON < collidables)
+			fetch_collidable(world, slots[next + BODY_SOON]);
+		const scree_body_def* def = def_at(defs, k, &local);
+		put(world, (Where){function, argument, k}, def, indices[k], has_attribute(def) ? slots[next++] : -1);
+		if (bodies)
+			bodies[k] = body_handle(world, indices[k]);
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
+{
+	return create(world, "scree_bodies_create", "defs", defs, count, bodies, false);
+}
+
+scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
+{
+	return create(world, "scree_body_create", "def", def, 1, body, true);
+}
+
+static scree_status destroy(scree_world* world, const char* function, const char* argument, const scree_body* bodies,
+                            int count, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, bodies, count));
+
+	// marks tell a body that is named twice
+	scree_status status = SCREE_OK;
+	int marked = 0, collidables = 0;
+	for (int index = 0; marked < count && status == SCREE_OK;)
+	{
+		if (marked + BODY_SOON < count)
+			fetch_body(world, bodies[marked + BODY_SOON]);
+		Where at = {function, argument, alone ? ALONE : marked};
+		status = check_body(world, at, "", bodies[marked], &index);
+		if (status == SCREE_OK && world->host_bodies[index].marked)
+			status = refuse(SCREE_ERROR_STALE, at, "", "is in the batch a second time");
+		if (status == SCREE_OK)
+		{
+			HostBody* host = world->host_bodies + index;
+			host->marked = true;
+			collidables += host->collidables;
+			++marked;
+		}
+	}
+	if (status == SCREE_OK)
+		status = pending_reserve(world, function, count, collidables, 0);
+	for (int k = 0; k < marked && status != SCREE_OK; ++k)
+		world->host_bodies[bodies[k].index].marked = false;
+	TRY(status);
+
+	for (int k = 0; k < count; ++k)
+	{
+		if (k + 2 * BODY_SOON < count)
+			fetch_body(world, bodies[k + 2 * BODY_SOON]);
+		if (k + BODY_SOON < count)
+			fetch_collidable(world, world->host_bodies[bodies[k + BODY_SOON].index].first_collidable);
+		int index = (int)bodies[k].index;
+		HostBody* host = world->host_bodies + index;
+		host->marked = false;
+		while (host->first_collidable >= 0)
+			collidable_remove(world, host->first_collidable);
+		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
+		slots_free(&world->bodies, index);
+		pending_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count)
+{
+	return destroy(world, "scree_bodies_destroy", "bodies", bodies, count, false);
+}
+
+scree_status scree_body_destroy(scree_world* world, scree_body body)
+{
+	return destroy(world, "scree_body_destroy", "body", &body, 1, true);
+}
+
+scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
+{
+	const char* function = "scree_world_get_bodies";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_list(function, "bodies", bodies, capacity, count));
+	int listed = 0;
+	for (int k = 0; k < world->bodies.used; ++k)
+	{
+		if (!slots_in_use(&world->bodies, k))
+			continue;
+		if (listed < capacity)
+			bodies[listed] = body_handle(world, k);
+		++listed;
+	}
+	*count = listed;
+	return SCREE_OK;
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// devices.c -- which devices there are, and a world from one to another.
+#include "device/devices.h"
+#include "world/auto.h"
+#include "world/definition.h"
+#include "world/migrate.h"
+#include "world/world.h"
+#include <string.h>
+
+scree_status scree_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count)
+{
+	const char* function = "scree_devices_get";
+	TRY(check_list(function, "devices", devices, capacity, count));
+	int there = devices_list(NULL, 0), listed = there < capacity ? there : capacity;
+	if (listed > 0)
+	{
+		scree_device* known = scree_allocate((size_t)listed * sizeof *known);
+		if (!known)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d devices", function, listed);
+		devices_list(known, listed);
+		for (int k = 0; k < listed; ++k)
+			write_result((char*)devices + size * (size_t)k, size, known + k, sizeof *known);
+		scree_release(known);
+	}
+	*count = there;
+	return SCREE_OK;
+}
+
+const char* scree_opencl_remedy(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_remedy(); }
+
+scree_status scree_world_move(scree_world* world, const char* device)
+{
+	const char* function = "scree_world_move";
+	TRY(world_check(world, function));
+	TRY(check_device((Where){function, "device", ALONE}, "", device));
+	if (strcmp(device, "auto") == 0)
+	{
+		automatic_open(world);
+		return SCREE_OK;
+	}
+	if (strcmp(device, world->device) != 0)
+	{
+		scree_world_def def = world->def;
+		def.device = device;
+		Backend *from = world->backend, *to;
+		TRY(device_open(&def, &to));
+		scree_status status = world_move(world, to);
+		Backend* left = status == SCREE_OK ? from : to;
+		left->f->close(left);
+		if (status != SCREE_OK)
+			return status;
+	}
+	automatic_close(world);
+	return SCREE_OK;
+}

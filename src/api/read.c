@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// read.c -- poses and velocities of bodies, and of their points, back from the device.
+#include "world/geometry.h"
+#include "world/world.h"
+
+// Where the bodies of a batch lie closer together than this, one read of all rows between them is cheaper than one a
+// body: on a GPU a read costs about as much as the transfer of 100 kB.
+#define SPARSE_ROWS 1024
+
+typedef struct // rows of one pool, read for a batch
+{
+	const char* rows;
+	size_t bytes; // of a row
+	int first;    // body of the first row; -1 when row k is that of bodies[k]
+} Rows;
+
+static const void* row_of(const Rows* rows, const scree_body* bodies, int k)
+{
+	int row = rows->first < 0 ? k : (int)bodies[k].index - rows->first;
+	return rows->rows + (size_t)row * rows->bytes;
+}
+
+// Checks, sends what is pending, and reads a pool's rows of all bodies of a batch.
+static scree_status read_rows(scree_world* world, const char* function, const char* argument, PoolId pool,
+                              const scree_body* bodies, int count, bool alone, Rows* rows)
+{
+	int low = 0, high = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		int index = 0;
+		TRY(check_body(world, (Where){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
+		low = k == 0 || index < low ? index : low;
+		high = index > high ? index : high;
+	}
+	TRY(world_flush(world));
+
+	bool dense = (int64_t)high - low < (int64_t)SPARSE_ROWS * count;
+	*rows = (Rows){.bytes = pool_info[pool].bytes, .first = dense ? low : -1};
+	size_t bytes = rows->bytes * (size_t)(dense ? high - low + 1 : count);
+	char* memory = world_scratch(world, bytes);
+	if (!memory)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
+	rows->rows = memory;
+	if (dense)
+		return world_read(world, pool, low, high - low + 1, memory);
+	for (int k = 0; k < count; ++k)
+		TRY(world_read(world, pool, (int)bodies[k].index, 1, memory + (size_t)k * rows->bytes));
+	return SCREE_OK;
+}
+
+static scree_vec turned(scree_rot rotation, scree_vec v) { return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v); }
+
+// of the origin of a body, from its row of the pool pose, which is that of its center of mass
+static scree_pose body_pose(const scree_world* world, int index, const Float4* row)
+{
+	scree_rot rotation = {row->z, row->w};
+	scree_vec shift = turned(rotation, world->host_bodies[index].mass.center);
+	return (scree_pose){{row->x - shift.x, row->y - shift.y}, rotation};
+}
+
+static scree_status get_poses(scree_world* world, const char* function, const char* argument, const scree_body* bodies,
+                              scree_pose* poses, int count, bool alone)
+{
+	Rows rows;
+	TRY(read_rows(world, function, argument, POOL_pose, bodies, count, alone, &rows));
+	for (int k = 0; k < count; ++k)
+	{
+		poses[k] = body_pose(world, (int)bodies[k].index, row_of(&rows, bodies, k));
+	}
+	return SCREE_OK;
+}
+
+static scree_status get_velocities(scree_world* world, const char* function, const char* argument,
+                                   const scree_body* bodies, scree_velocity* velocities, int count, bool alone)
+{
+	Rows rows;
+	TRY(read_rows(world, function, argument, POOL_body, bodies, count, alone, &rows));
+	for (int k = 0; k < count; ++k)
+	{
+		const BodyState* row = row_of(&rows, bodies, k);
+		velocities[k] = (scree_velocity){{row->vx, row->vy}, row->w};
+	}
+	return SCREE_OK;
+}
+
+static scree_status check_read(const scree_world* world, const char* function, const scree_body* bodies,
+                               const char* argument, const void* out, int count)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "bodies", bodies, count));
+	return check_batch(function, argument, out, count);
+}
+
+scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count)
+{
+	const char* function = "scree_bodies_get_poses";
+	TRY(check_read(world, function, bodies, "poses", poses, count));
+	return count > 0 ? get_poses(world, function, "bodies", bodies, poses, count, false) : SCREE_OK;
+}
+
+scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
+                                         int count)
+{
+	const char* function = "scree_bodies_get_velocities";
+	TRY(check_read(world, function, bodies, "velocities", velocities, count));
+	return count > 0 ? get_velocities(world, function, "bodies", bodies, velocities, count, false) : SCREE_OK;
+}
+
+scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose)
+{
+	const char* function = "scree_body_get_pose";
+	TRY(check_read(world, function, &body, "pose", pose, 1));
+	return get_poses(world, function, "body", &body, pose, 1, true);
+}
+
+scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity)
+{
+	const char* function = "scree_body_get_velocity";
+	TRY(check_read(world, function, &body, "velocity", velocity, 1));
+	return get_velocities(world, function, "body", &body, velocity, 1, true);
+}
+
+scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states, int capacity,
+                                    int* count)
+{
+	const char* function = "scree_world_get_states";
+	TRY(world_check(world, function));
+	TRY(check_list(function, "states", states, capacity, count));
+	TRY(world_flush(world));
+	int used = world->bodies.used, listed = 0;
+	size_t bytes = (size_t)used * (sizeof(Float4) + sizeof(BodyState));
+	Float4* poses = world_scratch(world, bytes);
+	if (!poses)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
+	BodyState* rows = (BodyState*)(poses + used);
+	if (capacity > 0)
+	{
+		TRY(world_read(world, POOL_pose, 0, used, poses));
+		TRY(world_read(world, POOL_body, 0, used, rows));
+	}
+	for (int k = 0; k < used && listed < capacity; ++k)
+	{
+		if (!slots_in_use(&world->bodies, k))
+			continue;
+		states[listed].pose = body_pose(world, k, poses + k);
+		states[listed].velocity = (scree_velocity){{rows[k].vx, rows[k].vy}, rows[k].w};
+		if (bodies)
+			bodies[listed] = body_handle(world, k);
+		++listed;
+	}
+	*count = world->bodies.alive;
+	return SCREE_OK;
+}
+
+// Checks a call about a point of a body, and reads the body's pose.
+static scree_status point_pose(scree_world* world, const char* function, scree_body body, const char* argument,
+                               scree_vec point, const char* result, const void* out, scree_pose* pose)
+{
+	TRY(check_read(world, function, &body, result, out, 1));
+	TRY(check_vec((Where){function, argument, ALONE}, "", point, SCREE_HUGE));
+	return get_poses(world, function, "body", &body, pose, 1, true);
+}
+
+scree_status scree_body_get_world_point(scree_world* world, scree_body body, scree_vec local, scree_vec* point)
+{
+	scree_pose pose;
+	TRY(point_pose(world, "scree_body_get_world_point", body, "local", local, "point", point, &pose));
+	*point = pose_point(pose, local);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_local_point(scree_world* world, scree_body body, scree_vec point, scree_vec* local)
+{
+	scree_pose pose;
+	TRY(point_pose(world, "scree_body_get_local_point", body, "point", point, "local", local, &pose));
+	scree_vec from = {point.x - pose.position.x, point.y - pose.position.y};
+	*local = turned((scree_rot){pose.rotation.c, -pose.rotation.s}, from);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point, scree_vec* velocity)
+{
+	const char* function = "scree_body_get_point_velocity";
+	scree_pose pose;
+	scree_velocity v;
+	TRY(point_pose(world, function, body, "point", point, "velocity", velocity, &pose));
+	TRY(get_velocities(world, function, "body", &body, &v, 1, true));
+	scree_vec center = pose_point(pose, world->host_bodies[body.index].mass.center);
+	*velocity =
+	    (scree_vec){v.linear.x - v.angular * (point.y - center.y), v.linear.y + v.angular * (point.x - center.x)};
+	return SCREE_OK;
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// render_rows.c -- what a renderer needs of every collidable: copied to the host, or left in memory that OpenGL draws from.
+#include "world/world.h"
+#include <limits.h>
+
+_Static_assert(sizeof(scree_render_row) == sizeof(Placed) &&
+                   offsetof(scree_render_row, center) == offsetof(Placed, center_x) &&
+                   offsetof(scree_render_row, attribute) == offsetof(Placed, attribute) &&
+                   offsetof(scree_render_row, body) == offsetof(Placed, body),
+               "users read the rows as the stage writes them");
+
+const char* scree_sharing_name(scree_sharing sharing)
+{
+	switch (sharing)
+	{
+	case SCREE_SHARING_COPIED:
+		return "copied";
+	case SCREE_SHARING_MEMORY:
+		return "shared through external memory";
+	case SCREE_SHARING_OPENGL:
+		return "shared with OpenGL";
+	}
+	return "unknown";
+}
+
+scree_sharing scree_world_get_sharing(const scree_world* world)
+{
+	return world ? world->backend->sharing : SCREE_SHARING_COPIED;
+}
+
+scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
+{
+	const char* function = "scree_world_get_render_rows";
+	TRY(world_check(world, function));
+	TRY(check_list(function, "rows", rows, capacity, count));
+	TRY(world_flush(world));
+	int used = world->collidables.used, wanted = used < capacity ? used : capacity;
+	if (wanted > 0)
+	{
+		TRY(world_note(world, pipeline_show(&world->pipeline, world->collidables.used, false)));
+		TRY(world_note(world, world->backend->f->read(world->backend, POOL_shown, 0, wanted, rows)));
+	}
+	*count = used;
+	return SCREE_OK;
+}
+
+static scree_status share(scree_world* world, const char* function, const SharedMemory* memory)
+{
+	TRY(world_check(world, function));
+	Backend* b = world->backend;
+	if (memory->bytes < sizeof(scree_render_row))
+		return fail(SCREE_ERROR_INVALID, "%s: bytes is %zu, must be at least %zu, one row", function, memory->bytes,
+		            sizeof(scree_render_row));
+	if (b->sharing != memory->how)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: the rows of a world on %s are %s", function, b->name,
+		            scree_sharing_name(b->sharing));
+	TRY(world_note(world, b->f->share(b, memory)));
+	size_t rows = memory->bytes / sizeof(scree_render_row);
+	world->shared_rows = rows < INT_MAX ? (int)rows : INT_MAX;
+	return SCREE_OK;
+}
+
+scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
+{
+	const char* function = "scree_world_share_memory";
+	if (file_descriptor < 0)
+		return fail(SCREE_ERROR_INVALID, "%s: file_descriptor is %d, must not be negative", function, file_descriptor);
+	return share(world, function,
+	             &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
+}
+
+scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes)
+{
+	const char* function = "scree_world_share_opengl";
+	if (buffer == 0)
+		return fail(SCREE_ERROR_INVALID, "%s: buffer is 0, which names no buffer object", function);
+	return share(world, function, &(SharedMemory){.how = SCREE_SHARING_OPENGL, .buffer = buffer, .bytes = bytes});
+}
+
+void scree_world_unshare(scree_world* world)
+{
+	if (!world || world->shared_rows == 0)
+		return;
+	world_note(world, world->backend->f->share(world->backend, NULL));
+	world->shared_rows = 0;
+}
+
+scree_status scree_world_write_render_rows(scree_world* world, int* count)
+{
+	const char* function = "scree_world_write_render_rows";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "count", count));
+	if (world->shared_rows == 0)
+		return fail(SCREE_ERROR_INVALID,
+		            "%s: nothing is shared; scree_world_share_memory or scree_world_share_opengl comes first",
+		            function);
+	TRY(world_flush(world));
+	*count = world->collidables.used;
+	if (*count > world->shared_rows)
+		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and what is shared has room for %d", function, *count,
+		            world->shared_rows);
+	return *count > 0 ? world_note(world, pipeline_show(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// setting.c -- what is set and asked of one body: type, damping, gravity scale, locks, user word.
+#include "step/tree.h"
+#include "world/world.h"
+
+scree_status check_type(Where at, const char* member, scree_body_type type)
+{
+	if ((unsigned)type <= SCREE_BODY_DYNAMIC)
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, which is no scree_body_type", (int)type);
+}
+
+scree_status check_locks(Where at, const char* member, uint32_t locks)
+{
+	if (locks <= (SCREE_LOCK_X | SCREE_LOCK_Y | SCREE_LOCK_ROTATION))
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member,
+	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
+}
+
+scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity velocity)
+{
+	if (host->type == SCREE_BODY_STATIC)
+		return (scree_velocity){0};
+	if (host->locks & SCREE_LOCK_X)
+		velocity.linear.x = 0.0f;
+	if (host->locks & SCREE_LOCK_Y)
+		velocity.linear.y = 0.0f;
+	if (host->locks & SCREE_LOCK_ROTATION)
+		velocity.angular = 0.0f;
+	return velocity;
+}
+
+static scree_status lookup(const scree_world* world, const char* function, scree_body body, const char* argument,
+                           const void* out, HostBody** host)
+{
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	*host = world->host_bodies + index;
+	return check_pointer(function, argument, out);
+}
+
+// The same for a setter, with room for commands.
+static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
+{
+	TRY(world_check(world, function));
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, index));
+	return pending_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
+}
+
+// Gravity, damping and locks as they are now. What is not dynamic knows neither gravity nor damping.
+static void send_motion(scree_world* world, int index)
+{
+	const HostBody* host = world->host_bodies + index;
+	Float4 value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	if (host->type == SCREE_BODY_DYNAMIC)
+		value = make_float4(host->gravity_scale, host->linear_damping, host->angular_damping, 0.0f);
+	pending_command(world, COMMAND_MOTION, index, value, (int)host->locks);
+}
+
+scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type)
+{
+	const char* function = "scree_body_set_type";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 4, &index));
+	TRY(check_type((Where){function, "type", ALONE}, "", type));
+	HostBody* host = world->host_bodies + index;
+	if (host->type == type)
+		return SCREE_OK;
+	int old_tree = tree_of_kind(kind_of_type(host->type)), new_tree = tree_of_kind(kind_of_type(type));
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		scree_status status = tree_insert(&world->pipeline, new_tree, k);
+		if (status == SCREE_OK)
+			continue;
+		for (int done = host->first_collidable; done != k; done = world->host_collidables[done].next)
+			tree_leave(&world->pipeline, new_tree, done);
+		return status;
+	}
+
+	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
+	host->type = type;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		pending_collidable(world, k);
+		if (old_tree != new_tree)
+			tree_leave(&world->pipeline, old_tree, k);
+	}
+	if (type == SCREE_BODY_STATIC)
+		pending_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
+	mass_set(world, index, mass_of_body(world, index));
+	send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_type", body, "type", type, &host));
+	*type = host->type;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular)
+{
+	const char* function = "scree_body_set_damping";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 1, &index));
+	TRY(check_real((Where){function, "linear", ALONE}, "", linear, 0.0f, FLT_MAX));
+	TRY(check_real((Where){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
+	world->host_bodies[index].linear_damping = linear;
+	world->host_bodies[index].angular_damping = angular;
+	send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular)
+{
+	const char* function = "scree_body_get_damping";
+	HostBody* host;
+	TRY(lookup(world, function, body, "linear", linear, &host));
+	TRY(check_pointer(function, "angular", angular));
+	*linear = host->linear_damping;
+	*angular = host->angular_damping;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, float scale)
+{
+	const char* function = "scree_body_set_gravity_scale";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 1, &index));
+	TRY(check_real((Where){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
+	world->host_bodies[index].gravity_scale = scale;
+	send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_gravity_scale", body, "scale", scale, &host));
+	*scale = host->gravity_scale;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks)
+{
+	const char* function = "scree_body_set_locks";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 3, &index));
+	TRY(check_locks((Where){function, "locks", ALONE}, "", locks));
+	world->host_bodies[index].locks = locks;
+	mass_set(world, index, world->host_bodies[index].mass);
+	send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_locks", body, "locks", locks, &host));
+	*locks = host->locks;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_set_user", body, "user", &user, &host));
+	host->user = user;
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_user", body, "user", user, &host));
+	*user = host->user;
+	return SCREE_OK;
+}

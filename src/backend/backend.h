@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// backend.h -- what a device must do: hold the pools, work through lists of runs, and solve. It knows no order of stages.
+#ifndef BACKEND_H
+#define BACKEND_H
+#include "backend/runs.h"
+#include "backend/solve.h"
+#include "pools/pools.h"
+#include "scree/scree.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum // what a pool has an item for
+{
+	ATTRIBUTE,
+	COLLIDABLE,
+	BODY,
+	CONTACT,
+	CONSTRAINT,
+	BLOCK,       // of MAX_LANES constraints
+	SPOKE,       // contact of a hub
+	SPOKE_BLOCK, // of MAX_LANES of them
+	SHOWN,       // collidable, as a renderer sees it
+	TREE,
+	LEAF,
+	NODE,
+	KEY,
+	COMMAND,
+	HASH,
+	ONE,
+	PER_COUNT
+} Per;
+
+typedef enum
+{
+#define X(type, name, per, role) POOL_##name,
+#include "pools/pools.def"
+#undef X
+	POOL_COUNT
+} PoolId;
+
+typedef enum
+{
+#define X(name, width, box) STAGE_##name,
+#include "stages/stages.def"
+#undef X
+	STAGE_COUNT,
+	// What a stage of one item cannot do. Each backend has its own, with equal results. SORT: sorts items 0 to end of
+	// pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
+	PRIMITIVE_SORT = STAGE_COUNT,
+	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
+	PRIMITIVE_SCAN,
+	RUN_KINDS
+} StageId;
+
+typedef enum // who does an item of a stage
+{
+	WIDTH_ONE,
+	WIDTH_WIDE,  // one call does as many as there are lanes
+	WIDTH_GROUP, // a worker, or a group of work-items, with as many lanes within
+} Width;
+
+typedef enum // the boxes of the figure
+{
+	BOX_transform,
+	BOX_broad_phase,
+	BOX_narrow_phase,
+	BOX_color,
+	BOX_solve,
+	BOX_finalize,
+	BOX_COUNT
+} Box;
+
+typedef enum // what becomes of a pool from one step to the next
+{
+	STATE,   // lasts: goes along to another device
+	DERIVED, // lasts, but is made anew from the state on another device
+	SCRATCH, // written before it is read in every step: anything may stand in it between two
+} Role;
+
+typedef struct // of pools.def, in order; src/backend/tables.c
+{
+	const char* name;
+	size_t bytes; // an item
+	Per per;
+	Role role;
+} PoolInfo;
+extern const PoolInfo pool_info[POOL_COUNT];
+extern const char* const stage_names[RUN_KINDS];
+extern const Box stage_boxes[STAGE_COUNT];
+extern const Width stage_widths[STAGE_COUNT];
+
+// Run.count of a member of Counters
+#define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
+#define NO_COUNT      (-1)
+
+typedef struct
+{
+	const char* device; // part of a name, or null for the first that fits
+	int threads, lanes; // 0 for as many as there are
+	bool allow_unequal_bits, timings;
+	bool gpu;                   // OpenCL: only a GPU will do, else SCREE_ERROR_NO_DEVICE
+	const scree_opengl* opengl; // or null
+} BackendOptions;
+
+#define HELD_BYTES ((size_t)4096)
+_Static_assert(sizeof(Counters) <= HELD_BYTES, "the counters are read in halves");
+
+typedef struct // that OpenGL draws from; who asked for it keeps it
+{
+	scree_sharing how; // not SCREE_SHARING_COPIED
+	int file;          // SCREE_SHARING_MEMORY: descriptor, the device's own once it has taken it
+	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
+	size_t bytes;
+} SharedMemory;
+
+typedef struct Backend Backend;
+typedef struct // every function that returns a status has set the error's sentence (fail, src/platform/error.h)
+{
+	// closes the backend, waiting for what runs; called also after a failed open
+	void (*close)(Backend* b);
+	// gives the pools of one kind room for capacity items, keeping what they hold of these; new items are zero
+	scree_status (*resize)(Backend* b, Per per, int capacity);
+	// works through runs in order, each complete before the next begins; may return before the device is done
+	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
+	// A solve, to the final poses: as solve_list lists it, or in another form with the same result. list is empty, and has
+	// room for that.
+	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
+	// copies items first to first + count - 1 to and from the device, in order with the runs; read waits
+	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
+	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
+	// read in two halves: what is copied is what the runs before read_begin left, and read_end waits for the copy
+	// alone, not for the runs after it. One copy at a time, of HELD_BYTES at most.
+	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
+	scree_status (*read_end)(Backend* b, void* items);
+	scree_status (*wait)(Backend* b);
+	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
+	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
+	// Takes memory to show in, instead of what it had, or null for none; on failure it keeps what it had. Waits.
+	scree_status (*share)(Backend* b, const SharedMemory* memory);
+	// runs a stage with the pool shown in that memory, and waits until OpenGL may read it
+	scree_status (*show)(Backend* b, const Run* run);
+	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
+	void* (*address)(Backend* b, PoolId pool);
+	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing
+	// does.
+	void (*spare)(Backend* b, bool core);
+	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are
+	// none
+	scree_status (*copy_reserve)(Backend* b, size_t bytes);
+	void (*copy_release)(Backend* b);
+	// copies one to the other so many times with all that the device has; waits
+	scree_status (*copy)(Backend* b, int times);
+} BackendFunctions;
+
+struct Backend
+{
+	const BackendFunctions* f;
+	char name[160];          // "cpu", "opencl:NVIDIA H200"
+	int threads, lanes;      // 0 on OpenCL
+	int walkers;             // work-items over which the rest of a long walk is worth spreading, at least one
+	int walk_nodes;          // over leaves: a walk that visits more is long
+	bool distant;            // waiting for a read costs as much as many runs
+	scree_sharing sharing;   // what share takes; SCREE_SHARING_COPIED for nothing, and then share and show are null
+	int capacity[PER_COUNT]; // items that each kind of pool has room for
+	uint64_t bytes;          // memory of the pools
+	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's
+	void* state;             // the backend's own
+};
+
+// Open a device into *backend (allocated with scree_allocate, src/platform/error.h). On failure *backend is null.
+scree_status cpu_open(const BackendOptions* options, Backend** backend);
+scree_status opencl_open(const BackendOptions* options, Backend** backend);
+
+// Fill entries for scree_devices_get; return how many devices there are.
+int cpu_devices(scree_device* devices, int capacity);
+int opencl_devices(scree_device* devices, int capacity);
+const char* opencl_remedy(void);
+
+#endif

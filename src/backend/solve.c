@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// solve.c -- a whole solve as a list of runs: a run a color, in every pass.
+#include "backend/solve.h"
+#include "backend/backend.h"
+#include "stages/schedule.h"
+
+static const int pass_stages[PASS_KINDS] = {
+    [PASS_WARM_START] = STAGE_warm_start,
+    [PASS_BIAS] = STAGE_bias,
+    [PASS_RELAX] = STAGE_relax,
+    [PASS_BOUNCE] = STAGE_bounce,
+};
+
+static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
+
+int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
+
+int solve_runs_most(int substeps)
+{
+	// a run a color, two a turn of hubs and one over the bodies in a pass; before and after them a few
+	return schedule_passes(substeps, 1) * (COLORS + 2 * HUB_TURNS + 1) + 8;
+}
+
+// A pass over the hubs, then the colors. Whether any body is split is known on the host only when nothing changed.
+static void add_pass(RunList* list, const Solve* solve, int pass)
+{
+	const Counters* c = solve->layout;
+	int bound = solve->bound, spokes = layout_spokes(c);
+	for (int turn = 0; turn < HUB_TURNS && turn < c->hubs; ++turn)
+	{
+		runs_add(list, STAGE_hub, 0, (c->hubs - turn + HUB_TURNS - 1) / HUB_TURNS, bound, pass | turn << 8);
+		if (bound == NO_COUNT)
+			runs_add(list, STAGE_hub_merge, 0, spokes, COUNT(split), turn);
+		else if (c->split > 0)
+			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
+	}
+	for (int color = 0; color < COLORS; ++color)
+		if (c->color_count[color] > 0)
+			runs_add(list, pass_stages[pass], c->color_begin[color],
+			         c->color_begin[color] + padded(c->color_count[color]), bound, 0);
+}
+
+void solve_list(const Solve* solve, RunList* list)
+{
+	int bound = solve->bound, bodies = solve_bodies(solve), constraints = solve_constraints(solve);
+	runs_add(list, STAGE_solve_begin, 0, bodies, bound, 0);
+	runs_add(list, STAGE_prepare, 0, constraints, bound, 0);
+	if (solve->extras)
+		runs_add(list, STAGE_prepare_extra, 0, constraints, bound, 0);
+	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
+	{
+		int before = schedule_before(solve->substeps, q);
+		if (before == BODY_ACCELERATES)
+			runs_add(list, STAGE_integrate_velocity, 0, bodies, bound, schedule_first(q));
+		if (before == BODY_MOVES)
+			runs_add(list, STAGE_integrate_position, 0, bodies, bound, 0);
+		add_pass(list, solve, schedule_pass(solve->substeps, q));
+	}
+	runs_add(list, STAGE_finalize, 0, solve->bodies, bound, 0);
+	runs_add(list, STAGE_guard, 0, solve->collidables, COUNT(guarded), 0);
+}

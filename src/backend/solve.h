@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// solve.h -- a whole solve, from velocities and constraints to final poses: what it goes over, and the same as a list of runs.
+//
+// The pipeline gives a backend a solve as one thing, and the backend chooses the form: run by run, or in fewer launches. The
+// order is that of stages/schedule.h in every form.
+#ifndef SOLVE_HOST_H
+#define SOLVE_HOST_H
+#include "backend/runs.h"
+#include <stdbool.h>
+
+typedef struct
+{
+	int bodies, collidables; // slots in use
+	int substeps;
+	bool extras, bounces;   // as in Step
+	const Counters* layout; // of the constraints
+	int bound; // counter that is 0 when that is not the layout after all, or NO_COUNT; then nothing may be done
+} Solve;
+
+// places of spokes, padding included
+static inline int layout_spokes(const Counters* c) { return c->color_begin[COLORS + 1] - c->color_begin[COLORS]; }
+
+// constraints, padding included
+static inline int solve_constraints(const Solve* solve) { return solve->layout->color_begin[COLORS + 1]; }
+
+// items of a stage over bodies: whole blocks of lanes
+int solve_bodies(const Solve* solve);
+
+// most runs that a solve of so many substeps has
+int solve_runs_most(int substeps);
+
+// Adds the runs of a solve to a list that has room for them.
+void solve_list(const Solve* solve, RunList* list);
+
+#endif

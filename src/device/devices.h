@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// devices.h -- which devices there are, and the one that a world runs on.
+#ifndef DEVICES_H
+#define DEVICES_H
+#include "backend/backend.h"
+
+// Lists up to capacity devices, the CPU first, and returns how many there are.
+int devices_list(scree_device* devices, int capacity);
+
+// Opens the device of a definition; "auto" means the CPU here.
+scree_status device_open(const scree_world_def* def, Backend** backend);
+
+// Opens a GPU that says that it keeps equal bits, if there is one.
+scree_status device_open_gpu(const scree_world_def* def, Backend** backend);
+
+#endif

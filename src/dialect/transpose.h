@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// transpose.h -- between LANES items of 4 or 8 floats each in memory and one Real a component.
+//
+// A part of dialect.h, whose words it uses, for LANES 4, 8 and 16.
+//
+// Items travel in quads of 16 bytes. Real j of four holds the quads of items j, j + 4, j + 8, ... side by side, so that
+// a 4 by 4 transposition inside each quad puts component j of all items into Real j, in order. For a gather of eight
+// floats on AVX2 that is 8 loads, 8 loads that insert, and 16 shuffles; loading whole rows of 32 bytes would need 24
+// shuffles, and it is those that wait for their port.
+#ifndef TRANSPOSE_H
+#define TRANSPOSE_H
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#define ALL_LANES ((1u << LANES) - 1)
+
+// The heart of every solver pass: called, rather than inlined, it would pass its vectors through memory.
+#define WIDE_INLINE static inline __attribute__((always_inline))
+
+typedef float Quad __attribute__((vector_size(16)));
+typedef Word Words __attribute__((vector_size(4 * LANES)));
+
+WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
+WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
+
+#define FOUR_LANES(f, k) f(k), f(k + 1), f(k + 2), f(k + 3)
+// every second number of two quads, and of all lanes of two vectors
+#define TWO_QUADS(k) k, k + 2, k + 4, k + 6
+#if LANES == 4
+#define EACH_QUAD(a, b, c, d) a, b, c, d
+#define EVERY_SECOND(k)       TWO_QUADS(k)
+#define EACH_LANE(f)          FOUR_LANES(f, 0)
+#elif LANES == 8
+#define EACH_QUAD(a, b, c, d) a, b, c, d, a + 4, b + 4, c + 4, d + 4
+#define EVERY_SECOND(k)       TWO_QUADS(k), TWO_QUADS(k + 8)
+#define EACH_LANE(f)          FOUR_LANES(f, 0), FOUR_LANES(f, 4)
+#else
+#define EACH_QUAD(a, b, c, d) \
+	a, b, c, d, a + 4, b + 4, c + 4, d + 4, a + 8, b + 8, c + 8, d + 8, a + 12, b + 12, c + 12, d + 12
+#define EVERY_SECOND(k) TWO_QUADS(k), TWO_QUADS(k + 8), TWO_QUADS(k + 16), TWO_QUADS(k + 24)
+#define EACH_LANE(f)    FOUR_LANES(f, 0), FOUR_LANES(f, 4), FOUR_LANES(f, 8), FOUR_LANES(f, 12)
+#endif
+
+// i, i + 1, ...
+WIDE_INLINE Int indices(int i)
+{
+	Int k = {EACH_QUAD(0, 1, 2, 3)};
+	return k + i;
+}
+
+// Lane k of the result is array[index[k]]. A list of all becomes inserts; a loop over lanes, masks.
+#define NAMED(k) array[index[k]]
+WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE(NAMED)}; }
+WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }
+#undef NAMED
+
+// inside each quad, components of a as 0 to 3 and of b as LANES to LANES + 3
+#if defined(__clang__) || __GNUC__ >= 12
+#define SHUFFLE_ALL(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define SHUFFLE_ALL(a, b, ...) __builtin_shuffle(a, b, (Int){__VA_ARGS__})
+#endif
+#define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
+
+// the members of rows i to i + LANES - 1 of two integers
+WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
+{
+	Int low, high;
+	memcpy(&low, array + i, sizeof low);
+	memcpy(&high, array + i + LANES / 2, sizeof high);
+	*x = SHUFFLE_ALL(low, high, EVERY_SECOND(0));
+	*y = SHUFFLE_ALL(low, high, EVERY_SECOND(1));
+}
+
+// side by side: the quads at base + at[j], base + at[j + 4], ...
+WIDE_INLINE Real quads_load(const float* base, Words at, int j)
+{
+	Quad first = quad_load(base + at[j]);
+#if LANES == 4
+	return first;
+#elif LANES == 8 && defined(__AVX__)
+	return _mm256_insertf128_ps(_mm256_castps128_ps256(first), quad_load(base + at[j + 4]), 1);
+#elif LANES == 16 && defined(__AVX512F__)
+	Real r = _mm512_castps128_ps512(first);
+	r = _mm512_insertf32x4(r, quad_load(base + at[j + 4]), 1);
+	r = _mm512_insertf32x4(r, quad_load(base + at[j + 8]), 2);
+	return _mm512_insertf32x4(r, quad_load(base + at[j + 12]), 3);
+#else
+	Real r;
+	memcpy(&r, &first, 16);
+	for (int k = 1; k < LANES / 4; ++k)
+		memcpy((char*)&r + 16 * k, base + at[j + 4 * k], 16);
+	return r;
+#endif
+}
+
+// quad k of those side by side
+WIDE_INLINE Quad quads_get(Real r, int k)
+{
+#if LANES == 4
+	(void)k;
+	return r;
+#elif LANES == 8 && defined(__AVX__)
+	return k == 0 ? _mm256_castps256_ps128(r) : _mm256_extractf128_ps(r, 1);
+#elif LANES == 16 && defined(__AVX512F__)
+	switch (k)
+	{
+	case 0:
+		return _mm512_castps512_ps128(r);
+	case 1:
+		return _mm512_extractf32x4_ps(r, 1);
+	case 2:
+		return _mm512_extractf32x4_ps(r, 2);
+	default:
+		return _mm512_extractf32x4_ps(r, 3);
+	}
+#else
+	Quad q;
+	memcpy(&q, (const char*)&r + 16 * k, 16);
+	return q;
+#endif
+}
+
+// transposes each 4 by 4 block of a, b, c, d into out
+WIDE_INLINE void transpose(Real a, Real b, Real c, Real d, Real out[4])
+{
+	Real ab01 = SHUFFLE(a, b, 0, LANES, 1, LANES + 1);
+	Real cd01 = SHUFFLE(c, d, 0, LANES, 1, LANES + 1);
+	Real ab23 = SHUFFLE(a, b, 2, LANES + 2, 3, LANES + 3);
+	Real cd23 = SHUFFLE(c, d, 2, LANES + 2, 3, LANES + 3);
+	out[0] = SHUFFLE(ab01, cd01, 0, 1, LANES, LANES + 1);
+	out[1] = SHUFFLE(ab01, cd01, 2, 3, LANES + 2, LANES + 3);
+	out[2] = SHUFFLE(ab23, cd23, 0, 1, LANES, LANES + 1);
+	out[3] = SHUFFLE(ab23, cd23, 2, 3, LANES + 2, LANES + 3);
+}
+
+// out[j], lane k, is float j of the four at base + at[k]
+WIDE_INLINE void quads_gather(const float* base, Words at, Real out[4])
+{
+	transpose(quads_load(base, at, 0), quads_load(base, at, 1), quads_load(base, at, 2), quads_load(base, at, 3), out);
+}
+
+// the other way: the quads of r to base + at[j], base + at[j + 4], ..., as far as bits j, j + 4, ... of wanted are set
+WIDE_INLINE void quads_store(float* base, Words at, int j, Real r, Word wanted)
+{
+	if (wanted >> j & 1)
+		quad_store(base + at[j], quads_get(r, 0));
+#if LANES >= 8
+	if (wanted >> (j + 4) & 1)
+		quad_store(base + at[j + 4], quads_get(r, 1));
+#endif
+#if LANES >= 16
+	if (wanted >> (j + 8) & 1)
+		quad_store(base + at[j + 8], quads_get(r, 2));
+	if (wanted >> (j + 12) & 1)
+		quad_store(base + at[j + 12], quads_get(r, 3));
+#endif
+}
+
+WIDE_INLINE void quads_scatter(float* base, Words at, const Real in[4], Word wanted)
+{
+	Real r[4];
+	transpose(in[0], in[1], in[2], in[3], r);
+	quads_store(base, at, 0, r[0], wanted);
+	quads_store(base, at, 1, r[1], wanted);
+	quads_store(base, at, 2, r[2], wanted);
+	quads_store(base, at, 3, r[3], wanted);
+}
+
+// where the rows of LANES neighbors begin, in floats
+WIDE_INLINE Words neighbors(Word floats)
+{
+	Words k = {EACH_QUAD(0, 1, 2, 3)};
+	return k * floats;
+}
+
+// Items of eight floats, aligned to 32 bytes: out[j], lane k, is float j of item index[k].
+WIDE_INLINE void gather_rows8(const float* base, Int index, Real out[8])
+{
+	Words at = (Words)index * 8u;
+	quads_gather(base, at, out);
+	quads_gather(base + 4, at, out + 4);
+}
+
+// The same for items first to first + LANES - 1.
+WIDE_INLINE void load_rows8(const float* base, int first, Real out[8])
+{
+	const float* rows = base + 8 * (size_t)first;
+	quads_gather(rows, neighbors(8), out);
+	quads_gather(rows + 4, neighbors(8), out + 4);
+}
+
+WIDE_INLINE void store_rows8(float* base, int first, const Real in[8])
+{
+	float* rows = base + 8 * (size_t)first;
+	quads_scatter(rows, neighbors(8), in, ALL_LANES);
+	quads_scatter(rows + 4, neighbors(8), in + 4, ALL_LANES);
+}
+
+// Items of four floats, aligned to 16 bytes.
+WIDE_INLINE void load_rows4(const float* base, int first, Real out[4])
+{
+	quads_gather(base + 4 * (size_t)first, neighbors(4), out);
+}
+
+WIDE_INLINE void store_rows4(float* base, int first, const Real in[4])
+{
+	quads_scatter(base + 4 * (size_t)first, neighbors(4), in, ALL_LANES);
+}
+
+// one bit a lane, set where the lane is not zero
+WIDE_INLINE Word lane_bits(Int lanes)
+{
+#if LANES == 16 && defined(__AVX512F__)
+	return _mm512_test_epi32_mask((__m512i)lanes, (__m512i)lanes);
+#elif LANES == 8 && defined(__AVX__)
+	return (Word)_mm256_movemask_ps((Real)(lanes != 0));
+#elif LANES == 4 && defined(__SSE2__)
+	return (Word)_mm_movemask_ps((Real)(lanes != 0));
+#else
+	Word bits = 0;
+	for (int k = 0; k < LANES; ++k)
+		bits |= (Word)(lanes[k] != 0) << k;
+	return bits;
+#endif
+}
+
+// Writes the first four floats of item index[k], of eight, for each lane k whose wanted[k] is not zero. Wanted items are
+// different ones; the others may be equal.
+WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
+{
+	Words at = (Words)index * 8u;
+	Word bits = lane_bits(wanted);
+	if (bits == ALL_LANES)
+		quads_scatter(base, at, in, ALL_LANES); // without a test for each
+	else
+		quads_scatter(base, at, in, bits);
+}
+
+#undef ALL_LANES
+#undef EACH_QUAD
+#undef SHUFFLE
+#undef SHUFFLE_ALL
+#undef TWO_QUADS
+#undef EVERY_SECOND
+#undef FOUR_LANES
+#undef EACH_LANE
+#undef WIDE_INLINE
+#endif

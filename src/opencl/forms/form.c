@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// form.c -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
+#include "opencl/opencl.h"
+#include "platform/error.h"
+#include "stages/schedule.h"
+#include <stdlib.h>
+#include <string.h>
+
+// Up to this many constraints a relay is faster than tiles.
+#define RELAY_CONSTRAINTS 1000000
+
+// groups of guard a compute unit: its items are few as a rule, and more groups would only find that out
+#define GUARD_GROUPS 4
+
+// arguments of solve_end behind the step
+enum
+{
+	END_BODIES = ARGUMENT_STEP + 1,
+	END_SUBSTEPS,
+	END_PASSES,
+	END_BOUND
+};
+
+void solve_open(OpenCl* d)
+{
+	const char* forced = getenv("SCREE_SOLVER");
+	d->solver = FORM_ANY;
+	if (forced && strcmp(forced, "relay") == 0)
+		d->solver = FORM_RELAY;
+	if (forced && strcmp(forced, "tiles") == 0)
+		d->solver = FORM_TILES;
+}
+
+bool solve_plain(const OpenCl* d) { return !d->step.extras && !d->step.bounces && !d->step.round; }
+
+// Room for a solve as a relay or in tiles. Launches by color need none: they follow where there is no room.
+static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
+{
+	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
+}
+
+// The form in which a solve is fastest, as far as this device can.
+static SolveForm solve_form(OpenCl* d, const Solve* solve)
+{
+	if (d->relay.groups == 0 || d->solver == FORM_LAUNCHES)
+		return FORM_LAUNCHES;
+	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
+	if (d->solver == FORM_RELAY || (d->solver == FORM_ANY && few))
+		return FORM_RELAY;
+	// a hub's spokes lie in many tiles
+	bool tiles = solve->layout->hubs == 0 && (d->solver == FORM_TILES || tiles_pay(d, solve));
+	return tiles ? FORM_TILES : FORM_LAUNCHES;
+}
+
+// Moves what no constraint pushes, and finalizes all bodies; then those that go far.
+static scree_status solve_end(OpenCl* d, const Solve* solve)
+{
+	cl_kernel kernel = d->solve_end.kernel;
+	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
+	Run guard = {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)};
+	TRY(kernel_step(d, &d->solve_end));
+	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
+	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
+	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &passes));
+	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
+	size_t group = d->solve_end.group;
+	d->box = BOX_finalize;
+	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
+	return stage_run_within(d, &guard, GUARD_GROUPS);
+}
+
+scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
+{
+	OpenCl* d = b->state;
+	step_set(d, step);
+	SolveForm form = solve_form(d, solve);
+	if (form != FORM_LAUNCHES && form_reserve(d, solve, form) != SCREE_OK)
+	{
+		log_sentence(SCREE_LOG_WARNING, "%s: %s; the solver is slower without.", b->name, scree_error());
+		d->solver = form = FORM_LAUNCHES;
+	}
+	if (form == FORM_LAUNCHES)
+	{
+		solve_list(solve, list);
+		scree_status status = opencl_run(b, step, list->runs, list->count);
+		list->count = 0;
+		return status;
+	}
+	d->box = BOX_solve;
+	TRY(form == FORM_RELAY ? relay_run(d, solve) : tiles_run(d, solve));
+	TRY(solve_end(d, solve));
+	return CALL(Flush, d->queue);
+}

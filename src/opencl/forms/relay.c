@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// relay.c -- launches the solve as one relay (relay.cl).
+#include "opencl/opencl.h"
+#include "platform/error.h"
+
+// bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe
+#define SPINS        RELAY_SPINS_MOST
+#define PROBE_SPINS  (1 << 16)
+#define PROBE_ROUNDS 16
+
+// Work-items a constraint, at most. A warp goes on when all of its constraints can: the fewer it has, the sooner. On an H200 the
+// solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32.
+#define MOST_SPREAD 8
+
+// arguments behind the step, of relay and of relay_hubs: the same but for those of one alone
+enum
+{
+	RELAY_ROWS = ARGUMENT_STEP + 1,
+	RELAY_NOTES,
+	RELAY_COUNT,
+	RELAY_SUBSTEPS,
+	HUBS_SUBSTEPS = RELAY_COUNT,
+	HUBS_PARTS = HUBS_SUBSTEPS + 5,
+	HUBS_GROUPS
+};
+
+scree_status rows_reserve(OpenCl* d, const Solve* solve)
+{
+	return scratch_reserve(d, &d->rows, (size_t)solve->bodies * RELAY_WORDS * sizeof(cl_ulong));
+}
+
+// groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
+static size_t hub_groups(const OpenCl* d, const Solve* solve)
+{
+	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->layout->hubs;
+	return hubs < most ? hubs : most;
+}
+
+static size_t other_most(const OpenCl* d, const Solve* solve)
+{
+	return (size_t)d->relay_hubs.groups - hub_groups(d, solve);
+}
+
+// How many work-items a constraint has, of which one works, where the device has room for them.
+static int spread_of(int constraints, size_t places)
+{
+	int spread = 1;
+	while (spread < MOST_SPREAD && 2 * (size_t)spread * (size_t)constraints <= places)
+		spread *= 2;
+	return spread;
+}
+
+static size_t other_groups(const OpenCl* d, const Solve* solve)
+{
+	size_t most = other_most(d, solve), group = d->relay_hubs.group;
+	int constraints = solve_constraints(solve), spread = spread_of(constraints, most * group);
+	size_t groups = groups_of(constraints * spread, group);
+	return groups < most ? groups : most;
+}
+
+static Kernel* relay_kernel(OpenCl* d) { return solve_plain(d) ? &d->relay_plain : &d->relay; }
+
+scree_status relay_reserve(OpenCl* d, const Solve* solve)
+{
+	TRY(rows_reserve(d, solve));
+	const Kernel* relay = relay_kernel(d);
+	int constraints = solve_constraints(solve), hubs = solve->layout->hubs;
+	bool registers = constraints <= relay->groups * (int)relay->group;
+	if (hubs > 0)
+	{
+		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));
+		registers = (size_t)constraints <= other_groups(d, solve) * d->relay_hubs.group;
+	}
+	return scratch_reserve(d, &d->notes, registers ? 1 : (size_t)constraints * NOTE_FLOAT4S * sizeof(cl_float4));
+}
+
+// Whether work-items really run together, each on its own.
+static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault, bool* runs)
+{
+	cl_int rounds = PROBE_ROUNDS, spins = PROBE_SPINS, found = 0;
+	TRY(CALL(SetKernelArg, kernel, 0, sizeof rows, &rows));
+	TRY(CALL(SetKernelArg, kernel, 1, sizeof fault, &fault));
+	TRY(CALL(SetKernelArg, kernel, 2, sizeof rounds, &rounds));
+	TRY(CALL(SetKernelArg, kernel, 3, sizeof spins, &spins));
+	TRY(launch(d, kernel, (size_t)d->relay.groups * d->relay.group, d->relay.group));
+	TRY(CALL(EnqueueReadBuffer, d->queue, fault, CL_TRUE, 0, sizeof found, &found, 0, NULL, NULL));
+	*runs = found == 0;
+	if (found)
+		log_sentence(SCREE_LOG_INFO, "%s: %s; the solver does without the relay.", d->device.about.name,
+		             found == FAULT_BLOWN ? "work-items do not run together" : "words arrive in pieces");
+	return SCREE_OK;
+}
+
+// How many groups run together. A CPU runs work-items to their end one after the other: only one is sure to run, which serves
+// tests.
+static scree_status count_groups(const OpenCl* d, Kernel* kernel)
+{
+	size_t most = 0;
+	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	         NULL));
+	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
+	kernel->group = cpu ? 1 : kernel->group;
+	kernel->groups = cpu ? 1 : d->device.about.units * (int)(most / kernel->group);
+	return SCREE_OK;
+}
+
+scree_status relay_open(OpenCl* d)
+{
+	if (d->most_groups == 0)
+		return SCREE_OK;
+	TRY(count_groups(d, &d->relay));
+	TRY(count_groups(d, &d->relay_plain));
+	TRY(count_groups(d, &d->relay_hubs));
+
+	cl_int error;
+	cl_mem rows = NULL, fault = NULL;
+	bool runs = false;
+	cl_kernel kernel = opencl.CreateKernel(d->program, "relay_probe", &error);
+	scree_status status = opencl_check("clCreateKernel", error);
+	if (!status)
+		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.groups * d->relay.group, &rows);
+	if (!status)
+		status = buffer_create(d, sizeof(cl_int), &fault);
+	if (!status)
+		status = probe(d, kernel, rows, fault, &runs);
+	if (!runs)
+		d->relay.groups = 0;
+	if (rows)
+		opencl.ReleaseMemObject(rows);
+	if (fault)
+		opencl.ReleaseMemObject(fault);
+	if (kernel)
+		opencl.ReleaseKernel(kernel);
+	return status;
+}
+
+void relay_close(OpenCl* d)
+{
+	cl_kernel kernels[] = {d->relay.kernel, d->relay_plain.kernel, d->relay_hubs.kernel, d->solve_end.kernel};
+	for (int i = 0; i < 4; ++i)
+		if (kernels[i])
+			opencl.ReleaseKernel(kernels[i]);
+	scratch_release(&d->rows);
+	scratch_release(&d->notes);
+	scratch_release(&d->parts);
+}
+
+// What both kernels take; the five from substeps on follow each other.
+static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
+{
+	cl_int spins = SPINS;
+	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_NOTES, sizeof(cl_mem), &d->notes.buffer));
+	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
+	const cl_int* values[] = {&solve->substeps, &passes, &solve->bound, &spins, &spread};
+	for (cl_uint k = 0; k < 5; ++k)
+		TRY(CALL(SetKernelArg, kernel, substeps + k, sizeof(cl_int), values[k]));
+	return SCREE_OK;
+}
+
+static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
+{
+	cl_kernel kernel = d->relay_hubs.kernel;
+	cl_int groups = (cl_int)hub_groups(d, solve),
+	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * d->relay_hubs.group);
+	TRY(kernel_step(d, &d->relay_hubs));
+	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
+	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
+	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
+	size_t all = d->relay_hubs.groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
+	return launch(d, kernel, all * d->relay_hubs.group, d->relay_hubs.group);
+}
+
+scree_status relay_run(OpenCl* d, const Solve* solve)
+{
+	if (solve->layout->hubs > 0)
+		return relay_hubs_run(d, solve);
+	Kernel* relay = relay_kernel(d);
+	size_t most = (size_t)relay->groups;
+	cl_int constraints = solve_constraints(solve), spread = spread_of(constraints, most * relay->group);
+	TRY(kernel_step(d, relay));
+	TRY(relay_arguments(d, solve, relay->kernel, RELAY_SUBSTEPS, spread));
+	TRY(CALL(SetKernelArg, relay->kernel, RELAY_COUNT, sizeof constraints, &constraints));
+	size_t groups = groups_of(constraints * spread, relay->group);
+	return launch(d, relay->kernel, (groups < most ? groups : most) * relay->group, relay->group);
+}

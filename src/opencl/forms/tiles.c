@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// tiles.c -- launches the solve of a large world as passes over tiles of bodies (tiles.cl).
+#include "opencl/opencl.h"
+#include "platform/error.h"
+
+// Tiles that must be laid out first pay up to this share of constraints on the border. What that share is, is looked up
+// again after so many solves without tiles.
+#define BORDER_SHARE 0.1
+#define BORDER_AGE   64
+
+// border constraints a group of the relay takes when few are on the border: the more groups, the longer the launch
+#define BORDER_GRAIN 64
+
+// work-items of a group, at most
+static const struct
+{
+	const char* name;
+	size_t group;
+} kernels[TILE_KERNELS] = {
+    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},
+    [TILE_LIST] = {"tile_list", STAGE_GROUP},
+    [TILE_COUNT] = {"tile_count", STAGE_GROUP},
+    [TILE_ORDER] = {"tile_order", STAGE_GROUP},
+    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP},
+    [TILE_PREPARE_PLAIN] = {"tile_prepare_plain", STAGE_GROUP},
+    [TILE_PASS + PASS_WARM_START] = {"tile_warm_start", TILE_GROUP},
+    [TILE_PASS + PASS_BIAS] = {"tile_bias", TILE_GROUP},
+    [TILE_PASS + PASS_RELAX] = {"tile_relax", TILE_GROUP},
+    [TILE_PASS + PASS_BOUNCE] = {"tile_bounce", TILE_GROUP},
+    [TILE_BORDER] = {"tile_border", RELAY_GROUP},
+};
+
+scree_status tiles_open(OpenCl* d)
+{
+	Tiles* t = &d->tiles;
+	for (int k = 0; k < TILE_KERNELS; ++k)
+		TRY(kernel_create(d, kernels[k].name, kernels[k].group, &t->kernels[k]));
+	cl_int error;
+	t->total = opencl.CreateKernel(d->program, "tile_total", &error);
+	TRY(opencl_check("clCreateKernel", error));
+	t->begin = opencl.CreateKernel(d->program, "tile_begin", &error);
+	TRY(opencl_check("clCreateKernel", error));
+	t->range = opencl.CreateKernel(d->program, "tile_range", &error);
+	t->stale = true;
+	t->border = -1;
+	return opencl_check("clCreateKernel", error);
+}
+
+void tiles_close(OpenCl* d)
+{
+	Tiles* t = &d->tiles;
+	if (t->asked)
+		opencl.ReleaseEvent(t->asked);
+	cl_kernel others[] = {t->total, t->begin, t->range};
+	for (int k = 0; k < TILE_KERNELS; ++k)
+		if (t->kernels[k].kernel)
+			opencl.ReleaseKernel(t->kernels[k].kernel);
+	for (int k = 0; k < 3; ++k)
+		if (others[k])
+			opencl.ReleaseKernel(others[k]);
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		scratch_release(&t->buffers[k]);
+}
+
+scree_status tiles_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < TILE_KERNELS; ++k)
+		TRY(kernel_bind(d, per, &d->tiles.kernels[k]));
+	return SCREE_OK;
+}
+
+// no tree has more leaves than there are collidables
+static cl_int row_count(const OpenCl* d) { return (d->step.collidables - 1) / TILE_BODIES + 1; }
+
+// places of constraints: all, and what pads the colors of the border
+static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLORS * RELAY_GROUP; }
+
+scree_status tiles_reserve(OpenCl* d, const Solve* solve)
+{
+	Tiles* t = &d->tiles;
+	size_t rows = (size_t)row_count(d), places = (size_t)place_count(solve);
+	t->stale |= row_count(d) != t->rows;
+	const size_t bytes[TILE_BUFFERS] = {
+	    [TILE_PLACE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
+	    [TILE_EDGE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
+	    [TILE_RESIDENT_BUFFER] = rows * TILE_BODIES * sizeof(cl_int),
+	    [TILE_TABLE_BUFFER] = (rows + 2) * TILE_COLORS * sizeof(cl_int),
+	    [TILE_TOTAL_BUFFER] = (rows + 2) * sizeof(cl_int),
+	    [TILE_RANK_BUFFER] = (size_t)solve_constraints(solve) * sizeof(cl_int),
+	    [TILE_ORDER_BUFFER] = places * sizeof(cl_int),
+	};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+	{
+		t->stale |= bytes[k] > t->buffers[k].bytes;
+		TRY(scratch_reserve(d, &t->buffers[k], bytes[k]));
+	}
+	TRY(rows_reserve(d, solve));
+	return scratch_reserve(d, &d->notes, places * NOTE_FLOAT4S * sizeof(cl_float4));
+}
+
+typedef struct // the value of an argument
+{
+	size_t size;
+	const void* value;
+} Value;
+
+#define VALUE(x)        \
+	{                   \
+		sizeof(x), &(x) \
+	}
+#define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
+
+// Launches a kernel over so many items, with these values for its arguments from the first on.
+static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
+                              int count)
+{
+	for (int k = 0; k < count; ++k)
+		TRY(CALL(SetKernelArg, kernel, first + (cl_uint)k, values[k].size, values[k].value));
+	return launch(d, kernel, groups_of(items, group) * group, group);
+}
+
+// The same for a kernel that takes all pools: the values go behind the step.
+static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
+{
+	Kernel* kernel = &d->tiles.kernels[k];
+	TRY(kernel_step(d, kernel));
+	return plain_run(d, kernel->kernel, kernel->group, items, ARGUMENT_STEP + 1, values, count);
+}
+
+// Cuts the bodies into tiles, and sorts the constraints by tile and color.
+static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int places)
+{
+	Tiles* t = &d->tiles;
+	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
+	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
+	       total = t->buffers[TILE_TOTAL_BUFFER].buffer;
+	cl_mem rank = t->buffers[TILE_RANK_BUFFER].buffer, order = t->buffers[TILE_ORDER_BUFFER].buffer;
+	const cl_int zero = 0, none = -1;
+	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->buffers[TILE_TABLE_BUFFER].bytes, 0, NULL,
+	         NULL));
+	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->buffers[TILE_ORDER_BUFFER].bytes, 0, NULL,
+	         NULL));
+	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places), VALUE(solve->bound))));
+	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound))));
+	for (int color = 0; color < COLORS; ++color)
+	{
+		cl_int first = solve->layout->color_begin[color], end = first + solve->layout->color_count[color];
+		if (end > first)
+			TRY(tile_run(d, TILE_COUNT, end - first,
+			             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
+			                    VALUE(first), VALUE(end))));
+	}
+	TRY(plain_run(d, t->total, STAGE_GROUP, rows + 1, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
+	TRY(plain_run(d, t->begin, PRIMITIVE_GROUP, 1, 0, VALUES(VALUE(total), VALUE(rows))));
+	TRY(plain_run(d, t->range, STAGE_GROUP, rows + 2, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
+	cl_int constraints = solve_constraints(solve);
+	TRY(tile_run(d, TILE_ORDER, constraints,
+	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
+	                    VALUE(order), VALUE(constraints))));
+	t->stale = false;
+	t->rows = rows;
+	t->age = 0;
+	if (t->asked)
+		return SCREE_OK;
+	// the first of either row: where the border begins, and where it ends
+	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
+	         NULL, &t->asked));
+	return SCREE_OK;
+}
+
+// Takes what lay_out asked for, once it has come.
+static void border_look(Tiles* t)
+{
+	cl_int status = CL_QUEUED;
+	if (!t->asked || opencl.GetEventInfo(t->asked, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, NULL) ||
+	    status > CL_COMPLETE)
+		return;
+	opencl.ReleaseEvent(t->asked);
+	t->asked = NULL;
+	if (status == CL_COMPLETE)
+		t->border = t->edges[1] - t->edges[0];
+}
+
+bool tiles_pay(OpenCl* d, const Solve* solve)
+{
+	Tiles* t = &d->tiles;
+	border_look(t);
+	return !t->stale || t->border <= BORDER_SHARE * solve_constraints(solve) || ++t->age >= BORDER_AGE;
+}
+
+scree_status tiles_run(OpenCl* d, const Solve* solve)
+{
+	Tiles* t = &d->tiles;
+	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_SPINS_MOST;
+	if (t->stale)
+		TRY(lay_out(d, solve, rows, places));
+
+	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
+	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
+	       order = t->buffers[TILE_ORDER_BUFFER].buffer;
+	cl_mem notes = d->notes.buffer;
+	TRY(tile_run(d, solve_plain(d) ? TILE_PREPARE_PLAIN : TILE_PREPARE, stride,
+	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
+	                    VALUE(solve->bound))));
+	int border = d->relay.groups * RELAY_GROUP;
+	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.groups)
+		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
+	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
+	for (cl_int q = 0; q < passes; ++q)
+	{
+		TRY(tile_run(d, TILE_PASS + schedule_pass(solve->substeps, q), rows * TILE_GROUP,
+		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
+		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound))));
+		TRY(tile_run(d, TILE_BORDER, border,
+		             VALUES(VALUE(d->rows.buffer), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
+		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound), VALUE(spins))));
+	}
+	return SCREE_OK;
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// processor.c -- what there is to know about the processor, and the rounding mode of its floats.
+#define _GNU_SOURCE // sched_getaffinity, clock_gettime; means nothing elsewhere
+#include "platform/processor.h"
+#include <float.h>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
+#include <time.h>
+#include <unistd.h>
+#endif
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#if defined(__x86_64__) || defined(__i386__)
+#define X86 1
+#include <xmmintrin.h>
+#else
+#define X86 0
+#endif
+
+#if FLT_EVAL_METHOD != 0
+#error "floats are computed with excess precision, so bits would differ: on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#endif
+
+int processor_cores(void)
+{
+#ifdef _WIN32
+	SYSTEM_INFO info;
+	GetSystemInfo(&info);
+	return (int)info.dwNumberOfProcessors;
+#else
+#ifdef __linux__
+	cpu_set_t set;
+	if (sched_getaffinity(0, sizeof(set), &set) == 0)
+		return CPU_COUNT(&set);
+#endif
+	long cores = sysconf(_SC_NPROCESSORS_ONLN);
+	return cores > 1 ? (int)cores : 1;
+#endif
+}
+
+uint64_t processor_memory(void)
+{
+#ifdef _WIN32
+	MEMORYSTATUSEX status = {.dwLength = sizeof(status)};
+	return GlobalMemoryStatusEx(&status) ? status.ullTotalPhys : 0;
+#else
+	long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
+	return pages > 0 && bytes > 0 ? (uint64_t)pages * (uint64_t)bytes : 0;
+#endif
+}
+
+double processor_milliseconds(void)
+{
+#ifdef _WIN32
+	LARGE_INTEGER ticks, frequency;
+	QueryPerformanceCounter(&ticks);
+	QueryPerformanceFrequency(&frequency);
+	return (double)ticks.QuadPart * 1e3 / (double)frequency.QuadPart;
+#else
+	struct timespec time;
+	clock_gettime(CLOCK_MONOTONIC, &time);
+	return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
+#endif
+}
+
+bool processor_has_lanes(int lanes)
+{
+#ifdef SCREE_ONE_LANE
+	return lanes == 1;
+#endif
+	switch (lanes)
+	{
+	case 1:
+	case 4:
+		return true;
+#if X86
+	case 8:
+		return __builtin_cpu_supports("avx2");
+	case 16:
+		return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+		       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+#else
+	// the compiler splits wider vectors into what there is
+	case 8:
+	case 16:
+		return true;
+#endif
+	}
+	return false;
+}
+
+int processor_widest_lanes(void)
+{
+#ifdef SCREE_ONE_LANE
+	return 1;
+#elif X86
+	return processor_has_lanes(16) ? 16 : processor_has_lanes(8) ? 8 : 4;
+#else
+	return 4;
+#endif
+}
+
+const char* processor_instructions(int lanes)
+{
+	if (lanes == 1)
+		return "scalar";
+#if X86
+	return lanes == 16 ? "AVX-512" : lanes == 8 ? "AVX2" : "SSE2";
+#elif defined(__aarch64__)
+	return "NEON";
+#else
+	return "plain";
+#endif
+}
+
+#if X86
+
+#define MXCSR_DEFAULT 0x1f80u // all exceptions masked, round to nearest, neither FTZ nor DAZ
+
+FloatMode float_mode_enter(void)
+{
+	FloatMode found = _mm_getcsr();
+	if (found != MXCSR_DEFAULT)
+		_mm_setcsr(MXCSR_DEFAULT);
+	return found;
+}
+
+void float_mode_leave(FloatMode found) { _mm_setcsr((unsigned)found); }
+
+#elif defined(__aarch64__)
+
+FloatMode float_mode_enter(void)
+{
+	FloatMode found, plain = 0; // round to nearest, FZ and FZ16 off, no traps
+	__asm__ volatile("mrs %0, fpcr" : "=r"(found));
+	__asm__ volatile("msr fpcr, %0" : : "r"(plain));
+	return found;
+}
+
+void float_mode_leave(FloatMode found) { __asm__ volatile("msr fpcr, %0" : : "r"(found)); }
+
+#else
+
+FloatMode float_mode_enter(void) { return 0; }
+void float_mode_leave(FloatMode found) { (void)found; }
+
+#endif

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// detect.c -- the first half of a step: user's changes to colored contacts.
+//
+//     transform -> broad phase -> narrow phase -> color -> (one small read-back)
+#include "backend/solve.h"
+#include "platform/error.h"
+#include "step/crowd.h"
+#include "step/pipeline.h"
+#include "step/tree.h"
+
+// coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
+#define SPARE_ROUNDS 2
+
+// ---------------------------------------------------------------------------------------------------------------
+// lists of runs
+// ---------------------------------------------------------------------------------------------------------------
+
+// looks up the boxes of a tree again: always (NO_COUNT), or when a counter says so
+static void tree_refit(RunList* list, const Tree* tree, int t, int count)
+{
+	if (tree->leaves == 0)
+		return;
+	runs_add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, count, t);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, STAGE_tree_node, 0, (tree->count[level] + ARITY - 1) / ARITY * ARITY, count, t | level << 1);
+}
+
+// puts the leaves of a tree in order: always, or when a counter says so
+static void tree_order(RunList* list, const Tree* tree, int t, int count)
+{
+	tree_refit(list, tree, t, count);
+	runs_add(list, STAGE_tree_root, 0, 1, count, t);
+	runs_add(list, STAGE_tree_code, 0, tree->leaves, count, t);
+	runs_add_sort(list, tree->leaves, count, 32, 64);
+	runs_add(list, STAGE_tree_order, 0, tree->leaves, count, t);
+}
+
+// Boxes that jumped would make the nodes above them so wide that the walks of this very step took longer than to put all
+// leaves in order: the device decides that, when it knows the boxes.
+static void tree_settle(RunList* list, const Tree* tree, int t)
+{
+	if (tree->leaves <= ARITY)
+		return;
+	runs_add(list, STAGE_tree_stray, 0, (tree->leaves + ARITY - 1) / ARITY, COUNT(jumped), t);
+	runs_add(list, STAGE_tree_judge, 0, 1, COUNT(jumped), t);
+	tree_order(list, tree, t, COUNT(order) + t);
+}
+
+// user's changes are in; world boxes follow the bodies; trees follow the boxes
+static scree_status transform(Pipeline* pipeline, const Step* step)
+{
+	RunList* list = &pipeline->list;
+	runs_add_single(list, STAGE_step_begin);
+	runs_add(list, STAGE_transform, 0, step->collidables, NO_COUNT, 0);
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		state->ordered = false;
+		if (!tree_wants_order(state))
+		{
+			state->ordered = pipeline->jumps && tree_churns(state);
+			if (state->ordered)
+				tree_order(list, &state->tree, t, NO_COUNT);
+			else if (pipeline->jumps)
+				tree_settle(list, &state->tree, t);
+			state->touched = state->touched || state->ordered;
+			continue;
+		}
+		tree_order(list, &state->tree, t, NO_COUNT);
+		scree_status status = pipeline_run(pipeline, step);
+		if (!status)
+			status = tree_ordered(pipeline, t);
+		if (status)
+			return status;
+		state->touched = true;
+	}
+	// what is static stays where it is, unless the user moved it
+	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
+	if (pipeline->trees[1].touched)
+		tree_refit(list, &pipeline->trees[1].tree, 1, NO_COUNT);
+	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
+	return SCREE_OK;
+}
+
+static void broad_phase(RunList* list, const Step* step)
+{
+	int contacts = step->contact_capacity;
+	runs_add(list, STAGE_broad_phase, 0, step->collidables, COUNT(moved), 0);
+	runs_add(list, STAGE_broad_phase_rest, 0, step->walkers, COUNT(rest), 0);
+	runs_add(list, STAGE_contact_admit, 0, 1, COUNT(pairs), 0);
+	runs_add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
+	runs_add(list, STAGE_contact_dead, 0, contacts, COUNT(search), 0);
+	runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
+	runs_add(list, STAGE_contact_free, 0, contacts, COUNT(search), 0);
+	runs_add(list, STAGE_contact_begin, 0, 1, COUNT(pairs), 0);
+	runs_add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
+}
+
+static void narrow_phase(RunList* list, const Step* step)
+{
+	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+}
+
+// bits that the colors of contacts are sorted by: with hubs, a name for each body more
+static int color_bits(const Pipeline* pipeline, int bodies)
+{
+	int bits = COLOR_BITS;
+	if (pipeline->counters.hubs > 0)
+		for (bits = COLOR_BITS + 1; 1LL << bits < COLORS + 1LL + bodies;)
+			++bits;
+	return bits;
+}
+
+// coloring rounds from one to the other, then the layout of the constraints if none is left
+static void color(RunList* list, const Step* step, int from, int to, int bits)
+{
+	int contacts = step->contact_capacity;
+	if (from == 0)
+		runs_add(list, STAGE_hub_enter, 0, contacts, COUNT(gathered), 0);
+	for (int round = from; round < to; ++round)
+	{
+		if (round > 0 && round % MAX_ROUNDS == 0)
+			runs_add_single(list, STAGE_color_wrap);
+		int count = round == 0 ? COUNT(began) : COUNT(uncolored) + round % MAX_ROUNDS;
+		runs_add(list, STAGE_color_claim, 0, contacts, count, round);
+		runs_add(list, STAGE_color_take, 0, contacts, count, round);
+	}
+	runs_add(list, STAGE_color_reset, 0, contacts, COUNT(began), 0);
+	runs_add(list, STAGE_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
+	runs_add(list, STAGE_color_key, 0, contacts, COUNT(arrange), bits);
+	runs_add_sort(list, contacts, COUNT(arrange), 32, 32 + bits);
+	runs_add(list, STAGE_color_edge, 0, contacts, COUNT(arrange), bits);
+	if (bits > COLOR_BITS)
+		runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(arrange), 0);
+	runs_add(list, STAGE_color_range, 0, 1, COUNT(arrange), 0);
+	runs_add(list, STAGE_color_place, 0, contacts, COUNT(arrange), bits);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the search
+// ---------------------------------------------------------------------------------------------------------------
+
+// Runs what has been listed and reads the counters: the one time in a step that the host waits for the device.
+static scree_status read_back(Pipeline* pipeline, const Step* step)
+{
+	TRY(pipeline_run(pipeline, step));
+	Backend* b = pipeline->backend;
+	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
+}
+
+// The same where the layout of the constraints will probably stay: the solve is listed before the host knows, bounded by
+// the counter that the device clears if it does not stay, and the counters come while it runs.
+static scree_status solve_ahead(Pipeline* pipeline, const Step* step, const StepRequest* request)
+{
+	Backend* b = pipeline->backend;
+	TRY(pipeline_run(pipeline, step));
+	TRY(b->f->read_begin(b, POOL_counters, 0, 1));
+	TRY(pipeline_solve(pipeline, step, request, COUNT(kept)));
+	return b->f->read_end(b, &pipeline->counters);
+}
+
+// A search for pairs that cannot be brought to its end: the boxes are what they were before the step, and so is the world.
+static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status why)
+{
+	runs_add(&pipeline->list, STAGE_transform_undo, 0, step->collidables, NO_COUNT, 0);
+	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
+	scree_status status = pipeline_run(pipeline, step);
+	pipeline->begun = status != SCREE_OK;
+	return status ? status : why;
+}
+
+// A buffer was too small for what was found: it grows.
+static scree_status make_room(Pipeline* pipeline, Step* step)
+{
+	const Backend* b = pipeline->backend;
+	const Counters* c = &pipeline->counters;
+	if (c->crowded)
+		return crowd_fail(pipeline, step);
+	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, KEY, c->pairs)
+	                                   : pipeline_reserve(pipeline, CONTACT, c->needed + 1));
+	step->pair_capacity = b->capacity[KEY];
+	step->contact_capacity = b->capacity[CONTACT];
+	step->constraint_capacity = b->capacity[CONSTRAINT];
+	return SCREE_OK;
+}
+
+// Boxes to contacts, and so many rounds of colors. Where a pool was too small the search for pairs runs again.
+static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* request, int rounds, bool* solved)
+{
+	const Counters* c = &pipeline->counters;
+	RunList* list = &pipeline->list;
+	bool ahead = pipeline->backend->distant && !c->changed && (c->hubs == 0 || pipeline->split);
+	for (;;)
+	{
+		broad_phase(list, step);
+		narrow_phase(list, step);
+		color(list, step, 0, rounds, color_bits(pipeline, request->bodies));
+		TRY(ahead ? solve_ahead(pipeline, step, request) : read_back(pipeline, step));
+		*solved = ahead && c->kept;
+		if (!c->stalled)
+			return SCREE_OK;
+		ahead = false;
+		scree_status status = make_room(pipeline, step);
+		if (status)
+			return break_off(pipeline, step, status);
+		runs_add_single(list, STAGE_broad_phase_begin);
+	}
+}
+
+// Goes on where the layout of the constraints is not done: after a burst of new contacts that needs more rounds than were
+// run, the first hubs, or more constraints than there is room for. Counts the rounds.
+static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int* rounds)
+{
+	Counters* c = &pipeline->counters;
+	while (c->changed && c->arrange == 0 && c->contacts > 0)
+	{
+		bool colored = c->uncolored[(*rounds - 1) % MAX_ROUNDS + 1] == 0;
+		if (colored)
+			TRY(pipeline_reserve(pipeline, CONSTRAINT, c->color_begin[COLORS + 1]));
+		step->constraint_capacity = pipeline->backend->capacity[CONSTRAINT];
+		c->hubs += c->hubs == 0 && c->entered;
+		int more = colored ? 0 : MAX_ROUNDS / 2;
+		color(&pipeline->list, step, *rounds, *rounds + more, color_bits(pipeline, bodies));
+		*rounds += more;
+		TRY(read_back(pipeline, step));
+	}
+	return SCREE_OK;
+}
+
+// how many of the rounds that were run had anything left to do: the next step runs a few more than that
+static int needed_rounds(const Counters* c, int rounds)
+{
+	int needed = 0;
+	for (int round = 0; round < rounds && round < MAX_ROUNDS; ++round)
+		if (c->uncolored[round + 1] > 0)
+			needed = round + 1;
+	return needed;
+}
+
+scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* request, bool* solved)
+{
+	const Counters* c = &pipeline->counters;
+	TRY(transform(pipeline, step));
+	int rounds = pipeline->rounds + SPARE_ROUNDS, done = rounds;
+	TRY(search(pipeline, step, request, rounds, solved));
+	TRY(finish_colors(pipeline, step, request->bodies, &done));
+	pipeline->split = pipeline->split && c->arrange == 0;
+	if (done > rounds)
+		pipeline->rounds = done < MAX_ROUNDS ? done : MAX_ROUNDS;
+	else
+		pipeline->rounds = needed_rounds(c, rounds);
+	return SCREE_OK;
+}

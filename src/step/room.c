@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// room.c -- how much room the pools have: made when a stage found too little, given back when most of it was long idle.
+#include "backend/solve.h"
+#include "platform/error.h"
+#include "step/tree.h"
+#include <math.h>
+
+// Room is given back when for so many steps, 2 s of a game, never more than an eighth of it was used; twice what was used
+// stays. So a burst that comes again within that time finds its room, and a pool that has shrunk must fill up fourfold
+// before it grows to what it was.
+#define IDLE_STEPS 120
+#define IDLE_SHARE 4 // of capacity, against twice the use
+
+// Contacts are moved together when for so many steps fewer than a quarter of the slots were in use: each step looks at
+// all slots, and a pool cannot shrink below the last one. It changes the names of contacts, and so bits: it may depend on
+// nothing but counts that are the same on every device. Small worlds, where nothing is to be won, keep their slots.
+#define SPARSE_STEPS 60
+#define SPARSE_SHARE 4
+#define SPARSE_SLOTS 4096
+
+#define LEAST_ROOM 64
+
+static int64_t rounded(int64_t capacity) { return (capacity + LEAST_ROOM - 1) / LEAST_ROOM * LEAST_ROOM; }
+
+// every color may need padding
+static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
+static void note(Pipeline* pipeline, Per per, int used) { pipeline->used[per] = larger(pipeline->used[per], used); }
+
+static scree_status resize(Pipeline* pipeline, Per per, int64_t capacity)
+{
+	Backend* b = pipeline->backend;
+	if (capacity <= b->capacity[per])
+		return SCREE_OK;
+	if (capacity > INT32_MAX / 2)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "a pool of %lld items is beyond what an index can name",
+		            (long long)capacity);
+	return b->f->resize(b, per, (int)capacity);
+}
+
+scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
+{
+	Backend* b = pipeline->backend;
+	int old = b->capacity[per];
+	note(pipeline, per, capacity);
+	if (capacity <= old)
+		return SCREE_OK;
+	int64_t wanted = rounded(capacity > old + old / 2 ? capacity : (int64_t)old + old / 2);
+	pipeline->grown += old > 0;
+
+	scree_status status = SCREE_OK;
+	int* leaves = NULL;
+	if (per == CONTACT)
+	{
+		status = resize(pipeline, CONSTRAINT, constraints_of(wanted));
+		if (!status)
+			status = resize(pipeline, BLOCK, constraints_of(wanted) / MAX_LANES);
+		if (!status)
+			status = resize(pipeline, KEY, wanted);
+	}
+	if (per == CONSTRAINT)
+		status = resize(pipeline, BLOCK, wanted / MAX_LANES);
+	if (per == COLLIDABLE)
+	{
+		status = tree_save(pipeline, &leaves);
+		if (!status)
+			status = resize(pipeline, LEAF, 2 * wanted);
+		if (!status)
+			status = resize(pipeline, NODE, 2 * (int64_t)tree_nodes((int)wanted));
+		if (!status)
+			status = resize(pipeline, KEY, wanted);
+	}
+	if (!status)
+		status = resize(pipeline, per, wanted);
+	if (!status && per == COLLIDABLE)
+		status = tree_restore(pipeline, leaves);
+	scree_release(leaves);
+	return status;
+}
+
+scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
+{
+	pipeline->backend = backend;
+	pipeline->guard_way = INFINITY;
+	pipeline->first_contacts = contacts > 0 ? contacts + 1 : 512;
+	TRY(pipeline_reserve(pipeline, ONE, 1));
+	TRY(pipeline_reserve(pipeline, HASH, HASH_SUMS));
+	TRY(pipeline_reserve(pipeline, TREE, 2));
+	TRY(pipeline_reserve(pipeline, ATTRIBUTE, 16));
+	TRY(pipeline_reserve(pipeline, BODY, bodies > 0 ? bodies + 1 : 256));
+	TRY(pipeline_reserve(pipeline, COLLIDABLE, bodies > 0 ? bodies : 256));
+	TRY(pipeline_reserve(pipeline, CONTACT, pipeline->first_contacts));
+	return pipeline_reserve(pipeline, COMMAND, LEAST_ROOM);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// giving back
+// ---------------------------------------------------------------------------------------------------------------
+
+// Gives a kind of pool as much room as twice its use, if that is much less than it has. Whether it has done so: what has
+// no memory to become smaller stays as large as it is, and no harm is done.
+static bool shrink(Pipeline* pipeline, Per per, int least)
+{
+	Backend* b = pipeline->backend;
+	int64_t wanted = rounded(larger(2 * pipeline->used[per], least));
+	return wanted * IDLE_SHARE < b->capacity[per] && b->f->resize(b, per, (int)wanted) == SCREE_OK;
+}
+
+static void shrink_all(Pipeline* pipeline)
+{
+	Backend* b = pipeline->backend;
+	shrink(pipeline, CONTACT, pipeline->first_contacts);
+	if (shrink(pipeline, CONSTRAINT, (int)constraints_of(b->capacity[CONTACT])))
+		b->f->resize(b, BLOCK, b->capacity[CONSTRAINT] / MAX_LANES);
+	shrink(pipeline, KEY, larger(b->capacity[CONTACT], b->capacity[COLLIDABLE]));
+	shrink(pipeline, SPOKE, LEAST_ROOM);
+	shrink(pipeline, SPOKE_BLOCK, LEAST_ROOM);
+	shrink(pipeline, COMMAND, LEAST_ROOM);
+}
+
+bool pipeline_sparse(Pipeline* pipeline)
+{
+	const Counters* c = &pipeline->counters;
+	int64_t alive = c->alive - c->released;
+	pipeline->sparse = c->contacts > SPARSE_SHARE * alive + SPARSE_SLOTS ? pipeline->sparse + 1 : 0;
+	return pipeline->sparse >= SPARSE_STEPS;
+}
+
+void pipeline_trim(Pipeline* pipeline)
+{
+	const Counters* c = &pipeline->counters;
+	note(pipeline, CONTACT, c->contacts + 1);
+	note(pipeline, CONSTRAINT, c->color_begin[COLORS + 1]);
+	note(pipeline, SPOKE, layout_spokes(c));
+	note(pipeline, SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
+	note(pipeline, KEY, larger(c->pairs, layout_spokes(c)));
+	if (++pipeline->idle < IDLE_STEPS)
+		return;
+	shrink_all(pipeline);
+	pipeline->idle = 0;
+	for (int per = 0; per < PER_COUNT; ++per)
+		pipeline->used[per] = 0;
+}

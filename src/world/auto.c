@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// auto.c -- device "auto": a world begins on the CPU, and goes where its steps take less time.
+//
+// A small world must not pay for what only a large one gains from. So the GPU is opened when it may win back its
+// opening within the steps to come, by a thread while the world goes on; and a trial on the other device, there and
+// perhaps back again, is made when the world has worked for so long that the trial is a small part of it.
+//
+// None of this changes a bit of the world, since both devices leave the same; so the clock may decide.
+#include "world/auto.h"
+#include "device/devices.h"
+#include "platform/error.h"
+#include "platform/processor.h"
+#include "world/migrate.h"
+#include "world/world.h"
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// A world is believed to take so many steps more, or as many as it has taken.
+#define HORIZON 500
+
+// What a GPU needs for a step at least, ms: on an H200 0.13 for 10,000 boxes in pyramids, and hardly less for fewer.
+#define LEAST_STEP 0.15
+
+// A step of the CPU before any has been measured: ms a body and thread. Less than any scene takes, so that only worlds
+// which are large beyond doubt have the GPU opened before their first step. (Pyramids on 16 threads: 5e-4.)
+#define BODY_STEP 4e-4
+
+// Opening a GPU before it has been measured, ms: an H200 with its program in the cache, 215 to 235 with nothing beside
+// it. How long it really took replaces this for the worlds to come.
+#define OPENING 230
+
+// Copying a world, bytes a ms: slower than any bus of a GPU that is worth it.
+#define MOVE_SPEED 4e6
+
+// Steps of a trial; the first, which finds caches cold, is not counted. A trial ends early when it has taken the time
+// of so many steps of the device before.
+#define TRIAL_STEPS 4
+#define TRIAL_LIMIT 20
+
+// The next trial waits until the world has worked for so many times as long as the last took: fewer when the world
+// has changed in favor of the other device. Twice as many after every trial in vain.
+#define PATIENCE        100
+#define LIKELY_PATIENCE 20
+#define LIKELY          0.8 // of the time now
+#define MOST_FAILURES   10
+
+// Opening again in this process is believed to take as long as it took last.
+static atomic_int opening_milliseconds = OPENING;
+
+double automatic_clock(void) { return processor_milliseconds(); }
+
+void automatic_count(scree_world* world, double since) { world->automatic.current += processor_milliseconds() - since; }
+
+static int work_of(const scree_world* world)
+{
+	const Counters* c = &world->pipeline.counters;
+	return 1 + world->bodies.alive + c->alive;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// what steps cost
+// ---------------------------------------------------------------------------------------------------------------
+
+static void meter_note(Meter* m, double milliseconds)
+{
+	m->recent[m->count % RECENT_STEPS] = milliseconds;
+	++m->count;
+}
+
+static int compare(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+// The step of rank share, from 0 to 1, among the last ones, by their times: single steps tell of the machine's other
+// work. The first since the world came counts only when it is the only one.
+static double meter_step(const Meter* m, double share)
+{
+	double sorted[RECENT_STEPS];
+	int count = m->count < RECENT_STEPS ? m->count : RECENT_STEPS;
+	int first = m->count <= RECENT_STEPS && count > 1;
+	memcpy(sorted, m->recent + first, sizeof(double) * (size_t)(count - first));
+	qsort(sorted, (size_t)(count - first), sizeof *sorted, compare);
+	return sorted[(int)(share * (double)(count - first - 1))];
+}
+
+#define MEDIAN   0.5
+#define SHORTEST 0.0
+
+static Meter* meter_of(scree_world* world, const Backend* b) { return &world->automatic.meters[b->distant]; }
+
+// A step of a device that has not been measured: less than it will take.
+static double least_step(const scree_world* world, const Backend* b)
+{
+	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
+}
+
+// What a step would take on the other device. A CPU's time follows the work, a GPU's hardly does.
+static double predicted_step(scree_world* world)
+{
+	const Backend* other = world->automatic.other;
+	const Meter* m = meter_of(world, other);
+	if (m->step <= 0.0)
+		return least_step(world, other);
+	return other->distant ? m->step : m->step * work_of(world) / m->work;
+}
+
+static double steps_to_come(const scree_world* world)
+{
+	int64_t taken = world->pipeline.steps;
+	return (double)(taken > HORIZON ? taken : HORIZON);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// opening the other device
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool opening_pays(scree_world* world)
+{
+	const Meter* m = meter_of(world, world->backend);
+	if (m->count % RECENT_STEPS != 0)
+		return false;
+	double step = m->count > 0 ? meter_step(m, SHORTEST) : least_step(world, world->backend);
+	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&opening_milliseconds);
+}
+
+static void spare_core(scree_world* world, bool core)
+{
+	Backend* b = world->backend;
+	if (b->f->spare)
+		b->f->spare(b, core);
+}
+
+static void take_opened(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	double milliseconds;
+	spare_core(world, false);
+	scree_status status = opening_end(a->opening, &a->other, &milliseconds);
+	a->opening = NULL;
+	if (status == SCREE_OK)
+	{
+		atomic_store(&opening_milliseconds, (int)milliseconds + 1);
+		return;
+	}
+	a->alone = true;
+	log_sentence(status == SCREE_ERROR_NO_DEVICE ? SCREE_LOG_INFO : SCREE_LOG_WARNING,
+	             "scree_world_step: the world stays on the CPU: %s", scree_error());
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// trials
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool trial_pays(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	const Backend *here = world->backend, *there = a->other;
+	const Meter* m = meter_of(world, here);
+	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
+		return false;
+	// three times the world, so that it may grow there: a step that runs out of memory cannot be undone
+	if (there->memory > 0 && 3 * here->bytes > there->memory)
+		return false;
+	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);
+	if (a->cost <= 0.0)
+		return a->named[0] || steps_to_come(world) * (step - predicted) > 2.0 * (double)here->bytes / MOVE_SPEED;
+	int work = work_of(world);
+	bool another = work > 2 * a->failures_work || work < a->failures_work / 2;
+	double patience = predicted < LIKELY * step ? LIKELY_PATIENCE : PATIENCE;
+	return a->spent > patience * a->cost * (double)(1 << (another ? 0 : a->failures));
+}
+
+// The world goes to the other device. Whether it could.
+static bool change_over(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	Backend* from = world->backend;
+	scree_status status = world_move(world, a->other);
+	if (status == SCREE_OK)
+	{
+		a->other = from;
+		meter_of(world, world->backend)->count = 0;
+		return true;
+	}
+	log_sentence(SCREE_LOG_WARNING, "scree_world_step: the world stays on %s: %s", world->device, scree_error());
+	a->other->f->close(a->other);
+	a->other = NULL;
+	a->alone = true;
+	return false;
+}
+
+static void begin_trial(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	Meter* m = meter_of(world, world->backend);
+	m->step = meter_step(m, MEDIAN);
+	m->work = work_of(world);
+	a->begun = automatic_clock();
+	a->trial = change_over(world);
+}
+
+static void end_trial(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
+	here->step = meter_step(here, MEDIAN);
+	here->work = work_of(world);
+	a->trial = false;
+	bool faster = here->step < before->step;
+	const char *to = world->backend->name, *from = a->other->name;
+	log_sentence(SCREE_LOG_INFO, "scree_world_step: %s %s: %.4f ms a step, and %.4f ms on %s",
+	             faster ? "the world moves to" : "the world does not stay on", to, here->step, before->step, from);
+	a->failures = faster ? 0 : a->failures < MOST_FAILURES ? a->failures + 1 : MOST_FAILURES;
+	a->failures_work = here->work;
+	if (!faster)
+		change_over(world);
+	a->cost = automatic_clock() - a->begun;
+	a->spent = 0.0;
+}
+
+static bool trial_is_over(scree_world* world)
+{
+	const Automatic* a = &world->automatic;
+	const Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
+	return here->count >= TRIAL_STEPS || (here->count > 0 && automatic_clock() - a->begun > TRIAL_LIMIT * before->step);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// for the world
+// ---------------------------------------------------------------------------------------------------------------
+
+void automatic_open(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	if (a->on)
+		return;
+	*a = (Automatic){.on = true};
+	const char* named = getenv("SCREE_AUTO");
+	if (named)
+		snprintf(a->named, sizeof a->named, "%s", named);
+	a->alone = strcmp(a->named, "cpu") == 0;
+	if (a->alone || !world->backend->distant)
+		return;
+	scree_world_def def = world->def;
+	def.device = "cpu";
+	a->alone = device_open(&def, &a->other) != SCREE_OK;
+}
+
+void automatic_close(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	double milliseconds;
+	if (a->opening)
+	{
+		spare_core(world, false);
+		opening_end(a->opening, &a->other, &milliseconds);
+	}
+	if (a->other)
+		a->other->f->close(a->other);
+	*a = (Automatic){0};
+}
+
+scree_status automatic_choose(scree_world* world)
+{
+	Automatic* a = &world->automatic;
+	if (!a->on || a->alone)
+		return SCREE_OK;
+	if (world->pipeline.steps > 0)
+		meter_note(meter_of(world, world->backend), a->current);
+	a->spent += a->current;
+	a->current = 0.0;
+
+	if (!a->other && !a->opening && (a->named[0] || opening_pays(world)))
+	{
+		a->opening = opening_begin(&world->def, a->named[0] ? a->named : NULL);
+		a->alone = !a->opening;
+		spare_core(world, !a->alone);
+	}
+	if (a->opening && (a->named[0] || opening_done(a->opening)))
+		take_opened(world);
+	if (a->trial && trial_is_over(world))
+		end_trial(world);
+	else if (!a->trial && a->other && trial_pays(world))
+		begin_trial(world);
+	return world->broken ? world_check(world, "scree_world_step") : SCREE_OK;
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// check.c -- checks of what users pass, and their sentences.
+#include "world/check.h"
+#include "pools/pools.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...)
+{
+	char sentence[384], index[16] = "";
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(sentence, sizeof sentence, format, arguments);
+	va_end(arguments);
+	if (at.index != ALONE)
+		snprintf(index, sizeof index, "[%d]", at.index);
+	return fail(status, "%s: %s%s%s %s", at.function, at.argument, index, member, sentence);
+}
+
+Decimal decimal(float x)
+{
+	Decimal d;
+	int digits = 7;
+	do
+		snprintf(d.text, sizeof d.text, "%.*g", digits, x);
+	while (strtof(d.text, NULL) != x && ++digits <= 9);
+	return d;
+}
+
+scree_status check_real(Where at, const char* member, float x, float low, float high)
+{
+	if (isfinite(x) && x >= low && x <= high)
+		return SCREE_OK;
+	Decimal value = decimal(x), least = decimal(low), most = decimal(high);
+	if (low == -FLT_MAX && high == FLT_MAX)
+		return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be finite", value.text);
+	if (high == FLT_MAX)
+		return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be finite and at least %s", value.text, least.text);
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be from %s to %s", value.text, least.text, most.text);
+}
+
+static scree_status check_component(Where at, const char* member, const char* component, float x, float limit)
+{
+	if (x >= -limit && x <= limit)
+		return SCREE_OK;
+	char name[64];
+	snprintf(name, sizeof name, "%s%s", member, component);
+	return check_real(at, name, x, -limit, limit);
+}
+
+scree_status check_vec(Where at, const char* member, scree_vec v, float limit)
+{
+	TRY(check_component(at, member, ".x", v.x, limit));
+	return check_component(at, member, ".y", v.y, limit);
+}
+
+scree_status check_pose(Where at, const char* member, scree_pose* pose)
+{
+	TRY(check_component(at, member, ".position.x", pose->position.x, SCREE_HUGE));
+	TRY(check_component(at, member, ".position.y", pose->position.y, SCREE_HUGE));
+	scree_rot q = pose->rotation;
+	double square = (double)q.c * q.c + (double)q.s * q.s;
+	if (!(square > 1.0 - 1e-3 && square < 1.0 + 1e-3))
+	{
+		char name[64];
+		snprintf(name, sizeof name, "%s.rotation", member);
+		return refuse(SCREE_ERROR_INVALID, at, name, "is (%s, %s), the cosine and sine of no angle: see scree_rot_make",
+		              decimal(q.c).text, decimal(q.s).text);
+	}
+	if (square < 1.0 - 5e-7 || square > 1.0 + 5e-7)
+	{
+		double length = sqrt(square);
+		pose->rotation = (scree_rot){(float)(q.c / length), (float)(q.s / length)};
+	}
+	return SCREE_OK;
+}
+
+scree_status check_velocity(Where at, const char* member, scree_velocity velocity)
+{
+	TRY(check_component(at, member, ".linear.x", velocity.linear.x, SCREE_HUGE));
+	TRY(check_component(at, member, ".linear.y", velocity.linear.y, SCREE_HUGE));
+	return check_component(at, member, ".angular", velocity.angular, SCREE_HUGE);
+}
+
+scree_status check_pointer(const char* function, const char* argument, const void* pointer)
+{
+	return pointer ? SCREE_OK : fail(SCREE_ERROR_INVALID, "%s: %s is null", function, argument);
+}
+
+scree_status check_batch(const char* function, const char* argument, const void* array, int count)
+{
+	if (count < 0 || count > MAX_ITEMS)
+		return fail(SCREE_ERROR_INVALID, "%s: count is %d, must be from 0 to %d", function, count, MAX_ITEMS);
+	return count > 0 ? check_pointer(function, argument, array) : SCREE_OK;
+}
+
+scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count)
+{
+	if (capacity < 0)
+		return fail(SCREE_ERROR_INVALID, "%s: capacity is %d, must be at least 0", function, capacity);
+	if (capacity > 0)
+		TRY(check_pointer(function, argument, array));
+	return check_pointer(function, "count", count);
+}
+
+scree_status check_device(Where at, const char* member, const char* device)
+{
+	if (!device)
+		return refuse(SCREE_ERROR_INVALID, at, member, "is null");
+	if (strcmp(device, "auto") == 0 || strcmp(device, "cpu") == 0 || strcmp(device, "opencl") == 0)
+		return SCREE_OK;
+	if (strncmp(device, "opencl:", 7) == 0 && device[7])
+		return SCREE_OK;
+	return refuse(
+	    SCREE_ERROR_INVALID, at, member,
+	    "is \"%.64s\", must be \"auto\", \"cpu\", \"opencl\" or \"opencl:NAME\" with a part of a device's name",
+	    device);
+}

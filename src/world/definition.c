@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// definition.c -- definitions and results of programs that were built with another version of the header.
+#include "world/definition.h"
+#include <stddef.h>
+#include <string.h>
+
+// the end of a member, in bytes from the start of its struct
+#define END_OF(type, member) (uint32_t)(offsetof(type, member) + sizeof((type*)0)->member)
+
+// no definition is larger: a size beyond it was never set
+#define MOST_BYTES 4096
+
+const DefinitionType world_definition = {sizeof(scree_world_def), END_OF(scree_world_def, contact_limit),
+                                         "scree_world_def_default"};
+const DefinitionType tuning_definition = {sizeof(scree_tuning), END_OF(scree_tuning, max_speed),
+                                          "scree_world_get_tuning"};
+const DefinitionType attribute_definition = {sizeof(scree_attribute_def), END_OF(scree_attribute_def, tangent_speed),
+                                             "scree_attribute_def_default"};
+const DefinitionType body_definition = {sizeof(scree_body_def), END_OF(scree_body_def, user), "scree_body_def_default"};
+const DefinitionType collidable_definition = {sizeof(scree_collidable_def), END_OF(scree_collidable_def, user),
+                                              "scree_collidable_def_default"};
+
+static uint32_t size_of(const void* def)
+{
+	uint32_t size;
+	memcpy(&size, def, sizeof size);
+	return size;
+}
+
+static const char* place_of(const void* defs, int k) { return (const char*)defs + (size_t)k * size_of(defs); }
+
+scree_status check_definition(Where at, const void* defs, int k, const DefinitionType* type)
+{
+	const char* def = place_of(defs, k);
+	uint32_t size = size_of(def);
+	if (size < type->least || size > MOST_BYTES)
+		return refuse(SCREE_ERROR_INVALID, at, ".size", "is %u: the definition was not made by %s", size,
+		              type->default_function);
+	if (size != size_of(defs))
+		return refuse(SCREE_ERROR_INVALID, at, ".size", "is %u, and that of the first is %u", size, size_of(defs));
+	for (uint32_t i = type->bytes; i < size; ++i)
+	{
+		if (def[i] != 0)
+			return refuse(SCREE_ERROR_INVALID, at, "",
+			              "sets a member that version %s of the library does not know, at byte %u", scree_version(), i);
+	}
+	return SCREE_OK;
+}
+
+const void* definition_at(const void* defs, int k, const DefinitionType* type, void* local)
+{
+	uint32_t size = size_of(defs);
+	const char* def = place_of(defs, k);
+	if (size == type->bytes)
+		return def;
+	memset(local, 0, type->bytes);
+	memcpy(local, def, size < type->bytes ? size : type->bytes);
+	memcpy(local, &type->bytes, sizeof type->bytes);
+	return local;
+}
+
+void write_result(void* to, size_t bytes, const void* result, size_t result_bytes)
+{
+	size_t known = bytes < result_bytes ? bytes : result_bytes;
+	memcpy(to, result, known);
+	memset((char*)to + known, 0, bytes - known);
+}

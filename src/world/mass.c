@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// mass.c -- the mass of a body, from its collidables.
+#include "world/geometry.h"
+#include "world/world.h"
+#include <math.h>
+
+// least and most that may be set: inverses, and their products with squares of arms, stay finite
+#define LEAST_MASS    1e-15f // kg
+#define LEAST_INERTIA 1e-20f // kg m^2
+#define MOST_MASS     1e30f  // kg, and kg m^2
+
+static scree_mass massless(scree_body_type type)
+{
+	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
+}
+
+scree_mass mass_of_body(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	if (host->type != SCREE_BODY_DYNAMIC)
+		return massless(host->type);
+
+	// first the common center, then the inertia about it: Huygens-Steiner
+	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* collidable = world->host_collidables + k;
+		const scree_attribute_def* def = world->attributes + collidable->attribute;
+		double part = (double)def->density * def->shape.area;
+		scree_vec center = pose_point(collidable->pose, def->shape.centroid);
+		mass += part;
+		x += part * center.x;
+		y += part * center.y;
+	}
+	if (mass == 0.0)
+		return massless(host->type);
+	x /= mass;
+	y /= mass;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* collidable = world->host_collidables + k;
+		const scree_attribute_def* def = world->attributes + collidable->attribute;
+		scree_vec center = pose_point(collidable->pose, def->shape.centroid);
+		double dx = center.x - x, dy = center.y - y;
+		inertia += def->density * ((double)def->shape.inertia + def->shape.area * (dx * dx + dy * dy));
+	}
+	return (scree_mass){(float)mass, (float)inertia, {(float)x, (float)y}};
+}
+
+float mass_inverse(const HostBody* host) { return host->mass.mass > 0.0f ? 1.0f / host->mass.mass : 0.0f; }
+
+float mass_inverse_inertia(const HostBody* host)
+{
+	bool turns = host->mass.inertia > 0.0f && !(host->locks & SCREE_LOCK_ROTATION);
+	return turns ? 1.0f / host->mass.inertia : 0.0f;
+}
+
+Guarded body_guarded(scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	Guarded guarded = {.first = host->first_collidable + 1, .parts = 1, .way = INFINITY};
+	int count = 0;
+	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
+	     k = world->host_collidables[k].next)
+	{
+		// guard adds components of the arm: at most 1.4143 times its length; a little more for rounding
+		const HostCollidable* collidable = world->host_collidables + k;
+		float x = collidable->pose.position.x - host->mass.center.x,
+		      y = collidable->pose.position.y - host->mass.center.y;
+		float way = GUARD_TRAVEL * attribute_thickness(world, collidable->attribute);
+		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach + 1.4143f * hypotf(x, y));
+		guarded.way = way < guarded.way ? way : guarded.way;
+		guarded.reach = reach > guarded.reach ? reach : guarded.reach;
+		++count;
+	}
+	if (count > GUARD_SHARE)
+		guarded.parts = count < GUARD_SHARE * GUARD_PARTS ? count / GUARD_SHARE : GUARD_PARTS;
+	Pipeline* pipeline = &world->pipeline;
+	pipeline->guard_way = guarded.way < pipeline->guard_way ? guarded.way : pipeline->guard_way;
+	pipeline->guard_reach = guarded.reach > pipeline->guard_reach ? guarded.reach : pipeline->guard_reach;
+	return guarded;
+}
+
+Command guarded_command(scree_world* world, int body)
+{
+	Guarded guarded = body_guarded(world, body);
+	return (Command){.kind = COMMAND_GUARDED,
+	                 .index = body,
+	                 .whole = {guarded.first, guarded.parts},
+	                 .value = make_float4(guarded.way, guarded.reach, 0.0f, 0.0f)};
+}
+
+void mass_set(scree_world* world, int body, scree_mass mass)
+{
+	HostBody* host = world->host_bodies + body;
+	host->mass = mass;
+	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
+	pending_command(world, COMMAND_MASS, body, value, 0);
+	pending_whole(world, guarded_command(world, body));
+}
+
+scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
+{
+	const char* function = "scree_body_get_mass";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "mass", mass));
+	int index = 0;
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	*mass = world->host_bodies[index].mass;
+	return SCREE_OK;
+}
+
+// body and mass say where the two stand in the call.
+static scree_status check_mass(const scree_world* world, Where body, Where mass, scree_body handle, scree_mass value)
+{
+	int index = 0;
+	TRY(check_body(world, body, "", handle, &index));
+	if (world->host_bodies[index].type != SCREE_BODY_DYNAMIC)
+		return refuse(SCREE_ERROR_INVALID, body, "", "is not dynamic: it has no mass");
+	TRY(check_real(mass, ".mass", value.mass, LEAST_MASS, MOST_MASS));
+	if (value.inertia != 0.0f)
+		TRY(check_real(mass, ".inertia (when it is not 0)", value.inertia, LEAST_INERTIA, MOST_MASS));
+	return check_vec(mass, ".center", value.center, SCREE_HUGE);
+}
+
+scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
+{
+	const char* function = "scree_body_set_mass";
+	TRY(world_check(world, function));
+	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
+	TRY(pending_reserve(world, function, 0, 0, 2));
+	mass_set(world, (int)body.index, mass);
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
+{
+	const char* function = "scree_bodies_set_masses";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "bodies", bodies, count));
+	TRY(check_batch(function, "masses", masses, count));
+	for (int k = 0; k < count; ++k)
+		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
+	TRY(pending_reserve(world, function, 0, 0, 2 * count));
+	for (int k = 0; k < count; ++k)
+		mass_set(world, (int)bodies[k].index, masses[k]);
+	return SCREE_OK;
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// migrate.c -- a world from one device to another, between two steps.
+//
+// What the host knows of a world does not depend on the device, but for where the trees lie; and the device holds
+// nothing but the pools. So a move is the pools that outlive a step, copied item by item.
+#include "world/migrate.h"
+#include "world/world.h"
+#include <stdio.h>
+#include <string.h>
+
+#define BOUNCE_BYTES ((size_t)4 << 20) // between two devices of which neither's memory is the host's
+
+static int smaller(int a, int b) { return a < b ? a : b; }
+
+// How many items of a kind outlive a step. What is pending has no room on the device yet.
+static int lasting_items(const scree_world* world, Per per)
+{
+	const Counters* c = &world->pipeline.counters;
+	const Backend* b = world->backend;
+	switch (per)
+	{
+	case ATTRIBUTE:
+		return world->pending.attributes;
+	case COLLIDABLE:
+		return smaller(world->collidables.used, b->capacity[per]);
+	case BODY:
+		// wide stages touch the padding, which must be inert
+		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
+	case CONTACT:
+		return c->contacts;
+	case CONSTRAINT:
+		return c->color_begin[COLORS + 1];
+	case BLOCK:
+		return (c->color_begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+	case ONE:
+		return 1;
+	default:
+		return 0; // scratch; the nodes of the trees are looked up again, and their leaves have places of their own
+	}
+}
+
+typedef struct // a copy at work
+{
+	scree_world* world;
+	Backend* to;
+	char* bounce;
+} Move;
+
+static char* address(Backend* b, PoolId pool, int first)
+{
+	char* memory = b->f->address ? b->f->address(b, pool) : NULL;
+	return memory ? memory + (size_t)first * pool_info[pool].bytes : NULL;
+}
+
+static scree_status fetch(Move* m, PoolId pool, int first, int count, void* items)
+{
+	Backend* from = m->world->backend;
+	return world_note(m->world, from->f->read(from, pool, first, count, items));
+}
+
+static scree_status copy(Move* m, PoolId pool, int first, int to_first, int count)
+{
+	Backend* to = m->to;
+	char *here = address(m->world->backend, pool, first), *there = address(to, pool, to_first);
+	if (here)
+		return to->f->write(to, pool, to_first, count, here);
+	if (there)
+		return fetch(m, pool, first, count, there);
+	if (!m->bounce)
+		m->bounce = scree_allocate(BOUNCE_BYTES);
+	if (!m->bounce)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move a world");
+	int most = (int)(BOUNCE_BYTES / pool_info[pool].bytes);
+	for (int k = 0; k < count; k += most)
+	{
+		int part = smaller(most, count - k);
+		TRY(fetch(m, pool, first + k, part, m->bounce));
+		TRY(to->f->write(to, pool, to_first + k, part, m->bounce));
+	}
+	return SCREE_OK;
+}
+
+static scree_status copy_all(Move* m)
+{
+	const scree_world* world = m->world;
+	Backend *from = world->backend, *to = m->to;
+	for (int per = 0; per < PER_COUNT; ++per)
+		if (from->capacity[per] > to->capacity[per])
+			TRY(to->f->resize(to, (Per)per, from->capacity[per]));
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+		if (pool_info[pool].role == STATE)
+			TRY(copy(m, (PoolId)pool, 0, 0, lasting_items(world, pool_info[pool].per)));
+	for (int t = 0; t < 2; ++t)
+		TRY(copy(m, POOL_leaf, t * from->capacity[COLLIDABLE], t * to->capacity[COLLIDABLE],
+		         world->pipeline.trees[t].tree.leaves));
+
+	// a backend takes note of the counters that it gives out; and what was written late fails by now
+	Counters counters;
+	return to->f->read(to, POOL_counters, 0, 1, &counters);
+}
+
+scree_status world_move(scree_world* world, Backend* to)
+{
+	Move m = {.world = world, .to = to};
+	scree_status status = copy_all(&m);
+	scree_release(m.bounce);
+	if (status != SCREE_OK)
+		return status;
+	scree_world_unshare(world); // what another device has is no use to this one
+	world->backend = to;
+	snprintf(world->device, sizeof world->device, "%s", to->name);
+	pipeline_move(&world->pipeline, to);
+	return SCREE_OK;
+}
