@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // import.c -- fills the pools of the paper's pipeline from a world.
+#include "dialect/vec.h"
 #include "reference/state.h"
-#include "stages/vec.h"
 #include "world/world.h"
 
 typedef struct // what scree_world_get_bodies and scree_body_get_collidables tell

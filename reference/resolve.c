@@ -7,9 +7,9 @@
 //
 // This work is based on: Girgis and Wells, GPGPU Acceleration for Video Game Physics Engines, section III; for the
 // impulses: Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
+#include "constraints/body.h"
 #include "platform/error.h"
 #include "reference/state.h"
-#include "stages/body.h"
 #include <stdlib.h>
 
 // Most resolutions a contact, on average over all. Fewer fell taller piles: in ten seconds a column of ten boxes falls

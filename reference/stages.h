@@ -5,8 +5,8 @@
 // PAPER_STAGE(name) says what happens to item i of the pools p; who includes this file says how it is run over all items.
 #ifndef REFERENCE_STAGES_H
 #define REFERENCE_STAGES_H
+#include "constraints/body.h"
 #include "reference/pools.h"
-#include "stages/body.h"
 #include "stages/filter.h"
 #include "stages/manifold.h"
 

@@ -182,8 +182,8 @@ static void check_layout(Backend* b, const Graph* g)
 	int* constraints = calloc(MOST_ITEMS, sizeof *constraints);
 	int* places = calloc((size_t)g->contacts, sizeof *places);
 	get(b, POOL_counters, 1, counters);
-	get(b, POOL_constraint_contact, MOST_ITEMS, constraints);
-	get(b, POOL_contact_constraint, g->contacts, places);
+	get(b, POOL_contact_place_slot, MOST_ITEMS, constraints);
+	get(b, POOL_contact_place, g->contacts, places);
 	int* hubs = calloc((size_t)g->bodies, sizeof *hubs);
 	get(b, POOL_hub, g->bodies, hubs);
 	int place = 0, touching = 0;
@@ -325,7 +325,7 @@ typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; b
 	Int2 ends[HUBS * 64]; // -1 in padding
 	int slots[HUBS * 64];
 	Spokes spokes[HUBS * 64 / MAX_LANES];
-	Constraints constraints[HUBS * 64 / MAX_LANES];
+	ContactRows constraints[HUBS * 64 / MAX_LANES];
 } Wheel;
 
 // Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights 0 to 9 are on all three, lights 10 to 39 are on one or two,
@@ -455,8 +455,8 @@ static void parts_come_together(void** state)
 		put(d, POOL_touching, 1 + HUBS + LIGHTS, w->touching);
 		put(d, POOL_hub, HUBS, hubs);
 		put(d, POOL_hub_keys, 1 + HUBS, w->keys);
-		put(d, POOL_constraint_contact, HUBS * 64, w->slots);
-		put(d, POOL_constraints, HUBS * 64 / MAX_LANES, w->constraints);
+		put(d, POOL_contact_place_slot, HUBS * 64, w->slots);
+		put(d, POOL_contact_rows, HUBS * 64 / MAX_LANES, w->constraints);
 		run_one(d, &(Step){0}, STAGE_hub_key, places, NO_COUNT, 0);
 		run_sort(d, places, HUB_KEY_TURN, 32 + 7);
 		run_one(d, &(Step){0}, STAGE_hub_order, places, NO_COUNT, places);

@@ -42,7 +42,7 @@ while read -r key; do
 done < <(sed -nE 's/^X\([a-z]+, [A-Z0-9]+, "([^"]+)".*/\1/p' view/window/keys.def)
 
 # only one file of the stages asks which compiler is reading it
-asks=$(grep -rlE '__OPENCL|__GNUC__|__clang__' src/stages src/pools | tr '\n' ' ' || true)
+asks=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/pools | tr '\n' ' ' || true)
 [ -z "$asks" ] || complain "only src/dialect/dialect.h asks which compiler reads it: $asks"
 
 # every file says what it is

@@ -14,6 +14,7 @@
 #include "stage_items.h"
 
 #include "stages/finalize.h"
+#include "stages/integrate.h"
 #include "stages/solve.h"
 #include "stages/transform.h"
 
@@ -149,23 +150,23 @@ static void make_chain(Pools* p)
 		                         .inv_inertia = moves ? random_between(&seed, 2.0f, 9.0f) : 0.0f};
 		p->motion[k] = (Motion){.gravity_scale = moves ? 1.0f : 0.0f, .free_x = 1.0f, .free_y = 1.0f};
 		p->base[k] = make_float4(p->body[k].vx, p->body[k].vy, p->body[k].w, 0.0f);
-		constraint_at(p, body_a, k) = k;
-		constraint_at(p, body_b, k) = (k + 1) % CHAIN;
+		contact_row(p, body_a, k) = k;
+		contact_row(p, body_b, k) = (k + 1) % CHAIN;
 		float turn = random_between(&seed, -3.0f, 3.0f);
-		constraint_at(p, normal_x, k) = cosf(turn);
-		constraint_at(p, normal_y, k) = sinf(turn);
-		constraint_at(p, friction, k) = 0.6f;
-		constraint_at(p, offset_x, k) = random_between(&seed, -1.0f, 1.0f);
-		constraint_at(p, offset_y, k) = random_between(&seed, -1.0f, 1.0f);
-		constraint_at(p, anchor1_x, k) = random_between(&seed, -0.5f, 0.5f);
-		constraint_at(p, anchor1_y, k) = random_between(&seed, -0.5f, 0.5f);
-		constraint_at(p, anchor2_x, k) = random_between(&seed, -0.5f, 0.5f);
-		constraint_at(p, anchor2_y, k) = random_between(&seed, -0.5f, 0.5f);
-		constraint_at(p, separation1, k) = random_between(&seed, -0.01f, 0.005f);
-		constraint_at(p, separation2, k) = k % 3 ? random_between(&seed, -0.01f, 0.005f) : NO_POINT;
-		constraint_at(p, normal_impulse1, k) = random_between(&seed, 0.0f, 0.1f);
-		constraint_at(p, normal_impulse2, k) = k % 3 ? random_between(&seed, 0.0f, 0.1f) : 0.0f;
-		constraint_at(p, tangent_impulse1, k) = random_between(&seed, -0.05f, 0.05f);
+		contact_row(p, normal_x, k) = cosf(turn);
+		contact_row(p, normal_y, k) = sinf(turn);
+		contact_row(p, friction, k) = 0.6f;
+		contact_row(p, offset_x, k) = random_between(&seed, -1.0f, 1.0f);
+		contact_row(p, offset_y, k) = random_between(&seed, -1.0f, 1.0f);
+		contact_row(p, anchor1_x, k) = random_between(&seed, -0.5f, 0.5f);
+		contact_row(p, anchor1_y, k) = random_between(&seed, -0.5f, 0.5f);
+		contact_row(p, anchor2_x, k) = random_between(&seed, -0.5f, 0.5f);
+		contact_row(p, anchor2_y, k) = random_between(&seed, -0.5f, 0.5f);
+		contact_row(p, separation1, k) = random_between(&seed, -0.01f, 0.005f);
+		contact_row(p, separation2, k) = k % 3 ? random_between(&seed, -0.01f, 0.005f) : NO_POINT;
+		contact_row(p, normal_impulse1, k) = random_between(&seed, 0.0f, 0.1f);
+		contact_row(p, normal_impulse2, k) = k % 3 ? random_between(&seed, 0.0f, 0.1f) : 0.0f;
+		contact_row(p, tangent_impulse1, k) = random_between(&seed, -0.05f, 0.05f);
 	}
 }
 
@@ -187,7 +188,7 @@ static void warm_start_equals_plain(void** state)
 	open_pools(&plain);
 	make_chain(&kept);
 	make_chain(&plain);
-	pass(&kept, warm_start_item);
+	pass(&kept, contact_warm_start_item);
 	for (int substep = 0; substep < 8; ++substep)
 	{
 		kept.argument = substep == 0;
@@ -198,22 +199,22 @@ static void warm_start_equals_plain(void** state)
 			integrate_velocity_item(&kept, k);
 			integrate_velocity_item(&plain, k);
 		}
-		pass(&plain, warm_start_item);
+		pass(&plain, contact_warm_start_item);
 		for (int side = 0; side < 2; ++side)
 		{
 			Pools* p = side ? &plain : &kept;
-			pass(p, bias_item);
+			pass(p, contact_bias_item);
 			for (int k = 0; k < CHAIN; ++k)
 				integrate_position_item(p, k);
-			pass(p, relax_item);
+			pass(p, contact_relax_item);
 		}
 		for (int k = 0; k < CHAIN; ++k)
 		{
 			NEAR(kept.body[k].vx, plain.body[k].vx, 2e-5);
 			NEAR(kept.body[k].vy, plain.body[k].vy, 2e-5);
 			NEAR(kept.body[k].w, plain.body[k].w, 1e-4);
-			NEAR(constraint_at(&kept, normal_impulse1, k), constraint_at(&plain, normal_impulse1, k), 2e-5);
-			NEAR(constraint_at(&kept, tangent_impulse1, k), constraint_at(&plain, tangent_impulse1, k), 2e-5);
+			NEAR(contact_row(&kept, normal_impulse1, k), contact_row(&plain, normal_impulse1, k), 2e-5);
+			NEAR(contact_row(&kept, tangent_impulse1, k), contact_row(&plain, tangent_impulse1, k), 2e-5);
 		}
 	}
 	close_pools(&kept);

@@ -6,6 +6,7 @@ cd "$SCREE_SOURCE"
 # from the ground up; ARCHITECTURE.md says what is where. Folders of one line do not know each other.
 layers='platform dialect
 pools
+constraints
 stages
 backend
 cpu opencl

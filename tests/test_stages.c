@@ -184,8 +184,8 @@ static void contacts_move_together(void** state)
 		}
 		put(b, POOL_counters, 1, &counters);
 		put(b, POOL_pair, SLOTS, pairs);
-		put(b, POOL_contact_constraint, SLOTS, constraints);
-		put(b, POOL_constraint_contact, SLOTS, constraints);
+		put(b, POOL_contact_place, SLOTS, constraints);
+		put(b, POOL_contact_place_slot, SLOTS, constraints);
 		run_one(b, &(Step){0}, STAGE_contact_dead, SLOTS + 1, NO_COUNT, 0);
 		run_one(b, &(Step){0}, PRIMITIVE_SCAN, SLOTS + 1, NO_COUNT, 0);
 		run_one(b, &(Step){0}, STAGE_contact_free, SLOTS, NO_COUNT, 0);
@@ -196,8 +196,7 @@ static void contacts_move_together(void** state)
 		for (int pool = 0; pool < POOL_COUNT; ++pool)
 		{
 			size_t size = pool_info[pool].bytes;
-			if (pool_info[pool].per != CONTACT || is_scratch(pool) || pool == POOL_pair ||
-			    pool == POOL_contact_constraint)
+			if (pool_info[pool].per != CONTACT || is_scratch(pool) || pool == POOL_pair || pool == POOL_contact_place)
 				continue;
 			get(b, (PoolId)pool, SLOTS, bytes);
 			for (size_t k = 0; k < (size_t)alive * size; ++k)
@@ -209,8 +208,8 @@ static void contacts_move_together(void** state)
 		get(b, POOL_pair, SLOTS, moved);
 		for (int k = 0; k < SLOTS; ++k)
 			assert_int_equal(moved[k].x, k < alive ? pairs[from[k]].x : -1);
-		get(b, POOL_contact_constraint, alive, bytes);
-		get(b, POOL_constraint_contact, SLOTS, back);
+		get(b, POOL_contact_place, alive, bytes);
+		get(b, POOL_contact_place_slot, SLOTS, back);
 		for (int k = 0; k < alive; ++k)
 		{
 			int constraint = ((const int*)bytes)[k];

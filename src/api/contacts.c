@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // contacts.c -- the contacts and overlaps of the last step, back from the device.
-#include "stages/rolling.h"
+#include "constraints/kinds.h"
+#include "constraints/rolling.h"
 #include "world/definition.h"
 #include "world/world.h"
 
@@ -11,10 +12,10 @@ typedef struct // the pools of contacts, and where their collidables were
 	Int2* feature;
 	Found* found;
 	int* color;
-	int* constraint;
-	Constraints* blocks;
+	int* place;
+	ContactRows* blocks;
 	Placed* placed;
-} ContactRows;
+} Rows;
 
 static scree_status read_pool(scree_world* world, const char* function, PoolId pool, int count, void** rows)
 {
@@ -24,14 +25,14 @@ static scree_status read_pool(scree_world* world, const char* function, PoolId p
 	return world_read(world, pool, 0, count, *rows);
 }
 
-static void release(ContactRows* rows)
+static void release(Rows* rows)
 {
 	scree_release(rows->flags);
 	scree_release(rows->pair);
 	scree_release(rows->feature);
 	scree_release(rows->found);
 	scree_release(rows->color);
-	scree_release(rows->constraint);
+	scree_release(rows->place);
 	scree_release(rows->blocks);
 	scree_release(rows->placed);
 }
@@ -43,7 +44,7 @@ static bool was_there(const scree_world* world, int collidable)
 	       world->host_collidables[collidable].born < world->pipeline.steps;
 }
 
-static bool is_wanted(const scree_world* world, const ContactRows* rows, int k, Word detected)
+static bool is_wanted(const scree_world* world, const Rows* rows, int k, Word detected)
 {
 	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED);
 	return flags == (CONTACT_TOUCHING | detected) && was_there(world, rows->pair[k].x) &&
@@ -56,7 +57,7 @@ static scree_body body_of(const scree_world* world, int collidable)
 	return body < 0 ? SCREE_NULL_BODY : body_handle(world, body);
 }
 
-static scree_contact contact_at(const scree_world* world, const ContactRows* rows, int k)
+static scree_contact contact_at(const scree_world* world, const Rows* rows, int k)
 {
 	Int2 pair = rows->pair[k];
 	Placed a = rows->placed[pair.x], b = rows->placed[pair.y];
@@ -78,11 +79,11 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 		const Advance rests = {{0.0f, 0.0f}, 0.0f};
 		at = rolling_points(shapes, row_a, row_b, found, (Int)flags, feature, rests, rests);
 	}
-	int c = rows->constraint[k];
+	int c = rows->place[k];
 	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 	if (c >= 0)
 	{
-		const Constraints* block = rows->blocks + c / MAX_LANES;
+		const ContactRows* block = rows->blocks + c / MAX_LANES;
 		impulse[0] = block->normal_impulse1[c % MAX_LANES];
 		impulse[1] = block->normal_impulse2[c % MAX_LANES];
 		impulse[2] = block->tangent_impulse1[c % MAX_LANES];
@@ -112,7 +113,7 @@ static scree_contact contact_at(const scree_world* world, const ContactRows* row
 }
 
 static scree_status list(scree_world* world, const char* function, Word detected, scree_contact* contacts, size_t size,
-                         int capacity, int* count, ContactRows* rows)
+                         int capacity, int* count, Rows* rows)
 {
 	int slots = world->pipeline.counters.contacts, total = 0;
 	TRY(read_pool(world, function, POOL_contact_flags, slots, (void**)&rows->flags));
@@ -124,10 +125,10 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
 		TRY(read_pool(world, function, POOL_contact_found, slots, (void**)&rows->found));
 		TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
-		TRY(read_pool(world, function, POOL_contact_constraint, slots, (void**)&rows->constraint));
+		TRY(read_pool(world, function, POOL_contact_place, slots, (void**)&rows->place));
 		int blocks = world->pipeline.counters.color_begin[COLORS + 1] / MAX_LANES;
 		if (blocks > 0)
-			TRY(read_pool(world, function, POOL_constraints, blocks, (void**)&rows->blocks));
+			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
 		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{
@@ -152,7 +153,7 @@ static scree_status get(scree_world* world, const char* function, const char* ar
 		*count = 0;
 		return SCREE_OK;
 	}
-	ContactRows rows = {0};
+	Rows rows = {0};
 	scree_status status = list(world, function, detected, contacts, size, capacity, count, &rows);
 	release(&rows);
 	return status;

@@ -2,13 +2,13 @@
 // solve.c -- a whole solve as a list of runs: a run a color, in every pass.
 #include "backend/solve.h"
 #include "backend/backend.h"
-#include "stages/schedule.h"
+#include "constraints/schedule.h"
 
 static const int pass_stages[PASS_KINDS] = {
-    [PASS_WARM_START] = STAGE_warm_start,
-    [PASS_BIAS] = STAGE_bias,
-    [PASS_RELAX] = STAGE_relax,
-    [PASS_BOUNCE] = STAGE_bounce,
+    [PASS_WARM_START] = STAGE_contact_warm_start,
+    [PASS_BIAS] = STAGE_contact_bias,
+    [PASS_RELAX] = STAGE_contact_relax,
+    [PASS_BOUNCE] = STAGE_contact_bounce,
 };
 
 static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
@@ -44,9 +44,9 @@ void solve_list(const Solve* solve, RunList* list)
 {
 	int bound = solve->bound, bodies = solve_bodies(solve), constraints = solve_constraints(solve);
 	runs_add(list, STAGE_solve_begin, 0, bodies, bound, 0);
-	runs_add(list, STAGE_prepare, 0, constraints, bound, 0);
+	runs_add(list, STAGE_contact_prepare, 0, constraints, bound, 0);
 	if (solve->extras)
-		runs_add(list, STAGE_prepare_extra, 0, constraints, bound, 0);
+		runs_add(list, STAGE_contact_prepare_rare, 0, constraints, bound, 0);
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
 	{
 		int before = schedule_before(solve->substeps, q);

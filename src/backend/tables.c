@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tables.c -- what pools.def and stages.def list, as tables.
 #include "backend/backend.h"
+#include "constraints/kinds.h"
 
 // clang-format off
 const PoolInfo pool_info[POOL_COUNT] = {

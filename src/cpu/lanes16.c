@@ -2,6 +2,7 @@
 // lanes16.c -- the wide stages, sixteen items a call: AVX-512 on x86.
 #define LANES 16
 #include "stages/hub.h"
+#include "stages/integrate.h"
 #include "stages/narrow_phase_keep.h"
 #include "stages/prepare.h"
 #include "stages/solve.h"

@@ -2,6 +2,7 @@
 // lanes4.c -- the wide stages, four items a call: SSE2 or NEON.
 #define LANES 4
 #include "stages/hub.h"
+#include "stages/integrate.h"
 #include "stages/narrow_phase_keep.h"
 #include "stages/prepare.h"
 #include "stages/solve.h"

@@ -100,7 +100,7 @@ scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
 
 scree_status scratch_drop(OpenCl* d)
 {
-	Scratch* scratch[TILE_BUFFERS + 3] = {&d->rows, &d->notes, &d->parts};
+	Scratch* scratch[TILE_BUFFERS + 3] = {&d->rows, &d->stream, &d->parts};
 	for (int k = 0; k < TILE_BUFFERS; ++k)
 		scratch[k + 3] = &d->tiles.buffers[k];
 	TRY(finish(d));

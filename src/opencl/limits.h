@@ -49,10 +49,11 @@
 #define RELAY_TURNS 68
 // bound of a wait, in looks at a word of half a microsecond or so: 2 s
 #define RELAY_SPINS_MOST (1 << 22)
-// float4s and float2s of a constraint that does not stay in registers
-#define NOTE_QUADS   3
-#define NOTE_PAIRS   8
-#define NOTE_FLOAT4S (NOTE_QUADS + NOTE_PAIRS / 2) // float4s in all
+// columns of float4 and float2 in the stream of constraints that do not stay in registers, and float4s in all; each kind of
+// constraint leaves the last of both to its edge
+#define STREAM_QUADS   4
+#define STREAM_PAIRS   5
+#define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
 // Bodies of a tile, which lie in local memory during a pass: 36 bytes each. More leave fewer constraints on the borders,
 // fewer let more tiles be at work on a compute unit.

@@ -2,9 +2,9 @@
 // opencl.h -- what the files of the OpenCL backend share: its state, launches and uploads.
 #ifndef OPENCL_H
 #define OPENCL_H
+#include "constraints/schedule.h"
 #include "opencl/device.h"
 #include "opencl/limits.h"
-#include "stages/schedule.h"
 
 typedef struct
 {
@@ -140,9 +140,9 @@ typedef struct
 
 	// relay.c
 	Kernel relay, relay_plain, relay_hubs, solve_end;
-	Scratch rows;  // of words, RELAY_WORDS a body
-	Scratch notes; // NOTE_FLOAT4S a constraint that does not stay in registers
-	Scratch parts; // two words a spoke, and a hub
+	Scratch rows;   // of words, RELAY_WORDS a body
+	Scratch stream; // STREAM_FLOAT4S a constraint that does not stay in registers
+	Scratch parts;  // two words a spoke, and a hub
 
 	// solve.c: SCREE_SOLVER, the form that a solve takes whatever its size; launches where there was no room for another
 	SolveForm solver;

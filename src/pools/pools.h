@@ -141,31 +141,16 @@ typedef struct // 32 bytes: one sector
 	int attribute, body;
 } Placed;
 
-// A block of MAX_LANES constraints, one row a component: a wide pass reads rows of one contiguous block, and a GPU finds
-// all components of a constraint from one address. With an array a component there were seventeen addresses to hold.
-typedef struct
-{
-	int body_a[MAX_LANES], body_b[MAX_LANES];
-	float normal_x[MAX_LANES], normal_y[MAX_LANES]; // from a to b
-	float offset_x[MAX_LANES],
-	    offset_y[MAX_LANES]; // m: center of a minus center of b: an anchor on b is that on a plus this
-	float anchor1_x[MAX_LANES], anchor1_y[MAX_LANES]; // m: point 1 from the center of a
-	float anchor2_x[MAX_LANES], anchor2_y[MAX_LANES];
-	float separation1[MAX_LANES], separation2[MAX_LANES]; // m, at the start of the step; NO_POINT when there is none
-	float normal_impulse1[MAX_LANES], normal_impulse2[MAX_LANES];   // N s; kept from step to step
-	float tangent_impulse1[MAX_LANES], tangent_impulse2[MAX_LANES]; // N s; kept from step to step
-	float friction[MAX_LANES];
-} Constraints;
-
-typedef struct
-{
-	float restitution[MAX_LANES], rolling[MAX_LANES], tangent_speed[MAX_LANES]; // 1, m, m/s
-	float rolling_impulse[MAX_LANES];                                           // N m s; kept from step to step
-	float fall[MAX_LANES]; // m/s^2: normal acceleration by gravity and forces
-	float rebound1[MAX_LANES],
-	    rebound2[MAX_LANES]; // m/s: speed at which a point leaves the surface, 0: it does not bounce
-	float total_impulse1[MAX_LANES], total_impulse2[MAX_LANES]; // N s: normal impulses of all substeps
-} Extras;
+// The rows of constraints, of src/constraints/: blocks of MAX_LANES, one row a component, so that a wide pass reads rows of one
+// contiguous block, and a GPU finds all components of a constraint from one address. With an array a component there were
+// seventeen addresses to hold. And what is kept of a constraint while the rows are laid out anew.
+#define X(kind, Kind, KIND)                       \
+	typedef struct Kind##Rows Kind##Rows;         \
+	typedef struct Kind##RareRows Kind##RareRows; \
+	typedef struct Kind##Kept Kind##Kept;         \
+	typedef struct Kind##RareKept Kind##RareKept;
+#include "pools/kinds.def"
+#undef X
 
 typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
 {
@@ -183,10 +168,8 @@ typedef struct // MAX_LANES spokes; but for the first two, what a pass works wit
 	float limit1[MAX_LANES], limit2[MAX_LANES];
 } Spokes;
 
-// a component of constraint i of the pools p
-#define constraint_at(p, component, i) ((p)->constraints[(i) / MAX_LANES].component[(i) % MAX_LANES])
-#define extra_at(p, component, i)      ((p)->extras[(i) / MAX_LANES].component[(i) % MAX_LANES])
-#define spoke_at(p, component, k)      ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
+// a component of spoke k of the pools p
+#define spoke_at(p, component, k) ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
 
 typedef struct // 32 bytes: one sector, gathered at random by the solver
 {

@@ -5,7 +5,7 @@
 // docs/solver.md has the formulas.
 #ifndef ANSWER_H
 #define ANSWER_H
-#include "stages/solve.h"
+#include "constraints/kinds.h"
 #include "stages/spoke.h"
 
 // A spoke answers as if its light end had this part of the hub's inverse mass more. Without it a light end that cannot move
@@ -76,37 +76,38 @@ INLINE Body body_choose(Body a, Body b, Int c)
 // Whether the hub is body b.
 INLINE Int spoke_turned(const Pools* p, const Hub* h, int i)
 {
-	return (load_int(&constraint_at(p, body_b, i), 0) ^ h->body) == 0;
+	return (load_int(&contact_row(p, body_b, i), 0) ^ h->body) == 0;
 }
 
 INLINE Int spoke_light(const Pools* p, const Hub* h, int i)
 {
-	return load_int(&constraint_at(p, body_a, i), 0) ^ load_int(&constraint_at(p, body_b, i), 0) ^ h->body;
+	return load_int(&contact_row(p, body_a, i), 0) ^ load_int(&contact_row(p, body_b, i), 0) ^ h->body;
 }
 
 // what the blocks of a pass need of the light end
 INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body light)
 {
-	Pair c;
-	pair_arms(p, i, &c);
+	Contact u;
+	contact_load(p, i, PASS_BIAS, &u);
 	Int turned = spoke_turned(p, h, i);
-	c.a = body_choose(h->whole, light, turned);
-	c.b = body_choose(light, h->whole, turned);
+	Body a = body_choose(h->whole, light, turned), b = body_choose(light, h->whole, turned);
+	contact_ready(&a, &b, &u);
 	int k = spoke_of(p, i);
 	store(&spoke_at(p, vx, k), 0, light.v.x);
 	store(&spoke_at(p, vy, k), 0, light.v.y);
 	store(&spoke_at(p, w, k), 0, light.w);
 	store(&spoke_at(p, inv_mass, k), 0, light.inv_mass);
 	store(&spoke_at(p, inv_inertia, k), 0, light.inv_inertia);
-	store(&spoke_at(p, gap1, k), 0, pair_gap(&c, 0, load(&constraint_at(p, separation1, i), 0)));
-	store(&spoke_at(p, gap2, k), 0, pair_gap(&c, 1, load(&constraint_at(p, separation2, i), 0)));
+	store(&spoke_at(p, gap1, k), 0, u.gap1);
+	store(&spoke_at(p, gap2, k), 0, u.gap2);
 }
 
 INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 {
-	Pair c;
+	Contact u;
 	SpokeArms s;
-	pair_arms(p, i, &c);
+	contact_load(p, i, PREPARE_BOUNCE, &u);
+	ContactArms c = pair_of(&u, &h->whole, &h->whole);
 	Int turned = spoke_turned(p, h, i);
 	Vec n = what == HUB_FRICTION ? c.t : c.n;
 	s.n = vec(choose(-n.x, n.x, turned), choose(-n.y, n.y, turned));
@@ -168,25 +169,25 @@ INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
 {
 	if (what == HUB_ROLL || what == HUB_BOUNCE)
 	{
-		old[0] = what == HUB_ROLL ? load(&extra_at(p, rolling_impulse, i), 0) : splat(0.0f);
+		old[0] = what == HUB_ROLL ? load(&contact_rare(p, rolling_impulse, i), 0) : splat(0.0f);
 		old[1] = splat(0.0f);
 		return;
 	}
-	old[0] = what == HUB_FRICTION ? load(&constraint_at(p, tangent_impulse1, i), 0)
-	                              : load(&constraint_at(p, normal_impulse1, i), 0);
-	old[1] = what == HUB_FRICTION ? load(&constraint_at(p, tangent_impulse2, i), 0)
-	                              : load(&constraint_at(p, normal_impulse2, i), 0);
+	old[0] = what == HUB_FRICTION ? load(&contact_row(p, tangent_impulse1, i), 0)
+	                              : load(&contact_row(p, normal_impulse1, i), 0);
+	old[1] = what == HUB_FRICTION ? load(&contact_row(p, tangent_impulse2, i), 0)
+	                              : load(&contact_row(p, normal_impulse2, i), 0);
 }
 
 // What bounces leaves, so that the next step must not begin with the impulse of this one.
 INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse2)
 {
 	int m = spoke_of(p, i);
-	Real zero = splat(0.0f), normal1 = load(&constraint_at(p, normal_impulse1, i), 0),
-	     normal2 = load(&constraint_at(p, normal_impulse2, i), 0);
+	Real zero = splat(0.0f), normal1 = load(&contact_row(p, normal_impulse1, i), 0),
+	     normal2 = load(&contact_row(p, normal_impulse2, i), 0);
 	pair_total(p, i, impulse1, impulse2);
-	store(&constraint_at(p, normal_impulse1, i), 0, choose(normal1, zero, load(&spoke_at(p, limit1, m), 0) > zero));
-	store(&constraint_at(p, normal_impulse2, i), 0, choose(normal2, zero, load(&spoke_at(p, limit2, m), 0) > zero));
+	store(&contact_row(p, normal_impulse1, i), 0, choose(normal1, zero, load(&spoke_at(p, limit1, m), 0) > zero));
+	store(&contact_row(p, normal_impulse2, i), 0, choose(normal2, zero, load(&spoke_at(p, limit2, m), 0) > zero));
 }
 
 INLINE void spoke_keep(const Pools* p, int i, int what, Real impulse1, Real impulse2)
@@ -198,12 +199,12 @@ INLINE void spoke_keep(const Pools* p, int i, int what, Real impulse1, Real impu
 	}
 	if (what == HUB_ROLL)
 	{
-		store(&extra_at(p, rolling_impulse, i), 0, impulse1);
+		store(&contact_rare(p, rolling_impulse, i), 0, impulse1);
 		return;
 	}
-	store(what == HUB_FRICTION ? &constraint_at(p, tangent_impulse1, i) : &constraint_at(p, normal_impulse1, i), 0,
+	store(what == HUB_FRICTION ? &contact_row(p, tangent_impulse1, i) : &contact_row(p, normal_impulse1, i), 0,
 	      impulse1);
-	store(what == HUB_FRICTION ? &constraint_at(p, tangent_impulse2, i) : &constraint_at(p, normal_impulse2, i), 0,
+	store(what == HUB_FRICTION ? &contact_row(p, tangent_impulse2, i) : &contact_row(p, normal_impulse2, i), 0,
 	      impulse2);
 }
 
@@ -215,13 +216,13 @@ INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
 		spoke_impulses(p, i, HUB_NORMAL, normal);
 	if (what == HUB_FRICTION)
 	{
-		Real friction = load(&constraint_at(p, friction, i), 0);
+		Real friction = load(&contact_row(p, friction, i), 0);
 		limit[0] = friction * normal[0];
 		limit[1] = friction * normal[1];
 	}
 	else if (what == HUB_ROLL)
 	{
-		limit[0] = minimum(load(&extra_at(p, rolling, i), 0) * (normal[0] + normal[1]), splat(MOST_IMPULSE));
+		limit[0] = minimum(load(&contact_rare(p, rolling, i), 0) * (normal[0] + normal[1]), splat(MOST_IMPULSE));
 		limit[1] = splat(0.0f);
 	}
 }
@@ -234,7 +235,7 @@ INLINE Real spoke_gap(const Pools* p, int i, int k)
 
 INLINE Real spoke_rebound(const Pools* p, int i, int k)
 {
-	return k ? load(&extra_at(p, rebound2, i), 0) : load(&extra_at(p, rebound1, i), 0);
+	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
 }
 
 // 1/kg: the velocity that an impulse of 1 gives the whole of both bodies at point k, against each other
@@ -251,13 +252,13 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*bias = splat(0.0f);
 	*soft = splat(0.0f);
 	if (what == HUB_FRICTION && p->step.extras)
-		*bias = load(&extra_at(p, tangent_speed, i), 0);
+		*bias = load(&contact_rare(p, tangent_speed, i), 0);
 	if (what == HUB_FRICTION || what == HUB_ROLL)
 		return;
 	Real gap = spoke_gap(p, i, k);
 	if (what == HUB_BOUNCE)
 	{
-		*bias = -bounce_speed(&p->step, spoke_rebound(p, i, k), load(&extra_at(p, fall, i), 0), gap);
+		*bias = -bounce_speed(&p->step, spoke_rebound(p, i, k), load(&contact_rare(p, fall, i), 0), gap);
 		return;
 	}
 	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), &p->step, what == HUB_SOFT);
@@ -278,7 +279,7 @@ INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
 	if (what == HUB_NORMAL)
 		return choose(one, zero, pair_waits(spoke_gap(p, i, k), old, rebound));
-	Real total = k ? load(&extra_at(p, total_impulse2, i), 0) : load(&extra_at(p, total_impulse1, i), 0);
+	Real total = k ? load(&contact_rare(p, total_impulse2, i), 0) : load(&contact_rare(p, total_impulse1, i), 0);
 	return choose(zero, one, (rebound > zero) & (total > zero));
 }
 

@@ -30,7 +30,7 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 	return leaves;
 }
 
-// Pair i, j, when it is new. Returns whether the walk may go on: not when there are more pairs than a world may have.
+// ContactArms i, j, when it is new. Returns whether the walk may go on: not when there are more pairs than a world may have.
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
 	// most neighbors are known ones

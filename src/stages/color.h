@@ -14,6 +14,8 @@
 // thousands of new contacts costs no rounds.
 #ifndef COLOR_H
 #define COLOR_H
+#include "constraints/contact_one.h"
+#include "constraints/kinds.h"
 #include "stages/spoke.h"
 
 // A bijection of the 32-bit numbers that leaves no visible order (odd multipliers and xor-shifts can be undone, so no
@@ -147,24 +149,18 @@ STAGE(color_key)
 {
 	if (FETCHES && i + KEY_SOON < p->counters->arrange)
 	{
-		int soon = p->contact_constraint[i + KEY_SOON];
+		int soon = p->contact_place[i + KEY_SOON];
 		soon = soon < 0 ? 0 : soon;
-		fetch_soon(&constraint_at(p, normal_impulse1, soon));
-		fetch_soon(&constraint_at(p, normal_impulse2, soon));
-		fetch_soon(&constraint_at(p, tangent_impulse1, soon));
-		fetch_soon(&constraint_at(p, tangent_impulse2, soon));
-		fetch_soon(&extra_at(p, rolling_impulse, soon));
+		contact_fetch_kept(p, soon);
 	}
-	int color = p->contact_color[i], c = p->contact_constraint[i];
+	int color = p->contact_color[i], c = p->contact_place[i];
 	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color;
 	if (color == COLORS)
 		name += (Word64)hub_owner(p, p->contact_bodies[i]);
 	p->key[i] = name << 32 | (Word64)i;
 	if (c < 0)
 		return;
-	p->contact_impulse[i] = make_float4(constraint_at(p, normal_impulse1, c), constraint_at(p, normal_impulse2, c),
-	                                    constraint_at(p, tangent_impulse1, c), constraint_at(p, tangent_impulse2, c));
-	p->contact_rolling_impulse[i] = extra_at(p, rolling_impulse, c);
+	contact_keep(p, i, c);
 }
 
 // Where a color begins and ends among the sorted keys, and a hub. Where a hub begins scan is 1, so that it will count them.
@@ -228,45 +224,6 @@ STAGE(color_range)
 	(void)i;
 }
 
-// an inert constraint between the ground and itself
-INLINE void color_pad(const Pools* p, int place)
-{
-	p->constraint_contact[place] = -1;
-	constraint_at(p, body_a, place) = 0;
-	constraint_at(p, body_b, place) = 0;
-	constraint_at(p, friction, place) = 0.0f;
-	extra_at(p, restitution, place) = 0.0f;
-	extra_at(p, rolling, place) = 0.0f;
-	extra_at(p, tangent_speed, place) = 0.0f;
-	constraint_at(p, separation1, place) = NO_POINT;
-	constraint_at(p, separation2, place) = NO_POINT;
-	constraint_at(p, normal_impulse1, place) = 0.0f;
-	constraint_at(p, normal_impulse2, place) = 0.0f;
-	constraint_at(p, tangent_impulse1, place) = 0.0f;
-	constraint_at(p, tangent_impulse2, place) = 0.0f;
-	extra_at(p, rolling_impulse, place) = 0.0f;
-}
-
-// The same among the spokes of a hub: a contact with nothing, in one place, so that it adds nothing to sums.
-INLINE void color_pad_spoke(const Pools* p, int place, int hub)
-{
-	color_pad(p, place);
-	constraint_at(p, body_b, place) = hub;
-	constraint_at(p, normal_x, place) = 0.0f;
-	constraint_at(p, normal_y, place) = 0.0f;
-	constraint_at(p, offset_x, place) = 0.0f;
-	constraint_at(p, offset_y, place) = 0.0f;
-	constraint_at(p, anchor1_x, place) = 0.0f;
-	constraint_at(p, anchor1_y, place) = 0.0f;
-	constraint_at(p, anchor2_x, place) = 0.0f;
-	constraint_at(p, anchor2_y, place) = 0.0f;
-	extra_at(p, fall, place) = 0.0f;
-	extra_at(p, rebound1, place) = 0.0f;
-	extra_at(p, rebound2, place) = 0.0f;
-	extra_at(p, total_impulse1, place) = 0.0f;
-	extra_at(p, total_impulse2, place) = 0.0f;
-}
-
 // what does not change while the layout stands
 STAGE(color_place)
 {
@@ -284,27 +241,22 @@ STAGE(color_place)
 		place = hub_first(p, n, keys.x) + (i - keys.x);
 		int end = i + 1 == c->color_last[COLORS] ? c->color_begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
 		for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
-			color_pad_spoke(p, k, hub);
+		{
+			// a contact of the hub with nothing, in one place, so that it adds nothing to sums
+			contact_pad(p, k);
+			contact_row(p, body_b, k) = hub;
+		}
 	}
 	Int2 bodies = p->contact_bodies[slot];
-	Float4 surface = p->contact_surface[slot], impulse = p->contact_impulse[slot];
-	p->contact_constraint[slot] = place;
-	p->constraint_contact[place] = slot;
-	p->constraint_pair[place] = p->pair[slot];
-	constraint_at(p, body_a, place) = bodies.x;
-	constraint_at(p, body_b, place) = bodies.y;
-	constraint_at(p, friction, place) = surface.x;
-	extra_at(p, restitution, place) = surface.y;
-	extra_at(p, rolling, place) = surface.z;
-	extra_at(p, tangent_speed, place) = surface.w;
-	constraint_at(p, normal_impulse1, place) = impulse.x;
-	constraint_at(p, normal_impulse2, place) = impulse.y;
-	constraint_at(p, tangent_impulse1, place) = impulse.z;
-	constraint_at(p, tangent_impulse2, place) = impulse.w;
-	extra_at(p, rolling_impulse, place) = p->contact_rolling_impulse[slot];
+	p->contact_place[slot] = place;
+	p->contact_place_slot[place] = slot;
+	contact_row(p, body_a, place) = bodies.x;
+	contact_row(p, body_b, place) = bodies.y;
+	contact_place(p, slot, place);
+	contact_put_back(p, slot, place);
 	if (color < COLORS && i + 1 == c->color_last[color])
 		for (int k = place + 1; k < c->color_begin[color + 1]; ++k)
-			color_pad(p, k);
+			contact_pad(p, k);
 }
 
 #endif

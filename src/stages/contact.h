@@ -4,7 +4,8 @@
 // Slots name contacts wherever an order is needed (colors' priorities, read-back), so they must not depend on the device.
 #ifndef CONTACT_H
 #define CONTACT_H
-#include "stages/finite.h"
+#include "constraints/kinds.h"
+#include "dialect/finite.h"
 
 // Is there room for the pairs found, and may there be so many? That does not depend on capacities, and so not on devices.
 STAGE(contact_admit)
@@ -59,19 +60,19 @@ STAGE(contact_pack)
 	int alive = c->alive - c->released;
 	if (i < alive || p->pair[i].x < 0)
 		return;
-	int to = p->free_slot[(i - alive) - (p->scan[i] - p->scan[alive])], constraint = p->contact_constraint[i];
+	int to = p->free_slot[(i - alive) - (p->scan[i] - p->scan[alive])], constraint = p->contact_place[i];
 	p->pair[to] = p->pair[i];
 	p->contact_bodies[to] = p->contact_bodies[i];
 	p->contact_flags[to] = p->contact_flags[i];
 	p->contact_color[to] = p->contact_color[i];
 	p->contact_feature[to] = p->contact_feature[i];
 	p->contact_found[to] = p->contact_found[i];
-	p->contact_impulse[to] = p->contact_impulse[i];
-	p->contact_rolling_impulse[to] = p->contact_rolling_impulse[i];
+	p->contact_kept[to] = p->contact_kept[i];
+	p->contact_rare_kept[to] = p->contact_rare_kept[i];
 	p->contact_surface[to] = p->contact_surface[i];
-	p->contact_constraint[to] = constraint;
+	p->contact_place[to] = constraint;
 	if (constraint >= 0)
-		p->constraint_contact[constraint] = to;
+		p->contact_place_slot[constraint] = to;
 	p->pair[i] = make_int2(-1, -1);
 }
 
@@ -117,9 +118,8 @@ STAGE(contact_create)
 	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0 ? CONTACT_DETECTED : 0u);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
-	p->contact_impulse[slot] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	p->contact_rolling_impulse[slot] = 0.0f;
-	p->contact_constraint[slot] = -1;
+	contact_forget(p, slot);
+	p->contact_place[slot] = -1;
 
 	// friction as the geometric mean, so that ice stays slippery on anything; the livelier restitution; a lever of
 	// rolling resistance as long as the larger radius; belts that run against each other add up

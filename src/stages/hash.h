@@ -2,7 +2,7 @@
 // hash.h -- the world hash: a sum over items of a hash of each, so that no order and no padding matters.
 #ifndef HASH_H
 #define HASH_H
-#include "pools/pools.h"
+#include "constraints/kinds.h"
 
 // the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input moves half of the output's
 INLINE Word64 hash_mix(Word64 h)
@@ -22,6 +22,24 @@ INLINE Word64 hash_float4(Word64 h, Float4 v)
 	return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w);
 }
 INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
+
+// What is kept of a constraint, in the order of its rows.
+#define X(kind, Kind, KIND)                                                          \
+	INLINE Word64 kind##_hash(Word64 h, const Pools* p, int i)                       \
+	{                                                                                \
+		int lane = i % MAX_LANES;                                                    \
+		{                                                                            \
+			const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
+			KIND##_ROWS(ROW_HASH)                                                    \
+		}                                                                            \
+		{                                                                            \
+			const GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+			KIND##_RARE_ROWS(ROW_HASH)                                               \
+		}                                                                            \
+		return h;                                                                    \
+	}
+#include "pools/kinds.def"
+#undef X
 
 // Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies begins the sums, the others add to them.
 STAGE(hash_bodies)
@@ -79,13 +97,9 @@ STAGE(hash_contacts)
 		h = hash_float4(hash_float4(h, found.normal), found.on_a);
 		h = hash_float4(hash_float4(h, found.relative), found.then);
 		h = hash_float4(h, p->contact_surface[k]);
-		int c = p->contact_constraint[k];
+		int c = p->contact_place[k];
 		if (c >= 0)
-		{
-			h = hash_float(hash_float(h, constraint_at(p, normal_impulse1, c)), constraint_at(p, normal_impulse2, c));
-			h = hash_float(hash_float(h, constraint_at(p, tangent_impulse1, c)), constraint_at(p, tangent_impulse2, c));
-			h = hash_float(h, extra_at(p, rolling_impulse, c));
-		}
+			h = contact_hash(h, p, c);
 		sum += h;
 	}
 	p->hash[i] += sum;

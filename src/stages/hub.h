@@ -10,8 +10,8 @@
 // for the hub, which Newton's method solves. docs/solver.md has the formulas.
 #ifndef HUB_H
 #define HUB_H
+#include "constraints/schedule.h"
 #include "stages/answer.h"
-#include "stages/schedule.h"
 
 // Sums over spokes have a fixed order, whoever adds: HUB_COLUMNS of them, each over every HUB_COLUMNS-th spoke, then by halves.
 // As many as a group of a GPU has work-items, so that all of them take part.
@@ -261,7 +261,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
 	if (pass == PASS_RELAX && p->step.extras)
 		HUB_EACH_COLUMN(c, h)
 	HUB_EACH_OF(i, c, h)
-	pair_total(p, i, load(&constraint_at(p, normal_impulse1, i), 0), load(&constraint_at(p, normal_impulse2, i), 0));
+	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));
 }
 
 // Hub number n, with its body as it is now.

@@ -2,7 +2,7 @@
 // hub_one.h -- what hubs need of single items: contacts that become spokes, light ends in parts, and together again.
 #ifndef HUB_ONE_H
 #define HUB_ONE_H
-#include "stages/body.h"
+#include "constraints/body.h"
 #include "stages/spoke.h"
 
 // All contacts of a body that became a hub give their colors back.
@@ -37,17 +37,17 @@ INLINE int hub_number(const Pools* p, int body)
 // The hub of spoke k, and the body at its other end: as it was laid out, whatever the user has made of masses since.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
-	int c = p->counters->color_begin[COLORS] + k, a = constraint_at(p, body_a, c), n = hub_number(p, a);
+	int c = p->counters->color_begin[COLORS] + k, a = contact_row(p, body_a, c), n = hub_number(p, a);
 	if (n < 0)
-		return constraint_at(p, body_b, c);
+		return contact_row(p, body_b, c);
 	HubSpan span = hub_span_of(p, n);
-	return c >= span.first && c < span.first + span.count ? a : constraint_at(p, body_b, c);
+	return c >= span.first && c < span.first + span.count ? a : contact_row(p, body_b, c);
 }
 
 INLINE int spoke_light_of(const Pools* p, int k)
 {
 	int c = p->counters->color_begin[COLORS] + k;
-	return constraint_at(p, body_a, c) ^ constraint_at(p, body_b, c) ^ spoke_hub_of(p, k);
+	return contact_row(p, body_a, c) ^ contact_row(p, body_b, c) ^ spoke_hub_of(p, k);
 }
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_TURN) - (Word64)1)); }
@@ -57,7 +57,7 @@ STAGE(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
 	int c = p->counters->color_begin[COLORS] + i;
-	if (p->constraint_contact[c] >= 0)
+	if (p->contact_place_slot[c] >= 0)
 	{
 		int hub = spoke_hub_of(p, i), n = hub_number(p, hub), light = spoke_light_of(p, i);
 		if (hub_span_of(p, n).first == c)

@@ -4,8 +4,8 @@
 // S. Gottschalk, Separating Axis Theorem, 1996. Two cores overlap when they do along the normals of all edges of both.
 #ifndef MANIFOLD_AXIS_H
 #define MANIFOLD_AXIS_H
+#include "dialect/vec.h"
 #include "pools/pools.h"
-#include "stages/vec.h"
 
 // a separation below all others
 #define NO_AXIS (-1.0e30f)

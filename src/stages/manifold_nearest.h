@@ -2,7 +2,7 @@
 // manifold_nearest.h -- the nearest points of two edges, and which features they lie on.
 #ifndef MANIFOLD_NEAREST_H
 #define MANIFOLD_NEAREST_H
-#include "stages/vec.h"
+#include "dialect/vec.h"
 
 typedef struct // of a core; start and end are given along the reference edge and over it, m
 {

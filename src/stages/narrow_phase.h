@@ -44,9 +44,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 	atomic_add_int(&p->touching[bodies.x], -1);
 	atomic_add_int(&p->touching[bodies.y], -1);
 	p->contact_color[i] = COLOR_NONE;
-	p->contact_constraint[i] = -1;
-	p->contact_impulse[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	p->contact_rolling_impulse[i] = 0.0f;
+	p->contact_place[i] = -1;
+	contact_forget(p, i);
 	atomic_add_int(&p->counters->ended, 1);
 	raise_int(&p->counters->changed, 1);
 }
@@ -138,7 +137,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	}
 	Manifold m = found_at.m;
 
-	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_constraint[i];
+	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
 	Int2 features = p->contact_feature[i];
 	Float4 on_a = p->contact_found[i].on_a;
 	int old_feature[2] = {features.x, features.y};
@@ -146,10 +145,10 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	float normal[2] = {0.0f, 0.0f}, tangent[2] = {0.0f, 0.0f};
 	if (constraint >= 0)
 	{
-		normal[0] = constraint_at(p, normal_impulse1, constraint);
-		normal[1] = constraint_at(p, normal_impulse2, constraint);
-		tangent[0] = constraint_at(p, tangent_impulse1, constraint);
-		tangent[1] = constraint_at(p, tangent_impulse2, constraint);
+		normal[0] = contact_row(p, normal_impulse1, constraint);
+		normal[1] = contact_row(p, normal_impulse2, constraint);
+		tangent[0] = contact_row(p, tangent_impulse1, constraint);
+		tangent[1] = contact_row(p, tangent_impulse2, constraint);
 	}
 
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
@@ -181,10 +180,10 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	p->contact_found[i] = found;
 	if (constraint >= 0)
 	{
-		constraint_at(p, normal_impulse1, constraint) = along[0];
-		constraint_at(p, normal_impulse2, constraint) = along[1];
-		constraint_at(p, tangent_impulse1, constraint) = across[0];
-		constraint_at(p, tangent_impulse2, constraint) = across[1];
+		contact_row(p, normal_impulse1, constraint) = along[0];
+		contact_row(p, normal_impulse2, constraint) = along[1];
+		contact_row(p, tangent_impulse1, constraint) = across[0];
+		contact_row(p, tangent_impulse2, constraint) = across[1];
 	}
 	if (!touching)
 		contact_uncolor(p, i);
@@ -217,13 +216,13 @@ STAGE(narrow_phase)
 		fetch_soon(p->old_box + pair.y);
 		fetch_soon(p->body + bodies.x);
 		fetch_soon(p->body + bodies.y);
-		int constraint = p->contact_constraint[soon];
+		int constraint = p->contact_place[soon];
 		if (constraint >= 0)
 		{
-			fetch_soon(&constraint_at(p, normal_impulse1, constraint));
-			fetch_soon(&constraint_at(p, normal_impulse2, constraint));
-			fetch_soon(&constraint_at(p, tangent_impulse1, constraint));
-			fetch_soon(&constraint_at(p, tangent_impulse2, constraint));
+			fetch_soon(&contact_row(p, normal_impulse1, constraint));
+			fetch_soon(&contact_row(p, normal_impulse2, constraint));
+			fetch_soon(&contact_row(p, tangent_impulse1, constraint));
+			fetch_soon(&contact_row(p, tangent_impulse2, constraint));
 		}
 	}
 	Word flags = p->contact_flags[i];

@@ -6,7 +6,8 @@
 // what lies in a drum does, keeps the places too, but its normal and arms turn with it: only the rotation is written.
 #ifndef NARROW_PHASE_KEEP_H
 #define NARROW_PHASE_KEEP_H
-#include "stages/sweep_closing.h"
+#include "constraints/kinds.h"
+#include "constraints/sweep_closing.h"
 
 // A manifold is kept while neither of a pair has turned in the world by more than 3.6 degrees since (cosine), nor any
 // point moved too far against the other (narrow_phase_distance).
@@ -44,12 +45,12 @@ INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], cons
 // Whether some impulse of the last step holds the pair apart.
 INLINE Int narrow_phase_loaded(const Pools* p, int i)
 {
-	Int c = load_int(p->contact_constraint, i), there = c >= 0;
+	Int c = load_int(p->contact_place, i), there = c >= 0;
 	c = c & ~(c >> 31);
-	Int at = c / MAX_LANES * (int)(sizeof(Constraints) / sizeof(float)) + c % MAX_LANES;
+	Int at = c / MAX_LANES * (int)(sizeof(ContactRows) / sizeof(float)) + c % MAX_LANES;
 	Real zero = splat(0.0f);
-	Real load1 = gather((const GLOBAL float*)p->constraints->normal_impulse1, at),
-	     load2 = gather((const GLOBAL float*)p->constraints->normal_impulse2, at);
+	Real load1 = gather((const GLOBAL float*)p->contact_rows->normal_impulse1, at),
+	     load2 = gather((const GLOBAL float*)p->contact_rows->normal_impulse2, at);
 	return there & ((load1 > zero) | (load2 > zero));
 }
 

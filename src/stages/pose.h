@@ -9,8 +9,8 @@
 // 1 mm/s stops a kilometre from the origin. So each body keeps what was left over, and takes it along in its next step.
 #ifndef POSE_H
 #define POSE_H
+#include "dialect/finite.h"
 #include "pools/pools.h"
-#include "stages/finite.h"
 
 // m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
 #define POSE_EDGE 1.0e8f

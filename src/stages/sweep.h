@@ -10,8 +10,8 @@
 // Times and velocities are those of sweep_closing.h.
 #ifndef SWEEP_H
 #define SWEEP_H
+#include "constraints/sweep_closing.h"
 #include "stages/manifold.h"
-#include "stages/sweep_closing.h"
 
 // Looks at a pair while it draws near. Of the fast pairs of the scene tumbler 90 % need one and 1 % more than five; what
 // spins by more than a radian a step may need fifteen, and with twelve some went through a wall.

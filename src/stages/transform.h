@@ -2,9 +2,9 @@
 // transform.h -- collidables to their world pose and box; the enlarged box follows when the tight one leaves it.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
+#include "dialect/vec.h"
 #include "stages/box.h"
 #include "stages/sweep.h"
-#include "stages/vec.h"
 
 // the counters of one step, cleared
 STAGE(step_begin)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // different.c -- the fields of the pools in which two worlds differ, with their bits.
+#include "constraints/kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static const Named named[] = {
      {"normal_x", "normal_y", "separation1", "separation2", "on_a1_x", "on_a1_y", "on_a2_x", "on_a2_y", "relative_x",
       "relative_y", "relative_cos", "relative_sin", "then_cos", "then_sin", "reach", "distance"}},
     {POOL_contact_surface, {"friction", "restitution", "rolling", "tangent_speed"}},
-    {POOL_contact_constraint, {"place"}},
+    {POOL_contact_place, {"place"}},
 };
 
 static void print_field(FILE* file, const char* field, uint32_t a, uint32_t b)
@@ -91,14 +92,14 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 	static const char* const fields[] = {"normal1", "normal2", "tangent1", "tangent2", "rolling"};
 	int differ = 0;
 	int* places[2];
-	Constraints* constraints[2];
-	Extras* extras[2];
+	ContactRows* constraints[2];
+	ContactRareRows* extras[2];
 	for (int k = 0; k < 2; ++k)
 	{
 		int blocks = (counters[k].color_begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
-		places[k] = read_items(worlds[k], POOL_contact_constraint, counters[k].contacts);
-		constraints[k] = read_items(worlds[k], POOL_constraints, blocks);
-		extras[k] = read_items(worlds[k], POOL_extras, blocks);
+		places[k] = read_items(worlds[k], POOL_contact_place, counters[k].contacts);
+		constraints[k] = read_items(worlds[k], POOL_contact_rows, blocks);
+		extras[k] = read_items(worlds[k], POOL_contact_rare_rows, blocks);
 	}
 	for (int i = 0; i < counters[0].contacts && i < counters[1].contacts; ++i)
 	{
@@ -107,7 +108,7 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 		uint32_t words[2][5];
 		for (int k = 0; k < 2; ++k)
 		{
-			const Constraints* c = constraints[k] + places[k][i] / MAX_LANES;
+			const ContactRows* c = constraints[k] + places[k][i] / MAX_LANES;
 			int lane = places[k][i] % MAX_LANES;
 			float values[5] = {c->normal_impulse1[lane], c->normal_impulse2[lane], c->tangent_impulse1[lane],
 			                   c->tangent_impulse2[lane], extras[k][places[k][i] / MAX_LANES].rolling_impulse[lane]};
@@ -193,10 +194,10 @@ bool state_finite(scree_world* world, char sentence[256])
 			         words_finite("placed", &placed[k].x, 1, 6, sentence);
 	Int2* pairs = read_items(world, POOL_pair, c.contacts);
 	Found* found = read_items(world, POOL_contact_found, c.contacts);
-	int* places = read_items(world, POOL_contact_constraint, c.contacts);
+	int* places = read_items(world, POOL_contact_place, c.contacts);
 	int blocks = (c.color_begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
-	Constraints* constraints = read_items(world, POOL_constraints, blocks);
-	Extras* extras = read_items(world, POOL_extras, blocks);
+	ContactRows* constraints = read_items(world, POOL_contact_rows, blocks);
+	ContactRareRows* extras = read_items(world, POOL_contact_rare_rows, blocks);
 	for (int k = 0; k < c.contacts && finite; ++k)
 	{
 		if (pairs[k].x < 0)
@@ -204,7 +205,7 @@ bool state_finite(scree_world* world, char sentence[256])
 		finite = words_finite("contact_found", &found[k].normal.x, 1, 16, sentence);
 		if (places[k] < 0 || !finite)
 			continue;
-		const Constraints* block = constraints + places[k] / MAX_LANES;
+		const ContactRows* block = constraints + places[k] / MAX_LANES;
 		int lane = places[k] % MAX_LANES;
 		float impulses[] = {block->normal_impulse1[lane], block->normal_impulse2[lane], block->tangent_impulse1[lane],
 		                    block->tangent_impulse2[lane], extras[places[k] / MAX_LANES].rolling_impulse[lane]};

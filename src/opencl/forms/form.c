@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // form.c -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
+#include "constraints/schedule.h"
 #include "opencl/opencl.h"
 #include "platform/error.h"
-#include "stages/schedule.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -108,115 +108,131 @@ INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 
 typedef struct // a constraint in registers
 {
-	Pair c;
+	Contact rows;
+	Body a, b;
 	Side side[2];
-	float friction;
-	float separation[2];         // of the points at the start of the step
-	float gap[2];                // now
-	float normal[2], tangent[2]; // impulses
-	float normal_mass[2], tangent_mass[2];
 	bool inert;
-} Runner;
+} Registers;
 
-// Of constraint i: what it is made of, but for its sides.
-INLINE Runner runner_make(const Pools* p, int i, ContactPoints points)
+// Constraint i with its bodies, but for its sides: all rows, and what is derived of them.
+INLINE Registers registers_make(const Pools* p, int i, int slot)
 {
-	Runner u;
+	Registers u;
 	u.inert = false;
-	u.c.ia = constraint_at(p, body_a, i);
-	u.c.ib = constraint_at(p, body_b, i);
-	BodyState a = p->body[u.c.ia], b = p->body[u.c.ib];
-	u.c.a.inv_mass = a.inv_mass;
-	u.c.a.inv_inertia = a.inv_inertia;
-	u.c.a.d = vec(0.0f, 0.0f);
-	u.c.a.da = 0.0f;
-	u.c.b.inv_mass = b.inv_mass;
-	u.c.b.inv_inertia = b.inv_inertia;
-	u.c.b.d = u.c.a.d;
-	u.c.b.da = 0.0f;
-	u.c.n = points.normal;
-	u.c.t = vec(points.normal.y, -points.normal.x);
-	u.friction = constraint_at(p, friction, i);
-	u.normal[0] = constraint_at(p, normal_impulse1, i);
-	u.normal[1] = constraint_at(p, normal_impulse2, i);
-	u.tangent[0] = constraint_at(p, tangent_impulse1, i);
-	u.tangent[1] = constraint_at(p, tangent_impulse2, i);
-	u.separation[0] = points.separation[0];
-	u.separation[1] = points.separation[1];
-	u.c.ra[0] = points.anchor[0];
-	u.c.ra[1] = points.anchor[1];
-	for (int k = 0; k < 2; ++k)
-	{
-		u.c.rb[k] = vec_add(u.c.ra[k], points.offset);
-		u.normal_mass[k] = pair_mass(&u.c, k, u.c.n);
-		u.tangent_mass[k] = pair_mass(&u.c, k, u.c.t);
-		u.normal[k] = pair_start(&p->step, u.normal[k], u.normal_mass[k]);
-	}
+	contact_setup(p, i, slot, &u.rows);
+	if (p->step.extras)
+		contact_setup_rare(p, i, &u.rows);
+	contact_take(p, i, &u.rows);
+	u.side[0].body = contact_row(p, body_a, i);
+	u.side[1].body = contact_row(p, body_b, i);
+	BodyState a = p->body[u.side[0].body], b = p->body[u.side[1].body];
+	u.a.inv_mass = a.inv_mass;
+	u.a.inv_inertia = a.inv_inertia;
+	u.a.d = vec(0.0f, 0.0f);
+	u.a.da = 0.0f;
+	u.b.inv_mass = b.inv_mass;
+	u.b.inv_inertia = b.inv_inertia;
+	u.b.d = u.a.d;
+	u.b.da = 0.0f;
+	contact_derive(IN_PASSES, &u.a, &u.b, &u.rows);
+	contact_start(&p->step, &u.rows);
 	return u;
 }
 
 // Constraint i, which may be none.
-INLINE Runner runner_prepare(const Pools* p, int i, bool hubs)
+INLINE Registers registers_prepare(const Pools* p, int i, bool hubs)
 {
-	Runner u;
-	int slot = p->constraint_contact[i];
+	Registers u;
+	int slot = p->contact_place_slot[i];
 	u.inert = slot < 0;
 	if (u.inert)
 		return u;
-	ContactPoints points = prepare_points(p, i, slot);
-	if (p->step.extras)
-		prepare_extras(p, i, points);
-	u = runner_make(p, i, points);
+	u = registers_make(p, i, slot);
 	int color = p->contact_color[slot];
-	u.side[0] = side_of(p, u.c.ia, color, hubs);
-	u.side[1] = side_of(p, u.c.ib, color, hubs);
+	u.side[0] = side_of(p, u.side[0].body, color, hubs);
+	u.side[1] = side_of(p, u.side[1].body, color, hubs);
 	return u;
 }
 
-// Its impulses, for the next step.
-INLINE void runner_stow(const Pools* p, int i, const Runner* u)
+// Pass q of solve.h for what is in registers.
+INLINE void registers_pass(const Pools* p, int substeps, int i, int q, Registers* u)
 {
-	constraint_at(p, normal_impulse1, i) = u->normal[0];
-	constraint_at(p, normal_impulse2, i) = u->normal[1];
-	constraint_at(p, tangent_impulse1, i) = u->tangent[0];
-	constraint_at(p, tangent_impulse2, i) = u->tangent[1];
+	contact_pass(p, schedule_pass(substeps, q), i, &u->rows, &u->a, &u->b);
 }
 
-// A runner that does not stay in registers lies in columns of n: NOTE_QUADS of float4s, then NOTE_PAIRS of float2s, of
-// which the last two are its impulses.
-INLINE __global float2* runner_pairs(__global float4* notes, int n, int i)
+// ---------------------------------------------------------------------------------------------------------------
+// the stream: what does not stay in registers lies in columns of n, STREAM_QUADS of float4, then STREAM_PAIRS of float2
+// ---------------------------------------------------------------------------------------------------------------
+
+// the last column of each sort is not a kind's own: inverse masses, bodies
+#define EDGE_QUAD (STREAM_QUADS - 1)
+#define EDGE_PAIR (STREAM_PAIRS - 1)
+
+INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 {
-	return (__global float2*)(notes + NOTE_QUADS * n) + i;
+	return (__global float2*)(stream + STREAM_QUADS * n) + i;
 }
 
-INLINE void runner_leave_impulses(const Runner* u, __global float4* notes, int n, int i)
-{
-	__global float2* pair = runner_pairs(notes, n, i);
-	pair[(NOTE_PAIRS - 2) * n] = (float2)(u->normal[0], u->normal[1]);
-	pair[(NOTE_PAIRS - 1) * n] = (float2)(u->tangent[0], u->tangent[1]);
-}
-
-INLINE void runner_leave(const Runner* u, __global float4* notes, int n, int i)
-{
-	int turns = -1;
-	if (!u->inert)
-	{
-		Pair c = u->c;
-		__global float2* pair = runner_pairs(notes, n, i);
-		turns = 0;
-		for (int k = 0; k < 2; ++k)
-			turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-		notes[n + i] = (float4)(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
-		notes[2 * n + i] = (float4)(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
-		pair[0] = (float2)(c.rb[0].x, c.rb[0].y);
-		pair[n] = (float2)(c.rb[1].x, c.rb[1].y);
-		pair[2 * n] = (float2)(u->separation[0], u->separation[1]);
-		pair[3 * n] = (float2)(c.a.inv_mass, c.a.inv_inertia);
-		pair[4 * n] = (float2)(u->normal_mass[0], u->normal_mass[1]);
-		pair[5 * n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
-		runner_leave_impulses(u, notes, n, i);
+// Of constraint j: quads and pairs are its first of either, n is how far the columns lie apart.
+#define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
+#define STREAM_LEAVE_QUAD(k, c0, c1, c2, c3)      quads[k * n] = (float4)(c0, c1, c2, c3);
+#define STREAM_LEAVE_PAIR(k, read, written, c0, c1) pairs[k * n] = (float2)(c0, c1);
+#define STREAM_TAKE_QUAD(k, c0, c1, c2, c3)                                                  \
+	{                                                                                        \
+		float4 quad = quads[k * n];                                                          \
+		c0 = quad.x;                                                                         \
+		c1 = quad.y;                                                                         \
+		c2 = quad.z;                                                                         \
+		c3 = quad.w;                                                                         \
 	}
-	notes[i] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
+#define STREAM_TAKE_PAIR(k, read, written, c0, c1)                                           \
+	if ((read) & passes)                                                                     \
+	{                                                                                        \
+		float2 pair = pairs[k * n];                                                          \
+		c0 = pair.x;                                                                         \
+		c1 = pair.y;                                                                         \
+	}
+#define STREAM_UPDATE_PAIR(k, read, written, c0, c1)                                         \
+	if ((written) & passes)                                                                  \
+		pairs[k * n] = (float2)(c0, c1);
+
+#define X(kind, Kind, KIND)                                                                  \
+	/* Constraint j with a number of the caller's; all of it, what some passes read, what they write. */ \
+	INLINE void kind##_leave(const Kind* u, float name, __global float4* stream, int n, int j)   \
+	{                                                                                        \
+		__global float4* quads = stream + j;                                                 \
+		__global float2* pairs = stream_pairs(stream, n, j);                                 \
+		KIND##_STREAM(STREAM_LEAVE_QUAD, STREAM_LEAVE_PAIR)                                  \
+	}                                                                                        \
+	INLINE float kind##_return(Kind* u, int passes, __global float4* stream, int n, int j)   \
+	{                                                                                        \
+		float name;                                                                          \
+		__global float4* quads = stream + j;                                                 \
+		__global float2* pairs = stream_pairs(stream, n, j);                                 \
+		KIND##_STREAM(STREAM_TAKE_QUAD, STREAM_TAKE_PAIR)                                    \
+		return name;                                                                         \
+	}                                                                                        \
+	INLINE void kind##_update(const Kind* u, int passes, __global float4* stream, int n, int j) \
+	{                                                                                        \
+		__global float2* pairs = stream_pairs(stream, n, j);                                 \
+		KIND##_STREAM(STREAM_SKIP_QUAD, STREAM_UPDATE_PAIR)                                  \
+	}
+#include "pools/kinds.def"
+#undef X
+
+INLINE void registers_leave(const Registers* u, __global float4* stream, int n, int j)
+{
+	if (u->inert)
+	{
+		stream[j] = (float4)(as_float(-1), 0.0f, 0.0f, 0.0f);
+		return;
+	}
+	int turns = 0;
+	for (int k = 0; k < 2; ++k)
+		turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
+	contact_leave(&u->rows, as_float(turns), stream, n, j);
+	stream[EDGE_QUAD * n + j] = (float4)(u->a.inv_mass, u->a.inv_inertia, u->b.inv_mass, u->b.inv_inertia);
+	stream_pairs(stream, n, j)[EDGE_PAIR * n] = (float2)(as_float(u->side[0].body), as_float(u->side[1].body));
 }
 
 INLINE Side side_return(int body, int turns)
@@ -229,88 +245,24 @@ INLINE Side side_return(int body, int turns)
 	return side;
 }
 
-INLINE Runner runner_return(__global float4* notes, int n, int i)
+INLINE Registers registers_return(__global float4* stream, int n, int j)
 {
-	Runner u;
-	__global const float2* pair = runner_pairs(notes, n, i);
-	float4 names = notes[i], normal = notes[n + i], on_a = notes[2 * n + i];
-	float2 gaps = pair[2 * n], mass_a = pair[3 * n], normal_mass = pair[4 * n], tangent_mass = pair[5 * n];
-	float2 push = pair[6 * n], rub = pair[7 * n];
-	int turns = as_int(names.x);
+	Registers u;
+	int turns = as_int(contact_return(&u.rows, IN_PASSES, stream, n, j));
+	float4 mass = stream[EDGE_QUAD * n + j];
+	float2 bodies = stream_pairs(stream, n, j)[EDGE_PAIR * n];
 	u.inert = turns < 0;
-	u.c.ia = as_int(names.y);
-	u.c.ib = as_int(names.z);
-	u.side[0] = side_return(u.c.ia, turns);
-	u.side[1] = side_return(u.c.ib, turns >> 8);
-	u.c.n = vec(normal.x, normal.y);
-	u.c.t = vec(normal.y, -normal.x);
-	u.c.ra[0] = vec(on_a.x, on_a.y);
-	u.c.ra[1] = vec(on_a.z, on_a.w);
-	u.c.rb[0] = vec(pair[0].x, pair[0].y);
-	u.c.rb[1] = vec(pair[n].x, pair[n].y);
-	u.c.a.inv_mass = mass_a.x;
-	u.c.a.inv_inertia = mass_a.y;
-	u.c.a.d = vec(0.0f, 0.0f);
-	u.c.a.da = 0.0f;
-	u.c.b.inv_mass = normal.z;
-	u.c.b.inv_inertia = normal.w;
-	u.c.b.d = u.c.a.d;
-	u.c.b.da = 0.0f;
-	u.friction = names.w;
-	u.separation[0] = gaps.x;
-	u.separation[1] = gaps.y;
-	u.normal[0] = push.x;
-	u.normal[1] = push.y;
-	u.tangent[0] = rub.x;
-	u.tangent[1] = rub.y;
-	u.normal_mass[0] = normal_mass.x;
-	u.normal_mass[1] = normal_mass.y;
-	u.tangent_mass[0] = tangent_mass.x;
-	u.tangent_mass[1] = tangent_mass.y;
+	u.side[0] = side_return(as_int(bodies.x), turns);
+	u.side[1] = side_return(as_int(bodies.y), turns >> 8);
+	u.a.inv_mass = mass.x;
+	u.a.inv_inertia = mass.y;
+	u.a.d = vec(0.0f, 0.0f);
+	u.a.da = 0.0f;
+	u.b.inv_mass = mass.z;
+	u.b.inv_inertia = mass.w;
+	u.b.d = u.a.d;
+	u.b.da = 0.0f;
 	return u;
-}
-
-// The passes of solve.h for what is in registers.
-INLINE void runner_bias(const Pools* p, int i, Runner* u)
-{
-	pair_bias(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
-}
-
-INLINE void runner_bounce(const Pools* p, int i, Runner* u)
-{
-	pair_bounce(p, i, &u->c, u->gap[0], u->gap[1], u->normal_mass[0], u->normal_mass[1], &u->normal[0], &u->normal[1]);
-}
-
-INLINE void runner_relax(const Pools* p, int i, Runner* u)
-{
-	float speed = p->step.extras ? extra_at(p, tangent_speed, i) : 0.0f, rebound[2] = {0.0f, 0.0f};
-	if (p->step.bounces)
-	{
-		rebound[0] = extra_at(p, rebound1, i);
-		rebound[1] = extra_at(p, rebound2, i);
-	}
-	for (int k = 0; k < 2; ++k)
-		u->tangent[k] = pair_tangent(&u->c, k, u->tangent_mass[k], speed, u->friction * u->normal[k], u->tangent[k]);
-	for (int k = 0; k < 2; ++k)
-		u->normal[k] = pair_normal(&u->c, k, u->gap[k], u->normal_mass[k], u->normal[k], &p->step, 0, rebound[k]);
-	if (p->step.extras)
-	{
-		pair_roll(p, i, &u->c, u->normal[0] + u->normal[1]);
-		pair_total(p, i, u->normal[0], u->normal[1]);
-	}
-}
-
-INLINE void runner_pass(const Pools* p, int substeps, int i, int q, Runner* u)
-{
-	int pass = schedule_pass(substeps, q);
-	if (pass == PASS_WARM_START)
-		pair_push(p, i, &u->c, u->normal[0], u->normal[1], u->tangent[0], u->tangent[1]);
-	else if (pass == PASS_BOUNCE)
-		runner_bounce(p, i, u);
-	else if (pass == PASS_BIAS)
-		runner_bias(p, i, u);
-	else
-		runner_relax(p, i, u);
 }
 
 // What no constraint pushed moves alone, and all bodies are finalized but for what guard does.

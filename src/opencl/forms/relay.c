@@ -16,7 +16,7 @@
 enum
 {
 	RELAY_ROWS = ARGUMENT_STEP + 1,
-	RELAY_NOTES,
+	RELAY_STREAM,
 	RELAY_COUNT,
 	RELAY_SUBSTEPS,
 	HUBS_SUBSTEPS = RELAY_COUNT,
@@ -71,7 +71,7 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));
 		registers = (size_t)constraints <= other_groups(d, solve) * d->relay_hubs.group;
 	}
-	return scratch_reserve(d, &d->notes, registers ? 1 : (size_t)constraints * NOTE_FLOAT4S * sizeof(cl_float4));
+	return scratch_reserve(d, &d->stream, registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
 // Whether work-items really run together, each on its own.
@@ -141,7 +141,7 @@ void relay_close(OpenCl* d)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
 	scratch_release(&d->rows);
-	scratch_release(&d->notes);
+	scratch_release(&d->stream);
 	scratch_release(&d->parts);
 }
 
@@ -150,7 +150,7 @@ static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel ker
 {
 	cl_int spins = SPINS;
 	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
-	TRY(CALL(SetKernelArg, kernel, RELAY_NOTES, sizeof(cl_mem), &d->notes.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_STREAM, sizeof(cl_mem), &d->stream.buffer));
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	const cl_int* values[] = {&solve->substeps, &passes, &solve->bound, &spins, &spread};
 	for (cl_uint k = 0; k < 5; ++k)

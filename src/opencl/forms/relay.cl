@@ -151,13 +151,13 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 
 // Pass q of a constraint. False when it never came to its turn. In step means that the whole group takes it at once, for no
 // two of a group share a body, and fails as a whole.
-INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, bool in_step, volatile __local int* fault)
+INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* u, bool in_step, volatile __local int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
 	bool well = true;
 	if (!u->inert)
 	{
-		Body *a = &u->c.a, *b = &u->c.b;
+		Body *a = &u->a, *b = &u->b;
 		Side sa = u->side[0], sb = u->side[1];
 		volatile __global ulong* row_a = r->rows + RELAY_WORDS * (ulong)sa.body;
 		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
@@ -169,8 +169,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 		                       move, &b->d, &b->da);
 		body_turn(a);
 		body_turn(b);
-		u->gap[0] = pair_gap(&u->c, 0, u->separation[0]);
-		u->gap[1] = pair_gap(&u->c, 1, u->separation[1]);
+		contact_ready(a, b, &u->rows);
 		well = well && relay_wait(p, r, sa.moves && (passed || sa.before > 0), row_a, relay_turn(q, sa.before), &a->v,
 		                          &a->w, sb.moves && (passed || sb.before > 0), row_b, relay_turn(q, sb.before), &b->v,
 		                          &b->w);
@@ -189,17 +188,17 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Runner* u, 
 	}
 	if (u->inert)
 		return true;
-	runner_pass(p, r->substeps, i, q, u);
-	relay_pass_to(r, u->side[0], q, u->c.a);
-	relay_pass_to(r, u->side[1], q, u->c.b);
-	relay_pass_on(p, r, u->side[0], q, u->c.a, motion_a, base_a);
-	relay_pass_on(p, r, u->side[1], q, u->c.b, motion_b, base_b);
+	registers_pass(p, r->substeps, i, q, u);
+	relay_pass_to(r, u->side[0], q, u->a);
+	relay_pass_to(r, u->side[1], q, u->b);
+	relay_pass_on(p, r, u->side[0], q, u->a, motion_a, base_a);
+	relay_pass_on(p, r, u->side[1], q, u->b, motion_b, base_b);
 	return true;
 }
 
-// All tasks of all constraints. Bodies that no constraint holds are solve_end's. notes has NOTE_FLOAT4S rows a constraint
+// All tasks of all constraints. Bodies that no constraint holds are solve_end's. stream has STREAM_FLOAT4S rows a constraint
 // when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
-INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* notes, int constraints, int bound, int spread,
+INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile __local int* fault)
 {
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
@@ -217,12 +216,12 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* notes, 
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (begin >= constraints)
 		return;
-	Runner u;
+	Registers u;
 	for (int i = begin; i < constraints; i += stride)
 	{
-		u = runner_prepare(p, i, false);
+		u = registers_prepare(p, i, false);
 		if (constraints > stride)
-			runner_leave(&u, notes, constraints, i);
+			registers_leave(&u, stream, constraints, i);
 	}
 	if (constraints <= stride)
 	{
@@ -230,26 +229,26 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* notes, 
 			if (!relay_task(p, r, begin, q, &u, true, fault))
 				return;
 		if (!u.inert)
-			runner_stow(p, begin, &u);
+			contact_stow(p, begin, &u.rows);
 	}
 	else
 		for (int q = 0; q < r->passes; ++q)
 			for (int i = begin; i < constraints; i += stride)
 			{
-				u = runner_return(notes, constraints, i);
+				u = registers_return(stream, constraints, i);
 				if (!relay_task(p, r, i, q, &u, true, fault))
 					return;
 				if (u.inert)
 					continue;
 				if (q + 1 == r->passes)
-					runner_stow(p, i, &u);
+					contact_stow(p, i, &u.rows);
 				else
-					runner_leave_impulses(&u, notes, constraints, i);
+					contact_update(&u.rows, 1 << schedule_pass(r->substeps, q), stream, constraints, i);
 			}
 }
 
 #define RELAY_KERNEL(name, plain)                                                                                       \
-	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int constraints,     \
+	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* stream, int constraints,     \
 	                   int substeps, int passes, int bound, int spins, int spread)                                  \
 	{                                                                                                               \
 		volatile __local int fault;                                                                                 \
@@ -257,7 +256,7 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* notes, 
 		Relay r = {rows, substeps, passes, spins};                                                                  \
 		if (plain)                                                                                                  \
 			STEP_PLAIN(pools.step);                                                                                 \
-		relay_tasks(&pools, &r, notes, constraints, bound, spread, &fault);                                         \
+		relay_tasks(&pools, &r, stream, constraints, bound, spread, &fault);                                         \
 	}
 RELAY_KERNEL(relay, 0)
 RELAY_KERNEL(relay_plain, 1)

@@ -158,7 +158,7 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 
 // As relay. The first hub_groups groups take hubs; the others take constraints, or all of it is left to one group. parts has
 // room for spokes and hubs.
-__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* notes, int substeps, int passes,
+__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* stream, int substeps, int passes,
                          int bound, int spins, int spread, __global ulong* parts, int hub_groups)
 {
 	volatile __local int fault;
@@ -184,7 +184,7 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 		fault = 0;
 	group_meet();
 
-	Runner u;
+	Registers u;
 	if (for_hubs)
 		for (int n = group; n < hubs; n += hub_groups)
 		{
@@ -195,17 +195,17 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 			HUB_EACH_COLUMN(c, &h)
 			HUB_EACH_OF(i, c, &h)
 			{
-				prepare_item(p, i);
+				contact_prepare_item(p, i);
 				if (p->step.round || p->step.extras)
-					prepare_extra_item(p, i);
+					contact_prepare_rare_item(p, i);
 			}
 		}
 	if (for_colors)
 		for (int i = begin; i < constraints; i += stride)
 		{
-			u = runner_prepare(p, i, true);
+			u = registers_prepare(p, i, true);
 			if (constraints > stride)
-				runner_leave(&u, notes, constraints, i);
+				registers_leave(&u, stream, constraints, i);
 		}
 	for (int q = 0; q < passes; ++q)
 	{
@@ -235,10 +235,10 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 		for (int i = for_colors ? begin : constraints; i < constraints && well; i += stride)
 		{
 			if (constraints > stride)
-				u = runner_return(notes, constraints, i);
+				u = registers_return(stream, constraints, i);
 			well = relay_task(p, &r, i, q, &u, false, &fault);
 			if (constraints > stride && !u.inert)
-				runner_leave_impulses(&u, notes, constraints, i);
+				contact_update(&u.rows, 1 << schedule_pass(substeps, q), stream, constraints, i);
 		}
 		if (!well && !for_hubs)
 			return;
@@ -248,8 +248,8 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 	for (int i = begin; i < constraints; i += stride)
 	{
 		if (constraints > stride)
-			u = runner_return(notes, constraints, i);
+			u = registers_return(stream, constraints, i);
 		if (!u.inert)
-			runner_stow(p, i, &u);
+			contact_stow(p, i, &u.rows);
 	}
 }

@@ -66,75 +66,25 @@ INLINE void tile_scatter(__local Tile* tile, uint place, const Body* b)
 		tile->motion[place] = (float4)(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// whether a kind of pass reads a pair of a note
-INLINE bool tile_reads(int kind, int pair)
+// Pass q of the constraint at place j; pass is what kind of pass that is.
+INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, int j, int q, int pass)
 {
-	switch (pair)
-	{
-	case TILE_NORMAL_MASS:
-		return kind != PASS_WARM_START;
-	case TILE_TANGENT_MASS:
-		return kind == PASS_RELAX;
-	case TILE_TANGENT:
-		return kind != PASS_BIAS;
-	}
-	return true;
-}
+	Contact u;
+	Body a, b;
+	uint places = as_uint(contact_return(&u, 1 << pass, t->stream, t->stride, j));
+	tile_gather(tile, places & 0xffffu, &a);
+	tile_gather(tile, places >> 16, &b);
+	contact_ready(&a, &b, &u);
 
-INLINE void tile_pair(const Tiles* t, int j, int kind, int k, float pair[2])
-{
-	if (!tile_reads(kind, k))
-		return;
-	float2 both = runner_pairs(t->notes, t->stride, j)[k * t->stride];
-	pair[0] = both.x;
-	pair[1] = both.y;
-}
-
-// A pass of the constraint at place j.
-INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, int j, int q, int kind)
-{
-	Runner u;
-	int n = t->stride;
-	float4 names = t->notes[j], on_a = t->notes[n + j], gaps = t->notes[2 * n + j];
-	tile_pair(t, j, kind, TILE_NORMAL_MASS, u.normal_mass);
-	tile_pair(t, j, kind, TILE_TANGENT_MASS, u.tangent_mass);
-	tile_pair(t, j, kind, TILE_NORMAL, u.normal);
-	tile_pair(t, j, kind, TILE_TANGENT, u.tangent);
-	uint place_a = as_uint(names.x) & 0xffffu, place_b = as_uint(names.x) >> 16;
-	tile_gather(tile, place_a, &u.c.a);
-	tile_gather(tile, place_b, &u.c.b);
-	u.friction = names.y;
-	u.c.n = vec(names.z, names.w);
-	u.c.t = vec(names.w, -names.z);
-	u.c.ra[0] = vec(on_a.x, on_a.y);
-	u.c.ra[1] = vec(on_a.z, on_a.w);
-	u.c.rb[0] = vec_add(u.c.ra[0], vec(gaps.x, gaps.y));
-	u.c.rb[1] = vec_add(u.c.ra[1], vec(gaps.x, gaps.y));
-	u.gap[0] = pair_gap(&u.c, 0, gaps.z);
-	u.gap[1] = pair_gap(&u.c, 1, gaps.w);
-
-	bool ends = q + 1 == r->passes && kind >= PASS_RELAX;
+	bool ends = q + 1 == r->passes && pass >= PASS_RELAX;
 	int i = p->step.extras || ends ? t->order[j] : 0;
-	if (kind == PASS_WARM_START)
-		pair_push(p, i, &u.c, u.normal[0], u.normal[1], u.tangent[0], u.tangent[1]);
-	else if (kind == PASS_BIAS)
-		runner_bias(p, i, &u);
-	else if (kind == PASS_RELAX)
-		runner_relax(p, i, &u);
-	else
-		runner_bounce(p, i, &u);
-	tile_scatter(tile, place_a, &u.c.a);
-	tile_scatter(tile, place_b, &u.c.b);
+	contact_pass(p, pass, i, &u, &a, &b);
+	tile_scatter(tile, places & 0xffffu, &a);
+	tile_scatter(tile, places >> 16, &b);
 	if (ends)
-	{
-		runner_stow(p, i, &u);
-		return;
-	}
-	__global float2* pairs = runner_pairs(t->notes, n, j);
-	if (kind != PASS_WARM_START)
-		pairs[TILE_NORMAL * n] = (float2)(u.normal[0], u.normal[1]);
-	if (kind == PASS_RELAX)
-		pairs[TILE_TANGENT * n] = (float2)(u.tangent[0], u.tangent[1]);
+		contact_stow(p, i, &u);
+	else
+		contact_update(&u, 1 << pass, t->stream, t->stride, j);
 }
 
 // the next place from which a group takes constraints: the same color's, or the next color's that has any
@@ -156,23 +106,30 @@ INLINE int tile_next(__local const int* range, int at, int* color)
 #endif
 #define LINE_BYTES 128
 
-// The notes that a group will take next, one work-item a line. The pass is bound by memory: on an H200 this is 6 % faster
+#define STREAM_SKIP_PAIR(k, read, written, c0, c1)
+#define STREAM_FETCH_QUAD(k, c0, c1, c2, c3) FETCH_AHEAD(t->stream + k * n + j);
+#define STREAM_FETCH_PAIR(k, read, written, c0, c1) \
+	if ((read) >> pass & 1)                         \
+		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
+
+// What a group will take next of the stream, one work-item a line. The pass is bound by memory: on an H200 this is 6 % faster
 // than to hold them in registers ahead of time, and nothing is gained by more groups at work.
-INLINE void tile_fetch_ahead(const Tiles* t, int j, int lane, int kind)
+INLINE void tile_fetch_ahead(const Tiles* t, int j, int lane, int pass)
 {
 	int n = t->stride;
 	if (lane % (LINE_BYTES / (int)sizeof(float4)) == 0)
-		for (int k = 0; k < NOTE_QUADS; ++k)
-			FETCH_AHEAD(t->notes + k * n + j);
+	{
+		CONTACT_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)
+	}
 	if (lane % (LINE_BYTES / (int)sizeof(float2)) == 0)
-		for (int k = 0; k < TILE_PAIRS; ++k)
-			if (tile_reads(kind, k))
-				FETCH_AHEAD(runner_pairs(t->notes, n, j) + k * n);
+	{
+		CONTACT_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)
+	}
 }
 
 // A group takes a tile.
 INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, __local int* range, int q,
-                      int kind)
+                      int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
 	if (lane <= TILE_COLORS)
@@ -198,9 +155,9 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 	{
 		int next_color = color, next = tile_next(range, at + TILE_GROUP, &next_color);
 		if (next_color < COLORS && next + lane < range[next_color + 1])
-			tile_fetch_ahead(t, next + lane, lane, kind);
+			tile_fetch_ahead(t, next + lane, lane, pass);
 		if (at + lane < range[color + 1])
-			tile_task(p, r, t, tile, at + lane, q, kind);
+			tile_task(p, r, t, tile, at + lane, q, pass);
 		if (next_color != color)
 			barrier(CLK_LOCAL_MEM_FENCE);
 		at = next;
@@ -214,18 +171,18 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 	}
 }
 
-#define TILE_PASS_KERNEL(name, kind)                                                                                \
+#define TILE_PASS_KERNEL(name, pass)                                                                                \
 	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                     \
 	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
-	    __global float4* notes, int stride, int substeps, int passes, int q, int bound)                             \
+	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                             \
 	{                                                                                                               \
 		__local Tile tile;                                                                                          \
 		__local int range[TILE_COLORS + 1];                                                                         \
 		Pools pools = {POOL_NAMES step, 0};                                                                         \
 		Relay r = {0, substeps, passes, 0};                                                                         \
-		Tiles t = {0, 0, resident, table, order, notes, stride, 0};                                                 \
+		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                 \
 		if (tile_wanted(&pools, bound))                                                                             \
-			tile_work(&pools, &r, &t, &tile, range, q, kind);                                                       \
+			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                       \
 	}
 TILE_PASS_KERNEL(tile_warm_start, PASS_WARM_START)
 TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
@@ -235,10 +192,10 @@ TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 // Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
 INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile __local int* fault)
 {
-	Runner u = runner_return(t->notes, t->stride, j);
+	Registers u = registers_return(t->stream, t->stride, j);
 	if (!u.inert)
 	{
-		Body* bodies[2] = {&u.c.a, &u.c.b};
+		Body* bodies[2] = {&u.a, &u.b};
 		for (int k = 0; k < 2; ++k)
 		{
 			float row[8];
@@ -261,13 +218,12 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 			}
 			body_turn(b);
 		}
-		u.gap[0] = pair_gap(&u.c, 0, u.separation[0]);
-		u.gap[1] = pair_gap(&u.c, 1, u.separation[1]);
+		contact_ready(&u.a, &u.b, &u.rows);
 		Side sa = u.side[0], sb = u.side[1];
 		volatile __global ulong* row_a = r->rows + RELAY_WORDS * (ulong)sa.body;
 		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
-		if (!relay_wait(p, r, sa.moves && sa.before > 0, row_a, relay_turn(q, sa.before), &u.c.a.v, &u.c.a.w,
-		                sb.moves && sb.before > 0, row_b, relay_turn(q, sb.before), &u.c.b.v, &u.c.b.w))
+		if (!relay_wait(p, r, sa.moves && sa.before > 0, row_a, relay_turn(q, sa.before), &u.a.v, &u.a.w,
+		                sb.moves && sb.before > 0, row_b, relay_turn(q, sb.before), &u.b.v, &u.b.w))
 			*fault = 1;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
@@ -279,11 +235,11 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 	if (u.inert)
 		return true;
 	int i = t->order[j];
-	runner_pass(p, r->substeps, i, q, &u);
+	registers_pass(p, r->substeps, i, q, &u);
 	for (int k = 0; k < 2; ++k)
 	{
 		Side side = u.side[k];
-		Body b = k ? u.c.b : u.c.a;
+		Body b = k ? u.b : u.a;
 		relay_pass_to(r, side, q, b);
 		if (!side.moves || !side.last)
 			continue;
@@ -292,21 +248,21 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 			relay_clear(r->rows + RELAY_WORDS * (ulong)side.body);
 	}
 	if (q + 1 == r->passes)
-		runner_stow(p, i, &u);
-	else if (q > 0)
-		runner_leave_impulses(&u, t->notes, t->stride, j);
+		contact_stow(p, i, &u.rows);
+	else
+		contact_update(&u.rows, 1 << schedule_pass(r->substeps, q), t->stream, t->stride, j);
 	return true;
 }
 
 __kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_words, __global const int* table,
-                          __global const int* order, __global float4* notes, int stride, int rows, int substeps,
+                          __global const int* order, __global float4* stream, int stride, int rows, int substeps,
                           int passes, int q, int bound, int spins)
 {
 	volatile __local int fault;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	Relay r = {rows_of_words, substeps, passes, spins};
-	Tiles t = {0, 0, 0, table, order, notes, stride, rows};
+	Tiles t = {0, 0, 0, table, order, stream, stride, rows};
 	if (!tile_wanted(p, bound))
 		return;
 	if (get_local_id(0) == 0)

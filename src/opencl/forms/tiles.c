@@ -95,7 +95,7 @@ scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 		TRY(scratch_reserve(d, &t->buffers[k], bytes[k]));
 	}
 	TRY(rows_reserve(d, solve));
-	return scratch_reserve(d, &d->notes, places * NOTE_FLOAT4S * sizeof(cl_float4));
+	return scratch_reserve(d, &d->stream, places * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
 typedef struct // the value of an argument
@@ -198,10 +198,10 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
 	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
 	       order = t->buffers[TILE_ORDER_BUFFER].buffer;
-	cl_mem notes = d->notes.buffer;
+	cl_mem stream = d->stream.buffer;
 	TRY(tile_run(d, solve_plain(d) ? TILE_PREPARE_PLAIN : TILE_PREPARE, stride,
-	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
-	                    VALUE(solve->bound))));
+	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
+	                    VALUE(rows), VALUE(solve->bound))));
 	int border = d->relay.groups * RELAY_GROUP;
 	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.groups)
 		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
@@ -209,11 +209,12 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	for (cl_int q = 0; q < passes; ++q)
 	{
 		TRY(tile_run(d, TILE_PASS + schedule_pass(solve->substeps, q), rows * TILE_GROUP,
-		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride),
+		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound))));
 		TRY(tile_run(d, TILE_BORDER, border,
-		             VALUES(VALUE(d->rows.buffer), VALUE(table), VALUE(order), VALUE(notes), VALUE(stride), VALUE(rows),
-		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound), VALUE(spins))));
+		             VALUES(VALUE(d->rows.buffer), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
+		                    VALUE(rows), VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound),
+		                    VALUE(spins))));
 	}
 	return SCREE_OK;
 }

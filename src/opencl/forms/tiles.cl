@@ -88,7 +88,7 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 // the first color of a body that is.
 INLINE int tile_row(const Pools* p, int i, int color, __global const int* place, __global const int* border, int rows)
 {
-	int bodies[2] = {constraint_at(p, body_a, i), constraint_at(p, body_b, i)}, row = -1;
+	int bodies[2] = {contact_row(p, body_a, i), contact_row(p, body_b, i)}, row = -1;
 	for (int k = 0; k < 2 && row != rows; ++k)
 	{
 		int body = bodies[k], own;
@@ -110,7 +110,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	__local int together, first, found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	int i = begin + (int)get_global_id(0), slot = i < end && tile_wanted(p, bound) ? p->constraint_contact[i] : -1;
+	int i = begin + (int)get_global_id(0), slot = i < end && tile_wanted(p, bound) ? p->contact_place_slot[i] : -1;
 	int color = 0, row = -1, mine = 0;
 	if (get_local_id(0) == 0)
 		together = 0;
@@ -124,7 +124,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	{
 		mine = atomic_inc(&together);
 		found = color;
-		int bodies[2] = {constraint_at(p, body_a, i), constraint_at(p, body_b, i)};
+		int bodies[2] = {contact_row(p, body_a, i), contact_row(p, body_b, i)};
 		for (int k = 0; k < 2; ++k)
 			if (p->body[bodies[k]].inv_mass > 0.0f && border[bodies[k]] > color)
 				border[bodies[k]] = color;
@@ -194,7 +194,7 @@ __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	int i = (int)get_global_id(0), slot = i < constraints && tile_wanted(p, bound) ? p->constraint_contact[i] : -1;
+	int i = (int)get_global_id(0), slot = i < constraints && tile_wanted(p, bound) ? p->contact_place_slot[i] : -1;
 	if (slot < 0)
 		return;
 	int color = p->contact_color[slot];
@@ -202,7 +202,7 @@ __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// notes: a constraint as the passes stream it
+// stream: a constraint as the passes stream it
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct
@@ -212,7 +212,7 @@ typedef struct
 	__global const int* resident;
 	__global const int* table;
 	__global const int* order;
-	__global float4* notes; // in columns of stride
+	__global float4* stream; // in columns of stride
 	int stride, rows;
 } Tiles;
 
@@ -234,26 +234,6 @@ INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 	return side;
 }
 
-// pairs of a note, behind its quads: names of places, friction and normal; anchors on a; offset and separations
-#define TILE_NORMAL_MASS  0
-#define TILE_TANGENT_MASS 1
-#define TILE_NORMAL       2
-#define TILE_TANGENT      3
-#define TILE_PAIRS        4
-
-INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, int j)
-{
-	int n = t->stride;
-	__global float2* pairs = runner_pairs(t->notes, n, j);
-	t->notes[j] = (float4)(as_float(names), u->friction, u->c.n.x, u->c.n.y);
-	t->notes[n + j] = (float4)(u->c.ra[0].x, u->c.ra[0].y, u->c.ra[1].x, u->c.ra[1].y);
-	t->notes[2 * n + j] = (float4)(offset.x, offset.y, u->separation[0], u->separation[1]);
-	pairs[TILE_NORMAL_MASS * n] = (float2)(u->normal_mass[0], u->normal_mass[1]);
-	pairs[TILE_TANGENT_MASS * n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
-	pairs[TILE_NORMAL * n] = (float2)(u->normal[0], u->normal[1]);
-	pairs[TILE_TANGENT * n] = (float2)(u->tangent[0], u->tangent[1]);
-}
-
 // What the passes need of the constraint at place j.
 INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 {
@@ -267,35 +247,35 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 		return;
 	int i = t->order[j];
 	bool on_border = j >= t->table[t->rows * TILE_COLORS];
-	Runner u;
+	Registers u;
 	u.inert = i < 0;
 	if (u.inert)
 	{
-		runner_leave(&u, t->notes, t->stride, j);
+		registers_leave(&u, t->stream, t->stride, j);
 		return;
 	}
-	int slot = p->constraint_contact[i], color = p->contact_color[slot];
-	ContactPoints points = prepare_points(p, i, slot);
-	if (p->step.extras)
-		prepare_extras(p, i, points);
-	u = runner_make(p, i, points);
+	int slot = p->contact_place_slot[i], color = p->contact_color[slot];
+	u = registers_make(p, i, slot);
 	if (on_border)
 	{
-		u.side[0] = tile_side(p, t, u.c.ia, color);
-		u.side[1] = tile_side(p, t, u.c.ib, color);
-		runner_leave(&u, t->notes, t->stride, j);
+		u.side[0] = tile_side(p, t, u.side[0].body, color);
+		u.side[1] = tile_side(p, t, u.side[1].body, color);
+		registers_leave(&u, t->stream, t->stride, j);
 	}
 	else
-		tile_leave(&u, tile_place(p, t, u.c.ia) | tile_place(p, t, u.c.ib) << 16, points.offset, t, j);
+	{
+		uint places = tile_place(p, t, u.side[0].body) | tile_place(p, t, u.side[1].body) << 16;
+		contact_leave(&u.rows, as_float(places), t->stream, t->stride, j);
+	}
 }
 
 #define TILE_PREPARE_KERNEL(name, plain)                                                                            \
 	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,             \
-	                   __global const int* table, __global const int* order, __global float4* notes, int stride,    \
+	                   __global const int* table, __global const int* order, __global float4* stream, int stride,    \
 	                   int rows, int bound)                                                                         \
 	{                                                                                                               \
 		Pools pools = {POOL_NAMES step, 0};                                                                         \
-		Tiles t = {place, border, 0, table, order, notes, stride, rows};                                            \
+		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                            \
 		if (plain)                                                                                                  \
 			STEP_PLAIN(pools.step);                                                                                 \
 		if (tile_wanted(&pools, bound))                                                                             \

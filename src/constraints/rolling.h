@@ -11,8 +11,8 @@
 // is held for the rest (contact_points.h).
 #ifndef ROLLING_H
 #define ROLLING_H
-#include "stages/contact_points.h"
-#include "stages/sweep_closing.h"
+#include "constraints/contact_points.h"
+#include "constraints/sweep_closing.h"
 
 // k dt^2 that a contact may follow; bodies have several, and their neighbors have them too
 #define ROLLING_STIFFNESS 0.3f

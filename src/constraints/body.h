@@ -2,8 +2,8 @@
 // body.h -- bodies as the solver holds them: gathered for a constraint, or LANES in a row.
 #ifndef BODY_H
 #define BODY_H
+#include "dialect/vec.h"
 #include "pools/pools.h"
-#include "stages/vec.h"
 
 typedef struct
 {

@@ -4,8 +4,8 @@
 // Time is a share of the step, from 0 to 1, and so velocities are metres and radians a step.
 #ifndef SWEEP_CLOSING_H
 #define SWEEP_CLOSING_H
+#include "dialect/finite.h"
 #include "pools/pools.h"
-#include "stages/finite.h"
 
 // m a step: what moves less, or draws near by less, is as good as at rest
 #define SWEEP_REST (0.03f * LINEAR_SLOP)

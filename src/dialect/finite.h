@@ -5,7 +5,7 @@
 // difference. docs/determinism.md has the rule and, stage by stage, how it is kept.
 #ifndef FINITE_H
 #define FINITE_H
-#include "stages/vec.h"
+#include "dialect/vec.h"
 
 #define MOST_FLOAT 3.40282347e38f
 // A velocity, force or torque that the user's calls drove beyond a float, whichever way: finalize freezes the body.

@@ -8,8 +8,8 @@
 // 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
+#include "dialect/vec.h"
 #include "pools/pools.h"
-#include "stages/vec.h"
 
 typedef struct // world axes
 {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// constraint.h -- what kinds of constraints are made of: rows, of whose list all that handles them is generated.
+//
+// A kind lists its rows as X(name, gate, life, inert, read, written):
+//
+//     gate           flag of Step without which nobody looks at the row; always for none
+//     life           PLACED: as long as the layout stands; PREPARED: within a step; KEPT: from step to step, an impulse
+//     inert          its value where there is no constraint
+//     read, written  IN_ the passes that do so
+//
+// Two more rows, body_a and body_b, every kind has.
+#ifndef CONSTRAINT_H
+#define CONSTRAINT_H
+#include "constraints/schedule.h"
+#include "pools/pools.h"
+
+#define IN_NONE       0
+#define IN_WARM_START (1 << PASS_WARM_START)
+#define IN_BIAS       (1 << PASS_BIAS)
+#define IN_RELAX      (1 << PASS_RELAX)
+#define IN_BOUNCE     (1 << PASS_BOUNCE)
+#define IN_PASSES     ((1 << PASS_KINDS) - 1)
+
+// beside the passes
+#define PREPARE           PASS_KINDS
+#define PREPARE_BOUNCE    (PASS_KINDS + 1) // what only a world with restitution prepares
+#define IN_PREPARE        (1 << PREPARE)
+#define IN_PREPARE_BOUNCE (1 << PREPARE_BOUNCE)
+
+#define ROW_IF_KEPT_PLACED(x)
+#define ROW_IF_KEPT_PREPARED(x)
+#define ROW_IF_KEPT_KEPT(x) x
+
+// of a block of MAX_LANES constraints
+#define CONSTRAINT_ENDS                                    int body_a[MAX_LANES], body_b[MAX_LANES];
+#define ROW_MEMBER(name, gate, life, inert, read, written) float name[MAX_LANES];
+// of a constraint in registers, or of LANES
+#define ROW_REGISTER(name, gate, life, inert, read, written) Real name;
+// of what outlives the layout, one constraint
+#define ROW_KEPT_MEMBER(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(float name;)
+
+// Rows that are kept are copied whole: 16 bytes at a time.
+#define KEPT_ALIGNED __attribute__((aligned(16)))
+
+// What follows works on constraint `lane` of the block `rows`, and on registers `u` or what is kept, `kept`.
+#define ROW_PAD(name, gate, life, inert, read, written) rows->name[lane] = inert;
+#define ROW_LOAD(name, gate, life, inert, read, written) \
+	if ((read) >> pass & 1)                              \
+		u->name = load(&rows->name[lane], 0);
+#define ROW_STORE(name, gate, life, inert, read, written) \
+	if ((written) >> pass & 1)                            \
+		store(&rows->name[lane], 0, u->name);
+#define ROW_TAKE(name, gate, life, inert, read, written) \
+	ROW_UNLESS_PREPARED_##life(u->name = load(&rows->name[lane], 0);)
+#define ROW_STOW(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(store(&rows->name[lane], 0, u->name);)
+#define ROW_KEEP(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(kept->name = rows->name[lane];)
+#define ROW_PUT_BACK(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(rows->name[lane] = kept->name;)
+#define ROW_FORGET(name, gate, life, inert, read, written)   ROW_IF_KEPT_##life(kept->name = 0.0f;)
+#define ROW_FETCH(name, gate, life, inert, read, written)    ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)
+#define ROW_HASH(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(h = hash_float(h, rows->name[lane]);)
+
+#define ROW_UNLESS_PREPARED_PLACED(x) x
+#define ROW_UNLESS_PREPARED_PREPARED(x)
+#define ROW_UNLESS_PREPARED_KEPT(x) x
+
+#endif

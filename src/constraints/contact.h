@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+// contact.h -- a contact as a constraint: two points that push along the normal, and friction, rolling resistance, restitution.
+//
+// This work is based on:
+// Erin Catto, Soft Constraints, GDC 2011: bias rate, mass and impulse scale of a constraint with a frequency.
+// Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of iterations.
+// Erin Catto, Solver2D, 2024: a biased and a relaxing pass per substep ("soft step").
+#ifndef CONSTRAINT_CONTACT_H
+#define CONSTRAINT_CONTACT_H
+#include "constraints/body.h"
+#include "constraints/constraint.h"
+#include "dialect/finite.h"
+
+#define IN_ARMS     (IN_PASSES | IN_PREPARE_BOUNCE)
+#define IN_GAPS     (IN_BIAS | IN_RELAX | IN_BOUNCE)
+#define IN_TANGENTS (IN_WARM_START | IN_RELAX)
+
+// what every pass streams
+#define CONTACT_ROWS(X)                                                                 \
+	/* from a to b */                                                                   \
+	X(normal_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
+	X(normal_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
+	/* m: center of a minus center of b: an anchor on b is that on a plus this */       \
+	X(offset_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
+	X(offset_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
+	/* m: points 1 and 2 from the center of a */                                        \
+	X(anchor1_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
+	X(anchor1_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
+	X(anchor2_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
+	X(anchor2_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
+	/* m, at the start of the step; NO_POINT where there is none */                     \
+	X(separation1, always, PREPARED, NO_POINT, IN_GAPS | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(separation2, always, PREPARED, NO_POINT, IN_GAPS | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	/* N s */                                                                           \
+	X(normal_impulse1, always, KEPT, 0.0f, IN_PASSES, IN_PASSES)                        \
+	X(normal_impulse2, always, KEPT, 0.0f, IN_PASSES, IN_PASSES)                        \
+	X(tangent_impulse1, always, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                      \
+	X(tangent_impulse2, always, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                      \
+	X(friction, always, PLACED, 0.0f, IN_RELAX, IN_NONE)
+
+// what only some worlds need
+#define CONTACT_RARE_ROWS(X)                                                                           \
+	/* 1, m, m/s */                                                                                    \
+	X(restitution, bounces, PLACED, 0.0f, IN_PREPARE_BOUNCE, IN_NONE)                                  \
+	X(rolling, extras, PLACED, 0.0f, IN_RELAX, IN_NONE)                                                \
+	X(tangent_speed, extras, PLACED, 0.0f, IN_RELAX, IN_NONE)                                          \
+	/* N m s */                                                                                        \
+	X(rolling_impulse, extras, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                                      \
+	/* m/s^2: normal acceleration by gravity and forces */                                             \
+	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                     \
+	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                        \
+	X(rebound1, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                   \
+	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                   \
+	/* N s: normal impulses of all substeps */                                                         \
+	X(total_impulse1, extras, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
+	X(total_impulse2, extras, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE)
+
+// Columns of a stream (src/opencl/forms/registers.cl), for who does not hold contacts in registers: QUAD(k, four numbers), where
+// the first of all is not the contact's own; PAIR(k, passes that read and write it, two numbers). What was read by the last
+// pass of a step goes back to the rows.
+#define CONTACT_STREAM(QUAD, PAIR)                                      \
+	QUAD(0, name, u->friction, u->normal_x, u->normal_y)                \
+	QUAD(1, u->anchor1_x, u->anchor1_y, u->anchor2_x, u->anchor2_y)     \
+	QUAD(2, u->offset_x, u->offset_y, u->separation1, u->separation2)   \
+	PAIR(0, IN_GAPS, IN_NONE, u->normal_mass1, u->normal_mass2)         \
+	PAIR(1, IN_RELAX, IN_NONE, u->tangent_mass1, u->tangent_mass2)      \
+	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
+	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
+#define CONTACT_QUADS 3
+#define CONTACT_PAIRS 4
+
+struct ContactRows
+{
+	CONSTRAINT_ENDS
+	CONTACT_ROWS(ROW_MEMBER)
+};
+struct ContactRareRows
+{
+	CONTACT_RARE_ROWS(ROW_MEMBER)
+};
+struct ContactKept
+{
+	CONTACT_ROWS(ROW_KEPT_MEMBER)
+} KEPT_ALIGNED;
+struct ContactRareKept
+{
+	CONTACT_RARE_ROWS(ROW_KEPT_MEMBER)
+};
+
+// a component of contact i of the pools p
+#define contact_row(p, name, i)  ((p)->contact_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
+#define contact_rare(p, name, i) ((p)->contact_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
+
+typedef struct // a contact in registers
+{
+	CONTACT_ROWS(ROW_REGISTER)
+	Real normal_mass1, normal_mass2, tangent_mass1, tangent_mass2; // kg: within a step
+	Real gap1, gap2;                                               // m: of the points, now
+} Contact;
+
+typedef struct // its bodies, and where it pushes them
+{
+	Body a, b;
+	Vec n, t;         // normal from a to b; tangent
+	Vec ra[2], rb[2]; // anchors from the centers of mass
+} ContactArms;
+
+INLINE ContactArms pair_of(const Contact* u, const Body* a, const Body* b)
+{
+	ContactArms c;
+	Vec offset = vec(u->offset_x, u->offset_y);
+	c.a = *a;
+	c.b = *b;
+	c.n = vec(u->normal_x, u->normal_y);
+	c.t = vec(u->normal_y, -u->normal_x);
+	c.ra[0] = vec(u->anchor1_x, u->anchor1_y);
+	c.ra[1] = vec(u->anchor2_x, u->anchor2_y);
+	c.rb[0] = vec_add(c.ra[0], offset);
+	c.rb[1] = vec_add(c.ra[1], offset);
+	return c;
+}
+
+// normal velocity at point k
+INLINE Real pair_approach(ContactArms c, int k, Vec n)
+{
+	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
+}
+
+// how far the bodies are apart at point k, now
+INLINE Real pair_gap(const ContactArms* c, int k, Real separation)
+{
+	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
+	return separation + vec_dot(moved, c->n);
+}
+
+INLINE Real pair_mass(const ContactArms* c, int k, Vec n)
+{
+	return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n);
+}
+
+typedef struct // of a point's push: what it adds to the normal velocity, and how soft it is
+{
+	Real bias, mass_scale, impulse_scale;
+} PairGoal;
+
+// Of a point s apart. With soft null the overlap is left alone: what bodies gained by being pushed out is taken from them
+// again. Contacts with what is fixed, cannot move, are stiffer, so that nothing sinks into the ground.
+INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
+{
+	Int apart = s > splat(0.0f);
+
+	// speculative: no push before the gap closes within the substep
+	Real bias = choose(splat(0.0f), s * step->inv_h, apart);
+	Real mass_scale = splat(1.0f), impulse_scale = splat(0.0f);
+	if (soft)
+	{
+		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate),
+		                   splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
+		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
+		mass_scale =
+		    choose(choose(splat(step->soft.mass_scale), splat(step->stiff.mass_scale), fixed), mass_scale, apart);
+		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed),
+		                       impulse_scale, apart);
+	}
+	PairGoal goal;
+	goal.bias = bias;
+	goal.mass_scale = mass_scale;
+	goal.impulse_scale = impulse_scale;
+	return goal;
+}
+
+// Whether a point that is to bounce has not met yet.
+INLINE Int pair_waits(Real s, Real old, Real rebound)
+{
+	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
+}
+
+// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. What is to bounce
+// (rebound) and did not meet within this substep keeps its speed when it is relaxed, or it would bounce before it is there,
+// or not at all.
+INLINE Real pair_normal(ContactArms* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
+{
+	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
+	PairGoal goal = pair_goal(s, fixed, step, soft);
+	Real change = -mass * (goal.mass_scale * pair_approach(*c, k, c->n) + goal.bias) - goal.impulse_scale * old;
+	Real impulse = push_of(old + change);
+	if (step->bounces && !soft)
+		impulse = choose(impulse, splat(0.0f), pair_waits(s, old, rebound));
+	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
+	return impulse;
+}
+
+// One point's friction: Coulomb's cone with the normal impulse of the pass before.
+INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
+{
+	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
+	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
+	return impulse;
+}
+
+// Rolling resistance: a torque against the relative spin, limited by the load times a lever; by the load without its
+// bias, or a fast roller, whose load is uneven within a step, would stop too early.
+INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
+{
+	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
+	Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
+	Real limit = minimum(load(&contact_rare(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
+	Real old = load(&contact_rare(p, rolling_impulse, i), 0);
+	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
+	c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
+	c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
+	store(&contact_rare(p, rolling_impulse, i), 0, impulse);
+}
+
+// the impulses of all substeps
+INLINE void pair_total(const Pools* p, int i, Real normal1, Real normal2)
+{
+	store(&contact_rare(p, total_impulse1, i), 0, load(&contact_rare(p, total_impulse1, i), 0) + normal1);
+	store(&contact_rare(p, total_impulse2, i), 0, load(&contact_rare(p, total_impulse2, i), 0) + normal2);
+}
+
+// all impulses at once
+INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real normal2, Real tangent1, Real tangent2)
+{
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_add(vec_scale(normal1, c->n), vec_scale(tangent1, c->t)));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_add(vec_scale(normal2, c->n), vec_scale(tangent2, c->t)));
+	if (p->step.extras)
+	{
+		Real rolling = load(&contact_rare(p, rolling_impulse, i), 0);
+		c->a.w = c->a.w - c->a.inv_inertia * rolling;
+		c->b.w = c->b.w + c->b.inv_inertia * rolling;
+	}
+}
+
+// The impulses that give two points what they lack (m/s) at once. What one does to the other is cross; without it 1/mass
+// is what it resists. Two points that are nearly one are one.
+INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
+                       Real* impulse2)
+{
+	Real cross = c->a.inv_mass + c->b.inv_mass +
+	             c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
+	             c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+	Real share = 1.0f - cross * mass1 * cross * mass2;
+	Int one = share < splat(0.001f);
+	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
+	*impulse2 = choose(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
+}
+
+// Two points that will bounce are slowed down at once. One after the other they would turn what lands flat, and friction
+// would make of that a speed along the surface.
+INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
+                      Real* normal1, Real* normal2)
+{
+	Real zero = splat(0.0f), delta1, delta2;
+	Real lack1 = -(pair_approach(*c, 0, c->n) + maximum(gap1, zero) * p->step.inv_h),
+	     lack2 = -(pair_approach(*c, 1, c->n) + maximum(gap2, zero) * p->step.inv_h);
+	pair_joint(c, mass1, mass2, lack1, lack2, &delta1, &delta2);
+	Int meet = (load(&contact_rare(p, rebound1, i), 0) > zero) & (load(&contact_rare(p, rebound2, i), 0) > zero);
+	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
+
+	// where one pushes alone, one after the other is right
+	meet = meet & ((new1 < zero) == (new2 < zero));
+	new1 = choose(*normal1, push_of(new1), meet);
+	new2 = choose(*normal2, push_of(new2), meet);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(new1 - *normal1, c->n));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(new2 - *normal2, c->n));
+	*normal1 = new1;
+	*normal2 = new2;
+}
+
+// m/s: what a point that leaves the surface at some speed has where it is, a gap above
+INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
+{
+	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
+}
+
+// Restitution of the points that were pushed. What bounces leaves, so that the next step must not begin with the impulse
+// of this one.
+INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
+                        Real* normal1, Real* normal2)
+{
+	Real zero = splat(0.0f), fall = load(&contact_rare(p, fall, i), 0);
+	Real rebound1 = load(&contact_rare(p, rebound1, i), 0), rebound2 = load(&contact_rare(p, rebound2, i), 0);
+	Real total1 = load(&contact_rare(p, total_impulse1, i), 0), total2 = load(&contact_rare(p, total_impulse2, i), 0);
+	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
+	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
+	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
+	Real alone1 = choose(zero, push_of(mass1 * lack1), hit1);
+	Real alone2 = choose(zero, push_of(mass2 * lack2), hit2);
+	Real impulse1, impulse2;
+	pair_joint(c, mass1, mass2, lack1, lack2, &impulse1, &impulse2);
+	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
+	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
+	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
+	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(impulse1, c->n));
+	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
+	store(&contact_rare(p, total_impulse1, i), 0, total1 + impulse1);
+	store(&contact_rare(p, total_impulse2, i), 0, total2 + impulse2);
+	*normal1 = choose(*normal1, zero, hit1);
+	*normal2 = choose(*normal2, zero, hit2);
+}
+
+// Of max_speed: what an impulse of the last step may give a point alone. In a jam between bodies that do not give way
+// impulses add up from step to step, and what is let go at last would be shot out with all of them. Of 300 bodies at one
+// point, in 20 runs, the fastest leaves with 104, 92 and 95 m/s with 0.25, 0.2 and 0.15 of 400.
+#define START_SHARE 0.2f
+
+INLINE Real pair_start(const Step* step, Real impulse, Real mass)
+{
+	return minimum(impulse, START_SHARE * step->max_speed * mass);
+}
+
+INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
+{
+	if (p->step.bounces)
+		pair_meet(p, i, c, u->gap1, u->gap2, u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
+		          &u->normal_impulse2);
+	u->normal_impulse1 = pair_normal(c, 0, u->gap1, u->normal_mass1, u->normal_impulse1, &p->step, 1, splat(0.0f));
+	u->normal_impulse2 = pair_normal(c, 1, u->gap2, u->normal_mass2, u->normal_impulse2, &p->step, 1, splat(0.0f));
+}
+
+INLINE void pair_relax(const Pools* p, int i, ContactArms* c, Contact* u)
+{
+	Real speed = splat(0.0f), rebound1 = splat(0.0f), rebound2 = splat(0.0f);
+	if (p->step.extras)
+		speed = load(&contact_rare(p, tangent_speed, i), 0);
+	if (p->step.bounces)
+	{
+		rebound1 = load(&contact_rare(p, rebound1, i), 0);
+		rebound2 = load(&contact_rare(p, rebound2, i), 0);
+	}
+
+	// friction first: keeping bodies apart matters more, so it has the last word
+	u->tangent_impulse1 =
+	    pair_tangent(c, 0, u->tangent_mass1, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
+	u->tangent_impulse2 =
+	    pair_tangent(c, 1, u->tangent_mass2, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
+	u->normal_impulse1 = pair_normal(c, 0, u->gap1, u->normal_mass1, u->normal_impulse1, &p->step, 0, rebound1);
+	u->normal_impulse2 = pair_normal(c, 1, u->gap2, u->normal_mass2, u->normal_impulse2, &p->step, 0, rebound2);
+	if (p->step.extras)
+	{
+		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
+		pair_total(p, i, u->normal_impulse1, u->normal_impulse2);
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// what every kind of constraint has
+// ---------------------------------------------------------------------------------------------------------------
+
+// What some passes need of its bodies, which is the same in all substeps.
+INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
+{
+	ContactArms c = pair_of(u, a, b);
+	u->normal_mass1 = pair_mass(&c, 0, c.n);
+	u->normal_mass2 = pair_mass(&c, 1, c.n);
+	if (passes & IN_RELAX)
+	{
+		u->tangent_mass1 = pair_mass(&c, 0, c.t);
+		u->tangent_mass2 = pair_mass(&c, 1, c.t);
+	}
+}
+
+// The impulses of the last step, as far as this one begins with them.
+INLINE void contact_start(const Step* step, Contact* u)
+{
+	u->normal_impulse1 = pair_start(step, u->normal_impulse1, u->normal_mass1);
+	u->normal_impulse2 = pair_start(step, u->normal_impulse2, u->normal_mass2);
+}
+
+// What a pass needs of where the bodies are; their velocities may still be on their way.
+INLINE void contact_ready(const Body* a, const Body* b, Contact* u)
+{
+	ContactArms c = pair_of(u, a, b);
+	u->gap1 = pair_gap(&c, 0, u->separation1);
+	u->gap2 = pair_gap(&c, 1, u->separation2);
+}
+
+// A pass of constraint i.
+INLINE void contact_pass(const Pools* p, int pass, int i, Contact* u, Body* a, Body* b)
+{
+	ContactArms c = pair_of(u, a, b);
+	if (pass == PASS_WARM_START)
+		pair_push(p, i, &c, u->normal_impulse1, u->normal_impulse2, u->tangent_impulse1, u->tangent_impulse2);
+	else if (pass == PASS_BOUNCE)
+		pair_bounce(p, i, &c, u->gap1, u->gap2, u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
+		            &u->normal_impulse2);
+	else if (pass == PASS_BIAS)
+		pair_bias(p, i, &c, u);
+	else
+		pair_relax(p, i, &c, u);
+	*a = c.a;
+	*b = c.b;
+}
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// contact_prepare.h -- the points of a contact for the step, from its manifold.
+#ifndef CONTACT_PREPARE_H
+#define CONTACT_PREPARE_H
+#include "constraints/contact.h"
+#include "constraints/rolling.h"
+
+// the deepest overlap seen, for the user's counters
+INLINE void prepare_depth(const Pools* p, Real separation)
+{
+	Word deeper = lane_bits(separation < splat(-bits_float(read_shared(&p->counters->penetration))));
+	for (int k = 0; deeper >> k != 0; ++k)
+		if (deeper >> k & 1)
+			atomic_max_int(&p->counters->penetration, float_bits(-lane(separation, k)));
+}
+
+// What the passes need of the points of constraint i. Padding, which has no slot, stays inert.
+INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
+{
+	Int there = slot >= 0, ia, ib;
+	load_int2(p->contact_place_pair, i, &ia, &ib);
+	slot = slot & ~(slot >> 31);
+	Real a[8], b[8], found[16];
+	gather_fixed_rows8((GLOBAL float*)p->placed, ia, a);
+	gather_fixed_rows8((GLOBAL float*)p->placed, ib, b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * slot, found);
+	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * slot + 1, found + 8);
+	Int flags = there & 0, rolls = flags;
+	if (p->step.round)
+	{
+		flags = gather_int((const GLOBAL int*)p->contact_flags, slot);
+		rolls = there & ((flags & (int)FOUND_ROLLS) != 0);
+	}
+	ContactPoints points;
+	if (LANES > 1 || !lane_bits(rolls))
+		points = contact_points_held(a, b, found);
+	if (lane_bits(rolls))
+	{
+		Int feature[2];
+		feature[0] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot);
+		feature[1] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot + 1);
+		ContactPoints rolling =
+		    rolling_step(p, a, b, found, flags, feature, load(&contact_row(p, normal_impulse1, i), 0),
+		                 load(&contact_row(p, normal_impulse2, i), 0));
+		points = LANES > 1 ? contact_points_choose(points, rolling, rolls) : rolling;
+	}
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	points.normal = vec_choose(zero, points.normal, there);
+	points.offset = vec_choose(zero, points.offset, there);
+	for (int k = 0; k < 2; ++k)
+	{
+		points.anchor[k] = vec_choose(zero, points.anchor[k], there);
+		points.separation[k] = choose(splat(NO_POINT), points.separation[k], there);
+	}
+	prepare_depth(p, minimum(points.separation[0], points.separation[1]));
+	return points;
+}
+
+// so many constraints before they are prepared, what they gather is fetched
+#define PREPARE_SOON 32
+
+INLINE void contact_prepare_fetch(const Pools* p, int i)
+{
+	int soon = FETCHES && p->step.collidables >= FETCH_COLLIDABLES ? i + PREPARE_SOON + LANES : 0;
+	for (int k = i + PREPARE_SOON; k < soon && k < p->counters->color_begin[COLORS + 1]; ++k)
+	{
+		int slot = p->contact_place_slot[k];
+		Int2 pair = p->contact_place_pair[k];
+		fetch_soon(p->contact_found + (slot & ~(slot >> 31)));
+		fetch_soon(p->placed + pair.x);
+		fetch_soon(p->placed + pair.y);
+	}
+}
+
+// All rows of constraint i that are prepared, but for the rare ones. slot is -1 for padding.
+INLINE void contact_setup(const Pools* p, int i, Int slot, Contact* u)
+{
+	contact_prepare_fetch(p, i);
+	ContactPoints points = prepare_points(p, i, slot);
+	u->normal_x = points.normal.x;
+	u->normal_y = points.normal.y;
+	u->offset_x = points.offset.x;
+	u->offset_y = points.offset.y;
+	u->anchor1_x = points.anchor[0].x;
+	u->anchor1_y = points.anchor[0].y;
+	u->anchor2_x = points.anchor[1].x;
+	u->anchor2_y = points.anchor[1].y;
+	u->separation1 = points.separation[0];
+	u->separation2 = points.separation[1];
+}
+
+#endif

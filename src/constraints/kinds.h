@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// kinds.h -- all kinds of constraints, and what is generated of their rows.
+#ifndef KINDS_H
+#define KINDS_H
+#include "constraints/contact.h"
+
+// What a pass reads, and writes, of constraint i.
+#define X(kind, Kind, KIND)                                             \
+	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u)   \
+	{                                                                   \
+		const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
+		int lane = i % MAX_LANES;                                       \
+		KIND##_ROWS(ROW_LOAD)                                           \
+	}                                                                   \
+	INLINE void kind##_store(const Pools* p, int i, int pass, Kind* u)  \
+	{                                                                   \
+		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;       \
+		int lane = i % MAX_LANES;                                       \
+		KIND##_ROWS(ROW_STORE)                                          \
+	}
+#include "pools/kinds.def"
+#undef X
+
+// For who holds constraints in registers over a step: all rows that are not prepared, and at its end what is kept.
+#define X(kind, Kind, KIND)                                             \
+	INLINE void kind##_take(const Pools* p, int i, Kind* u)             \
+	{                                                                   \
+		const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
+		int lane = i % MAX_LANES;                                       \
+		KIND##_ROWS(ROW_TAKE)                                           \
+	}                                                                   \
+	INLINE void kind##_stow(const Pools* p, int i, const Kind* u)       \
+	{                                                                   \
+		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;       \
+		int lane = i % MAX_LANES;                                       \
+		KIND##_ROWS(ROW_STOW)                                           \
+	}
+#include "pools/kinds.def"
+#undef X
+
+// Place i holds no constraint: one between the ground and itself, which is inert.
+#define X(kind, Kind, KIND)                                                    \
+	INLINE void kind##_pad(const Pools* p, int i)                              \
+	{                                                                          \
+		int lane = i % MAX_LANES;                                              \
+		p->kind##_place_slot[i] = -1;                                          \
+		kind##_row(p, body_a, i) = 0;                                          \
+		kind##_row(p, body_b, i) = 0;                                          \
+		{                                                                      \
+			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
+			KIND##_ROWS(ROW_PAD)                                               \
+		}                                                                      \
+		{                                                                      \
+			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+			KIND##_RARE_ROWS(ROW_PAD)                                          \
+		}                                                                      \
+	}
+#include "pools/kinds.def"
+#undef X
+
+// While constraints are laid out anew, what is kept of them goes from a place to a slot, and from there to the new place.
+#define KEPT_FUNCTION(kind, Kind, KIND, name, ROW)                             \
+	INLINE void kind##_##name(const Pools* p, int slot, int i)                 \
+	{                                                                          \
+		int lane = i % MAX_LANES;                                              \
+		{                                                                      \
+			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
+			GLOBAL Kind##Kept* kept = p->kind##_kept + slot;                   \
+			KIND##_ROWS(ROW)                                                   \
+		}                                                                      \
+		{                                                                      \
+			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+			GLOBAL Kind##RareKept* kept = p->kind##_rare_kept + slot;          \
+			KIND##_RARE_ROWS(ROW)                                              \
+		}                                                                      \
+	}
+#define X(kind, Kind, KIND)                                                    \
+	KEPT_FUNCTION(kind, Kind, KIND, keep, ROW_KEEP)                            \
+	KEPT_FUNCTION(kind, Kind, KIND, put_back, ROW_PUT_BACK)                    \
+	/* A new item has nothing to keep. */                                      \
+	INLINE void kind##_forget(const Pools* p, int slot)                        \
+	{                                                                          \
+		{                                                                      \
+			GLOBAL Kind##Kept* kept = p->kind##_kept + slot;                   \
+			KIND##_ROWS(ROW_FORGET)                                            \
+		}                                                                      \
+		{                                                                      \
+			GLOBAL Kind##RareKept* kept = p->kind##_rare_kept + slot;          \
+			KIND##_RARE_ROWS(ROW_FORGET)                                       \
+		}                                                                      \
+	}                                                                          \
+	/* What is kept of place i is fetched from memory. */                      \
+	INLINE void kind##_fetch_kept(const Pools* p, int i)                       \
+	{                                                                          \
+		int lane = i % MAX_LANES;                                              \
+		{                                                                      \
+			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
+			KIND##_ROWS(ROW_FETCH)                                             \
+		}                                                                      \
+		{                                                                      \
+			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+			KIND##_RARE_ROWS(ROW_FETCH)                                        \
+		}                                                                      \
+		(void)lane;                                                            \
+	}
+#include "pools/kinds.def"
+#undef X
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// prepare_one.h -- bodies made ready for a step, and the rare rows of constraints.
+#ifndef PREPARE_ONE_H
+#define PREPARE_ONE_H
+#include "constraints/contact_one.h"
+#include "constraints/kinds.h"
+
+STAGE(solve_begin)
+{
+	GLOBAL BodyState* body = p->body + i;
+	p->base[i] = make_float4(body->vx, body->vy, body->w, 0.0f);
+	body->dx = 0.0f;
+	body->dy = 0.0f;
+	body->da = 0.0f;
+
+	// the host has read what the last step's finalize counted
+	if (i == 0)
+	{
+		p->counters->nonfinite = 0;
+		p->counters->held = 0;
+		p->counters->first_nonfinite = 0x7fffffff;
+	}
+}
+
+// by the rows that prepare left
+#define X(kind, Kind, KIND)                    \
+	STAGE(kind##_prepare_rare)                 \
+	{                                          \
+		Kind u;                                \
+		if (p->kind##_place_slot[i] < 0)       \
+			return;                            \
+		kind##_load(p, i, PREPARE_BOUNCE, &u); \
+		kind##_setup_rare(p, i, &u);           \
+	}
+#include "pools/kinds.def"
+#undef X
+
+#endif
