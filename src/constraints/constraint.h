@@ -42,7 +42,7 @@
 // Rows that are kept are copied whole: 16 bytes at a time.
 #define KEPT_ALIGNED __attribute__((aligned(16)))
 
-// What follows works on constraint `lane` of the block `rows`, and on registers `u` or what is kept, `kept`.
+// What follows works on constraint `lane` of the block `rows`, and on registers `u` or what is kept of it, `kept`.
 #define ROW_PAD(name, gate, life, inert, read, written) rows->name[lane] = inert;
 #define ROW_LOAD(name, gate, life, inert, read, written) \
 	if ((read) >> pass & 1)                              \
@@ -53,9 +53,9 @@
 #define ROW_TAKE(name, gate, life, inert, read, written) \
 	ROW_UNLESS_PREPARED_##life(u->name = load(&rows->name[lane], 0);)
 #define ROW_STOW(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(store(&rows->name[lane], 0, u->name);)
-#define ROW_KEEP(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(kept->name = rows->name[lane];)
-#define ROW_PUT_BACK(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(rows->name[lane] = kept->name;)
-#define ROW_FORGET(name, gate, life, inert, read, written)   ROW_IF_KEPT_##life(kept->name = 0.0f;)
+#define ROW_KEEP(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(kept.name = rows->name[lane];)
+#define ROW_PUT_BACK(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(rows->name[lane] = kept.name;)
+#define ROW_FORGET(name, gate, life, inert, read, written)   ROW_IF_KEPT_##life(kept.name = 0.0f;)
 #define ROW_FETCH(name, gate, life, inert, read, written)    ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)
 #define ROW_HASH(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(h = hash_float(h, rows->name[lane]);)
 

@@ -59,49 +59,60 @@
 #undef X
 
 // While constraints are laid out anew, what is kept of them goes from a place to a slot, and from there to the new place.
-#define KEPT_FUNCTION(kind, Kind, KIND, name, ROW)                             \
-	INLINE void kind##_##name(const Pools* p, int slot, int i)                 \
-	{                                                                          \
-		int lane = i % MAX_LANES;                                              \
-		{                                                                      \
-			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
-			GLOBAL Kind##Kept* kept = p->kind##_kept + slot;                   \
-			KIND##_ROWS(ROW)                                                   \
-		}                                                                      \
-		{                                                                      \
-			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
-			GLOBAL Kind##RareKept* kept = p->kind##_rare_kept + slot;          \
-			KIND##_RARE_ROWS(ROW)                                              \
-		}                                                                      \
-	}
-#define X(kind, Kind, KIND)                                                    \
-	KEPT_FUNCTION(kind, Kind, KIND, keep, ROW_KEEP)                            \
-	KEPT_FUNCTION(kind, Kind, KIND, put_back, ROW_PUT_BACK)                    \
-	/* A new item has nothing to keep. */                                      \
-	INLINE void kind##_forget(const Pools* p, int slot)                        \
-	{                                                                          \
-		{                                                                      \
-			GLOBAL Kind##Kept* kept = p->kind##_kept + slot;                   \
-			KIND##_ROWS(ROW_FORGET)                                            \
-		}                                                                      \
-		{                                                                      \
-			GLOBAL Kind##RareKept* kept = p->kind##_rare_kept + slot;          \
-			KIND##_RARE_ROWS(ROW_FORGET)                                       \
-		}                                                                      \
-	}                                                                          \
-	/* What is kept of place i is fetched from memory. */                      \
-	INLINE void kind##_fetch_kept(const Pools* p, int i)                       \
-	{                                                                          \
-		int lane = i % MAX_LANES;                                              \
-		{                                                                      \
-			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
-			KIND##_ROWS(ROW_FETCH)                                             \
-		}                                                                      \
-		{                                                                      \
-			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
-			KIND##_RARE_ROWS(ROW_FETCH)                                        \
-		}                                                                      \
-		(void)lane;                                                            \
+#define X(kind, Kind, KIND)                                                          \
+	INLINE void kind##_keep(const Pools* p, int slot, int i)                         \
+	{                                                                                \
+		int lane = i % MAX_LANES;                                                    \
+		{                                                                            \
+			const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
+			Kind##Kept kept;                                                         \
+			KIND##_ROWS(ROW_KEEP) p->kind##_kept[slot] = kept;                       \
+		}                                                                            \
+		{                                                                            \
+			const GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+			Kind##RareKept kept;                                                     \
+			KIND##_RARE_ROWS(ROW_KEEP) p->kind##_rare_kept[slot] = kept;             \
+		}                                                                            \
+	}                                                                                \
+	INLINE void kind##_put_back(const Pools* p, int slot, int i)                     \
+	{                                                                                \
+		int lane = i % MAX_LANES;                                                    \
+		{                                                                            \
+			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;                \
+			Kind##Kept kept = p->kind##_kept[slot];                                  \
+			KIND##_ROWS(ROW_PUT_BACK)                                                \
+		}                                                                            \
+		{                                                                            \
+			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES;       \
+			Kind##RareKept kept = p->kind##_rare_kept[slot];                         \
+			KIND##_RARE_ROWS(ROW_PUT_BACK)                                           \
+		}                                                                            \
+	}                                                                                \
+	/* A new item has nothing to keep. */                                            \
+	INLINE void kind##_forget(const Pools* p, int slot)                              \
+	{                                                                                \
+		{                                                                            \
+			Kind##Kept kept;                                                         \
+			KIND##_ROWS(ROW_FORGET) p->kind##_kept[slot] = kept;                     \
+		}                                                                            \
+		{                                                                            \
+			Kind##RareKept kept;                                                     \
+			KIND##_RARE_ROWS(ROW_FORGET) p->kind##_rare_kept[slot] = kept;           \
+		}                                                                            \
+	}                                                                                \
+	/* What is kept of place i is fetched from memory. */                            \
+	INLINE void kind##_fetch_kept(const Pools* p, int i)                             \
+	{                                                                                \
+		int lane = i % MAX_LANES;                                                    \
+		{                                                                            \
+			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;                \
+			KIND##_ROWS(ROW_FETCH)                                                   \
+		}                                                                            \
+		{                                                                            \
+			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES;       \
+			KIND##_RARE_ROWS(ROW_FETCH)                                              \
+		}                                                                            \
+		(void)lane;                                                                  \
 	}
 #include "pools/kinds.def"
 #undef X
