@@ -189,8 +189,8 @@ INLINE __global float2* runner_pairs(__global float4* notes, int n, int i)
 INLINE void runner_leave_impulses(const Runner* u, __global float4* notes, int n, int i)
 {
 	__global float2* pair = runner_pairs(notes, n, i);
-	pair[(NOTE_PAIRS - 2) * n] = (float2)(u->normal[0], u->normal[1]);
-	pair[(NOTE_PAIRS - 1) * n] = (float2)(u->tangent[0], u->tangent[1]);
+	pair[(NOTE_PAIRS - 2) * n] = make_float2(u->normal[0], u->normal[1]);
+	pair[(NOTE_PAIRS - 1) * n] = make_float2(u->tangent[0], u->tangent[1]);
 }
 
 INLINE void runner_leave(const Runner* u, __global float4* notes, int n, int i)
@@ -203,17 +203,17 @@ INLINE void runner_leave(const Runner* u, __global float4* notes, int n, int i)
 		turns = 0;
 		for (int k = 0; k < 2; ++k)
 			turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-		notes[n + i] = (float4)(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
-		notes[2 * n + i] = (float4)(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
-		pair[0] = (float2)(c.rb[0].x, c.rb[0].y);
-		pair[n] = (float2)(c.rb[1].x, c.rb[1].y);
-		pair[2 * n] = (float2)(u->separation[0], u->separation[1]);
-		pair[3 * n] = (float2)(c.a.inv_mass, c.a.inv_inertia);
-		pair[4 * n] = (float2)(u->normal_mass[0], u->normal_mass[1]);
-		pair[5 * n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
+		notes[n + i] = make_float4(c.n.x, c.n.y, c.b.inv_mass, c.b.inv_inertia);
+		notes[2 * n + i] = make_float4(c.ra[0].x, c.ra[0].y, c.ra[1].x, c.ra[1].y);
+		pair[0] = make_float2(c.rb[0].x, c.rb[0].y);
+		pair[n] = make_float2(c.rb[1].x, c.rb[1].y);
+		pair[2 * n] = make_float2(u->separation[0], u->separation[1]);
+		pair[3 * n] = make_float2(c.a.inv_mass, c.a.inv_inertia);
+		pair[4 * n] = make_float2(u->normal_mass[0], u->normal_mass[1]);
+		pair[5 * n] = make_float2(u->tangent_mass[0], u->tangent_mass[1]);
 		runner_leave_impulses(u, notes, n, i);
 	}
-	notes[i] = (float4)(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
+	notes[i] = make_float4(as_float(turns), as_float(u->c.ia), as_float(u->c.ib), u->friction);
 }
 
 INLINE Side side_return(int body, int turns)

@@ -245,13 +245,13 @@ INLINE void tile_leave(const Runner* u, uint names, Vec offset, const Tiles* t, 
 {
 	int n = t->stride;
 	__global float2* pairs = runner_pairs(t->notes, n, j);
-	t->notes[j] = (float4)(as_float(names), u->friction, u->c.n.x, u->c.n.y);
-	t->notes[n + j] = (float4)(u->c.ra[0].x, u->c.ra[0].y, u->c.ra[1].x, u->c.ra[1].y);
-	t->notes[2 * n + j] = (float4)(offset.x, offset.y, u->separation[0], u->separation[1]);
-	pairs[TILE_NORMAL_MASS * n] = (float2)(u->normal_mass[0], u->normal_mass[1]);
-	pairs[TILE_TANGENT_MASS * n] = (float2)(u->tangent_mass[0], u->tangent_mass[1]);
-	pairs[TILE_NORMAL * n] = (float2)(u->normal[0], u->normal[1]);
-	pairs[TILE_TANGENT * n] = (float2)(u->tangent[0], u->tangent[1]);
+	t->notes[j] = make_float4(as_float(names), u->friction, u->c.n.x, u->c.n.y);
+	t->notes[n + j] = make_float4(u->c.ra[0].x, u->c.ra[0].y, u->c.ra[1].x, u->c.ra[1].y);
+	t->notes[2 * n + j] = make_float4(offset.x, offset.y, u->separation[0], u->separation[1]);
+	pairs[TILE_NORMAL_MASS * n] = make_float2(u->normal_mass[0], u->normal_mass[1]);
+	pairs[TILE_TANGENT_MASS * n] = make_float2(u->tangent_mass[0], u->tangent_mass[1]);
+	pairs[TILE_NORMAL * n] = make_float2(u->normal[0], u->normal[1]);
+	pairs[TILE_TANGENT * n] = make_float2(u->tangent[0], u->tangent[1]);
 }
 
 // What the passes need of the constraint at place j.

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// forms.c -- does with emulated kernels what src/opencl/solve.c, relay.c and tiles.c do with a device.
+#include "emulation/forms.h"
+#include "emulation/kernels.h"
+#include "world.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
+#define NEVER       (1 << 18) // looks: more than any turn takes to come
+
+typedef struct // what a list says of a whole solve
+{
+	int bodies, constraints, substeps, passes, bound, hubs;
+	const Run *colors, *guard; // the first of a run a color; the last run
+	int color_count;
+} Solve;
+
+FormCounts form_counts;
+static const BackendFunctions* cpu;
+static BackendFunctions functions; // of the CPU, but for run
+static Form form;
+static Pools pools;
+static Task task;
+static void* buffers[16]; // of the solve at work
+static int buffer_count;
+static Word64* rows; // from solve to solve
+static int row_count;
+
+void form_spoil(int body, int word, uint64_t value) { rows[body * relay_words + word] = value; }
+
+// Whether the runs are a whole solve. The only place that knows how a list shows it.
+static bool solve_find(const Run* runs, int count, Solve* solve)
+{
+	*solve = (Solve){.passes = 1};
+	if (count == 0 || runs[0].stage != STAGE_solve_begin)
+		return false;
+	solve->bound = runs[0].count;
+	for (const Run* run = runs; run < runs + count; ++run)
+	{
+		int pass = run->argument & 255;
+		solve->constraints = run->stage == STAGE_prepare ? run->end : solve->constraints;
+		solve->bodies = run->stage == STAGE_finalize ? run->end : solve->bodies;
+		solve->hubs += run->stage == STAGE_hub && pass == HUB_WARM_START ? run->end : 0;
+		solve->substeps += run->stage == STAGE_integrate_velocity;
+		if (run->stage == STAGE_bounce || (run->stage == STAGE_hub && pass == HUB_REBOUND))
+			solve->passes = 2;
+		if (run->stage == STAGE_warm_start && solve->color_count++ == 0)
+			solve->colors = run;
+	}
+	solve->passes += 2 * solve->substeps;
+	solve->guard = runs + count - 1;
+	return solve->guard->stage == STAGE_guard;
+}
+
+// Memory for so many items of so many bytes, which hold nothing in particular.
+static void* buffer(int count, size_t bytes)
+{
+	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
+	void* memory = aligned_alloc(64, size);
+	memset(memory, 0xa5, size);
+	return buffers[buffer_count++] = memory;
+}
+
+static bool launch(KernelId kernel, int groups, int group)
+{
+	char sentence[ITEMS_SENTENCE];
+	form.turns.seed += 2;
+	if (kernel_run(kernel, &task, groups, group, &form.turns, sentence))
+		return true;
+	if (!form_counts.sentence[0])
+		memcpy(form_counts.sentence, sentence, sizeof sentence);
+	return false;
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+static int groups_of(int items, int group) { return items > 0 ? (items + group - 1) / group : 1; }
+static bool launch_over(KernelId kernel, int items)
+{
+	return launch(kernel, groups_of(items, SMALL_GROUP), SMALL_GROUP);
+}
+static bool plain(void) { return !pools.step.extras && !pools.step.bounces && !pools.step.round; }
+
+static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
+
+// ---------------------------------------------------------------------------------------------------------------
+// the relay
+// ---------------------------------------------------------------------------------------------------------------
+
+static int spread_of(int constraints, int places)
+{
+	int spread = 1;
+	while (spread < form.most_spread && 2 * spread * constraints <= places)
+		spread *= 2;
+	return spread;
+}
+
+static bool relay_solve(const Solve* solve)
+{
+	int group = solve->hubs > 0 ? form.group : relay_group;
+	int hubs = solve->hubs > 0 && form.groups > 1 ? least(solve->hubs, form.hub_groups) : solve->hubs > 0;
+	int most = solve->hubs > 0 && form.groups > 1 ? form.groups - hubs : form.groups;
+	task.spread = spread_of(solve->constraints, most * group);
+	int groups = least(groups_of(solve->constraints * task.spread, group), most);
+	bool registers = solve->constraints * task.spread <= groups * group;
+	task.notes = buffer(registers ? 1 : solve->constraints * note_float4s, sizeof(Float4));
+	task.parts = buffer(solve->hubs > 0 ? solve->constraints + solve->hubs : 1, sizeof(Words));
+	task.hub_groups = hubs;
+	*(registers ? &form_counts.registers : &form_counts.streamed) += 1;
+	note_most(&form_counts.spread, task.spread);
+	form_counts.by_hubs += solve->hubs > 0;
+	form_counts.split += pools.counters->split > 0;
+	if (solve->hubs > 0)
+		return launch(KERNEL_relay_hubs, form.groups > 1 ? hubs + groups : 1, group);
+	return launch(plain() ? KERNEL_relay_plain : KERNEL_relay, groups, group);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the tiles
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool lay_out(const Solve* solve)
+{
+	bool well = launch_over(KERNEL_tile_settle, task.places) && launch_over(KERNEL_tile_list, task.places);
+	for (const Run* run = solve->colors; well && run < solve->colors + solve->color_count; ++run)
+	{
+		task.begin = run->begin;
+		task.end = run->end;
+		well = launch_over(KERNEL_tile_count, run->end - run->begin);
+	}
+	return well && launch_over(KERNEL_tile_total, task.tile_rows + 1) && launch(KERNEL_tile_begin, 1, 256) &&
+	       launch_over(KERNEL_tile_range, task.tile_rows + 2) && launch_over(KERNEL_tile_order, solve->constraints);
+}
+
+static bool tiles_solve(const Solve* solve)
+{
+	static const KernelId kinds[2] = {KERNEL_tile_relax, KERNEL_tile_bias};
+	int table;
+	task.tile_rows = (pools.step.collidables - 1) / tile_bodies + 1;
+	task.places = task.tile_rows * tile_bodies;
+	task.stride = solve->constraints + tile_colors * relay_group;
+	table = (task.tile_rows + 2) * tile_colors;
+	task.place = buffer(solve->bodies, sizeof(int));
+	task.border = buffer(solve->bodies, sizeof(int));
+	task.resident = buffer(task.places, sizeof(int));
+	task.table = memset(buffer(table, sizeof(int)), 0, (size_t)table * sizeof(int));
+	task.total = buffer(task.tile_rows + 2, sizeof(int));
+	task.rank = buffer(solve->constraints, sizeof(int));
+	task.order = memset(buffer(task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
+	task.notes = buffer(task.stride * note_float4s, sizeof(Float4));
+	bool well = lay_out(solve);
+	int border = well ? task.total[task.tile_rows + 1] - task.total[task.tile_rows] : 0;
+	note_most(&form_counts.tiles, task.tile_rows);
+	note_most(&form_counts.inner, well ? task.total[task.tile_rows] : 0);
+	note_most(&form_counts.border, border);
+	well = well && launch_over(plain() ? KERNEL_tile_prepare_plain : KERNEL_tile_prepare, task.stride);
+	for (task.q = 0; well && task.q < solve->passes; ++task.q)
+	{
+		KernelId kernel = task.q == 0                    ? KERNEL_tile_warm_start
+		                  : task.q > 2 * solve->substeps ? KERNEL_tile_bounce
+		                                                 : kinds[task.q & 1];
+		well = launch(kernel, task.tile_rows, tile_group) &&
+		       launch(KERNEL_tile_border, least(groups_of(border, relay_group) + 1, form.groups), relay_group);
+	}
+	return well;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// solves
+// ---------------------------------------------------------------------------------------------------------------
+
+static void rows_reserve(int bodies)
+{
+	if (bodies <= row_count)
+		return;
+	free(rows);
+	rows = aligned_alloc(64, ((size_t)bodies * (size_t)relay_words * sizeof *rows + 63) / 64 * 64);
+	memset(rows, 0, (size_t)bodies * (size_t)relay_words * sizeof *rows);
+	row_count = bodies;
+}
+
+static scree_status solve_emulated(const Solve* solve)
+{
+	rows_reserve(solve->bodies);
+	task = (Task){.pools = &pools,
+	              .rows = rows,
+	              .bodies = solve->bodies,
+	              .constraints = solve->constraints,
+	              .substeps = solve->substeps,
+	              .passes = solve->passes,
+	              .bound = solve->bound,
+	              .spins = form.spins ? form.spins : NEVER};
+
+	// what is written before it is read may hold anything; and so does what no one may read
+	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
+	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
+	well = well && launch_over(KERNEL_solve_end, solve->bodies);
+	while (buffer_count > 0)
+		free(buffers[--buffer_count]);
+	++form_counts.solves;
+	if (!well)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	form_counts.fault = pools.counters->fault;
+	if (form_counts.fault)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
+	for (int k = 0; k < solve->bodies * relay_words; ++k)
+		if (rows[k])
+			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the row of body %d is not zero after the solve",
+			            k % relay_words, k / relay_words);
+	return SCREE_OK;
+}
+
+static scree_status form_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	Solve solve;
+	if (!solve_find(runs, count, &solve) || (form.tiles && solve.hubs > 0))
+		return cpu->run(b, step, runs, count);
+#define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
+#include "pools/pools.def"
+#undef X
+	pools.step = *step;
+	scree_status status = solve_emulated(&solve);
+	return status ? status : cpu->run(b, step, solve.guard, 1);
+}
+
+void form_take(scree_world* world, const Form* how)
+{
+	Backend* b = world->backend;
+	if (b->f != &functions)
+		cpu = b->f;
+	functions = *cpu;
+	functions.run = form_run;
+	b->f = &functions;
+	b->distant = how->ahead;
+	form = *how;
+	form_close();
+	memset(&form_counts, 0, sizeof form_counts);
+}
+
+void form_close(void)
+{
+	free(rows);
+	rows = NULL;
+	row_count = 0;
+	items_close();
+}
