@@ -63,12 +63,18 @@ static void* buffer(int count, size_t bytes)
 	return buffers[buffer_count++] = memory;
 }
 
+static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
+
 static bool launch(KernelId kernel, int groups, int group)
 {
 	char sentence[ITEMS_SENTENCE];
 	form.turns.seed += 2;
 	if (kernel_run(kernel, &task, groups, group, &form.turns, sentence))
+	{
+		if (form.turns.shunned > 0 && form.turns.shunned <= groups)
+			note_most(&form_counts.looks, items_looks(form.turns.shunned - 1));
 		return true;
+	}
 	if (!form_counts.sentence[0])
 		memcpy(form_counts.sentence, sentence, sizeof sentence);
 	return false;
@@ -81,8 +87,6 @@ static bool launch_over(KernelId kernel, int items)
 	return launch(kernel, groups_of(items, SMALL_GROUP), SMALL_GROUP);
 }
 static bool plain(void) { return !pools.step.extras && !pools.step.bounces && !pools.step.round; }
-
-static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
 
 // ---------------------------------------------------------------------------------------------------------------
 // the relay

@@ -28,6 +28,7 @@ typedef struct // since form_take
 	int spread;                    // the most work-items that a constraint had
 	int tiles, inner, border;      // the most tiles, constraints within them and between them
 	int fault;                     // of the device, FAULT_*
+	int looks;                     // the most of a work-item whose group was shunned
 	char sentence[ITEMS_SENTENCE]; // what went wrong first; empty while nothing did
 } FormCounts;
 extern FormCounts form_counts;

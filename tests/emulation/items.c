@@ -28,7 +28,7 @@
 #endif
 
 #define MOST_GROUPS 512
-#define MOST_TURNS  ((int64_t)1 << 28) // of a launch: some minutes
+#define MOST_TURNS  ((int64_t)1 << 24) // of a launch: some seconds, and far more than any needs
 #define MOST_LATE   12                 // pieces on their way at a time
 
 typedef struct
@@ -38,6 +38,7 @@ typedef struct
 	void* shadow; // of the address sanitizer
 	int group, lane;
 	int at; // among the ready ones of its group
+	int looks;
 } Item;
 
 typedef struct
@@ -233,6 +234,7 @@ static void all_arrive(void)
 
 Words items_look(const volatile void* place)
 {
+	++now->looks;
 	items_turn();
 	if (piece_count > 0 && next_random() % 2)
 		piece_arrives(random_of(piece_count));
@@ -266,6 +268,7 @@ static void item_prepare(Item* item, int group, int lane)
 {
 	item->group = group;
 	item->lane = lane;
+	item->looks = 0;
 	getcontext(&item->context);
 	item->context.uc_stack.ss_sp = item->stack;
 	item->context.uc_stack.ss_size = STACK_BYTES;
@@ -331,6 +334,14 @@ bool items_run(const Launch* what, const Turns* how, char sentence[ITEMS_SENTENC
 	         ended, launch.groups * launch.group, trouble ? trouble : "the others wait for each other", g->met, group,
 	         g->file ? g->file : "nowhere", g->line);
 	return false;
+}
+
+int items_looks(int group)
+{
+	int most = 0;
+	for (int i = group * launch.group; i < (group + 1) * launch.group; ++i)
+		most = items[i]->looks > most ? items[i]->looks : most;
+	return most;
 }
 
 void items_close(void)

@@ -35,6 +35,9 @@ typedef struct
 #define ITEMS_SENTENCE 256
 bool items_run(const Launch* launch, const Turns* turns, char sentence[ITEMS_SENTENCE]);
 
+// The most looks that a work-item of a group took in the last run.
+int items_looks(int group);
+
 // frees the stacks
 void items_close(void);
 

@@ -173,7 +173,10 @@ void check_form(const FormScene* scene, const Form* form)
 	form_close();
 }
 
-#define BOUND 2000 // looks: beyond 1,024 those who wait learn that others have given up
+// Looks at either row that a wait takes at most. Every 1,024 those who wait look whether others have given up, and then end too:
+// long before they would by themselves.
+#define BOUND 6000
+#define LEARN 4000
 
 void check_fault(const char* name, Form form)
 {
@@ -189,6 +192,9 @@ void check_fault(const char* name, Form form)
 		fail_msg("%s, group %d shunned, put %d lost: %s", form.name, form.turns.shunned, form.turns.lost,
 		         form_counts.sentence);
 	assert_int_equal(form_counts.fault, fault_blown);
+	if (form_counts.looks > LEARN)
+		fail_msg("%s: group %d took %d looks to learn that others gave up", form.name, form.turns.shunned,
+		         form_counts.looks);
 	scree_world_destroy(world);
 	form_close();
 }
