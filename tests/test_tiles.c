@@ -12,8 +12,6 @@
 
 #include "emulation/scenes.h"
 
-#define SEEDS 2
-
 static const Form forms[] = {
     {.name = "tiles", .tiles = true, .groups = 8},
     {.name = "tiles, few groups, late words", .tiles = true, .groups = 2, .turns = {.late = true, .pieces = 8}},
@@ -26,7 +24,7 @@ static void tiles_are_equal(void** state)
 	int tiles = 0, inner = 0, border = 0;
 	for (size_t k = 0; k < sizeof forms / sizeof *forms; ++k)
 		for (int scene = 0; scene < form_scene_count; ++scene)
-			for (int seed = 1; seed <= (quick() ? 1 : SEEDS) && !form_scenes[scene].hubs; ++seed)
+			for (int seed = 1; seed <= form_seeds() && !form_scenes[scene].hubs; ++seed)
 			{
 				Form form = forms[k];
 				form.turns.seed = 1000033u * (uint64_t)seed + k;
@@ -48,9 +46,8 @@ static void shunned_groups_are_found(void** state)
 static void lost_words_are_found(void** state)
 {
 	(void)state;
-	for (int lost = 1; lost < 60; lost += 3)
-		check_fault("pyramid",
-		            (Form){.name = "tiles", .tiles = true, .groups = 3, .turns = {.late = lost % 2, .lost = lost}});
+	check_lost("pyramid", (Form){.name = "tiles", .tiles = true, .groups = 3});
+	check_lost("heap", (Form){.name = "tiles, late words", .tiles = true, .groups = 8, .turns.late = true});
 }
 
 int main(void)

@@ -17,6 +17,12 @@ typedef struct // what a list says of a whole solve
 	int color_count;
 } Solve;
 
+typedef struct // words that stay from solve to solve
+{
+	Word64* words;
+	int count;
+} Kept;
+
 FormCounts form_counts;
 static const BackendFunctions* cpu;
 static BackendFunctions functions; // of the CPU, but for run
@@ -25,10 +31,9 @@ static Pools pools;
 static Task task;
 static void* buffers[16]; // of the solve at work
 static int buffer_count;
-static Word64* rows; // from solve to solve
-static int row_count;
+static Kept rows, parts;
 
-void form_spoil(int body, int word, uint64_t value) { rows[body * relay_words + word] = value; }
+void form_spoil(int body, int word, uint64_t value) { rows.words[body * relay_words + word] = value; }
 
 // Whether the runs are a whole solve. The only place that knows how a list shows it.
 static bool solve_find(const Run* runs, int count, Solve* solve)
@@ -63,6 +68,17 @@ static void* buffer(int count, size_t bytes)
 	return buffers[buffer_count++] = memory;
 }
 
+// Room for so many words. As on a device, new ones are zero.
+static Word64* keep(Kept* kept, int count)
+{
+	if (count > kept->count)
+	{
+		free(kept->words);
+		*kept = (Kept){calloc((size_t)count, sizeof *kept->words), count};
+	}
+	return kept->words;
+}
+
 static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
 
 static bool launch(KernelId kernel, int groups, int group)
@@ -71,6 +87,7 @@ static bool launch(KernelId kernel, int groups, int group)
 	form.turns.seed += 2;
 	if (kernel_run(kernel, &task, groups, group, &form.turns, sentence))
 	{
+		note_most(&form_counts.puts, items_puts());
 		if (form.turns.shunned > 0 && form.turns.shunned <= groups)
 			note_most(&form_counts.looks, items_looks(form.turns.shunned - 1));
 		return true;
@@ -109,7 +126,7 @@ static bool relay_solve(const Solve* solve)
 	int groups = least(groups_of(solve->constraints * task.spread, group), most);
 	bool registers = solve->constraints * task.spread <= groups * group;
 	task.notes = buffer(registers ? 1 : solve->constraints * note_float4s, sizeof(Float4));
-	task.parts = buffer(solve->hubs > 0 ? solve->constraints + solve->hubs : 1, sizeof(Words));
+	task.parts = keep(&parts, 2 * (solve->constraints + solve->hubs));
 	task.hub_groups = hubs;
 	*(registers ? &form_counts.registers : &form_counts.streamed) += 1;
 	note_most(&form_counts.spread, task.spread);
@@ -174,21 +191,10 @@ static bool tiles_solve(const Solve* solve)
 // solves
 // ---------------------------------------------------------------------------------------------------------------
 
-static void rows_reserve(int bodies)
-{
-	if (bodies <= row_count)
-		return;
-	free(rows);
-	rows = aligned_alloc(64, ((size_t)bodies * (size_t)relay_words * sizeof *rows + 63) / 64 * 64);
-	memset(rows, 0, (size_t)bodies * (size_t)relay_words * sizeof *rows);
-	row_count = bodies;
-}
-
 static scree_status solve_emulated(const Solve* solve)
 {
-	rows_reserve(solve->bodies);
 	task = (Task){.pools = &pools,
-	              .rows = rows,
+	              .rows = keep(&rows, solve->bodies * relay_words),
 	              .bodies = solve->bodies,
 	              .constraints = solve->constraints,
 	              .substeps = solve->substeps,
@@ -209,7 +215,7 @@ static scree_status solve_emulated(const Solve* solve)
 	if (form_counts.fault)
 		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
 	for (int k = 0; k < solve->bodies * relay_words; ++k)
-		if (rows[k])
+		if (rows.words[k])
 			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the row of body %d is not zero after the solve",
 			            k % relay_words, k / relay_words);
 	return SCREE_OK;
@@ -244,8 +250,8 @@ void form_take(scree_world* world, const Form* how)
 
 void form_close(void)
 {
-	free(rows);
-	rows = NULL;
-	row_count = 0;
+	free(rows.words);
+	free(parts.words);
+	rows = parts = (Kept){0};
 	items_close();
 }

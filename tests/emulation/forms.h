@@ -29,6 +29,7 @@ typedef struct // since form_take
 	int tiles, inner, border;      // the most tiles, constraints within them and between them
 	int fault;                     // of the device, FAULT_*
 	int looks;                     // the most of a work-item whose group was shunned
+	int puts;                      // the most of a launch
 	char sentence[ITEMS_SENTENCE]; // what went wrong first; empty while nothing did
 } FormCounts;
 extern FormCounts form_counts;

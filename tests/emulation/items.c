@@ -344,6 +344,8 @@ int items_looks(int group)
 	return most;
 }
 
+int items_puts(void) { return (int)put_count; }
+
 void items_close(void)
 {
 	for (int i = 0; i < item_count; ++i)

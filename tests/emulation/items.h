@@ -38,6 +38,9 @@ bool items_run(const Launch* launch, const Turns* turns, char sentence[ITEMS_SEN
 // The most looks that a work-item of a group took in the last run.
 int items_looks(int group);
 
+// How many puts there were in the last run.
+int items_puts(void);
+
 // frees the stacks
 void items_close(void);
 

@@ -25,6 +25,12 @@ void check_form(const FormScene* scene, const Form* form);
 // Solves a scene by a form whose turns stop somewhere. Fails unless all work-items end, and the device says so.
 void check_fault(const char* scene, Form form);
 
+// The same with one word that is lost, for some words of a launch and for each of its last ones.
+void check_lost(const char* scene, Form form);
+
+// How many seeds each form is tried with: SCREE_SEEDS of the environment, else few.
+int form_seeds(void);
+
 // Exit status of a test that cannot emulate here and says why, else 0.
 int check_refused(void);
 
