@@ -23,15 +23,22 @@ typedef struct // words that stay from solve to solve
 	int count;
 } Kept;
 
+typedef struct // memory that is let go together
+{
+	void* memory[8];
+	int count;
+} Buffers;
+
 FormCounts form_counts;
 static const BackendFunctions* cpu;
-static BackendFunctions functions; // of the CPU, but for run
+static BackendFunctions functions; // of the CPU, but for run and resize
 static Form form;
 static Pools pools;
 static Task task;
-static void* buffers[16]; // of the solve at work
-static int buffer_count;
 static Kept rows, parts;
+static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
+static Task laid_out;
+static bool stale; // tiles must be laid out anew
 
 void form_spoil(int body, int word, uint64_t value) { rows.words[body * relay_words + word] = value; }
 
@@ -60,12 +67,18 @@ static bool solve_find(const Run* runs, int count, Solve* solve)
 }
 
 // Memory for so many items of so many bytes, which hold nothing in particular.
-static void* buffer(int count, size_t bytes)
+static void* buffer(Buffers* buffers, int count, size_t bytes)
 {
 	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
 	void* memory = aligned_alloc(64, size);
 	memset(memory, 0xa5, size);
-	return buffers[buffer_count++] = memory;
+	return buffers->memory[buffers->count++] = memory;
+}
+
+static void let_go(Buffers* buffers)
+{
+	while (buffers->count > 0)
+		free(buffers->memory[--buffers->count]);
 }
 
 // Room for so many words. As on a device, new ones are zero.
@@ -125,7 +138,7 @@ static bool relay_solve(const Solve* solve)
 	task.spread = spread_of(solve->constraints, most * group);
 	int groups = least(groups_of(solve->constraints * task.spread, group), most);
 	bool registers = solve->constraints * task.spread <= groups * group;
-	task.notes = buffer(registers ? 1 : solve->constraints * note_float4s, sizeof(Float4));
+	task.notes = buffer(&solve_buffers, registers ? 1 : solve->constraints * note_float4s, sizeof(Float4));
 	task.parts = keep(&parts, 2 * (solve->constraints + solve->hubs));
 	task.hub_groups = hubs;
 	*(registers ? &form_counts.registers : &form_counts.streamed) += 1;
@@ -143,6 +156,18 @@ static bool relay_solve(const Solve* solve)
 
 static bool lay_out(const Solve* solve)
 {
+	let_go(&tile_buffers);
+	task.tile_rows = (pools.step.collidables - 1) / tile_bodies + 1;
+	task.places = task.tile_rows * tile_bodies;
+	task.stride = solve->constraints + tile_colors * relay_group;
+	int table = (task.tile_rows + 2) * tile_colors;
+	task.place = buffer(&tile_buffers, solve->bodies, sizeof(int));
+	task.border = buffer(&tile_buffers, solve->bodies, sizeof(int));
+	task.resident = buffer(&tile_buffers, task.places, sizeof(int));
+	task.table = memset(buffer(&tile_buffers, table, sizeof(int)), 0, (size_t)table * sizeof(int));
+	task.total = buffer(&tile_buffers, task.tile_rows + 2, sizeof(int));
+	task.rank = buffer(&tile_buffers, solve->constraints, sizeof(int));
+	task.order = memset(buffer(&tile_buffers, task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
 	bool well = launch_over(KERNEL_tile_settle, task.places) && launch_over(KERNEL_tile_list, task.places);
 	for (const Run* run = solve->colors; well && run < solve->colors + solve->color_count; ++run)
 	{
@@ -150,27 +175,39 @@ static bool lay_out(const Solve* solve)
 		task.end = run->end;
 		well = launch_over(KERNEL_tile_count, run->end - run->begin);
 	}
-	return well && launch_over(KERNEL_tile_total, task.tile_rows + 1) && launch(KERNEL_tile_begin, 1, 256) &&
+	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) && launch(KERNEL_tile_begin, 1, 256) &&
 	       launch_over(KERNEL_tile_range, task.tile_rows + 2) && launch_over(KERNEL_tile_order, solve->constraints);
+	laid_out = task;
+	stale = !well;
+	return well;
+}
+
+// The tiles of the last solve.
+static void take_layout(void)
+{
+	task.tile_rows = laid_out.tile_rows;
+	task.places = laid_out.places;
+	task.stride = laid_out.stride;
+	task.place = laid_out.place;
+	task.border = laid_out.border;
+	task.resident = laid_out.resident;
+	task.table = laid_out.table;
+	task.total = laid_out.total;
+	task.rank = laid_out.rank;
+	task.order = laid_out.order;
+	++form_counts.kept;
 }
 
 static bool tiles_solve(const Solve* solve)
 {
 	static const KernelId kinds[2] = {KERNEL_tile_relax, KERNEL_tile_bias};
-	int table;
-	task.tile_rows = (pools.step.collidables - 1) / tile_bodies + 1;
-	task.places = task.tile_rows * tile_bodies;
-	task.stride = solve->constraints + tile_colors * relay_group;
-	table = (task.tile_rows + 2) * tile_colors;
-	task.place = buffer(solve->bodies, sizeof(int));
-	task.border = buffer(solve->bodies, sizeof(int));
-	task.resident = buffer(task.places, sizeof(int));
-	task.table = memset(buffer(table, sizeof(int)), 0, (size_t)table * sizeof(int));
-	task.total = buffer(task.tile_rows + 2, sizeof(int));
-	task.rank = buffer(solve->constraints, sizeof(int));
-	task.order = memset(buffer(task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
-	task.notes = buffer(task.stride * note_float4s, sizeof(Float4));
-	bool well = lay_out(solve);
+	stale |= pools.counters->arrange > 0 || !pools.counters->kept || tile_buffers.count == 0;
+	bool well = true;
+	if (stale)
+		well = lay_out(solve);
+	else
+		take_layout();
+	task.notes = buffer(&solve_buffers, task.stride * note_float4s, sizeof(Float4));
 	int border = well ? task.total[task.tile_rows + 1] - task.total[task.tile_rows] : 0;
 	note_most(&form_counts.tiles, task.tile_rows);
 	note_most(&form_counts.inner, well ? task.total[task.tile_rows] : 0);
@@ -206,8 +243,7 @@ static scree_status solve_emulated(const Solve* solve)
 	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
 	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
 	well = well && launch_over(KERNEL_solve_end, solve->bodies);
-	while (buffer_count > 0)
-		free(buffers[--buffer_count]);
+	let_go(&solve_buffers);
 	++form_counts.solves;
 	if (!well)
 		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
@@ -224,6 +260,8 @@ static scree_status solve_emulated(const Solve* solve)
 static scree_status form_run(Backend* b, const Step* step, const Run* runs, int count)
 {
 	Solve solve;
+	for (const Run* run = runs; run < runs + count; ++run)
+		stale |= run->stage == STAGE_command || run->stage == STAGE_tree_order;
 	if (!solve_find(runs, count, &solve) || (form.tiles && solve.hubs > 0))
 		return cpu->run(b, step, runs, count);
 #define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
@@ -234,6 +272,12 @@ static scree_status form_run(Backend* b, const Step* step, const Run* runs, int 
 	return status ? status : cpu->run(b, step, solve.guard, 1);
 }
 
+static scree_status form_resize(Backend* b, Per per, int capacity)
+{
+	stale = true;
+	return cpu->resize(b, per, capacity);
+}
+
 void form_take(scree_world* world, const Form* how)
 {
 	Backend* b = world->backend;
@@ -241,6 +285,7 @@ void form_take(scree_world* world, const Form* how)
 		cpu = b->f;
 	functions = *cpu;
 	functions.run = form_run;
+	functions.resize = form_resize;
 	b->f = &functions;
 	b->distant = how->ahead;
 	form = *how;
@@ -253,5 +298,6 @@ void form_close(void)
 	free(rows.words);
 	free(parts.words);
 	rows = parts = (Kept){0};
+	let_go(&tile_buffers);
 	items_close();
 }

@@ -27,6 +27,7 @@ typedef struct // since form_take
 	int registers, streamed;       // relays whose constraints stayed in registers, and did not
 	int spread;                    // the most work-items that a constraint had
 	int tiles, inner, border;      // the most tiles, constraints within them and between them
+	int kept;                      // solves with the tiles of the one before
 	int fault;                     // of the device, FAULT_*
 	int looks;                     // the most of a work-item whose group was shunned
 	int puts;                      // the most of a launch

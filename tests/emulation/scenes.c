@@ -118,6 +118,13 @@ static void build_hub(scree_world* world)
 	add_box(world, SCREE_BODY_DYNAMIC, 3.0f, 0.2f, 0.0f, 0.9f);
 }
 
+// A hub, and no constraint that is not one of its.
+static void build_raft(scree_world* world)
+{
+	add_floor(world);
+	add_plate(world, 40, 0.0f, 0.2f);
+}
+
 // Five plates side by side on a plank. The first and the last made have one turn, so that the plank is split between them; and
 // they touch, so that one is a light end of the other.
 static void build_hubs(scree_world* world)
@@ -135,7 +142,7 @@ const FormScene form_scenes[] = {
     {"one", 30, false, build_one, NULL},         {"three", 40, false, build_three, NULL},
     {"pyramid", 50, false, build_pyramid, NULL}, {"heap", 60, false, build_heap, act_heap},
     {"towers", 30, false, build_towers, NULL},   {"hub", 15, true, build_hub, NULL},
-    {"hubs", 10, true, build_hubs, NULL},
+    {"raft", 8, true, build_raft, NULL},         {"hubs", 10, true, build_hubs, NULL},
 };
 const int form_scene_count = (int)(sizeof form_scenes / sizeof *form_scenes);
 
