@@ -239,7 +239,10 @@ static scree_status solve_emulated(const Solve* solve)
 	              .bound = solve->bound,
 	              .spins = form.spins ? form.spins : NEVER};
 
-	// what is written before it is read may hold anything; and so does what no one may read
+	// what is written before it is read may hold anything
+	Counters* c = pools.counters;
+	if (solve->bound < 0 || ((const int*)c)[solve->bound] > 0)
+		c->nonfinite = c->held = c->first_nonfinite = 5;
 	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
 	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
 	well = well && launch_over(KERNEL_solve_end, solve->bodies);

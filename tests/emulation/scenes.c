@@ -2,6 +2,7 @@
 // scenes.c -- small worlds, and a form of the solve against the stages of the CPU.
 #include "emulation/scenes.h"
 #include "emulation/kernels.h"
+#include "world.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -155,6 +156,19 @@ const FormScene* form_scene(const char* name)
 	return NULL;
 }
 
+static const Counters* counted(const scree_world* world)
+{
+	return world->backend->f->address(world->backend, POOL_counters);
+}
+
+// What a solve counts, which is in no hash.
+static bool same_counts(const scree_world* one, const scree_world* other)
+{
+	const Counters *a = counted(one), *b = counted(other);
+	return a->nonfinite == b->nonfinite && a->first_nonfinite == b->first_nonfinite && a->held == b->held &&
+	       a->guarded == b->guarded && a->penetration == b->penetration;
+}
+
 void check_form(const FormScene* scene, const Form* form)
 {
 	scree_world *plain = open_world(-10.0f), *emulated = open_world(-10.0f);
@@ -172,10 +186,10 @@ void check_form(const FormScene* scene, const Form* form)
 		if (scree_world_step(emulated, STEP, SUBSTEPS) != SCREE_OK)
 			fail_msg("%s by %s, seed %llu, step %d: %s", scene->name, form->name, (unsigned long long)form->turns.seed,
 			         k, scree_error());
-		if (hash_of(plain) == hash_of(emulated))
+		if (hash_of(plain) == hash_of(emulated) && same_counts(plain, emulated))
 			continue;
 		print_different_pools(plain, emulated);
-		fail_msg("%s by %s, seed %llu: the hashes differ after step %d", scene->name, form->name,
+		fail_msg("%s by %s, seed %llu: hashes or counts differ after step %d", scene->name, form->name,
 		         (unsigned long long)form->turns.seed, k);
 	}
 	scree_world_destroy(plain);
