@@ -58,5 +58,6 @@ int main(void)
 	    cmocka_unit_test(shunned_groups_are_found),
 	    cmocka_unit_test(lost_words_are_found),
 	};
-	return check_refused() ? check_refused() : cmocka_run_group_tests(tests, NULL, NULL);
+	int refused = check_refused();
+	return refused ? refused : cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -361,7 +361,7 @@ void items_close(void)
 const char* items_refused(void)
 {
 #ifdef TSAN
-	return "the thread sanitizer knows nothing of fibers";
+	return "the thread sanitizer is not told of the fibers";
 #else
 	return NULL;
 #endif
