@@ -5,7 +5,9 @@
 #include "dialect/dialect.h"
 #undef STAGE
 #undef LIST_STAGE
+#undef GROUP_STAGE
 #define STAGE(name)                    INLINE void name##_item(const Pools* p, int i)
 #define LIST_STAGE(name, list, length) INLINE int name##_item(const Pools* p, int i)
+#define GROUP_STAGE(name)              INLINE void name##_group(const Pools* p, int i, BENCH float* bench)
 
 #endif

@@ -56,9 +56,11 @@
 #define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
 // Bodies of a tile, which lie in local memory during a pass: 36 bytes each. More leave fewer constraints on the borders,
-// fewer let more tiles be at work on a compute unit.
+// fewer let more tiles be at work on a compute unit. Tests of small worlds set both before.
+#ifndef TILE_BODIES
 #define TILE_BODIES 1024
 #define TILE_GROUP  256
+#endif
 // a row of the table of tiles: where each color of a tile's constraints begins, the spokes' being the row's end
 #define TILE_COLORS 64
 

@@ -29,7 +29,7 @@ typedef struct // of all groups
 {
 	volatile __global int* arrived; // goes on from launch to launch
 	volatile __global int* fault;
-	volatile __local int* healthy;
+	volatile BENCH int* healthy;
 	int arrivals; // when the last meeting was over
 	int spins;
 } Meeting;
@@ -95,7 +95,7 @@ INLINE bool meet_or_wait(Meeting* m, bool alone)
 }
 
 // As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
-INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local Bench* bench, Meeting* m, bool alone)
+INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, Meeting* m, bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
@@ -131,7 +131,7 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, __local
 	return true;
 }
 
-INLINE bool scan_together(const Pools* p, Run run, __global uint* table, __local uint* sum, Meeting* m)
+INLINE bool scan_together(const Pools* p, Run run, __global uint* table, BENCH uint* sum, Meeting* m)
 {
 	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
 	for (uint block = first; block < SCAN_BLOCKS; block += groups)

@@ -26,7 +26,7 @@ INLINE uint part_size(uint n, uint groups, uint grain)
 }
 
 // The sum of x over the work-items before this one; the total is left in sum[PRIMITIVE_GROUP - 1].
-INLINE uint group_scan(__local uint* sum, uint x)
+INLINE uint group_scan(BENCH uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
 	uint all = x;
@@ -52,7 +52,7 @@ typedef struct __attribute__((aligned(8))) // local memory of a group; member li
 
 // How many keys of a part have each digit.
 INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
-                            __local uint* count)
+                            BENCH uint* count)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -73,7 +73,7 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 // Within 256 neighbours, the rank of a key among its equals is found with a bit mask a digit: each work-item sets its
 // bit, whatever the order, and counts the bits below. Work-item t is the keeper of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
-                            uint block, int shift, uint mask, __local Bench* bench)
+                            uint block, int shift, uint mask, BENCH Bench* bench)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -123,11 +123,11 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 // Puts few keys where they belong by bits from to end, those of equal bits in the order they had: each behind as many as
 // are smaller. All groups keep all keys, SORT_TEAM work-items count for one.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
-                     __local Bench* bench)
+                     BENCH Bench* bench)
 {
 	const uint teams = PRIMITIVE_GROUP / SORT_TEAM;
 	uint t = (uint)get_local_id(0), team = t / SORT_TEAM, member = t % SORT_TEAM;
-	__local Word64* keys = (__local Word64*)bench->member;
+	BENCH Word64* keys = (BENCH Word64*)bench->member;
 	int left = 64 - end;
 	for (uint i = t; i < n; i += PRIMITIVE_GROUP)
 		keys[i] = key[i] << left >> (left + from);
@@ -152,7 +152,7 @@ INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uin
 }
 
 // The sum of a part.
-INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, __local uint* sum)
+INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, BENCH uint* sum)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
@@ -170,7 +170,7 @@ INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table
 }
 
 // Replaces each item of a part by the sum of all items before it.
-INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, __local uint* sum)
+INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, BENCH uint* sum)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);

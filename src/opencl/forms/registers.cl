@@ -175,8 +175,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 
 // Of constraint j: quads and pairs are its first of either, n is how far the columns lie apart.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
-#define STREAM_LEAVE_QUAD(k, c0, c1, c2, c3)      quads[k * n] = (float4)(c0, c1, c2, c3);
-#define STREAM_LEAVE_PAIR(k, read, written, c0, c1) pairs[k * n] = (float2)(c0, c1);
+#define STREAM_LEAVE_QUAD(k, c0, c1, c2, c3)      quads[k * n] = make_float4(c0, c1, c2, c3);
+#define STREAM_LEAVE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
 #define STREAM_TAKE_QUAD(k, c0, c1, c2, c3)                                                  \
 	{                                                                                        \
 		float4 quad = quads[k * n];                                                          \
@@ -194,7 +194,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 	}
 #define STREAM_UPDATE_PAIR(k, read, written, c0, c1)                                         \
 	if ((written) & passes)                                                                  \
-		pairs[k * n] = (float2)(c0, c1);
+		pairs[k * n] = make_float2(c0, c1);
 
 #define X(kind, Kind, KIND)                                                                  \
 	/* Constraint j with a number of the caller's; all of it, what some passes read, what they write. */ \
@@ -224,15 +224,15 @@ INLINE void registers_leave(const Registers* u, __global float4* stream, int n, 
 {
 	if (u->inert)
 	{
-		stream[j] = (float4)(as_float(-1), 0.0f, 0.0f, 0.0f);
+		stream[j] = make_float4(as_float(-1), 0.0f, 0.0f, 0.0f);
 		return;
 	}
 	int turns = 0;
 	for (int k = 0; k < 2; ++k)
 		turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
 	contact_leave(&u->rows, as_float(turns), stream, n, j);
-	stream[EDGE_QUAD * n + j] = (float4)(u->a.inv_mass, u->a.inv_inertia, u->b.inv_mass, u->b.inv_inertia);
-	stream_pairs(stream, n, j)[EDGE_PAIR * n] = (float2)(as_float(u->side[0].body), as_float(u->side[1].body));
+	stream[EDGE_QUAD * n + j] = make_float4(u->a.inv_mass, u->a.inv_inertia, u->b.inv_mass, u->b.inv_inertia);
+	stream_pairs(stream, n, j)[EDGE_PAIR * n] = make_float2(as_float(u->side[0].body), as_float(u->side[1].body));
 }
 
 INLINE Side side_return(int body, int turns)
@@ -248,9 +248,9 @@ INLINE Side side_return(int body, int turns)
 INLINE Registers registers_return(__global float4* stream, int n, int j)
 {
 	Registers u;
-	int turns = as_int(contact_return(&u.rows, IN_PASSES, stream, n, j));
-	float4 mass = stream[EDGE_QUAD * n + j];
 	float2 bodies = stream_pairs(stream, n, j)[EDGE_PAIR * n];
+	float4 mass = stream[EDGE_QUAD * n + j];
+	int turns = as_int(contact_return(&u.rows, IN_PASSES, stream, n, j));
 	u.inert = turns < 0;
 	u.side[0] = side_return(as_int(bodies.x), turns);
 	u.side[1] = side_return(as_int(bodies.y), turns >> 8);

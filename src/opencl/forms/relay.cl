@@ -22,6 +22,12 @@
 #define PAUSE(ns)
 #endif
 
+// Two words of a row, read and written each as a whole. Tests emulate a device that has its own (tests/emulation).
+#ifndef RELAY_LOOK
+#define RELAY_LOOK(row)               (*(volatile __global const ulong2*)(row))
+#define RELAY_PUT(row, first, second) (*(volatile __global ulong2*)(row) = (ulong2)((first), (second)))
+#endif
+
 typedef struct // what every task knows
 {
 	volatile __global ulong* rows; // zero when a step begins
@@ -50,7 +56,7 @@ INLINE void relay_give(volatile __global ulong* row, uint turn, float x, float y
 {
 	ulong first = (ulong)as_uint(x) << 32 | turn << 16 | as_uint(z) >> 16;
 	ulong second = (ulong)as_uint(y) << 32 | turn << 16 | (as_uint(z) & 0xffffu);
-	*(volatile __global ulong2*)row = (ulong2)(first, second);
+	RELAY_PUT(row, first, second);
 }
 
 // After the last turn of a step nobody waits for the row any more.
@@ -138,9 +144,9 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	for (int spins = r->spins; wait_a || wait_b; --spins)
 	{
 		if (wait_a)
-			wait_a = !relay_open(*(volatile __global const ulong2*)row_a, turn_a, &a->x, &a->y, wa);
+			wait_a = !relay_open(RELAY_LOOK(row_a), turn_a, &a->x, &a->y, wa);
 		if (wait_b)
-			wait_b = !relay_open(*(volatile __global const ulong2*)row_b, turn_b, &b->x, &b->y, wb);
+			wait_b = !relay_open(RELAY_LOOK(row_b), turn_b, &b->x, &b->y, wb);
 		if (wait_a || wait_b)
 			PAUSE(PAUSE_NS);
 		if (spins <= 0 || ((spins & 1023) == 0 && read_shared(&p->counters->fault)))
@@ -151,7 +157,7 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 
 // Pass q of a constraint. False when it never came to its turn. In step means that the whole group takes it at once, for no
 // two of a group share a body, and fails as a whole.
-INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* u, bool in_step, volatile __local int* fault)
+INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* u, bool in_step, volatile BENCH int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
 	bool well = true;
@@ -199,7 +205,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* 
 // All tasks of all constraints. Bodies that no constraint holds are solve_end's. stream has STREAM_FLOAT4S rows a constraint
 // when there are more constraints than work-items. Nothing is done when the counter at bound is zero.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
-                        volatile __local int* fault)
+                        volatile BENCH int* fault)
 {
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
@@ -271,16 +277,16 @@ __kernel void relay_probe(volatile __global ulong* rows, volatile __global int* 
 	for (int k = 1; k <= rounds; ++k)
 	{
 		uint turn = 0u, wanted = (uint)(i % 4 ? k : k - 1);
-		ulong2 words = (ulong2)(0, 0);
+		ulong2 words;
+		words.x = words.y = 0;
 		for (int left = spins; turn < wanted; --left)
 		{
-			words = *(volatile __global const ulong2*)row;
+			words = RELAY_LOOK(row);
 			turn = (uint)words.x >> 16;
-			if (left <= 0 || *fault)
-			{
-				*fault = FAULT_BLOWN;
+			if (*fault)
 				return;
-			}
+			if (left <= 0)
+				*fault = FAULT_BLOWN;
 		}
 		float x, y, z;
 		if (relay_open(words, turn, &x, &y, &z) &&

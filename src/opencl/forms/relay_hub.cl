@@ -60,9 +60,8 @@ INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, floa
 	if (side.last && schedule_moved(q) > 0)
 	{
 		// it came with the velocity, before
-		volatile __global const ulong2* moved =
-		    (volatile __global const ulong2*)(r->rows + RELAY_WORDS * (ulong)side.body + 2);
-		relay_open(*moved, relay_turn(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
+		volatile __global const ulong* moved = r->rows + RELAY_WORDS * (ulong)side.body + 2;
+		relay_open(RELAY_LOOK(moved), relay_turn(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
 	}
 	relay_bring(p, r, side, q, m, base);
 	relay_pass_to(r, side, q, b);
@@ -86,7 +85,7 @@ INLINE bool relay_take_part(const Pools* p, const Relay* r, volatile __global ul
 // Pass q of hub n, by a group: nothing once fault is set, which it sets when something never came. Parts of light ends are
 // named by their spoke, those of hubs come behind.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
-                      __local float* bench, volatile __local int* fault)
+                      BENCH float* bench, volatile BENCH int* fault)
 {
 	Body b;
 	int turn = hub_turn(n);

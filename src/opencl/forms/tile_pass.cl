@@ -10,7 +10,7 @@ typedef struct // the bodies of a tile
 } Tile;
 
 // A body into local memory, moved on to pass q.
-INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, __local Tile* tile, int k)
+INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
 	BodyState state = p->body[body];
@@ -39,16 +39,16 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, __lo
 			body_move(&p->step, row, m);
 	}
 	if (q == 0 || schedule_before(r->substeps, q) == BODY_MOVES)
-		*(__global float4*)&p->body[body].dx = (float4)(row[4], row[5], row[6], row[7]);
+		*(__global float4*)&p->body[body].dx = make_float4(row[4], row[5], row[6], row[7]);
 	Body b;
 	b.da = row[6];
 	body_turn(&b);
-	tile->motion[k] = (float4)(row[0], row[1], row[2], row[3]);
-	tile->moved[k] = (float4)(row[4], row[5], b.sine, b.versine);
+	tile->motion[k] = make_float4(row[0], row[1], row[2], row[3]);
+	tile->moved[k] = make_float4(row[4], row[5], b.sine, b.versine);
 	tile->inv_inertia[k] = row[7];
 }
 
-INLINE void tile_gather(__local const Tile* tile, uint place, Body* b)
+INLINE void tile_gather(BENCH const Tile* tile, uint place, Body* b)
 {
 	float4 motion = tile->motion[place], moved = tile->moved[place];
 	b->v = vec(motion.x, motion.y);
@@ -60,14 +60,14 @@ INLINE void tile_gather(__local const Tile* tile, uint place, Body* b)
 	b->inv_inertia = tile->inv_inertia[place];
 }
 
-INLINE void tile_scatter(__local Tile* tile, uint place, const Body* b)
+INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 {
 	if (place != TILE_RESTS)
-		tile->motion[place] = (float4)(b->v.x, b->v.y, b->w, b->inv_mass);
+		tile->motion[place] = make_float4(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
 // Pass q of the constraint at place j; pass is what kind of pass that is.
-INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, int j, int q, int pass)
+INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, int pass)
 {
 	Contact u;
 	Body a, b;
@@ -88,7 +88,7 @@ INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 }
 
 // the next place from which a group takes constraints: the same color's, or the next color's that has any
-INLINE int tile_next(__local const int* range, int at, int* color)
+INLINE int tile_next(BENCH const int* range, int at, int* color)
 {
 	if (at < range[*color + 1])
 		return at;
@@ -128,7 +128,7 @@ INLINE void tile_fetch_ahead(const Tiles* t, int j, int lane, int pass)
 }
 
 // A group takes a tile.
-INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Tile* tile, __local int* range, int q,
+INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, BENCH int* range, int q,
                       int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
@@ -145,8 +145,8 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, __local Ti
 		Body rests;
 		rests.da = 0.0f;
 		body_turn(&rests);
-		tile->motion[TILE_RESTS] = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
-		tile->moved[TILE_RESTS] = (float4)(0.0f, 0.0f, rests.sine, rests.versine);
+		tile->motion[TILE_RESTS] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		tile->moved[TILE_RESTS] = make_float4(0.0f, 0.0f, rests.sine, rests.versine);
 		tile->inv_inertia[TILE_RESTS] = 0.0f;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
@@ -190,7 +190,7 @@ TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
 TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
 // Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
-INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile __local int* fault)
+INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
 {
 	Registers u = registers_return(t->stream, t->stride, j);
 	if (!u.inert)
@@ -243,7 +243,7 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 		relay_pass_to(r, side, q, b);
 		if (!side.moves || !side.last)
 			continue;
-		*(__global float4*)&p->body[side.body] = (float4)(b.v.x, b.v.y, b.w, b.inv_mass);
+		*(__global float4*)&p->body[side.body] = make_float4(b.v.x, b.v.y, b.w, b.inv_mass);
 		if (q + 1 == r->passes)
 			relay_clear(r->rows + RELAY_WORDS * (ulong)side.body);
 	}

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// forms.c -- does with emulated kernels what src/opencl/forms/ does with a device.
+#include "emulation/forms.h"
+#include "constraints/schedule.h"
+#include "emulation/kernels.h"
+#include "world/world.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
+#define NEVER       (1 << 18) // looks: more than any turn takes to come
+
+typedef struct // words that stay from solve to solve
+{
+	Word64* words;
+	int count;
+} Kept;
+
+typedef struct // memory that is let go together
+{
+	void* memory[8];
+	int count;
+} Buffers;
+
+FormCounts form_counts;
+static const BackendFunctions* cpu;
+static BackendFunctions functions; // of the CPU, but for run, solve and resize
+static Form form;
+static Pools pools;
+static Task task;
+static Kept rows, parts;
+static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
+static Task laid_out;
+static bool stale; // tiles must be laid out anew
+
+void form_spoil(int body, int word, uint64_t value) { rows.words[body * relay_words + word] = value; }
+
+// Memory for so many items of so many bytes, which hold nothing in particular.
+static void* buffer(Buffers* buffers, int count, size_t bytes)
+{
+	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
+	void* memory = aligned_alloc(64, size);
+	memset(memory, 0xa5, size);
+	return buffers->memory[buffers->count++] = memory;
+}
+
+static void let_go(Buffers* buffers)
+{
+	while (buffers->count > 0)
+		free(buffers->memory[--buffers->count]);
+}
+
+// Room for so many words. As on a device, new ones are zero.
+static Word64* keep(Kept* kept, int count)
+{
+	if (count > kept->count)
+	{
+		free(kept->words);
+		*kept = (Kept){calloc((size_t)count, sizeof *kept->words), count};
+	}
+	return kept->words;
+}
+
+static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
+
+static bool launch(KernelId kernel, int groups, int group)
+{
+	char sentence[ITEMS_SENTENCE];
+	form.turns.seed += 2;
+	if (kernel_run(kernel, &task, groups, group, &form.turns, sentence))
+	{
+		note_most(&form_counts.puts, items_puts());
+		if (form.turns.shunned > 0 && form.turns.shunned <= groups)
+			note_most(&form_counts.looks, items_looks(form.turns.shunned - 1));
+		return true;
+	}
+	if (!form_counts.sentence[0])
+		memcpy(form_counts.sentence, sentence, sizeof sentence);
+	return false;
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+static int groups_of(int items, int group) { return items > 0 ? (items + group - 1) / group : 1; }
+static bool launch_over(KernelId kernel, int items)
+{
+	return launch(kernel, groups_of(items, SMALL_GROUP), SMALL_GROUP);
+}
+static bool plain(void) { return !pools.step.extras && !pools.step.bounces && !pools.step.round; }
+
+// ---------------------------------------------------------------------------------------------------------------
+// the relay
+// ---------------------------------------------------------------------------------------------------------------
+
+static int spread_of(int constraints, int places)
+{
+	int spread = 1;
+	while (spread < form.most_spread && 2 * spread * constraints <= places)
+		spread *= 2;
+	return spread;
+}
+
+static bool relay_solve(const Solve* solve)
+{
+	int found = solve->layout->hubs, constraints = solve_constraints(solve);
+	int group = found > 0 ? form.group : relay_group;
+	int hubs = found > 0 && form.groups > 1 ? least(found, form.hub_groups) : found > 0;
+	int most = found > 0 && form.groups > 1 ? form.groups - hubs : form.groups;
+	task.spread = spread_of(constraints, most * group);
+	int groups = least(groups_of(constraints * task.spread, group), most);
+	bool registers = constraints * task.spread <= groups * group;
+	task.stream = buffer(&solve_buffers, registers ? 1 : constraints * stream_float4s, sizeof(Float4));
+	task.parts = keep(&parts, 2 * (constraints + found));
+	task.hub_groups = hubs;
+	*(registers ? &form_counts.registers : &form_counts.streamed) += 1;
+	note_most(&form_counts.spread, task.spread);
+	form_counts.by_hubs += found > 0;
+	form_counts.split += pools.counters->split > 0;
+	if (found > 0)
+		return launch(KERNEL_relay_hubs, form.groups > 1 ? hubs + groups : 1, group);
+	return launch(plain() ? KERNEL_relay_plain : KERNEL_relay, groups, group);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the tiles
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool lay_out(const Solve* solve)
+{
+	let_go(&tile_buffers);
+	task.tile_rows = (pools.step.collidables - 1) / tile_bodies + 1;
+	task.places = task.tile_rows * tile_bodies;
+	task.stride = solve_constraints(solve) + tile_colors * relay_group;
+	int table = (task.tile_rows + 2) * tile_colors;
+	task.place = buffer(&tile_buffers, solve->bodies, sizeof(int));
+	task.border = buffer(&tile_buffers, solve->bodies, sizeof(int));
+	task.resident = buffer(&tile_buffers, task.places, sizeof(int));
+	task.table = memset(buffer(&tile_buffers, table, sizeof(int)), 0, (size_t)table * sizeof(int));
+	task.total = buffer(&tile_buffers, task.tile_rows + 2, sizeof(int));
+	task.rank = buffer(&tile_buffers, solve_constraints(solve), sizeof(int));
+	task.order = memset(buffer(&tile_buffers, task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
+	bool well = launch_over(KERNEL_tile_settle, task.places) && launch_over(KERNEL_tile_list, task.places);
+	const Counters* c = solve->layout;
+	for (int color = 0; well && color < COLORS; ++color)
+	{
+		task.begin = c->color_begin[color];
+		task.end = task.begin + c->color_count[color];
+		well = task.begin == task.end || launch_over(KERNEL_tile_count, task.end - task.begin);
+	}
+	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) && launch(KERNEL_tile_begin, 1, 256) &&
+	       launch_over(KERNEL_tile_range, task.tile_rows + 2) &&
+	       launch_over(KERNEL_tile_order, solve_constraints(solve));
+	laid_out = task;
+	stale = !well;
+	return well;
+}
+
+// The tiles of the last solve.
+static void take_layout(void)
+{
+	task.tile_rows = laid_out.tile_rows;
+	task.places = laid_out.places;
+	task.stride = laid_out.stride;
+	task.place = laid_out.place;
+	task.border = laid_out.border;
+	task.resident = laid_out.resident;
+	task.table = laid_out.table;
+	task.total = laid_out.total;
+	task.rank = laid_out.rank;
+	task.order = laid_out.order;
+	++form_counts.kept;
+}
+
+static bool tiles_solve(const Solve* solve)
+{
+	static const KernelId kernels[PASS_KINDS] = {
+	    [PASS_WARM_START] = KERNEL_tile_warm_start,
+	    [PASS_BIAS] = KERNEL_tile_bias,
+	    [PASS_RELAX] = KERNEL_tile_relax,
+	    [PASS_BOUNCE] = KERNEL_tile_bounce,
+	};
+	stale |= pools.counters->arrange > 0 || !pools.counters->kept || tile_buffers.count == 0;
+	bool well = true;
+	if (stale)
+		well = lay_out(solve);
+	else
+		take_layout();
+	task.stream = buffer(&solve_buffers, task.stride * stream_float4s, sizeof(Float4));
+	int border = well ? task.total[task.tile_rows + 1] - task.total[task.tile_rows] : 0;
+	note_most(&form_counts.tiles, task.tile_rows);
+	note_most(&form_counts.inner, well ? task.total[task.tile_rows] : 0);
+	note_most(&form_counts.border, border);
+	well = well && launch_over(plain() ? KERNEL_tile_prepare_plain : KERNEL_tile_prepare, task.stride);
+	for (task.q = 0; well && task.q < task.passes; ++task.q)
+		well = launch(kernels[schedule_pass(solve->substeps, task.q)], task.tile_rows, tile_group) &&
+		       launch(KERNEL_tile_border, least(groups_of(border, relay_group) + 1, form.groups), relay_group);
+	return well;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// solves
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status solve_emulated(const Solve* solve)
+{
+	task = (Task){.pools = &pools,
+	              .rows = keep(&rows, solve->bodies * relay_words),
+	              .bodies = solve->bodies,
+	              .constraints = solve_constraints(solve),
+	              .substeps = solve->substeps,
+	              .passes = schedule_passes(solve->substeps, solve->bounces),
+	              .bound = solve->bound,
+	              .spins = form.spins ? form.spins : NEVER};
+
+	// what is written before it is read may hold anything
+	Counters* c = pools.counters;
+	if (solve->bound < 0 || ((const int*)c)[solve->bound] > 0)
+		c->nonfinite = c->held = c->first_nonfinite = 5;
+	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
+	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
+	well = well && launch_over(KERNEL_solve_end, solve->bodies);
+	let_go(&solve_buffers);
+	++form_counts.solves;
+	if (!well)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	form_counts.fault = pools.counters->fault;
+	if (form_counts.fault)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
+	for (int k = 0; k < solve->bodies * relay_words; ++k)
+		if (rows.words[k])
+			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the row of body %d is not zero after the solve",
+			            k % relay_words, k / relay_words);
+	return SCREE_OK;
+}
+
+static scree_status form_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	for (const Run* run = runs; run < runs + count; ++run)
+		stale |= run->stage == STAGE_command || run->stage == STAGE_tree_order;
+	return cpu->run(b, step, runs, count);
+}
+
+static scree_status form_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
+{
+	if (form.tiles && solve->layout->hubs > 0)
+		return cpu->solve(b, step, solve, list);
+#define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
+#include "pools/pools.def"
+#undef X
+	pools.step = *step;
+	TRY(solve_emulated(solve));
+	Run guard = {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)};
+	return cpu->run(b, step, &guard, 1);
+}
+
+static scree_status form_resize(Backend* b, Per per, int capacity)
+{
+	stale = true;
+	return cpu->resize(b, per, capacity);
+}
+
+void form_take(scree_world* world, const Form* how)
+{
+	Backend* b = world->backend;
+	if (b->f != &functions)
+		cpu = b->f;
+	functions = *cpu;
+	functions.run = form_run;
+	functions.solve = form_solve;
+	functions.resize = form_resize;
+	b->f = &functions;
+	b->distant = how->ahead;
+	form = *how;
+	form_close();
+	memset(&form_counts, 0, sizeof form_counts);
+}
+
+void form_close(void)
+{
+	free(rows.words);
+	free(parts.words);
+	rows = parts = (Kept){0};
+	let_go(&tile_buffers);
+	items_close();
+}

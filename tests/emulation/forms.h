@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// forms.h -- a world of the CPU whose solve is done by the relay or by the tiles, emulated (kernels.h).
+#ifndef EMULATION_FORMS_H
+#define EMULATION_FORMS_H
+#include "emulation/items.h"
+#include "scree/scree.h"
+
+typedef struct // how the solve is done
+{
+	const char* name;
+	bool tiles;      // else the relay
+	int groups;      // that the device has room for, at most
+	int group;       // work-items of each, where there are hubs; else as many as the relay has
+	int hub_groups;  // of these take hubs, at most
+	int most_spread; // work-items a constraint, where there is room; 0 for one
+	int spins;       // bound of a wait, 0 for what is never reached
+	bool ahead;      // the solve is listed before it is known whether the constraints stay, as on a GPU
+	Turns turns;     // the seed changes from launch to launch
+} Form;
+
+// From here on the solves of a world of the CPU are done so. One world at a time.
+void form_take(scree_world* world, const Form* form);
+
+typedef struct // since form_take
+{
+	int solves, by_hubs, split;    // that were emulated; with hubs; with split bodies
+	int registers, streamed;       // relays whose constraints stayed in registers, and did not
+	int spread;                    // the most work-items that a constraint had
+	int tiles, inner, border;      // the most tiles, constraints within them and between them
+	int kept;                      // solves with the tiles of the one before
+	int fault;                     // of the device, FAULT_*
+	int looks;                     // the most of a work-item whose group was shunned
+	int puts;                      // the most of a launch
+	char sentence[ITEMS_SENTENCE]; // what went wrong first; empty while nothing did
+} FormCounts;
+extern FormCounts form_counts;
+
+// A word of a body's row that the next solve begins with, as if the last one had left it there.
+void form_spoil(int body, int word, uint64_t value);
+
+void form_close(void);
+
+#endif

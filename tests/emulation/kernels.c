@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// kernels.c -- compiles the kernels as C, and calls each with its arguments.
+// clang-format off
+#include "emulation/opencl_words.h"
+#include "stages/program.h"
+#include "opencl/primitives.cl"
+#include "opencl/forms/registers.cl"
+#include "opencl/forms/relay_hub.cl"
+#include "opencl/forms/tile_pass.cl"
+// clang-format on
+#include "emulation/kernels.h"
+#include <stdlib.h>
+
+const int relay_group = RELAY_GROUP, relay_words = RELAY_WORDS, relay_turns = RELAY_TURNS,
+          stream_float4s = STREAM_FLOAT4S, tile_bodies = TILE_BODIES, tile_group = TILE_GROUP,
+          tile_colors = TILE_COLORS, fault_blown = FAULT_BLOWN, fault_stale = FAULT_STALE;
+
+#define CALL(name, ...)                              \
+	static void call_##name(const void* arguments)   \
+	{                                                \
+		const Task* t = arguments;                   \
+		name(t->pools, t->pools->step, __VA_ARGS__); \
+	}
+CALL(relay, t->rows, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
+CALL(relay_plain, t->rows, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
+CALL(relay_hubs, t->rows, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts, t->hub_groups)
+CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
+CALL(tile_settle, t->place, t->border, t->places, t->bound)
+CALL(tile_list, t->place, t->resident, t->places, t->bound)
+CALL(tile_count, t->place, t->border, t->table, t->rank, t->tile_rows, t->bound, t->begin, t->end)
+CALL(tile_order, t->place, t->border, t->table, t->rank, t->tile_rows, t->bound, t->order, t->constraints)
+#define TILE_PREPARE(name) \
+	CALL(name, t->place, t->border, t->table, t->order, t->stream, t->stride, t->tile_rows, t->bound)
+TILE_PREPARE(tile_prepare)
+TILE_PREPARE(tile_prepare_plain)
+#define TILE_PASS(name) \
+	CALL(name, t->resident, t->table, t->order, t->stream, t->stride, t->substeps, t->passes, t->q, t->bound)
+TILE_PASS(tile_warm_start)
+TILE_PASS(tile_bias)
+TILE_PASS(tile_relax)
+TILE_PASS(tile_bounce)
+CALL(tile_border, t->rows, t->table, t->order, t->stream, t->stride, t->tile_rows, t->substeps, t->passes, t->q,
+     t->bound, t->spins)
+
+static void call_tile_total(const void* arguments)
+{
+	const Task* t = arguments;
+	tile_total(t->table, t->total, t->tile_rows);
+}
+
+static void call_tile_begin(const void* arguments)
+{
+	const Task* t = arguments;
+	tile_begin(t->total, t->tile_rows);
+}
+
+static void call_tile_range(const void* arguments)
+{
+	const Task* t = arguments;
+	tile_range(t->table, t->total, t->tile_rows);
+}
+
+#define ENTRY(name) [KERNEL_##name] = call_##name
+static void (*const calls[KERNEL_COUNT])(const void* arguments) = {
+    ENTRY(relay),      ENTRY(relay_plain),  ENTRY(relay_hubs),         ENTRY(solve_end),       ENTRY(tile_settle),
+    ENTRY(tile_list),  ENTRY(tile_count),   ENTRY(tile_total),         ENTRY(tile_begin),      ENTRY(tile_range),
+    ENTRY(tile_order), ENTRY(tile_prepare), ENTRY(tile_prepare_plain), ENTRY(tile_warm_start), ENTRY(tile_bias),
+    ENTRY(tile_relax), ENTRY(tile_bounce),  ENTRY(tile_border),
+};
+
+bool kernel_run(KernelId kernel, const Task* task, int group_count, int group, const Turns* turns,
+                char sentence[ITEMS_SENTENCE])
+{
+	const Launch launch = {group_count, group, calls[kernel], task};
+	return items_run(&launch, turns, sentence);
+}
+
+typedef struct
+{
+	Word64* rows;
+	int *fault, rounds, spins;
+} Probe;
+
+static void call_probe(const void* arguments)
+{
+	const Probe* probe = arguments;
+	relay_probe(probe->rows, probe->fault, probe->rounds, probe->spins);
+}
+
+int probe_run(int group_count, int group, int rounds, int spins, const Turns* turns)
+{
+	int fault = 0;
+	size_t bytes = (size_t)(group_count * group) * sizeof(Words);
+	Probe probe = {aligned_alloc(sizeof(Words), bytes), &fault, rounds, spins};
+	const Launch launch = {group_count, group, call_probe, &probe};
+	char sentence[ITEMS_SENTENCE];
+	memset(probe.rows, 0, bytes);
+	bool ended = items_run(&launch, turns, sentence);
+	free(probe.rows);
+	return ended ? fault : -1;
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// kernels.h -- the kernels of the relay and of the tiles as functions that run all their work-items (items.h).
+#ifndef EMULATION_KERNELS_H
+#define EMULATION_KERNELS_H
+#include "emulation/items.h"
+#include "pools/pools.h"
+
+typedef struct // of all kernels that work on pools; each takes what it needs
+{
+	const Pools* pools;
+	Word64 *rows, *parts;
+	Float4* stream;
+	int bodies, constraints, substeps, passes, bound, spins, spread, hub_groups;
+	// tiles
+	int *place, *border, *resident, *table, *total, *rank, *order;
+	int stride, tile_rows, places, q, begin, end;
+} Task;
+
+typedef enum
+{
+	KERNEL_relay,
+	KERNEL_relay_plain,
+	KERNEL_relay_hubs,
+	KERNEL_solve_end,
+	KERNEL_tile_settle,
+	KERNEL_tile_list,
+	KERNEL_tile_count,
+	KERNEL_tile_total,
+	KERNEL_tile_begin,
+	KERNEL_tile_range,
+	KERNEL_tile_order,
+	KERNEL_tile_prepare,
+	KERNEL_tile_prepare_plain,
+	KERNEL_tile_warm_start,
+	KERNEL_tile_bias,
+	KERNEL_tile_relax,
+	KERNEL_tile_bounce,
+	KERNEL_tile_border,
+	KERNEL_COUNT
+} KernelId;
+
+// Runs a kernel with so many groups of so many work-items.
+bool kernel_run(KernelId kernel, const Task* task, int groups, int group, const Turns* turns,
+                char sentence[ITEMS_SENTENCE]);
+
+// Runs relay_probe and returns what it says: 0, FAULT_BLOWN or FAULT_STALE; -1 when it came to no end.
+int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
+
+// what the host must know of the sizes of opencl/limits.h
+extern const int relay_group, relay_words, relay_turns, stream_float4s, tile_bodies, tile_group, tile_colors,
+    fault_blown, fault_stale;
+
+#endif
