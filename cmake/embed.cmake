@@ -44,11 +44,10 @@ endfunction()
 
 # The arguments of every kernel: one buffer a kind of item, which holds the pools of that kind one behind the other, and
 # the items that each kind has room for. One argument a pool would cost 15 us a launch (75 buffers, NVIDIA).
-file(READ "${ROOT}/src/pools/pools.def" text)
-string(REGEX REPLACE "//[^\n]*" "" text "${text}")
-string(REGEX MATCHALL "X\\([A-Za-z0-9_]+, [a-z0-9_]+, [A-Z_]+, [A-Z]+\\)" pools "${text}")
+include("${ROOT}/cmake/pools.cmake")
+scree_pools(pools "${ROOT}")
 foreach(pool IN LISTS pools)
-	string(REGEX MATCH "X\\(([A-Za-z0-9_]+), ([a-z0-9_]+), ([A-Z_]+), [A-Z]+\\)" _ "${pool}")
+	string(REGEX MATCH "([^ ]+) ([^ ]+) ([^ ]+)" _ "${pool}")
 	set(type ${CMAKE_MATCH_1})
 	set(kind of_${CMAKE_MATCH_3})
 	if(NOT DEFINED before_${kind})

@@ -371,10 +371,10 @@ static int items_in_use(const scree_world* world, Per per)
 		return world->bodies.used;
 	case CONTACT:
 		return c->contacts;
-	case CONSTRAINT:
-		return c->color_begin[COLORS + 1];
-	case BLOCK:
-		return c->color_begin[COLORS + 1] / MAX_LANES;
+	case CONTACT_PLACE:
+		return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1];
+	case CONTACT_BLOCK:
+		return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
 	default:
 		return 0; // scratch, and trees, which devices may build as they like
 	}

@@ -89,7 +89,8 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	counters->contacts = g->contacts;
 	counters->began = g->began_count;
 	counters->crowded = g->contacts;
-	const Step step = {.constraint_capacity = MOST_ITEMS};
+	counters->stirred[CONSTRAINT_CONTACT] = 1;
+	const Step step = {.place_capacity[CONSTRAINT_CONTACT] = MOST_ITEMS};
 	put(b, POOL_counters, 1, counters);
 	put(b, POOL_body, g->bodies, bodies);
 	put(b, POOL_color_mask, g->bodies, g->mask);
@@ -113,12 +114,12 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
 	run_one(b, &(Step){0}, STAGE_color_reset, g->contacts, COUNT(began), 0);
 	run_one(b, &step, STAGE_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
-	run_one(b, &step, STAGE_color_key, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, STAGE_contact_key, g->contacts, COUNT(arrange), KEY_BITS);
 	run_sort(b, g->contacts, 32, 32 + KEY_BITS);
-	run_one(b, &step, STAGE_color_edge, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, STAGE_contact_edge, g->contacts, COUNT(arrange), KEY_BITS);
 	run_one(b, &step, PRIMITIVE_SCAN, g->contacts, COUNT(arrange), 0);
-	run_one(b, &step, STAGE_color_range, 1, NO_COUNT, 0);
-	run_one(b, &step, STAGE_color_place, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, STAGE_contact_range, 1, NO_COUNT, 0);
+	run_one(b, &step, STAGE_contact_layout, g->contacts, COUNT(arrange), KEY_BITS);
 	get(b, POOL_contact_color, g->contacts, color);
 	get(b, POOL_color_mask, g->bodies, mask);
 
@@ -148,7 +149,7 @@ static int owner_of(const Graph* g, Int2 ends)
 static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
                          int* touching)
 {
-	int spokes = 0, found = 0, begin = counters->color_begin[COLORS], place = begin;
+	int spokes = 0, found = 0, begin = counters->layout[CONSTRAINT_CONTACT].begin[COLORS], place = begin;
 	for (int body = 0; body < g->bodies; ++body)
 	{
 		int own = 0;
@@ -169,8 +170,8 @@ static void check_spokes(const Graph* g, const Counters* counters, const int* co
 		spokes += own;
 	}
 	assert_int_equal(counters->hubs, found);
-	assert_int_equal(counters->color_count[COLORS], spokes);
-	for (; place < counters->color_begin[COLORS + 1]; ++place)
+	assert_int_equal(counters->layout[CONSTRAINT_CONTACT].count[COLORS], spokes);
+	for (; place < counters->layout[CONSTRAINT_CONTACT].begin[COLORS + 1]; ++place)
 		assert_int_equal(constraints[place], -1);
 	*touching += spokes;
 }
@@ -189,7 +190,7 @@ static void check_layout(Backend* b, const Graph* g)
 	int place = 0, touching = 0;
 	for (int color = 0; color < COLORS; ++color)
 	{
-		assert_int_equal(counters->color_begin[color], place);
+		assert_int_equal(counters->layout[CONSTRAINT_CONTACT].begin[color], place);
 		for (int slot = 0; slot < g->contacts; ++slot)
 		{
 			if (g->color[slot] != color)
@@ -199,11 +200,12 @@ static void check_layout(Backend* b, const Graph* g)
 			++place;
 			++touching;
 		}
-		assert_int_equal(counters->color_count[color], place - counters->color_begin[color]);
+		assert_int_equal(counters->layout[CONSTRAINT_CONTACT].count[color],
+		                 place - counters->layout[CONSTRAINT_CONTACT].begin[color]);
 		for (; place % COLOR_PADDING; ++place)
 			assert_int_equal(constraints[place], -1);
 	}
-	assert_int_equal(counters->color_begin[COLORS], place);
+	assert_int_equal(counters->layout[CONSTRAINT_CONTACT].begin[COLORS], place);
 	check_spokes(g, counters, constraints, hubs, &touching);
 	assert_int_equal(counters->touching, touching);
 	free(hubs);
@@ -359,7 +361,7 @@ static void make_wheel(Wheel* w, uint64_t* seed)
 		}
 		key += counts[h];
 	}
-	w->counters.color_begin[COLORS + 1] = (place + MAX_LANES - 1) / MAX_LANES * MAX_LANES;
+	w->counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] = (place + MAX_LANES - 1) / MAX_LANES * MAX_LANES;
 	for (; place < HUBS * 64; ++place)
 		w->slots[place] = -1;
 	for (int k = 0; k < HUBS * 64; ++k)
@@ -391,7 +393,7 @@ typedef struct
 static void shares_of(const Wheel* w, Share* shares)
 {
 	memset(shares, 0, (1 + HUBS + LIGHTS) * sizeof *shares);
-	for (int k = 0; k < w->counters.color_begin[COLORS + 1]; ++k)
+	for (int k = 0; k < w->counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1]; ++k)
 		if (w->slots[k] >= 0)
 			++shares[light_of(w, k)].beside[hub_of(w, k)];
 	for (int body = 1; body < 1 + HUBS + LIGHTS; ++body)
@@ -417,7 +419,7 @@ static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyS
 		y = (2.0f - old.vy) / n;
 		spin = (3.0f - old.w) / n;
 	}
-	for (int i = 0; i < w->counters.color_begin[COLORS + 1]; ++i)
+	for (int i = 0; i < w->counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1]; ++i)
 	{
 		const Spokes* s = w->spokes + i / MAX_LANES;
 		if (w->slots[i] < 0 || light_of(w, i) != body || turn_of(hub_of(w, i)) != turn)
@@ -442,7 +444,8 @@ static void parts_come_together(void** state)
 	uint64_t seed = 7;
 	Wheel* w = malloc(sizeof *w);
 	make_wheel(w, &seed);
-	const int places = w->counters.color_begin[COLORS + 1], hubs[HUBS] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+	const int places = w->counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1],
+	          hubs[HUBS] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
 	Share shares[1 + HUBS + LIGHTS];
 	shares_of(w, shares);
 	assert_true(shares[HUB_C].hubs[0] == 2 && shares[1 + HUBS].hubs[0] == 2 && shares[1 + HUBS].hubs[1] == 1 &&

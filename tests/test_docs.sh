@@ -27,7 +27,7 @@ sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - 
 # every kernel has its line in docs/step.md
 while read -r kernel; do
 	grep -q "\`$kernel\`" docs/step.md || complain "docs/step.md: kernel $kernel is missing"
-done < <(sed -n 's/^X(\([a-z_0-9]*\),.*/\1/p' src/stages/stages.def)
+done < <(sed -nE -e 's/kind##/contact/' -e 's/^[[:blank:]]*X\(([a-z_0-9]*),.*/\1/p' src/stages/stages.def)
 
 # every word of the dialect has its line in docs/dialect.md, but for what only other words use
 while read -r word; do

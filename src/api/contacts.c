@@ -126,7 +126,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		TRY(read_pool(world, function, POOL_contact_found, slots, (void**)&rows->found));
 		TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
 		TRY(read_pool(world, function, POOL_contact_place, slots, (void**)&rows->place));
-		int blocks = world->pipeline.counters.color_begin[COLORS + 1] / MAX_LANES;
+		int blocks = world->pipeline.counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
 		if (blocks > 0)
 			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
 		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));

@@ -338,7 +338,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .attributes = world->attribute_count,
 	                      .contacts = c->alive - c->released,
 	                      .touching = c->touching,
-	                      .spokes = c->color_count[COLORS],
+	                      .spokes = c->layout[CONSTRAINT_CONTACT].count[COLORS],
 	                      .moved = c->moved,
 	                      .new_contacts = c->created,
 	                      .grown = pipeline->grown,
@@ -348,7 +348,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .steps = pipeline->steps,
 	                      .device_bytes = world->backend->bytes};
 	for (int color = 0; color < COLORS; ++color)
-		now.colors += c->color_count[color] > 0;
+		now.colors += c->layout[CONSTRAINT_CONTACT].count[color] > 0;
 	write_result(counters, size, &now, sizeof now);
 	return SCREE_OK;
 }

@@ -4,6 +4,7 @@
 #define BACKEND_H
 #include "backend/runs.h"
 #include "backend/solve.h"
+#include "constraints/schedule.h"
 #include "pools/pools.h"
 #include "scree/scree.h"
 #include <stdbool.h>
@@ -14,9 +15,11 @@ typedef enum // what a pool has an item for
 	ATTRIBUTE,
 	COLLIDABLE,
 	BODY,
-	CONTACT,
-	CONSTRAINT,
-	BLOCK,       // of MAX_LANES constraints
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	KIND, KIND##_PLACE, KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	EDGE,        // of any kind
 	SPOKE,       // contact of a hub
 	SPOKE_BLOCK, // of MAX_LANES of them
 	SHOWN,       // collidable, as a renderer sees it
@@ -85,6 +88,18 @@ typedef struct // of pools.def, in order; src/backend/tables.c
 	Role role;
 } PoolInfo;
 extern const PoolInfo pool_info[POOL_COUNT];
+
+typedef struct // of a kind of constraint
+{
+	Per items, places, blocks;
+	StageId key, edge, range, layout; // which lay it out
+	StageId prepare, prepare_rare, pass[PASS_KINDS];
+} KindInfo;
+extern const KindInfo kind_info[CONSTRAINT_KINDS];
+
+// slots in use of a kind
+int kind_items(const Counters* counters, int kind);
+
 extern const char* const stage_names[RUN_KINDS];
 extern const Box stage_boxes[STAGE_COUNT];
 extern const Width stage_widths[STAGE_COUNT];

@@ -4,27 +4,20 @@
 #include "backend/backend.h"
 #include "constraints/schedule.h"
 
-static const int pass_stages[PASS_KINDS] = {
-    [PASS_WARM_START] = STAGE_contact_warm_start,
-    [PASS_BIAS] = STAGE_contact_bias,
-    [PASS_RELAX] = STAGE_contact_relax,
-    [PASS_BOUNCE] = STAGE_contact_bounce,
-};
-
 static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
 int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// a run a color, two a turn of hubs and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS + 2 * HUB_TURNS + 1) + 8;
+	// a run a color and kind, two a turn of hubs and one over the bodies in a pass; before and after them a few
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 1) + 2 * CONSTRAINT_KINDS + 8;
 }
 
 // A pass over the hubs, then the colors. Whether any body is split is known on the host only when nothing changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
-	const Counters* c = solve->layout;
+	const Counters* c = solve->counters;
 	int bound = solve->bound, spokes = layout_spokes(c);
 	for (int turn = 0; turn < HUB_TURNS && turn < c->hubs; ++turn)
 	{
@@ -35,18 +28,25 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
 	}
 	for (int color = 0; color < COLORS; ++color)
-		if (c->color_count[color] > 0)
-			runs_add(list, pass_stages[pass], c->color_begin[color],
-			         c->color_begin[color] + padded(c->color_count[color]), bound, 0);
+		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		{
+			int begin = c->layout[kind].begin[color], count = c->layout[kind].count[color];
+			if (count > 0)
+				runs_add(list, kind_info[kind].pass[pass], begin, begin + padded(count), bound, 0);
+		}
 }
 
 void solve_list(const Solve* solve, RunList* list)
 {
-	int bound = solve->bound, bodies = solve_bodies(solve), constraints = solve_constraints(solve);
+	int bound = solve->bound, bodies = solve_bodies(solve);
 	runs_add(list, STAGE_solve_begin, 0, bodies, bound, 0);
-	runs_add(list, STAGE_contact_prepare, 0, constraints, bound, 0);
-	if (solve->extras)
-		runs_add(list, STAGE_contact_prepare_rare, 0, constraints, bound, 0);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		int constraints = solve->counters->layout[kind].begin[COLORS + 1];
+		runs_add(list, kind_info[kind].prepare, 0, constraints, bound, 0);
+		if (solve->extras)
+			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
+	}
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
 	{
 		int before = schedule_before(solve->substeps, q);

@@ -12,16 +12,28 @@ typedef struct
 {
 	int bodies, collidables; // slots in use
 	int substeps;
-	bool extras, bounces;   // as in Step
-	const Counters* layout; // of the constraints
+	bool extras, bounces;     // as in Step
+	const Counters* counters; // with the layout of the constraints
 	int bound; // counter that is 0 when that is not the layout after all, or NO_COUNT; then nothing may be done
 } Solve;
 
 // places of spokes, padding included
-static inline int layout_spokes(const Counters* c) { return c->color_begin[COLORS + 1] - c->color_begin[COLORS]; }
+static inline int layout_spokes(const Counters* c)
+{
+	return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] - c->layout[CONSTRAINT_CONTACT].begin[COLORS];
+}
 
-// constraints, padding included
-static inline int solve_constraints(const Solve* solve) { return solve->layout->color_begin[COLORS + 1]; }
+// the first constraint of a color, in the order of colors and kinds, padding included
+static inline int solve_first(const Solve* solve, int color)
+{
+	int sum = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		sum += solve->counters->layout[kind].begin[color];
+	return sum;
+}
+
+// constraints of all kinds, padding included
+static inline int solve_constraints(const Solve* solve) { return solve_first(solve, COLORS + 1); }
 
 // items of a stage over bodies: whole blocks of lanes
 int solve_bodies(const Solve* solve);

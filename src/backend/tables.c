@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tables.c -- what pools.def and stages.def list, as tables.
+// tables.c -- what pools.def, stages.def and kinds.def list, as tables.
 #include "backend/backend.h"
 #include "constraints/kinds.h"
 
@@ -29,3 +29,24 @@ const Box stage_boxes[STAGE_COUNT] = {
 #include "stages/stages.def"
 #undef X
 };
+
+const KindInfo kind_info[CONSTRAINT_KINDS] = {
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	{KIND, KIND##_PLACE, KIND##_BLOCK, \
+	 STAGE_##kind##_key, STAGE_##kind##_edge, STAGE_##kind##_range, STAGE_##kind##_layout, \
+	 STAGE_##kind##_prepare, STAGE_##kind##_prepare_rare, \
+	 {STAGE_##kind##_warm_start, STAGE_##kind##_bias, STAGE_##kind##_relax, STAGE_##kind##_bounce}},
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+};
+// clang-format on
+
+int kind_items(const Counters* counters, int kind)
+{
+	const int items[CONSTRAINT_KINDS] = {
+#define CONSTRAINT_KIND(kind, Kind, KIND) counters->kind##s,
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	};
+	return items[kind];
+}

@@ -73,7 +73,7 @@ INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 }
 
 // The rows that stay while the layout stands.
-INLINE void contact_place(const Pools* p, int slot, int i)
+INLINE void contact_set_place(const Pools* p, int slot, int i)
 {
 	Float4 surface = p->contact_surface[slot];
 	p->contact_place_pair[i] = p->pair[slot];

@@ -62,7 +62,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 INLINE void contact_prepare_fetch(const Pools* p, int i)
 {
 	int soon = FETCHES && p->step.collidables >= FETCH_COLLIDABLES ? i + PREPARE_SOON + LANES : 0;
-	for (int k = i + PREPARE_SOON; k < soon && k < p->counters->color_begin[COLORS + 1]; ++k)
+	for (int k = i + PREPARE_SOON; k < soon && k < p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS + 1]; ++k)
 	{
 		int slot = p->contact_place_slot[k];
 		Int2 pair = p->contact_place_pair[k];

@@ -5,7 +5,7 @@
 #include "constraints/contact.h"
 
 // What a pass reads, and writes, of constraint i.
-#define X(kind, Kind, KIND)                                             \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                               \
 	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u)   \
 	{                                                                   \
 		const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
@@ -19,10 +19,10 @@
 		KIND##_ROWS(ROW_STORE)                                          \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 // For who holds constraints in registers over a step: all rows that are not prepared, and at its end what is kept.
-#define X(kind, Kind, KIND)                                             \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                               \
 	INLINE void kind##_take(const Pools* p, int i, Kind* u)             \
 	{                                                                   \
 		const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
@@ -36,10 +36,10 @@
 		KIND##_ROWS(ROW_STOW)                                           \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 // Place i holds no constraint: one between the ground and itself, which is inert.
-#define X(kind, Kind, KIND)                                                    \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                      \
 	INLINE void kind##_pad(const Pools* p, int i)                              \
 	{                                                                          \
 		int lane = i % MAX_LANES;                                              \
@@ -56,10 +56,10 @@
 		}                                                                      \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 // While constraints are laid out anew, what is kept of them goes from a place to a slot, and from there to the new place.
-#define X(kind, Kind, KIND)                                                          \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
 	INLINE void kind##_keep(const Pools* p, int slot, int i)                         \
 	{                                                                                \
 		int lane = i % MAX_LANES;                                                    \
@@ -115,6 +115,6 @@
 		(void)lane;                                                                  \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 #endif

@@ -61,8 +61,8 @@
 #define TILE_BODIES 1024
 #define TILE_GROUP  256
 #endif
-// a row of the table of tiles: where each color of a tile's constraints begins, the spokes' being the row's end
-#define TILE_COLORS 64
+// a row of the table of tiles: where each color and kind of a tile's constraints begins, and the row's end
+#define TILE_COLUMNS (COLORS * CONSTRAINT_KINDS + 1)
 
 // Counters.fault
 #define FAULT_BLOWN 1 // groups did not meet within the bound

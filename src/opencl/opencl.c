@@ -101,7 +101,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 		TRY(kernels_bind(d, per));
 	}
 	// what the solver has beside the constraints is made anew, as large as it must be
-	if (per == BLOCK && capacity < b->capacity[per])
+	if (per == EDGE && capacity < b->capacity[per])
 		TRY(scratch_drop(d));
 	b->capacity[per] = capacity;
 	return SCREE_OK;
@@ -132,7 +132,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 		return SCREE_OK;
 	// a world that comes from another device
 	Per per = pool_info[pool].per;
-	d->tiles.stale |= per == CONTACT || per == CONSTRAINT || per == BODY;
+	d->tiles.stale |= per == CONTACT || per == CONTACT_PLACE || per == BODY;
 	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
 	              bytes * (size_t)count);
 }
@@ -142,7 +142,7 @@ scree_status opencl_note(Backend* b, const Counters* counters)
 	OpenCl* d = b->state;
 	d->last = *counters;
 	// where the layout changed, a solve that was listed ahead has laid out nothing
-	d->tiles.stale |= counters->arrange > 0 || !counters->kept;
+	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
 	return fail(SCREE_ERROR_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).",

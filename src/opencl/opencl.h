@@ -81,7 +81,7 @@ enum
 	TILE_PLACE_BUFFER,    // an int a body
 	TILE_EDGE_BUFFER,     // the same
 	TILE_RESIDENT_BUFFER, // an int a place of a tile
-	TILE_TABLE_BUFFER,    // TILE_COLORS ints a tile, and two rows more
+	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints a tile, and two rows more
 	TILE_TOTAL_BUFFER,    // an int a row of the table
 	TILE_RANK_BUFFER,     // an int a constraint
 	TILE_ORDER_BUFFER,    // the same, and what pads the colors of the border

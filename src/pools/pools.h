@@ -144,13 +144,13 @@ typedef struct // 32 bytes: one sector
 // The rows of constraints, of src/constraints/: blocks of MAX_LANES, one row a component, so that a wide pass reads rows of one
 // contiguous block, and a GPU finds all components of a constraint from one address. With an array a component there were
 // seventeen addresses to hold. And what is kept of a constraint while the rows are laid out anew.
-#define X(kind, Kind, KIND)                       \
+#define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	typedef struct Kind##Rows Kind##Rows;         \
 	typedef struct Kind##RareRows Kind##RareRows; \
 	typedef struct Kind##Kept Kind##Kept;         \
 	typedef struct Kind##RareKept Kind##RareKept;
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
 {
@@ -227,6 +227,16 @@ typedef struct // how stiff a contact is: Erin Catto, Soft Constraints, GDC 2011
 	float bias_rate, mass_scale, impulse_scale;
 } Softness;
 
+// Kinds of constraints, and the number of an edge among all: the kind above its slot.
+enum
+{
+#define CONSTRAINT_KIND(kind, Kind, KIND) CONSTRAINT_##KIND,
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	CONSTRAINT_KINDS
+};
+#define EDGE_KIND 27 // bits of a slot: MAX_CONTACTS of them
+
 typedef struct // constants of one step, by value to every stage
 {
 	float dt, h, inv_h; // s, substep s, 1/s
@@ -241,27 +251,37 @@ typedef struct // constants of one step, by value to every stage
 	float guard_way;      // m: no Guarded.way of the world is less
 	float guard_reach;    // m: nor any Guarded.reach more
 	int collidables;      // slots in use
-	int pair_capacity, contact_capacity, constraint_capacity;
+	int pair_capacity, contact_capacity;
+	int place_capacity[CONSTRAINT_KINDS];
 	int contact_limit;       // most contacts that the world may have
 	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is spread over so many work-items
 	int key_bits;            // bits of a collidable's index in a pair's key
 } Step;
 
+typedef struct // of the constraints of a kind
+{
+	int begin[COLORS + 2]; // first place of each color; color COLORS is that of spokes
+	int count[COLORS + 1]; // constraints of each color, padding not counted
+	int first[COLORS + 2]; // of this step: first and behind the last of each color among the sorted keys
+	int last[COLORS + 2];
+} KindLayout;
+
 // Counts that live on the device. Everything is an int so that Run.count can name one by its position.
 typedef struct
 {
 	// kept from step to step
-	int contacts;                // slots of the contact pool in use, free ones below it included
-	int alive;                   // contacts alive, the ones released in the last step included
-	int touching;                // contacts with a color, spokes included
-	int color_begin[COLORS + 2]; // first constraint of each color; color COLORS is that of spokes
-	int color_count[COLORS + 1]; // constraints of each color, padding not counted
-	int hubs;                    // bodies solved with all of their contacts
-	int split;                   // ends of spokes, when some body is split into parts, else 0
+#define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // slots of the kind's pool in use, free ones below it included
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	int alive;                           // contacts alive, the ones released in the last step included
+	int touching;                        // contacts with a color, spokes included
+	KindLayout layout[CONSTRAINT_KINDS]; // where constraints lie
+	int hubs;                            // bodies solved with all of their contacts
+	int split;                           // ends of spokes, when some body is split into parts, else 0
 	int strayed[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times STRAY_UNIT
 	// of this step
 	int moved;        // collidables whose enlarged box changed
-	int changed;      // 1 when a contact began or ended to touch, so that the constraints are laid out anew
+	int changed;      // 1 when a constraint began or ended, so that some are laid out anew
 	int kept;         // INT_MAX where the layout is that of the last step; 0 when it changed or must not be used
 	int refit;        // tree nodes to look up again: all when some box changed, else 0
 	int jumped;       // tree nodes to look for boxes that jumped: all when some box did, else 0
@@ -283,15 +303,15 @@ typedef struct
 	int gathered;     // contact slots to search for those of bodies that became hubs, else 0
 	int entered;      // 1 when a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
-	int arrange;                   // contact slots to sort by color: 0 when none began or ended
-	int color_first[COLORS + 2];   // first and behind the last of each color among the sorted keys
-	int color_last[COLORS + 2];
-	int penetration;     // bits of the deepest overlap, m
-	int nonfinite;       // bodies frozen because their state was not finite
-	int first_nonfinite; // lowest index of these
-	int guarded;         // items of guard: bodies that went far, those of many collidables in parts
-	int held;            // bodies that stopped before something static; guard
-	int fault;           // set by a device that failed in the middle of a run; its backend reads it with the rest
+	int stirred[CONSTRAINT_KINDS]; // 1 when a constraint of the kind began or ended
+	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color: 0 when none began or ended
+	int arranged;                  // 1 when all that changed was laid out
+	int penetration;               // bits of the deepest overlap, m
+	int nonfinite;                 // bodies frozen because their state was not finite
+	int first_nonfinite;           // lowest index of these
+	int guarded;                   // items of guard: bodies that went far, those of many collidables in parts
+	int held;                      // bodies that stopped before something static; guard
+	int fault; // set by a device that failed in the middle of a run; its backend reads it with the rest
 } Counters;
 
 typedef struct // one entry of the list that a backend works through, in order

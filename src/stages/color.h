@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// color.h -- colors for the contacts that began to touch, and the constraints laid out by color.
+// color.h -- colors for the constraints that began, and each kind laid out by color.
 //
 // This work is based on:
 // Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
@@ -15,14 +15,14 @@
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
-#include "constraints/kinds.h"
+#include "stages/edge.h"
 #include "stages/spoke.h"
 
 // A bijection of the 32-bit numbers that leaves no visible order (odd multipliers and xor-shifts can be undone, so no
-// two slots share a priority). Without it a row of contacts in rising slots would be colored one a round.
-INLINE Word color_priority(int slot)
+// two edges share a priority). Without it a row of contacts in rising slots would be colored one a round.
+INLINE Word color_priority(int edge)
 {
-	Word x = (Word)slot + 0x9e3779b9u;
+	Word x = (Word)edge + 0x9e3779b9u;
 	x ^= x >> 16;
 	x *= 0x7feb352du;
 	x ^= x >> 15;
@@ -31,6 +31,7 @@ INLINE Word color_priority(int slot)
 	return x;
 }
 
+// edge i of a round
 INLINE int color_source(const Pools* p, int i)
 {
 	if (p->argument == 0)
@@ -38,14 +39,20 @@ INLINE int color_source(const Pools* p, int i)
 	return p->argument & 1 ? p->uncolored0[i] : p->uncolored1[i];
 }
 
+// Whether an edge becomes a spoke: contacts do.
+INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
+{
+	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
+}
+
 // argument is the round, here and in color_take
 STAGE(color_claim)
 {
-	int slot = color_source(p, i);
-	Int2 bodies = p->contact_bodies[slot];
-	Word priority = color_priority(slot);
+	int edge = color_source(p, i);
+	Int2 bodies = edge_bodies(p, edge);
+	Word priority = color_priority(edge);
 	GLOBAL Word* claim = p->argument & 1 ? p->claim1 : p->claim0;
-	if (hub_wants(p, bodies))
+	if (color_spoke(p, edge, bodies))
 		return;
 	if (p->body[bodies.x].inv_mass > 0.0f)
 		atomic_max_word(&claim[bodies.x], priority);
@@ -55,15 +62,15 @@ STAGE(color_claim)
 
 STAGE(color_take)
 {
-	int slot = color_source(p, i), round = p->argument;
-	Int2 bodies = p->contact_bodies[slot];
-	if (hub_wants(p, bodies))
+	int edge = color_source(p, i), round = p->argument;
+	Int2 bodies = edge_bodies(p, edge);
+	if (color_spoke(p, edge, bodies))
 	{
-		p->contact_color[slot] = COLORS;
+		edge_set_color(p, edge, COLORS);
 		raise_int(&p->counters->entered, 1);
 		return;
 	}
-	Word priority = color_priority(slot);
+	Word priority = color_priority(edge);
 	GLOBAL Word* claim = round & 1 ? p->claim1 : p->claim0;
 	GLOBAL Word* next_claim = round & 1 ? p->claim0 : p->claim1;
 	int moves_a = p->body[bodies.x].inv_mass > 0.0f, moves_b = p->body[bodies.y].inv_mass > 0.0f;
@@ -79,13 +86,13 @@ STAGE(color_take)
 			write_shared_word(&next_claim[bodies.y], 0);
 		int place = atomic_add_int(&p->counters->uncolored[round % MAX_ROUNDS + 1], 1);
 		if (round & 1)
-			p->uncolored1[place] = slot;
+			p->uncolored1[place] = edge;
 		else
-			p->uncolored0[place] = slot;
+			p->uncolored0[place] = edge;
 		return;
 	}
 	Word64 bit = moves_a && moves_b ? free & (~free + (Word64)1) : (Word64)1 << (63 - leading_zeros(free));
-	p->contact_color[slot] = 63 - leading_zeros(bit);
+	edge_set_color(p, edge, 63 - leading_zeros(bit));
 	if (moves_a)
 		write_shared_word64(&p->color_mask[bodies.x], mask_a | bit);
 	if (moves_b)
@@ -105,15 +112,19 @@ STAGE(color_wrap)
 // claims are zero between steps
 STAGE(color_reset)
 {
-	Int2 bodies = p->contact_bodies[p->began[i]];
+	Int2 bodies = edge_bodies(p, p->began[i]);
 	write_shared_word(&p->claim0[bodies.x], 0);
 	write_shared_word(&p->claim0[bodies.y], 0);
 	write_shared_word(&p->claim1[bodies.x], 0);
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// The bits of a key that are sorted by: its color, and of a spoke COLORS and the body of its hub more. All are set when the
-// contact does not touch. argument is the number of bits.
+// ---------------------------------------------------------------------------------------------------------------
+// layout: the constraints of a kind by color
+// ---------------------------------------------------------------------------------------------------------------
+
+// The bits of a key that are sorted by: its color, and of a spoke COLORS and the body of its hub more. All are set where there
+// is no constraint. argument is the number of bits.
 
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
@@ -123,50 +134,51 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Some contact began or ended to touch: are the constraints laid out anew? Only when all have their color, and keys have
-// bits for hubs where there are any. argument is the place in uncolored of the last round's rest, and the bits of keys
-// times 256.
+// Some constraint began or ended: which kinds are laid out anew? Only when all have their color, and keys have bits for hubs
+// where there are any. argument is the place in uncolored of the last round's rest, and the bits of contacts' keys times 256.
 STAGE(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
 	int left = c->uncolored[p->argument & 255];
 	c->kept = 0;
-	c->entered = c->entered || c->color_count[COLORS] > 0;
-	c->arrange = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS) ? c->contacts : 0;
-	for (int k = 0; k < COLORS + 2 && c->arrange > 0; ++k)
-	{
-		c->color_first[k] = 0;
-		c->color_last[k] = 0;
-	}
+	c->entered = c->entered || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
+	c->arranged = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS);
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->stirred[CONSTRAINT_##KIND] ? c->kind##s : 0;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		for (int k = 0; k < COLORS + 2 && c->arrange[kind] > 0; ++k)
+		{
+			c->layout[kind].first[k] = 0;
+			c->layout[kind].last[k] = 0;
+		}
 	(void)i;
 }
 
-// so many contacts before their keys are made, their impulses are fetched
+// so many edges before their keys are made, what is kept of them is fetched
 #define KEY_SOON 12
 
-// The color of each slot, to be sorted by. Impulses live with the constraints; they come along by way of the slots.
-STAGE(color_key)
-{
-	if (FETCHES && i + KEY_SOON < p->counters->arrange)
-	{
-		int soon = p->contact_place[i + KEY_SOON];
-		soon = soon < 0 ? 0 : soon;
-		contact_fetch_kept(p, soon);
-	}
-	int color = p->contact_color[i], c = p->contact_place[i];
-	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color;
-	if (color == COLORS)
-		name += (Word64)hub_owner(p, p->contact_bodies[i]);
-	p->key[i] = name << 32 | (Word64)i;
-	if (c < 0)
-		return;
-	contact_keep(p, i, c);
-}
+// The color of each slot, to be sorted by. What is kept lives with the rows; it comes along by way of the slots.
+#define COLOR_KEY(kind, KIND)                                                    \
+	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
+	{                                                                            \
+		int soon = p->kind##_place[i + KEY_SOON];                                \
+		kind##_fetch_kept(p, soon < 0 ? 0 : soon);                               \
+	}                                                                            \
+	int color = p->kind##_color[i], place = p->kind##_place[i];                  \
+	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \
+	if (color == COLORS)                                                         \
+		name += (Word64)hub_owner(p, p->kind##_bodies[i]);                       \
+	p->key[i] = name << 32 | (Word64)i;                                          \
+	if (place >= 0)                                                              \
+		kind##_keep(p, i, place);
 
 // Where a color begins and ends among the sorted keys, and a hub. Where a hub begins scan is 1, so that it will count them.
-STAGE(color_edge)
+INLINE void color_edge(const Pools* p, int kind, int i)
 {
-	int last = p->counters->arrange - 1, bits = p->argument;
+	GLOBAL KindLayout* layout = &p->counters->layout[kind];
+	int last = p->counters->arrange[kind] - 1, bits = p->argument;
 	Word64 name = p->key[i] >> 32;
 	int begins = i == 0 || p->key[i - 1] >> 32 != name, ends = i == last || p->key[i + 1] >> 32 != name;
 	if (bits > COLOR_BITS)
@@ -175,9 +187,9 @@ STAGE(color_edge)
 		return;
 	int color = color_of_key(p->key[i], bits);
 	if (begins && (i == 0 || color_of_key(p->key[i - 1], bits) != color))
-		p->counters->color_first[color] = i;
+		layout->first[color] = i;
 	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
-		p->counters->color_last[color] = i + 1;
+		layout->last[color] = i + 1;
 	if (color != COLORS)
 		return;
 	p->scan[i] = begins;
@@ -196,67 +208,87 @@ INLINE int color_hub(const Pools* p, int i)
 	return p->scan[i] - !begins;
 }
 
-// Where each color begins among the constraints. If there is no room for all, the host makes some and comes again.
-STAGE(color_range)
+// Where each color of a kind begins among its places. If there is no room for all, the host makes some and comes again.
+INLINE void color_range(const Pools* p, int kind)
 {
 	GLOBAL Counters* c = p->counters;
-	int begin = 0, touching = 0;
-	c->hubs = 0;
-	c->split = 0;
+	GLOBAL KindLayout* layout = &c->layout[kind];
+	int begin = 0, spokes = kind == CONSTRAINT_CONTACT, touching = 0;
+	if (spokes)
+	{
+		c->hubs = 0;
+		c->split = 0;
+	}
 	for (int k = 0; k <= COLORS; ++k)
 	{
-		int count = c->color_last[k] - c->color_first[k];
-		c->color_begin[k] = begin;
-		c->color_count[k] = count;
-		if (k == COLORS && count > 0)
+		int count = layout->last[k] - layout->first[k];
+		layout->begin[k] = begin;
+		layout->count[k] = count;
+		touching += count;
+		if (spokes && k == COLORS && count > 0)
 		{
 			// hub_first leaves so much room
-			c->hubs = color_hub(p, c->color_last[k] - 1) + 1;
+			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
 		begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
-		touching += c->color_count[k];
 	}
-	c->color_begin[COLORS + 1] = begin;
-	c->touching = touching;
-	if (begin > p->step.constraint_capacity)
-		c->arrange = 0;
-	(void)i;
+	layout->begin[COLORS + 1] = begin;
+	if (spokes)
+		c->touching = touching;
+	if (begin > p->step.place_capacity[kind])
+	{
+		c->arrange[kind] = 0;
+		c->arranged = 0;
+	}
+}
+
+// A spoke's place; the last one of a hub pads what is left of it.
+INLINE int color_place_spoke(const Pools* p, int i)
+{
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
+	int hub = (int)(p->key[i] >> 32) - COLORS, n = color_hub(p, i);
+	Int2 keys = p->hub_keys[hub];
+	if (i == keys.x)
+		p->hub[n] = hub;
+	int place = hub_first(p, n, keys.x) + (i - keys.x);
+	int end = i + 1 == layout->last[COLORS] ? layout->begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
+	for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
+	{
+		// a contact of the hub with nothing, in one place, so that it adds nothing to sums
+		contact_pad(p, k);
+		contact_row(p, body_b, k) = hub;
+	}
+	return place;
 }
 
 // what does not change while the layout stands
-STAGE(color_place)
-{
-	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);
-	if (color > COLORS)
-		return;
-	const GLOBAL Counters* c = p->counters;
-	int place = c->color_begin[color] + (i - c->color_first[color]);
-	if (color == COLORS)
-	{
-		int hub = (int)(p->key[i] >> 32) - COLORS, n = color_hub(p, i);
-		Int2 keys = p->hub_keys[hub];
-		if (i == keys.x)
-			p->hub[n] = hub;
-		place = hub_first(p, n, keys.x) + (i - keys.x);
-		int end = i + 1 == c->color_last[COLORS] ? c->color_begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
-		for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
-		{
-			// a contact of the hub with nothing, in one place, so that it adds nothing to sums
-			contact_pad(p, k);
-			contact_row(p, body_b, k) = hub;
-		}
-	}
-	Int2 bodies = p->contact_bodies[slot];
-	p->contact_place[slot] = place;
-	p->contact_place_slot[place] = slot;
-	contact_row(p, body_a, place) = bodies.x;
-	contact_row(p, body_b, place) = bodies.y;
-	contact_place(p, slot, place);
-	contact_put_back(p, slot, place);
-	if (color < COLORS && i + 1 == c->color_last[color])
-		for (int k = place + 1; k < c->color_begin[color + 1]; ++k)
-			contact_pad(p, k);
-}
+#define COLOR_PLACE(kind, KIND)                                                                                \
+	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \
+	if (color > COLORS)                                                                                        \
+		return;                                                                                                \
+	int place = color == COLORS ? color_place_spoke(p, i) : layout->begin[color] + (i - layout->first[color]); \
+	Int2 bodies = p->kind##_bodies[slot];                                                                      \
+	p->kind##_place[slot] = place;                                                                             \
+	p->kind##_place_slot[place] = slot;                                                                        \
+	kind##_row(p, body_a, place) = bodies.x;                                                                   \
+	kind##_row(p, body_b, place) = bodies.y;                                                                   \
+	kind##_set_place(p, slot, place);                                                                          \
+	kind##_put_back(p, slot, place);                                                                           \
+	if (color < COLORS && i + 1 == layout->last[color])                                                        \
+		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                             \
+			kind##_pad(p, k);
+
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \
+	STAGE(kind##_key){COLOR_KEY(kind, KIND)} STAGE(kind##_edge) { color_edge(p, CONSTRAINT_##KIND, i); } \
+	STAGE(kind##_range)                                                                                  \
+	{                                                                                                    \
+		color_range(p, CONSTRAINT_##KIND);                                                               \
+		(void)i;                                                                                         \
+	}                                                                                                    \
+	STAGE(kind##_layout) { COLOR_PLACE(kind, KIND) }
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 
 #endif

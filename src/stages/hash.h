@@ -24,7 +24,7 @@ INLINE Word64 hash_float4(Word64 h, Float4 v)
 INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
 
 // What is kept of a constraint, in the order of its rows.
-#define X(kind, Kind, KIND)                                                          \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
 	INLINE Word64 kind##_hash(Word64 h, const Pools* p, int i)                       \
 	{                                                                                \
 		int lane = i % MAX_LANES;                                                    \
@@ -39,7 +39,7 @@ INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64
 		return h;                                                                    \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 // Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies begins the sums, the others add to them.
 STAGE(hash_bodies)

@@ -37,7 +37,8 @@ INLINE int hub_number(const Pools* p, int body)
 // The hub of spoke k, and the body at its other end: as it was laid out, whatever the user has made of masses since.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
-	int c = p->counters->color_begin[COLORS] + k, a = contact_row(p, body_a, c), n = hub_number(p, a);
+	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k, a = contact_row(p, body_a, c),
+	    n = hub_number(p, a);
 	if (n < 0)
 		return contact_row(p, body_b, c);
 	HubSpan span = hub_span_of(p, n);
@@ -46,7 +47,7 @@ INLINE int spoke_hub_of(const Pools* p, int k)
 
 INLINE int spoke_light_of(const Pools* p, int k)
 {
-	int c = p->counters->color_begin[COLORS] + k;
+	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k;
 	return contact_row(p, body_a, c) ^ contact_row(p, body_b, c) ^ spoke_hub_of(p, k);
 }
 
@@ -56,7 +57,7 @@ INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY
 STAGE(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
-	int c = p->counters->color_begin[COLORS] + i;
+	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + i;
 	if (p->contact_place_slot[c] >= 0)
 	{
 		int hub = spoke_hub_of(p, i), n = hub_number(p, hub), light = spoke_light_of(p, i);

@@ -4,6 +4,7 @@
 #define NARROW_PHASE_H
 #include "stages/ahead.h"
 #include "stages/box.h"
+#include "stages/edge.h"
 #include "stages/narrow_phase_keep.h"
 
 // a point farther than this from where it was, and of another feature, starts without impulse
@@ -28,6 +29,13 @@ INLINE void contact_count(const Pools* p, int body)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
+// Some contact began or ceased to touch: contacts are laid out anew.
+INLINE void contact_stir(const Pools* p)
+{
+	raise_int(&p->counters->changed, 1);
+	raise_int(&p->counters->stirred[CONSTRAINT_CONTACT], 1);
+}
+
 // gives the color of a contact that no longer touches back to its bodies
 INLINE void contact_uncolor(const Pools* p, int i)
 {
@@ -47,7 +55,7 @@ INLINE void contact_uncolor(const Pools* p, int i)
 	p->contact_place[i] = -1;
 	contact_forget(p, i);
 	atomic_add_int(&p->counters->ended, 1);
-	raise_int(&p->counters->changed, 1);
+	contact_stir(p);
 }
 
 // which of the old points is new point k: by feature, then the nearest within MATCH_DISTANCE; taken ones are out
@@ -192,8 +200,8 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		Int2 bodies = p->contact_bodies[i];
 		contact_count(p, bodies.x);
 		contact_count(p, bodies.y);
-		p->began[atomic_add_int(&p->counters->began, 1)] = i;
-		raise_int(&p->counters->changed, 1);
+		p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
+		contact_stir(p);
 	}
 }
 

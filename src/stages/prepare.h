@@ -5,7 +5,7 @@
 #include "constraints/contact_prepare.h"
 #include "constraints/kinds.h"
 
-#define X(kind, Kind, KIND)                                        \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                          \
 	WIDE_STAGE(kind##_prepare)                                     \
 	{                                                              \
 		Kind u;                                                    \
@@ -13,6 +13,6 @@
 		kind##_store(p, i, PREPARE, &u);                           \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 #endif

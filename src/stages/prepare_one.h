@@ -23,7 +23,7 @@ STAGE(solve_begin)
 }
 
 // by the rows that prepare left
-#define X(kind, Kind, KIND)                    \
+#define CONSTRAINT_KIND(kind, Kind, KIND)      \
 	STAGE(kind##_prepare_rare)                 \
 	{                                          \
 		Kind u;                                \
@@ -33,6 +33,6 @@ STAGE(solve_begin)
 		kind##_setup_rare(p, i, &u);           \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 #endif

@@ -6,6 +6,7 @@
 #include "dialect/vec.h"
 #include "dialect/finite.h"
 #include "constraints/kinds.h"
+#include "stages/edge.h"
 #include "stages/command.h"
 #include "stages/transform.h"
 #include "stages/tree.h"

@@ -22,12 +22,12 @@
 		body_scatter(p, ia, a);                              \
 		body_scatter(p, ib, b);                              \
 	}
-#define X(kind, Kind, KIND)                             \
+#define CONSTRAINT_KIND(kind, Kind, KIND)               \
 	SOLVE_PASS(kind, Kind, warm_start, PASS_WARM_START) \
 	SOLVE_PASS(kind, Kind, bias, PASS_BIAS)             \
 	SOLVE_PASS(kind, Kind, relax, PASS_RELAX)           \
 	SOLVE_PASS(kind, Kind, bounce, PASS_BOUNCE)
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 #endif

@@ -39,8 +39,8 @@ typedef struct
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;
-	int before = (key - c->color_first[COLORS] + MAX_LANES - 1) / MAX_LANES;
-	return c->color_begin[COLORS] + MAX_LANES * (before + n);
+	int before = (key - c->layout[CONSTRAINT_CONTACT].first[COLORS] + MAX_LANES - 1) / MAX_LANES;
+	return c->layout[CONSTRAINT_CONTACT].begin[COLORS] + MAX_LANES * (before + n);
 }
 
 // Where the spokes of hub number n are.
@@ -60,10 +60,11 @@ INLINE int hub_turn(int n) { return n % HUB_TURNS; }
 // places of spokes, padding included
 INLINE int spoke_places(const Pools* p)
 {
-	return p->counters->color_begin[COLORS + 1] - p->counters->color_begin[COLORS];
+	return p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] -
+	       p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS];
 }
 
 // number of constraint i among the spokes
-INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->color_begin[COLORS]; }
+INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS]; }
 
 #endif

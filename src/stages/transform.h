@@ -22,7 +22,12 @@ STAGE(step_begin)
 	c->search = 0;
 	c->live = c->contacts;
 	c->look = 0;
-	c->arrange = 0;
+	c->arranged = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		c->stirred[kind] = 0;
+		c->arrange[kind] = 0;
+	}
 	c->walks = 0;
 	c->rest = 0;
 	c->pairs = 0;

@@ -112,29 +112,39 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 	return bits;
 }
 
-// coloring rounds from one to the other, then the layout of the constraints if none is left
-static void color(RunList* list, const Step* step, int from, int to, int bits)
+// The constraints of a kind by color, if some began or ended; keys have so many bits.
+static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 {
-	int contacts = step->contact_capacity;
+	const KindInfo* info = &kind_info[kind];
+	int items = b->capacity[info->items], count = COUNT(arrange) + kind;
+	runs_add(list, info->key, 0, items, count, bits);
+	runs_add_sort(list, items, count, 32, 32 + bits);
+	runs_add(list, info->edge, 0, items, count, bits);
+	if (bits > COLOR_BITS)
+		runs_add(list, PRIMITIVE_SCAN, 0, items, count, 0);
+	runs_add(list, info->range, 0, 1, count, 0);
+	runs_add(list, info->layout, 0, items, count, bits);
+}
+
+// Coloring rounds from one to the other, then the layout of the constraints if none is left. Keys of contacts have so many bits.
+static void color(RunList* list, const Backend* b, const Counters* c, int from, int to, int bits)
+{
+	int edges = b->capacity[EDGE];
 	if (from == 0)
-		runs_add(list, STAGE_hub_enter, 0, contacts, COUNT(gathered), 0);
+		runs_add(list, STAGE_hub_enter, 0, b->capacity[CONTACT], COUNT(gathered), 0);
 	for (int round = from; round < to; ++round)
 	{
 		if (round > 0 && round % MAX_ROUNDS == 0)
 			runs_add_single(list, STAGE_color_wrap);
 		int count = round == 0 ? COUNT(began) : COUNT(uncolored) + round % MAX_ROUNDS;
-		runs_add(list, STAGE_color_claim, 0, contacts, count, round);
-		runs_add(list, STAGE_color_take, 0, contacts, count, round);
+		runs_add(list, STAGE_color_claim, 0, edges, count, round);
+		runs_add(list, STAGE_color_take, 0, edges, count, round);
 	}
-	runs_add(list, STAGE_color_reset, 0, contacts, COUNT(began), 0);
+	runs_add(list, STAGE_color_reset, 0, edges, COUNT(began), 0);
 	runs_add(list, STAGE_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
-	runs_add(list, STAGE_color_key, 0, contacts, COUNT(arrange), bits);
-	runs_add_sort(list, contacts, COUNT(arrange), 32, 32 + bits);
-	runs_add(list, STAGE_color_edge, 0, contacts, COUNT(arrange), bits);
-	if (bits > COLOR_BITS)
-		runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(arrange), 0);
-	runs_add(list, STAGE_color_range, 0, 1, COUNT(arrange), 0);
-	runs_add(list, STAGE_color_place, 0, contacts, COUNT(arrange), bits);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)
+			lay_out(list, b, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -170,6 +180,13 @@ static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status
 	return status ? status : why;
 }
 
+// how many constraints of each kind there is room for
+static void step_places(Step* step, const Backend* b)
+{
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		step->place_capacity[kind] = b->capacity[kind_info[kind].places];
+}
+
 // A buffer was too small for what was found: it grows.
 static scree_status make_room(Pipeline* pipeline, Step* step)
 {
@@ -181,21 +198,22 @@ static scree_status make_room(Pipeline* pipeline, Step* step)
 	                                   : pipeline_reserve(pipeline, CONTACT, c->needed + 1));
 	step->pair_capacity = b->capacity[KEY];
 	step->contact_capacity = b->capacity[CONTACT];
-	step->constraint_capacity = b->capacity[CONSTRAINT];
+	step_places(step, b);
 	return SCREE_OK;
 }
 
 // Boxes to contacts, and so many rounds of colors. Where a pool was too small the search for pairs runs again.
 static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* request, int rounds, bool* solved)
 {
+	const Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	RunList* list = &pipeline->list;
-	bool ahead = pipeline->backend->distant && !c->changed && (c->hubs == 0 || pipeline->split);
+	bool ahead = b->distant && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
 		broad_phase(list, step);
 		narrow_phase(list, step);
-		color(list, step, 0, rounds, color_bits(pipeline, request->bodies));
+		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));
 		TRY(ahead ? solve_ahead(pipeline, step, request) : read_back(pipeline, step));
 		*solved = ahead && c->kept;
 		if (!c->stalled)
@@ -212,16 +230,18 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 // run, the first hubs, or more constraints than there is room for. Counts the rounds.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int* rounds)
 {
+	const Backend* b = pipeline->backend;
 	Counters* c = &pipeline->counters;
-	while (c->changed && c->arrange == 0 && c->contacts > 0)
+	while (c->changed && !c->arranged)
 	{
 		bool colored = c->uncolored[(*rounds - 1) % MAX_ROUNDS + 1] == 0;
 		if (colored)
-			TRY(pipeline_reserve(pipeline, CONSTRAINT, c->color_begin[COLORS + 1]));
-		step->constraint_capacity = pipeline->backend->capacity[CONSTRAINT];
+			for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+				TRY(pipeline_reserve(pipeline, kind_info[kind].places, c->layout[kind].begin[COLORS + 1]));
+		step_places(step, b);
 		c->hubs += c->hubs == 0 && c->entered;
 		int more = colored ? 0 : MAX_ROUNDS / 2;
-		color(&pipeline->list, step, *rounds, *rounds + more, color_bits(pipeline, bodies));
+		color(&pipeline->list, b, c, *rounds, *rounds + more, color_bits(pipeline, bodies));
 		*rounds += more;
 		TRY(read_back(pipeline, step));
 	}
@@ -245,7 +265,7 @@ scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* 
 	int rounds = pipeline->rounds + SPARE_ROUNDS, done = rounds;
 	TRY(search(pipeline, step, request, rounds, solved));
 	TRY(finish_colors(pipeline, step, request->bodies, &done));
-	pipeline->split = pipeline->split && c->arrange == 0;
+	pipeline->split = pipeline->split && c->arrange[CONSTRAINT_CONTACT] == 0;
 	if (done > rounds)
 		pipeline->rounds = done < MAX_ROUNDS ? done : MAX_ROUNDS;
 	else

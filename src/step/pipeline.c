@@ -56,7 +56,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .substeps = request->substeps,
 	               .extras = step->extras,
 	               .bounces = step->bounces,
-	               .layout = c,
+	               .counters = c,
 	               .bound = bound};
 	pipeline->begun = true;
 	return b->f->solve(b, step, &solve, &pipeline->list);
@@ -110,12 +110,13 @@ static Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .collidables = collidables,
 	    .pair_capacity = b->capacity[KEY],
 	    .contact_capacity = b->capacity[CONTACT],
-	    .constraint_capacity = b->capacity[CONSTRAINT],
 	    .contact_limit = contact_limit(request),
 	    .walk_nodes = b->walk_nodes,
 	    .walkers = b->walkers < collidables ? b->walkers : collidables,
 	    .key_bits = 1,
 	};
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		step.place_capacity[kind] = b->capacity[kind_info[kind].places];
 	while (step.key_bits < 31 && 1 << step.key_bits < collidables)
 		++step.key_bits;
 	return step;

@@ -103,7 +103,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 
 // detect.c: boxes to colored contacts. Sets *solved when the rest of the step has been run as well. most is the longest list
 // that it makes.
-#define DETECT_RUNS_MOST (4 * MAX_ROUNDS + 128)
+#define DETECT_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128)
 scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* request, bool* solved);
 
 #endif

@@ -40,6 +40,28 @@ static scree_status resize(Pipeline* pipeline, Per per, int64_t capacity)
 	return b->f->resize(b, per, (int)capacity);
 }
 
+static int edges(const Backend* b)
+{
+	int sum = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		sum += b->capacity[kind_info[kind].items];
+	return sum;
+}
+
+// What follows the items of a kind of constraint, or its places.
+static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per per, int64_t wanted)
+{
+	const Backend* b = pipeline->backend;
+	if (per == kind->places)
+		return resize(pipeline, kind->blocks, wanted / MAX_LANES);
+	if (per != kind->items)
+		return SCREE_OK;
+	TRY(resize(pipeline, kind->places, constraints_of(wanted)));
+	TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
+	TRY(resize(pipeline, EDGE, edges(b) - b->capacity[per] + wanted));
+	return resize(pipeline, KEY, wanted);
+}
+
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 {
 	Backend* b = pipeline->backend;
@@ -52,16 +74,8 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 
 	scree_status status = SCREE_OK;
 	int* leaves = NULL;
-	if (per == CONTACT)
-	{
-		status = resize(pipeline, CONSTRAINT, constraints_of(wanted));
-		if (!status)
-			status = resize(pipeline, BLOCK, constraints_of(wanted) / MAX_LANES);
-		if (!status)
-			status = resize(pipeline, KEY, wanted);
-	}
-	if (per == CONSTRAINT)
-		status = resize(pipeline, BLOCK, wanted / MAX_LANES);
+	for (int kind = 0; kind < CONSTRAINT_KINDS && !status; ++kind)
+		status = reserve_kind(pipeline, &kind_info[kind], per, wanted);
 	if (per == COLLIDABLE)
 	{
 		status = tree_save(pipeline, &leaves);
@@ -111,9 +125,14 @@ static bool shrink(Pipeline* pipeline, Per per, int least)
 static void shrink_all(Pipeline* pipeline)
 {
 	Backend* b = pipeline->backend;
-	shrink(pipeline, CONTACT, pipeline->first_contacts);
-	if (shrink(pipeline, CONSTRAINT, (int)constraints_of(b->capacity[CONTACT])))
-		b->f->resize(b, BLOCK, b->capacity[CONSTRAINT] / MAX_LANES);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		const KindInfo* info = &kind_info[kind];
+		if (shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_ROOM))
+			b->f->resize(b, EDGE, edges(b));
+		if (shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])))
+			b->f->resize(b, info->blocks, b->capacity[info->places] / MAX_LANES);
+	}
 	shrink(pipeline, KEY, larger(b->capacity[CONTACT], b->capacity[COLLIDABLE]));
 	shrink(pipeline, SPOKE, LEAST_ROOM);
 	shrink(pipeline, SPOKE_BLOCK, LEAST_ROOM);
@@ -131,8 +150,11 @@ bool pipeline_sparse(Pipeline* pipeline)
 void pipeline_trim(Pipeline* pipeline)
 {
 	const Counters* c = &pipeline->counters;
-	note(pipeline, CONTACT, c->contacts + 1);
-	note(pipeline, CONSTRAINT, c->color_begin[COLORS + 1]);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		note(pipeline, kind_info[kind].items, kind_items(c, kind) + 1);
+		note(pipeline, kind_info[kind].places, c->layout[kind].begin[COLORS + 1]);
+	}
 	note(pipeline, SPOKE, layout_spokes(c));
 	note(pipeline, SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
 	note(pipeline, KEY, larger(c->pairs, layout_spokes(c)));

@@ -30,7 +30,7 @@ typedef struct
 // What the passes of a kind read and write of its rows.
 #define COUNT_ROW(name, gate, life, inert, read, written) \
 	count.bytes[pass] += step->gate ? (((read) >> pass & 1) + ((written) >> pass & 1)) * ROW_BYTES : 0;
-#define X(kind, Kind, KIND)                                        \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                          \
 	static PassBytes kind##_bytes(const Switches* step)            \
 	{                                                              \
 		PassBytes count = {{0}};                                   \
@@ -42,7 +42,7 @@ typedef struct
 		return count;                                              \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
 scree_traffic traffic_of_solve(const Counters* layout, int bodies, int substeps, const Step* step)
 {
@@ -77,7 +77,7 @@ scree_traffic traffic_of_solve(const Counters* layout, int bodies, int substeps,
 		a_body += before[schedule_before(substeps, q)];
 	}
 	for (int color = 0; color <= COLORS; ++color)
-		constraints += layout->color_count[color];
+		constraints += layout->layout[CONSTRAINT_CONTACT].count[color];
 	return (scree_traffic){
 	    .constraints = constraints,
 	    .passes = passes,

@@ -26,12 +26,15 @@ static int lasting_items(const scree_world* world, Per per)
 	case BODY:
 		// wide stages touch the padding, which must be inert
 		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
-	case CONTACT:
-		return c->contacts;
-	case CONSTRAINT:
-		return c->color_begin[COLORS + 1];
-	case BLOCK:
-		return (c->color_begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+#define CONSTRAINT_KIND(kind, Kind, KIND)                      \
+	case KIND:                                                 \
+		return c->kind##s;                                     \
+	case KIND##_PLACE:                                         \
+		return c->layout[CONSTRAINT_##KIND].begin[COLORS + 1]; \
+	case KIND##_BLOCK:                                         \
+		return (c->layout[CONSTRAINT_##KIND].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	case ONE:
 		return 1;
 	default:

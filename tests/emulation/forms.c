@@ -102,7 +102,7 @@ static int spread_of(int constraints, int places)
 
 static bool relay_solve(const Solve* solve)
 {
-	int found = solve->layout->hubs, constraints = solve_constraints(solve);
+	int found = solve->counters->hubs, constraints = solve_constraints(solve);
 	int group = found > 0 ? form.group : relay_group;
 	int hubs = found > 0 && form.groups > 1 ? least(found, form.hub_groups) : found > 0;
 	int most = found > 0 && form.groups > 1 ? form.groups - hubs : form.groups;
@@ -130,8 +130,8 @@ static bool lay_out(const Solve* solve)
 	let_go(&tile_buffers);
 	task.tile_rows = (pools.step.collidables - 1) / tile_bodies + 1;
 	task.places = task.tile_rows * tile_bodies;
-	task.stride = solve_constraints(solve) + tile_colors * relay_group;
-	int table = (task.tile_rows + 2) * tile_colors;
+	task.stride = solve_constraints(solve) + tile_columns * relay_group;
+	int table = (task.tile_rows + 2) * tile_columns;
 	task.place = buffer(&tile_buffers, solve->bodies, sizeof(int));
 	task.border = buffer(&tile_buffers, solve->bodies, sizeof(int));
 	task.resident = buffer(&tile_buffers, task.places, sizeof(int));
@@ -140,11 +140,10 @@ static bool lay_out(const Solve* solve)
 	task.rank = buffer(&tile_buffers, solve_constraints(solve), sizeof(int));
 	task.order = memset(buffer(&tile_buffers, task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
 	bool well = launch_over(KERNEL_tile_settle, task.places) && launch_over(KERNEL_tile_list, task.places);
-	const Counters* c = solve->layout;
 	for (int color = 0; well && color < COLORS; ++color)
 	{
-		task.begin = c->color_begin[color];
-		task.end = task.begin + c->color_count[color];
+		task.begin = solve_first(solve, color);
+		task.end = solve_first(solve, color + 1);
 		well = task.begin == task.end || launch_over(KERNEL_tile_count, task.end - task.begin);
 	}
 	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) && launch(KERNEL_tile_begin, 1, 256) &&
@@ -179,7 +178,7 @@ static bool tiles_solve(const Solve* solve)
 	    [PASS_RELAX] = KERNEL_tile_relax,
 	    [PASS_BOUNCE] = KERNEL_tile_bounce,
 	};
-	stale |= pools.counters->arrange > 0 || !pools.counters->kept || tile_buffers.count == 0;
+	stale |= pools.counters->changed || !pools.counters->kept || tile_buffers.count == 0;
 	bool well = true;
 	if (stale)
 		well = lay_out(solve);
@@ -242,7 +241,7 @@ static scree_status form_run(Backend* b, const Step* step, const Run* runs, int 
 
 static scree_status form_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
-	if (form.tiles && solve->layout->hubs > 0)
+	if (form.tiles && solve->counters->hubs > 0)
 		return cpu->solve(b, step, solve, list);
 #define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
 #include "pools/pools.def"

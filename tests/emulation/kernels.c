@@ -13,7 +13,7 @@
 
 const int relay_group = RELAY_GROUP, relay_words = RELAY_WORDS, relay_turns = RELAY_TURNS,
           stream_float4s = STREAM_FLOAT4S, tile_bodies = TILE_BODIES, tile_group = TILE_GROUP,
-          tile_colors = TILE_COLORS, fault_blown = FAULT_BLOWN, fault_stale = FAULT_STALE;
+          tile_columns = TILE_COLUMNS, fault_blown = FAULT_BLOWN, fault_stale = FAULT_STALE;
 
 #define CALL(name, ...)                              \
 	static void call_##name(const void* arguments)   \

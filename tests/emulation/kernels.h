@@ -47,7 +47,7 @@ bool kernel_run(KernelId kernel, const Task* task, int groups, int group, const 
 int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
 
 // what the host must know of the sizes of opencl/limits.h
-extern const int relay_group, relay_words, relay_turns, stream_float4s, tile_bodies, tile_group, tile_colors,
+extern const int relay_group, relay_words, relay_turns, stream_float4s, tile_bodies, tile_group, tile_columns,
     fault_blown, fault_stale;
 
 #endif

@@ -96,7 +96,7 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 	ContactRareRows* extras[2];
 	for (int k = 0; k < 2; ++k)
 	{
-		int blocks = (counters[k].color_begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+		int blocks = (counters[k].layout[CONSTRAINT_CONTACT].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
 		places[k] = read_items(worlds[k], POOL_contact_place, counters[k].contacts);
 		constraints[k] = read_items(worlds[k], POOL_contact_rows, blocks);
 		extras[k] = read_items(worlds[k], POOL_contact_rare_rows, blocks);
@@ -195,7 +195,7 @@ bool state_finite(scree_world* world, char sentence[256])
 	Int2* pairs = read_items(world, POOL_pair, c.contacts);
 	Found* found = read_items(world, POOL_contact_found, c.contacts);
 	int* places = read_items(world, POOL_contact_place, c.contacts);
-	int blocks = (c.color_begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+	int blocks = (c.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
 	ContactRows* constraints = read_items(world, POOL_contact_rows, blocks);
 	ContactRareRows* extras = read_items(world, POOL_contact_rare_rows, blocks);
 	for (int k = 0; k < c.contacts && finite; ++k)

@@ -48,7 +48,7 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	if (d->solver == FORM_RELAY || (d->solver == FORM_ANY && few))
 		return FORM_RELAY;
 	// a hub's spokes lie in many tiles
-	bool tiles = solve->layout->hubs == 0 && (d->solver == FORM_TILES || tiles_pay(d, solve));
+	bool tiles = solve->counters->hubs == 0 && (d->solver == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 

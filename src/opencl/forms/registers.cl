@@ -108,56 +108,98 @@ INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 
 typedef struct // a constraint in registers
 {
-	Contact rows;
+#define CONSTRAINT_KIND(kind, Kind, KIND) Kind kind; // if it is of this kind
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	Body a, b;
 	Side side[2];
+	KindPlace at;
 	bool inert;
 } Registers;
 
-// Constraint i with its bodies, but for its sides: all rows, and what is derived of them.
-INLINE Registers registers_make(const Pools* p, int i, int slot)
+// Its bodies, as they are when a step begins.
+INLINE void registers_bodies(const Pools* p, Registers* u)
+{
+	BodyState a = p->body[u->side[0].body], b = p->body[u->side[1].body];
+	u->a.inv_mass = a.inv_mass;
+	u->a.inv_inertia = a.inv_inertia;
+	u->a.d = vec(0.0f, 0.0f);
+	u->a.da = 0.0f;
+	u->b.inv_mass = b.inv_mass;
+	u->b.inv_inertia = b.inv_inertia;
+	u->b.d = u->a.d;
+	u->b.da = 0.0f;
+}
+
+// A constraint with its bodies, but for its sides: all rows, and what is derived of them.
+INLINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
+	Int2 bodies = edge_bodies_at(p, at.kind, at.place);
+	u.at = at;
 	u.inert = false;
-	contact_setup(p, i, slot, &u.rows);
-	if (p->step.extras)
-		contact_setup_rare(p, i, &u.rows);
-	contact_take(p, i, &u.rows);
-	u.side[0].body = contact_row(p, body_a, i);
-	u.side[1].body = contact_row(p, body_b, i);
-	BodyState a = p->body[u.side[0].body], b = p->body[u.side[1].body];
-	u.a.inv_mass = a.inv_mass;
-	u.a.inv_inertia = a.inv_inertia;
-	u.a.d = vec(0.0f, 0.0f);
-	u.a.da = 0.0f;
-	u.b.inv_mass = b.inv_mass;
-	u.b.inv_inertia = b.inv_inertia;
-	u.b.d = u.a.d;
-	u.b.da = 0.0f;
-	contact_derive(IN_PASSES, &u.a, &u.b, &u.rows);
-	contact_start(&p->step, &u.rows);
+	u.side[0].body = bodies.x;
+	u.side[1].body = bodies.y;
+	registers_bodies(p, &u);
+#define CONSTRAINT_KIND(name, Name, NAME)                        \
+	if (at.kind == CONSTRAINT_##NAME)                            \
+	{                                                            \
+		name##_setup(p, at.place, slot, &u.name);                \
+		if (p->step.extras)                                      \
+			name##_setup_rare(p, at.place, &u.name);             \
+		name##_take(p, at.place, &u.name);                       \
+		name##_derive(IN_PASSES, &u.a, &u.b, &u.name);           \
+		name##_start(&p->step, &u.name);                         \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	return u;
 }
 
-// Constraint i, which may be none.
-INLINE Registers registers_prepare(const Pools* p, int i, bool hubs)
+// Task t, which may be padding.
+INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 {
 	Registers u;
-	int slot = p->contact_place_slot[i];
+	KindPlace at = task_at(p, t);
+	int slot = edge_slot_at(p, at.kind, at.place);
 	u.inert = slot < 0;
 	if (u.inert)
 		return u;
-	u = registers_make(p, i, slot);
-	int color = p->contact_color[slot];
+	u = registers_make(p, at, slot);
+	int color = edge_color(p, at.kind, slot);
 	u.side[0] = side_of(p, u.side[0].body, color, hubs);
 	u.side[1] = side_of(p, u.side[1].body, color, hubs);
 	return u;
 }
 
-// Pass q of solve.h for what is in registers.
-INLINE void registers_pass(const Pools* p, int substeps, int i, int q, Registers* u)
+// What a pass needs of where the bodies are.
+INLINE void registers_ready(Registers* u)
 {
-	contact_pass(p, schedule_pass(substeps, q), i, &u->rows, &u->a, &u->b);
+#define CONSTRAINT_KIND(name, Name, NAME)         \
+	if (u->at.kind == CONSTRAINT_##NAME)          \
+		name##_ready(&u->a, &u->b, &u->name);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+}
+
+// A pass of solve.h for what is in registers.
+INLINE void registers_pass(const Pools* p, int pass, Registers* u)
+{
+#define CONSTRAINT_KIND(name, Name, NAME)         \
+	if (u->at.kind == CONSTRAINT_##NAME)          \
+		name##_pass(p, pass, u->at.place, &u->name, &u->a, &u->b);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+}
+
+// What is kept, for the next step.
+INLINE void registers_stow(const Pools* p, const Registers* u)
+{
+#define CONSTRAINT_KIND(name, Name, NAME)         \
+	if (u->at.kind == CONSTRAINT_##NAME)          \
+		name##_stow(p, u->at.place, &u->name);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -196,7 +238,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 	if ((written) & passes)                                                                  \
 		pairs[k * n] = make_float2(c0, c1);
 
-#define X(kind, Kind, KIND)                                                                  \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                  \
 	/* Constraint j with a number of the caller's; all of it, what some passes read, what they write. */ \
 	INLINE void kind##_leave(const Kind* u, float name, __global float4* stream, int n, int j)   \
 	{                                                                                        \
@@ -218,8 +260,9 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 		KIND##_STREAM(STREAM_SKIP_QUAD, STREAM_UPDATE_PAIR)                                  \
 	}
 #include "pools/kinds.def"
-#undef X
+#undef CONSTRAINT_KIND
 
+// All of it to column j; what a pass writes.
 INLINE void registers_leave(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
@@ -230,9 +273,22 @@ INLINE void registers_leave(const Registers* u, __global float4* stream, int n, 
 	int turns = 0;
 	for (int k = 0; k < 2; ++k)
 		turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-	contact_leave(&u->rows, as_float(turns), stream, n, j);
+#define CONSTRAINT_KIND(name, Name, NAME)                                 \
+	if (u->at.kind == CONSTRAINT_##NAME)                                  \
+		name##_leave(&u->name, as_float(turns), stream, n, j);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	stream[EDGE_QUAD * n + j] = make_float4(u->a.inv_mass, u->a.inv_inertia, u->b.inv_mass, u->b.inv_inertia);
 	stream_pairs(stream, n, j)[EDGE_PAIR * n] = make_float2(as_float(u->side[0].body), as_float(u->side[1].body));
+}
+
+INLINE void registers_update(const Registers* u, int pass, __global float4* stream, int n, int j)
+{
+#define CONSTRAINT_KIND(name, Name, NAME)                                 \
+	if (u->at.kind == CONSTRAINT_##NAME)                                  \
+		name##_update(&u->name, 1 << pass, stream, n, j);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 }
 
 INLINE Side side_return(int body, int turns)
@@ -245,12 +301,19 @@ INLINE Side side_return(int body, int turns)
 	return side;
 }
 
-INLINE Registers registers_return(__global float4* stream, int n, int j)
+// Task t from column j.
+INLINE Registers registers_return(const Pools* p, int t, __global float4* stream, int n, int j)
 {
 	Registers u;
+	int turns = -1;
 	float2 bodies = stream_pairs(stream, n, j)[EDGE_PAIR * n];
 	float4 mass = stream[EDGE_QUAD * n + j];
-	int turns = as_int(contact_return(&u.rows, IN_PASSES, stream, n, j));
+	u.at = task_at(p, t);
+#define CONSTRAINT_KIND(name, Name, NAME)                                 \
+	if (u.at.kind == CONSTRAINT_##NAME)                                   \
+		turns = as_int(name##_return(&u.name, IN_PASSES, stream, n, j));
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	u.inert = turns < 0;
 	u.side[0] = side_return(as_int(bodies.x), turns);
 	u.side[1] = side_return(as_int(bodies.y), turns >> 8);

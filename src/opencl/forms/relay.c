@@ -32,7 +32,7 @@ scree_status rows_reserve(OpenCl* d, const Solve* solve)
 // groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
 static size_t hub_groups(const OpenCl* d, const Solve* solve)
 {
-	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->layout->hubs;
+	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
 	return hubs < most ? hubs : most;
 }
 
@@ -64,7 +64,7 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
 	TRY(rows_reserve(d, solve));
 	const Kernel* relay = relay_kernel(d);
-	int constraints = solve_constraints(solve), hubs = solve->layout->hubs;
+	int constraints = solve_constraints(solve), hubs = solve->counters->hubs;
 	bool registers = constraints <= relay->groups * (int)relay->group;
 	if (hubs > 0)
 	{
@@ -173,7 +173,7 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 
 scree_status relay_run(OpenCl* d, const Solve* solve)
 {
-	if (solve->layout->hubs > 0)
+	if (solve->counters->hubs > 0)
 		return relay_hubs_run(d, solve);
 	Kernel* relay = relay_kernel(d);
 	size_t most = (size_t)relay->groups;

@@ -157,7 +157,7 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 
 // Pass q of a constraint. False when it never came to its turn. In step means that the whole group takes it at once, for no
 // two of a group share a body, and fails as a whole.
-INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* u, bool in_step, volatile BENCH int* fault)
+INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile BENCH int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
 	bool well = true;
@@ -175,7 +175,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* 
 		                       move, &b->d, &b->da);
 		body_turn(a);
 		body_turn(b);
-		contact_ready(a, b, &u->rows);
+		registers_ready(u);
 		well = well && relay_wait(p, r, sa.moves && (passed || sa.before > 0), row_a, relay_turn(q, sa.before), &a->v,
 		                          &a->w, sb.moves && (passed || sb.before > 0), row_b, relay_turn(q, sb.before), &b->v,
 		                          &b->w);
@@ -194,7 +194,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int i, int q, Registers* 
 	}
 	if (u->inert)
 		return true;
-	registers_pass(p, r->substeps, i, q, u);
+	registers_pass(p, schedule_pass(r->substeps, q), u);
 	relay_pass_to(r, u->side[0], q, u->a);
 	relay_pass_to(r, u->side[1], q, u->b);
 	relay_pass_on(p, r, u->side[0], q, u->a, motion_a, base_a);
@@ -232,24 +232,24 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 	if (constraints <= stride)
 	{
 		for (int q = 0; q < r->passes; ++q)
-			if (!relay_task(p, r, begin, q, &u, true, fault))
+			if (!relay_task(p, r, q, &u, true, fault))
 				return;
 		if (!u.inert)
-			contact_stow(p, begin, &u.rows);
+			registers_stow(p, &u);
 	}
 	else
 		for (int q = 0; q < r->passes; ++q)
 			for (int i = begin; i < constraints; i += stride)
 			{
-				u = registers_return(stream, constraints, i);
-				if (!relay_task(p, r, i, q, &u, true, fault))
+				u = registers_return(p, i, stream, constraints, i);
+				if (!relay_task(p, r, q, &u, true, fault))
 					return;
 				if (u.inert)
 					continue;
 				if (q + 1 == r->passes)
-					contact_stow(p, i, &u.rows);
+					registers_stow(p, &u);
 				else
-					contact_update(&u.rows, 1 << schedule_pass(r->substeps, q), stream, constraints, i);
+					registers_update(&u, schedule_pass(r->substeps, q), stream, constraints, i);
 			}
 }
 

@@ -169,7 +169,7 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 		return;
 	int group = (int)get_group_id(0), groups = (int)get_num_groups(0), lane = group_lane(), width = group_width();
 	bool for_hubs = group < hub_groups, for_colors = groups == 1 || !for_hubs;
-	int constraints = p->counters->color_begin[COLORS], hubs = p->counters->hubs, spokes = spoke_places(p);
+	int constraints = task_first(p->counters, COLORS), hubs = p->counters->hubs, spokes = spoke_places(p);
 	int place = groups == 1 ? lane : (group - hub_groups) * width + lane;
 	int stride = (groups == 1 ? width : (groups - hub_groups) * width) / spread;
 	int begin = place % spread == 0 ? place / spread : constraints;
@@ -234,10 +234,10 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 		for (int i = for_colors ? begin : constraints; i < constraints && well; i += stride)
 		{
 			if (constraints > stride)
-				u = registers_return(stream, constraints, i);
-			well = relay_task(p, &r, i, q, &u, false, &fault);
+				u = registers_return(p, i, stream, constraints, i);
+			well = relay_task(p, &r, q, &u, false, &fault);
 			if (constraints > stride && !u.inert)
-				contact_update(&u.rows, 1 << schedule_pass(substeps, q), stream, constraints, i);
+				registers_update(&u, schedule_pass(substeps, q), stream, constraints, i);
 		}
 		if (!well && !for_hubs)
 			return;
@@ -247,8 +247,8 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 	for (int i = begin; i < constraints; i += stride)
 	{
 		if (constraints > stride)
-			u = registers_return(stream, constraints, i);
+			u = registers_return(p, i, stream, constraints, i);
 		if (!u.inert)
-			contact_stow(p, i, &u.rows);
+			registers_stow(p, &u);
 	}
 }

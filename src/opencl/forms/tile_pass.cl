@@ -67,35 +67,40 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 }
 
 // Pass q of the constraint at place j; pass is what kind of pass that is.
-INLINE void tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, int pass)
-{
-	Contact u;
-	Body a, b;
-	uint places = as_uint(contact_return(&u, 1 << pass, t->stream, t->stride, j));
-	tile_gather(tile, places & 0xffffu, &a);
-	tile_gather(tile, places >> 16, &b);
-	contact_ready(&a, &b, &u);
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
+	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, \
+	                             int pass)                                                                       \
+	{                                                                                                            \
+		Kind u;                                                                                                  \
+		Body a, b;                                                                                               \
+		uint places = as_uint(kind##_return(&u, 1 << pass, t->stream, t->stride, j));                            \
+		tile_gather(tile, places & 0xffffu, &a);                                                                 \
+		tile_gather(tile, places >> 16, &b);                                                                     \
+		kind##_ready(&a, &b, &u);                                                                                \
+		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
+		int i = p->step.extras || ends ? task_at(p, t->order[j]).place : 0;                                      \
+		kind##_pass(p, pass, i, &u, &a, &b);                                                                     \
+		tile_scatter(tile, places & 0xffffu, &a);                                                                \
+		tile_scatter(tile, places >> 16, &b);                                                                    \
+		if (ends)                                                                                                \
+			kind##_stow(p, i, &u);                                                                               \
+		else                                                                                                     \
+			kind##_update(&u, 1 << pass, t->stream, t->stride, j);                                               \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 
-	bool ends = q + 1 == r->passes && pass >= PASS_RELAX;
-	int i = p->step.extras || ends ? t->order[j] : 0;
-	contact_pass(p, pass, i, &u, &a, &b);
-	tile_scatter(tile, places & 0xffffu, &a);
-	tile_scatter(tile, places >> 16, &b);
-	if (ends)
-		contact_stow(p, i, &u);
-	else
-		contact_update(&u, 1 << pass, t->stream, t->stride, j);
-}
+#define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// the next place from which a group takes constraints: the same color's, or the next color's that has any
-INLINE int tile_next(BENCH const int* range, int at, int* color)
+// the next place from which a group takes constraints: the same column's, or the next column's that has any
+INLINE int tile_next(BENCH const int* range, int at, int* column)
 {
-	if (at < range[*color + 1])
+	if (at < range[*column + 1])
 		return at;
 	do
-		++*color;
-	while (*color < COLORS && range[*color] == range[*color + 1]);
-	return range[*color];
+		++*column;
+	while (*column < TILE_LAST_COLUMN && range[*column] == range[*column + 1]);
+	return range[*column];
 }
 
 // Brings a line of memory near, where it is known how.
@@ -114,17 +119,20 @@ INLINE int tile_next(BENCH const int* range, int at, int* color)
 
 // What a group will take next of the stream, one work-item a line. The pass is bound by memory: on an H200 this is 6 % faster
 // than to hold them in registers ahead of time, and nothing is gained by more groups at work.
-INLINE void tile_fetch_ahead(const Tiles* t, int j, int lane, int pass)
+INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
-	if (lane % (LINE_BYTES / (int)sizeof(float4)) == 0)
-	{
-		CONTACT_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)
+#define CONSTRAINT_KIND(name, Name, NAME)                                                          \
+	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0)               \
+	{                                                                                              \
+		NAME##_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)                                         \
+	}                                                                                              \
+	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0)               \
+	{                                                                                              \
+		NAME##_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)                                         \
 	}
-	if (lane % (LINE_BYTES / (int)sizeof(float2)) == 0)
-	{
-		CONTACT_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)
-	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 }
 
 // A group takes a tile.
@@ -132,8 +140,8 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
                       int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
-	if (lane <= TILE_COLORS)
-		range[lane] = t->table[row * TILE_COLORS + lane];
+	for (int k = lane; k <= TILE_COLUMNS; k += TILE_GROUP)
+		range[k] = t->table[row * TILE_COLUMNS + k];
 	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
 	{
 		int resident = t->resident[row * TILE_BODIES + k];
@@ -150,18 +158,21 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 		tile->inv_inertia[TILE_RESTS] = 0.0f;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
-	int color = 0, at = tile_next(range, range[0], &color);
-	while (color < COLORS)
+	int column = 0, at = tile_next(range, range[0], &column);
+	while (column < TILE_LAST_COLUMN)
 	{
-		int next_color = color, next = tile_next(range, at + TILE_GROUP, &next_color);
-		if (next_color < COLORS && next + lane < range[next_color + 1])
-			tile_fetch_ahead(t, next + lane, lane, pass);
-		if (at + lane < range[color + 1])
-			tile_task(p, r, t, tile, at + lane, q, pass);
-		if (next_color != color)
+		int next_column = column, next = tile_next(range, at + TILE_GROUP, &next_column);
+		if (next_column < TILE_LAST_COLUMN && next + lane < range[next_column + 1])
+			tile_fetch_ahead(t, next_column % CONSTRAINT_KINDS, next + lane, lane, pass);
+#define CONSTRAINT_KIND(name, Name, NAME)                                                          \
+		if (column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && at + lane < range[column + 1])       \
+			name##_tile_task(p, r, t, tile, at + lane, q, pass);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+		if (next_column != column)
 			barrier(CLK_LOCAL_MEM_FENCE);
 		at = next;
-		color = next_color;
+		column = next_column;
 	}
 	for (int k = lane; k < TILE_BODIES; k += TILE_GROUP)
 	{
@@ -177,7 +188,7 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                             \
 	{                                                                                                               \
 		__local Tile tile;                                                                                          \
-		__local int range[TILE_COLORS + 1];                                                                         \
+		__local int range[TILE_COLUMNS + 1];                                                                         \
 		Pools pools = {POOL_NAMES step, 0};                                                                         \
 		Relay r = {0, substeps, passes, 0};                                                                         \
 		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                 \
@@ -192,7 +203,7 @@ TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 // Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
 INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
 {
-	Registers u = registers_return(t->stream, t->stride, j);
+	Registers u = registers_return(p, t->order[j], t->stream, t->stride, j);
 	if (!u.inert)
 	{
 		Body* bodies[2] = {&u.a, &u.b};
@@ -218,7 +229,7 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 			}
 			body_turn(b);
 		}
-		contact_ready(&u.a, &u.b, &u.rows);
+		registers_ready(&u);
 		Side sa = u.side[0], sb = u.side[1];
 		volatile __global ulong* row_a = r->rows + RELAY_WORDS * (ulong)sa.body;
 		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
@@ -234,8 +245,7 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 	}
 	if (u.inert)
 		return true;
-	int i = t->order[j];
-	registers_pass(p, r->substeps, i, q, &u);
+	registers_pass(p, schedule_pass(r->substeps, q), &u);
 	for (int k = 0; k < 2; ++k)
 	{
 		Side side = u.side[k];
@@ -248,9 +258,9 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 			relay_clear(r->rows + RELAY_WORDS * (ulong)side.body);
 	}
 	if (q + 1 == r->passes)
-		contact_stow(p, i, &u.rows);
+		registers_stow(p, &u);
 	else
-		contact_update(&u.rows, 1 << schedule_pass(r->substeps, q), t->stream, t->stride, j);
+		registers_update(&u, schedule_pass(r->substeps, q), t->stream, t->stride, j);
 	return true;
 }
 
@@ -268,7 +278,7 @@ __kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_word
 	if (get_local_id(0) == 0)
 		fault = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
-	int begin = table[rows * TILE_COLORS], end = table[(rows + 1) * TILE_COLORS];
+	int begin = table[rows * TILE_COLUMNS], end = table[(rows + 1) * TILE_COLUMNS];
 	for (int j = begin + (int)get_global_id(0); j < end; j += (int)get_global_size(0))
 		if (!tile_hand(p, &r, &t, j, q, &fault))
 			return;

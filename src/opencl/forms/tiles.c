@@ -73,7 +73,7 @@ scree_status tiles_bind(OpenCl* d, Per per)
 static cl_int row_count(const OpenCl* d) { return (d->step.collidables - 1) / TILE_BODIES + 1; }
 
 // places of constraints: all, and what pads the colors of the border
-static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLORS * RELAY_GROUP; }
+static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLUMNS * RELAY_GROUP; }
 
 scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 {
@@ -84,7 +84,7 @@ scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 	    [TILE_PLACE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
 	    [TILE_EDGE_BUFFER] = (size_t)solve->bodies * sizeof(cl_int),
 	    [TILE_RESIDENT_BUFFER] = rows * TILE_BODIES * sizeof(cl_int),
-	    [TILE_TABLE_BUFFER] = (rows + 2) * TILE_COLORS * sizeof(cl_int),
+	    [TILE_TABLE_BUFFER] = (rows + 2) * TILE_COLUMNS * sizeof(cl_int),
 	    [TILE_TOTAL_BUFFER] = (rows + 2) * sizeof(cl_int),
 	    [TILE_RANK_BUFFER] = (size_t)solve_constraints(solve) * sizeof(cl_int),
 	    [TILE_ORDER_BUFFER] = places * sizeof(cl_int),
@@ -144,7 +144,7 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound))));
 	for (int color = 0; color < COLORS; ++color)
 	{
-		cl_int first = solve->layout->color_begin[color], end = first + solve->layout->color_count[color];
+		cl_int first = solve_first(solve, color), end = solve_first(solve, color + 1);
 		if (end > first)
 			TRY(tile_run(d, TILE_COUNT, end - first,
 			             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),

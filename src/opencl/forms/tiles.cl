@@ -57,7 +57,7 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	if (!tile_holds(&pools, body))
 		return;
 	place[body] = i;
-	border[body] = TILE_COLORS;
+	border[body] = COLORS + 1;
 }
 
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
@@ -84,11 +84,15 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 	return tile_still(first) && tile_still(second) ? -1 : rows;
 }
 
+// the column of the table that a constraint belongs to
+INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
+
 // The row of the table that a constraint belongs to: its tile's, or the last one for what is on the border. border is
 // the first color of a body that is.
-INLINE int tile_row(const Pools* p, int i, int color, __global const int* place, __global const int* border, int rows)
+INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border, int rows)
 {
-	int bodies[2] = {contact_row(p, body_a, i), contact_row(p, body_b, i)}, row = -1;
+	Int2 both = edge_bodies_at(p, at.kind, at.place);
+	int bodies[2] = {both.x, both.y}, row = -1;
 	for (int k = 0; k < 2 && row != rows; ++k)
 	{
 		int body = bodies[k], own;
@@ -107,36 +111,39 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
                          __global int* rank, int rows, int bound, int begin, int end)
 {
 	// many are on the border, and would all ask for one counter
-	__local int together, first, found;
+	__local int together[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	int i = begin + (int)get_global_id(0), slot = i < end && tile_wanted(p, bound) ? p->contact_place_slot[i] : -1;
+	int i = begin + (int)get_global_id(0), lane = (int)get_local_id(0);
+	KindPlace at = task_at(p, i < end ? i : begin);
+	int slot = i < end && tile_wanted(p, bound) ? edge_slot_at(p, at.kind, at.place) : -1;
 	int color = 0, row = -1, mine = 0;
-	if (get_local_id(0) == 0)
-		together = 0;
+	if (lane < CONSTRAINT_KINDS)
+		together[lane] = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (slot >= 0)
 	{
-		color = p->contact_color[slot];
-		row = tile_row(p, i, color, place, border, rows);
+		color = edge_color(p, at.kind, slot);
+		row = tile_row(p, at, color, place, border, rows);
 	}
 	if (row == rows)
 	{
-		mine = atomic_inc(&together);
+		mine = atomic_inc(&together[at.kind]);
 		found = color;
-		int bodies[2] = {contact_row(p, body_a, i), contact_row(p, body_b, i)};
+		Int2 both = edge_bodies_at(p, at.kind, at.place);
+		int bodies[2] = {both.x, both.y};
 		for (int k = 0; k < 2; ++k)
 			if (p->body[bodies[k]].inv_mass > 0.0f && border[bodies[k]] > color)
 				border[bodies[k]] = color;
 	}
 	else if (row >= 0)
-		rank[i] = atomic_inc(&table[row * TILE_COLORS + color]);
+		rank[i] = atomic_inc(&table[row * TILE_COLUMNS + tile_column(color, at.kind)]);
 	barrier(CLK_LOCAL_MEM_FENCE);
-	if (get_local_id(0) == 0 && together > 0)
-		first = atomic_add(&table[rows * TILE_COLORS + found], together);
+	if (lane < CONSTRAINT_KINDS && together[lane] > 0)
+		first[lane] = atomic_add(&table[rows * TILE_COLUMNS + tile_column(found, lane)], together[lane]);
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (row == rows)
-		rank[i] = first + mine;
+		rank[i] = first[at.kind] + mine;
 }
 
 INLINE int tile_padded(int count, int row, int rows)
@@ -151,8 +158,8 @@ __kernel void tile_total(__global const int* table, __global int* total, int row
 	int row = (int)get_global_id(0), sum = 0;
 	if (row > rows)
 		return;
-	for (int k = 0; k < TILE_COLORS; ++k)
-		sum += tile_padded(table[row * TILE_COLORS + k], row, rows);
+	for (int k = 0; k < TILE_COLUMNS; ++k)
+		sum += tile_padded(table[row * TILE_COLUMNS + k], row, rows);
 	total[row] = sum;
 }
 
@@ -179,26 +186,28 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 	if (row > rows + 1)
 		return;
 	int begin = total[row];
-	for (int k = 0; k < (row > rows ? 1 : TILE_COLORS); ++k)
+	for (int k = 0; k < (row > rows ? 1 : TILE_COLUMNS); ++k)
 	{
-		int count = row > rows ? 0 : tile_padded(table[row * TILE_COLORS + k], row, rows);
-		table[row * TILE_COLORS + k] = begin;
+		int count = row > rows ? 0 : tile_padded(table[row * TILE_COLUMNS + k], row, rows);
+		table[row * TILE_COLUMNS + k] = begin;
 		begin += count;
 	}
 }
 
-// order: constraint at each place, -1 for none
+// order: task at each place, -1 for none
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                          __global const int* table, __global const int* rank, int rows, int bound,
                          __global int* order, int constraints)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	int i = (int)get_global_id(0), slot = i < constraints && tile_wanted(p, bound) ? p->contact_place_slot[i] : -1;
+	int i = (int)get_global_id(0);
+	KindPlace at = task_at(p, i < constraints ? i : 0);
+	int slot = i < constraints && tile_wanted(p, bound) ? edge_slot_at(p, at.kind, at.place) : -1;
 	if (slot < 0)
 		return;
-	int color = p->contact_color[slot];
-	order[table[tile_row(p, i, color, place, border, rows) * TILE_COLORS + color] + rank[i]] = i;
+	int color = edge_color(p, at.kind, slot), row = tile_row(p, at, color, place, border, rows);
+	order[table[row * TILE_COLUMNS + tile_column(color, at.kind)] + rank[i]] = i;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -243,10 +252,10 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 		p->counters->held = 0;
 		p->counters->first_nonfinite = 0x7fffffff;
 	}
-	if (j >= t->table[(t->rows + 1) * TILE_COLORS])
+	if (j >= t->table[(t->rows + 1) * TILE_COLUMNS])
 		return;
 	int i = t->order[j];
-	bool on_border = j >= t->table[t->rows * TILE_COLORS];
+	bool on_border = j >= t->table[t->rows * TILE_COLUMNS];
 	Registers u;
 	u.inert = i < 0;
 	if (u.inert)
@@ -254,8 +263,9 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 		registers_leave(&u, t->stream, t->stride, j);
 		return;
 	}
-	int slot = p->contact_place_slot[i], color = p->contact_color[slot];
-	u = registers_make(p, i, slot);
+	KindPlace at = task_at(p, i);
+	int slot = edge_slot_at(p, at.kind, at.place), color = edge_color(p, at.kind, slot);
+	u = registers_make(p, at, slot);
 	if (on_border)
 	{
 		u.side[0] = tile_side(p, t, u.side[0].body, color);
@@ -265,7 +275,11 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 	else
 	{
 		uint places = tile_place(p, t, u.side[0].body) | tile_place(p, t, u.side[1].body) << 16;
-		contact_leave(&u.rows, as_float(places), t->stream, t->stride, j);
+#define CONSTRAINT_KIND(name, Name, NAME)                                     \
+		if (at.kind == CONSTRAINT_##NAME)                                     \
+			name##_leave(&u.name, as_float(places), t->stream, t->stride, j);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	}
 }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// edge.h -- edges: what coloring, the relay and the tiles see of a constraint, whatever its kind.
+#ifndef EDGE_H
+#define EDGE_H
+#include "constraints/kinds.h"
+
+INLINE int edge_of(int kind, int slot) { return kind << EDGE_KIND | slot; }
+INLINE int edge_kind(int edge) { return CONSTRAINT_KINDS == 1 ? 0 : edge >> EDGE_KIND; }
+INLINE int edge_slot(int edge) { return CONSTRAINT_KINDS == 1 ? edge : edge & ((1 << EDGE_KIND) - 1); }
+
+INLINE Int2 edge_bodies(const Pools* p, int edge)
+{
+	int slot = edge_slot(edge);
+#define CONSTRAINT_KIND(kind, Kind, KIND)     \
+	if (edge_kind(edge) == CONSTRAINT_##KIND) \
+		return p->kind##_bodies[slot];
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return make_int2(0, 0);
+}
+
+INLINE void edge_set_color(const Pools* p, int edge, int color)
+{
+	int slot = edge_slot(edge);
+#define CONSTRAINT_KIND(kind, Kind, KIND)     \
+	if (edge_kind(edge) == CONSTRAINT_##KIND) \
+		p->kind##_color[slot] = color;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+}
+
+// The edge at a place of a kind, -1 for padding.
+INLINE int edge_slot_at(const Pools* p, int kind, int place)
+{
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (kind == CONSTRAINT_##NAME)        \
+		return p->name##_place_slot[place];
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return -1;
+}
+
+INLINE int edge_color(const Pools* p, int kind, int slot)
+{
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (kind == CONSTRAINT_##NAME)        \
+		return p->name##_color[slot];
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return COLOR_NONE;
+}
+
+// The bodies of the constraint at a place, which is not padding.
+INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
+{
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (kind == CONSTRAINT_##NAME)        \
+		return make_int2(name##_row(p, body_a, place), name##_row(p, body_b, place));
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return make_int2(0, 0);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// tasks: the places of all kinds in the order in which a pass goes over them, by color and by kind
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	int kind, place;
+} KindPlace;
+
+INLINE int task_first(const GLOBAL Counters* c, int color)
+{
+	int first = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		first += c->layout[kind].begin[color];
+	return first;
+}
+
+INLINE KindPlace task_at(const Pools* p, int t)
+{
+	KindPlace task;
+	task.kind = 0;
+	task.place = t;
+	if (CONSTRAINT_KINDS == 1)
+		return task;
+	const GLOBAL Counters* c = p->counters;
+	int low = 0, high = COLORS;
+	while (low < high)
+	{
+		int middle = (low + high + 1) / 2;
+		if (task_first(c, middle) <= t)
+			low = middle;
+		else
+			high = middle - 1;
+	}
+	int left = t - task_first(c, low);
+	for (task.kind = 0; task.kind < CONSTRAINT_KINDS - 1; ++task.kind)
+	{
+		int count = c->layout[task.kind].begin[low + 1] - c->layout[task.kind].begin[low];
+		if (left < count)
+			break;
+		left -= count;
+	}
+	task.place = c->layout[task.kind].begin[low] + left;
+	return task;
+}
+
+#endif
