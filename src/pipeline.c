@@ -512,6 +512,21 @@ scree_status pipeline_show(scree_world* world, bool shared)
 	return status ? status : b->f->run(b, &world->pipeline.step, &run, 1);
 }
 
+scree_status pipeline_list_contacts(scree_world* world, int body, int* count)
+{
+	Backend* b = world->backend;
+	int slots = world->pipeline.counters.contacts;
+	Run mark[] = {{.stage = STAGE_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
+	              {.stage = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
+	scree_status status = b->f->run(b, &world->pipeline.step, mark, 2);
+	if (!status)
+		status = b->f->read(b, POOL_scan, slots, 1, count);
+	if (!status && *count > 0)
+		status = pipeline_reserve(world, LISTED, *count);
+	Run list = {.stage = STAGE_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
+	return status || *count == 0 ? status : b->f->run(b, &world->pipeline.step, &list, 1);
+}
+
 void pipeline_close(scree_world* world)
 {
 	Pipeline* pipeline = &world->pipeline;

@@ -65,6 +65,10 @@ scree_status pipeline_hash(scree_world* world, uint64_t* hash);
 // from. world_flush has been called.
 scree_status pipeline_show(scree_world* world, bool shared);
 
+// Puts the touching contacts of a body together in the pool listed, and says how many there are. world_flush has been
+// called.
+scree_status pipeline_list_contacts(scree_world* world, int body, int* count);
+
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.
 scree_status pipeline_reserve(scree_world* world, Per per, int capacity);

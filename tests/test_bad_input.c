@@ -495,6 +495,12 @@ static void collidable_functions(void** state)
 	INVALID(scree_world_get_contacts, (world, NULL, 1, &count), "contacts is null");
 	INVALID(scree_world_get_contacts, (world, &contact, 1, NULL), "count is null");
 	INVALID(scree_world_get_contacts, (NULL, &contact, 1, &count), "world is null");
+	INVALID(scree_body_get_contacts, (NULL, body, &contact, 1, &count), "world is null");
+	INVALID(scree_body_get_contacts, (world, body, NULL, 1, &count), "contacts is null");
+	INVALID(scree_body_get_contacts, (world, body, &contact, 1, NULL), "count is null");
+	INVALID(scree_body_get_contacts, (world, body, &contact, -1, &count), "capacity is -1");
+	STALE(scree_body_get_contacts, (world, stale, &contact, 1, &count), "body (index 4");
+	STALE(scree_body_get_contacts, (world, null_body, &contact, 1, &count), "body is null");
 	INVALID(scree_world_get_overlaps, (world, NULL, 1, &count), "overlaps is null");
 	INVALID(scree_world_get_overlaps, (world, &contact, -1, &count), "capacity is -1");
 }

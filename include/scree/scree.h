@@ -665,6 +665,10 @@ typedef struct scree_contact
 static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
                                                     int* count);
 
+// The same for the contacts of one body, in the same order. The device puts them together, and only they are read.
+static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
+                                                   int capacity, int* count);
+
 // The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
 // shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
 static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
@@ -793,6 +797,14 @@ static inline scree_status scree_world_get_contacts(scree_world* world, scree_co
                                                     int* count)
 {
 	return scree_world_get_contacts_sized(world, contacts, sizeof *contacts, capacity, count);
+}
+
+SCREE_API scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, scree_contact* contacts,
+                                                     size_t size, int capacity, int* count);
+static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
+                                                   int capacity, int* count)
+{
+	return scree_body_get_contacts_sized(world, body, contacts, sizeof *contacts, capacity, count);
 }
 
 SCREE_API scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size,

@@ -143,6 +143,16 @@ typedef struct // 32 bytes: one sector
 	int attribute, body;
 } Placed;
 
+typedef struct // 176 bytes: what the user is told of a contact
+{
+	Int2 pair, feature;
+	Word flags;
+	int color, constraint, unused;
+	Float4 impulse; // normal 1, 2, tangent 1, 2, N s
+	Found found;
+	Placed a, b;
+} Listed;
+
 // A block of MAX_LANES constraints, one row a component: a wide pass reads rows of one contiguous block, and a GPU finds
 // all components of a constraint from one address. With an array a component there were seventeen addresses to hold.
 typedef struct

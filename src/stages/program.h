@@ -18,4 +18,5 @@
 #include "stages/hub.h"
 #include "stages/guard.h"
 #include "stages/finalize.h"
+#include "stages/listed.h"
 #include "stages/hash.h"
