@@ -304,7 +304,7 @@ static scree_status detect(scree_world* world, Step* step, int substeps, bool* s
 		return status;
 
 	int rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool ahead = b->distant && !c->changed && (c->hubs == 0 || pipeline->split);
+	bool ahead = b->distant && step->dt > 0.0f && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
 		broad_phase(list, step);
@@ -377,7 +377,9 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 {
 	const scree_world_def* def = &world->def;
 	const Backend* b = world->backend;
-	float h = dt / (float)substeps, rate = 1.0f / h;
+	// a step of no time only looks: nothing divides by it
+	bool moves = dt > 0.0f;
+	float h = dt / (float)substeps, rate = moves ? 1.0f / h : 0.0f;
 
 	// A contact under load F sags by F / (m omega^2), so that stiff is good: a stack of 20 boxes leans over and falls at
 	// 48 Hz, as a column does that is too slender for its weight (Leonhard Euler, 1778), and stands at 52. But a pyramid
@@ -395,11 +397,11 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	    .gravity_x = def->gravity.x,
 	    .gravity_y = def->gravity.y,
 	    .max_speed = def->max_speed,
-	    .max_spin = (turn < 3.14159265f ? turn : 3.14159265f) / dt,
+	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
 	    .push_speed = def->contact_push_speed,
 	    .restitution_threshold = def->restitution_threshold,
-	    .soft = softness(hertz, def->contact_damping_ratio, h),
-	    .stiff = softness(2.0f * hertz, def->contact_damping_ratio, h),
+	    .soft = moves ? softness(hertz, def->contact_damping_ratio, h) : (Softness){0},
+	    .stiff = moves ? softness(2.0f * hertz, def->contact_damping_ratio, h) : (Softness){0},
 	    .extras = world->pipeline.extras,
 	    .bounces = world->pipeline.bounces,
 	    .round = world->pipeline.round,
@@ -417,6 +419,22 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	while (step.key_bits < 31 && 1 << step.key_bits < world->collidables.used)
 		++step.key_bits;
 	return step;
+}
+
+// The end of a step of no time, instead of the solve: how deep bodies overlap, for the user's counters. Spokes are split
+// in the step that lays them out, so that the next one reads back whether any is.
+static scree_status look(scree_world* world, const Step* step)
+{
+	RunList* list = &world->pipeline.list;
+	if (world->pipeline.counters.hubs > 0 && !world->pipeline.split)
+	{
+		scree_status status = split(world, step);
+		if (status)
+			return status;
+	}
+	add_single(list, STAGE_solve_begin); // its first item clears what the last finalize counted
+	add(list, STAGE_prepare, 0, world->pipeline.counters.color_begin[COLORS + 1], NO_COUNT, 0);
+	return list_run(world, step, list);
 }
 
 // Moves the contacts together, into the slots from the first on.
@@ -446,11 +464,13 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	if (status)
 		return status;
 	Step step = step_constants(world, dt, substeps);
-	bool solved = false;
+	bool moves = dt > 0.0f, solved = false;
 	status = detect(world, &step, substeps, &solved);
-	if (!status && !solved)
+	if (!status && !moves)
+		status = look(world, &step);
+	else if (!status && !solved)
 		status = solve(world, &step, substeps, NO_COUNT);
-	if (!status && pipeline_sparse(world))
+	if (!status && moves && pipeline_sparse(world))
 		status = pack(world, &step);
 	if (!status && world->def.timings)
 		status = b->f->timings(b, pipeline->boxes);
@@ -464,8 +484,10 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	int constraints = 0;
 	for (int color = 0; color <= COLORS; ++color)
 		constraints += pipeline->counters.color_count[color];
-	pipeline->traffic =
-	    traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces, step.round);
+	pipeline->traffic = (scree_traffic){0};
+	if (moves)
+		pipeline->traffic =
+		    traffic_of_solve(constraints, world->bodies.used, substeps, step.extras, step.bounces, step.round);
 	for (int t = 0; t < 2; ++t)
 	{
 		tree_count(&pipeline->trees[t], &pipeline->counters, t);
@@ -477,7 +499,8 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	pipeline->jumps = false;
 	pipeline_trim(world);
 	++pipeline->steps;
-	pipeline->step = step;
+	if (moves)
+		pipeline->step = step;
 	return SCREE_OK;
 }
 

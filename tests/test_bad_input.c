@@ -136,7 +136,9 @@ static void world_functions(void** state)
 	assert_null(made);
 
 	INVALID(scree_world_step, (NULL, 0.01f, 4), "world is null");
-	INVALID(scree_world_step, (world, 0.0f, 4), "dt is 0, must be from 1e-09");
+	INVALID(scree_world_step, (world, 0.0f, 0), "substeps is 0");
+	INVALID(scree_world_step, (world, 9e-10f, 4), "dt is 9e-10, must be 0 or from 1e-09 to 1");
+	INVALID(scree_world_step, (world, INFINITY, 4), "dt is inf");
 	INVALID(scree_world_step, (world, -0.1f, 4), "dt is -0.1");
 	INVALID(scree_world_step, (world, 1.5f, 4), "dt is 1.5");
 	INVALID(scree_world_step, (world, 1e-40f, 4), "dt is");

@@ -231,8 +231,14 @@ SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_worl
 // Destroys a world and everything in it. Null is allowed.
 SCREE_API void scree_world_destroy(scree_world* world);
 
-// Advances a world by dt seconds (1e-9 to 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
+// Advances a world by dt seconds (1e-9 to 1, or 0) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
+//
+// A step of dt 0 only looks: contacts and overlaps begin and end by where everything is now, so that they can be read as
+// soon as a world was built or a body was placed, with scree_counters.penetration. Poses, velocities, forces and targets
+// stay, and so do the impulses of points that are still there; a contact that is new has none. It counts in
+// scree_counters.steps, and scree_traffic is zero after it. It leaves the same bits on every device. The steps after it do
+// not have the bits that they would have without it: boxes and contacts were made at another time.
 //
 // Bodies that lie in one place make contacts by the square of their number. Where these are more than
 // scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED, and the sentence names the most crowded place
@@ -299,7 +305,7 @@ typedef struct scree_counters
 	int held;              // bodies that in the last step stopped in the surface of something static that they were
 	                       // about to go through
 	float penetration;     // deepest overlap of two cores at the start of the last step, m
-	int64_t steps;         // steps taken
+	int64_t steps;         // steps taken, those of dt 0 as well
 	uint64_t device_bytes; // memory of the pools on the device
 } scree_counters;
 
