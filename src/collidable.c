@@ -2,6 +2,7 @@
 // collidable.c -- collidables: made, destroyed, and what the user asks and sets of one.
 #include "definition.h"
 #include "world.h"
+#include <string.h>
 
 int kind_of_type(scree_body_type type)
 {
@@ -75,6 +76,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 	Waiting waiting = host->waiting;
 	*host = *made;
 	host->waiting = waiting;
+	++world->host_attributes[host->attribute].collidables;
 	host->born = world->pipeline.steps;
 	host->next = host->previous = -1;
 	if (host->body >= 0)
@@ -110,6 +112,7 @@ void collidable_remove(scree_world* world, int index)
 		list_changed(world, host->previous);
 	}
 	tree_leave(world, tree_of_kind(collidable_kind(world, index)), index);
+	--world->host_attributes[host->attribute].collidables;
 	slots_free(&world->collidables, index);
 	pending_collidable(world, index);
 }
@@ -327,6 +330,42 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_attribute", collidable, "attribute", attribute, &host));
 	*attribute = attribute_handle(world, host->attribute);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
+{
+	const char* function = "scree_collidable_set_attribute";
+	TRY(world_check(world, function));
+	int index = 0, now = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &now));
+	HostCollidable* host = world->host_collidables + index;
+	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
+	if (host->attribute == now)
+		return SCREE_OK;
+	TRY(pending_reserve(world, function, 0, 1, 1));
+
+	// shapes of attributes are canonical: equal values, equal bytes
+	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
+	int kind = collidable_kind(world, index);
+	if (!same && kind != KIND_DEAD)
+		TRY(tree_insert(world, tree_of_kind(kind), index));
+	--world->host_attributes[host->attribute].collidables;
+	++world->host_attributes[now].collidables;
+	host->attribute = now;
+	if (same)
+	{
+		pending_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
+		world->pipeline.mixed = true;
+	}
+	else
+	{
+		host->born = world->pipeline.steps;
+		pending_collidable(world, index);
+	}
+	if ((!same || heavier) && host->body >= 0)
+		update_masses(world, &host->body, 1);
 	return SCREE_OK;
 }
 

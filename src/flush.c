@@ -3,6 +3,7 @@
 // commands, grouped by the item that they change.
 #include "geometry.h"
 #include "world.h"
+#include <stdlib.h>
 #include <string.h>
 
 // A shorter run of rows travels as commands: on a GPU a transfer costs as much as some hundred commands.
@@ -250,18 +251,34 @@ static scree_status write_collidables(scree_world* world, int begin, int end, ch
 	return SCREE_OK;
 }
 
-static scree_status write_attributes(scree_world* world, char* stage)
+static scree_status write_attributes(scree_world* world, int first, int count, char* stage)
 {
 	Backend* b = world->backend;
-	int first = world->pending.attributes, count = world->attribute_count - first;
 	for (int k = 0; k < count; ++k)
 		attribute_item(world, first + k, (Attribute*)stage + k);
-	if (count == 0)
-		return SCREE_OK;
 	TRY(b->f->write(b, POOL_attribute, first, count, stage));
 	for (int k = 0; k < count; ++k)
 		((float*)stage)[k] = attribute_thickness(world, first + k);
 	return b->f->write(b, POOL_thickness, first, count, stage);
+}
+
+static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
+
+// Those that wait, by runs of neighboring slots. One that is gone again is written as it was.
+static scree_status write_waiting_attributes(scree_world* world, char* stage)
+{
+	Pending* p = &world->pending;
+	if (p->attribute_count > 1)
+		qsort(p->attributes, (size_t)p->attribute_count, sizeof *p->attributes, compare_slots);
+	for (int k = 0, end; k < p->attribute_count; k = end)
+	{
+		for (end = k + 1; end < p->attribute_count && p->attributes[end] == p->attributes[end - 1] + 1;)
+			++end;
+		TRY(write_attributes(world, p->attributes[k], end - k, stage));
+		int rows = p->attributes[end - 1] + 1;
+		p->attribute_rows = rows > p->attribute_rows ? rows : p->attribute_rows;
+	}
+	return SCREE_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -458,11 +475,11 @@ static scree_status flush(scree_world* world)
 	}
 
 	// room for everything before anything is sent
-	TRY(pipeline_reserve(world, ATTRIBUTE, world->attribute_count));
+	TRY(pipeline_reserve(world, ATTRIBUTE, world->attribute_slots.used));
 	TRY(pipeline_reserve(world, BODY, world->bodies.used));
 	TRY(pipeline_reserve(world, COLLIDABLE, world->collidables.used));
 	TRY(pipeline_reserve(world, COMMAND, commands + 1));
-	size_t bytes = (size_t)(world->attribute_count - p->attributes) * sizeof(Attribute);
+	size_t bytes = (size_t)p->attribute_count * sizeof(Attribute);
 	bytes = larger(bytes, (size_t)body_rows * sizeof(BodyState));
 	bytes = larger(bytes, (size_t)collidable_rows * sizeof(Filter));
 	bytes = larger(bytes, (size_t)commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
@@ -471,7 +488,7 @@ static scree_status flush(scree_world* world)
 		return no_memory(bytes);
 
 	world->pipeline.jumps |= places(p);
-	TRY(write_attributes(world, memory));
+	TRY(write_waiting_attributes(world, memory));
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
 		end = body_run(p, k);
@@ -490,15 +507,16 @@ static scree_status flush(scree_world* world)
 		world->host_bodies[p->bodies[k].index].waiting.row = 0;
 	for (int k = 0; k < p->collidable_count; ++k)
 		world->host_collidables[p->collidables[k].index].waiting.row = 0;
-	p->body_count = p->collidable_count = p->command_count = 0;
-	p->attributes = world->attribute_count;
+	for (int k = 0; k < p->attribute_count; ++k)
+		world->host_attributes[p->attributes[k]].waiting = false;
+	p->body_count = p->collidable_count = p->command_count = p->attribute_count = 0;
 	return SCREE_OK;
 }
 
 scree_status world_flush(scree_world* world)
 {
 	const Pending* p = &world->pending;
-	if (p->body_count + p->collidable_count + p->command_count == 0 && p->attributes == world->attribute_count)
+	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count == 0)
 		return SCREE_OK;
 	double begin = automatic_clock();
 	scree_status status = world_note(world, flush(world));

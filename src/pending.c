@@ -17,6 +17,7 @@ void pending_close(Pending* pending)
 	scree_release(pending->bodies);
 	scree_release(pending->collidables);
 	scree_release(pending->commands);
+	scree_release(pending->attributes);
 }
 
 void pending_body(scree_world* world, BodyRow row)

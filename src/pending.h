@@ -40,7 +40,9 @@ typedef struct
 	int body_count, body_capacity;
 	int collidable_count, collidable_capacity;
 	int command_count, command_capacity;
-	int attributes; // how many the device has
+	int* attributes; // slots that the device has to hear of, each once
+	int attribute_count, attribute_capacity;
+	int attribute_rows; // of the device, that have ever been written
 } Pending;
 
 // Room for so many more, after which the functions below cannot fail.

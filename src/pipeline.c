@@ -304,7 +304,8 @@ static scree_status detect(scree_world* world, Step* step, int substeps, bool* s
 		return status;
 
 	int rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool ahead = b->distant && step->dt > 0.0f && !c->changed && (c->hubs == 0 || pipeline->split);
+	bool alone = step->dt == 0.0f || pipeline->mixed; // something else comes before the solve, or instead of it
+	bool ahead = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
 		broad_phase(list, step);
@@ -421,6 +422,14 @@ static Step step_constants(const scree_world* world, float dt, int substeps)
 	return step;
 }
 
+// Some collidable has another attribute: the surfaces of all contacts anew.
+static scree_status mix(scree_world* world, const Step* step)
+{
+	add(&world->pipeline.list, STAGE_contact_mix, 0, world->pipeline.counters.contacts, NO_COUNT, 0);
+	world->pipeline.mixed = false;
+	return list_run(world, step, &world->pipeline.list);
+}
+
 // The end of a step of no time, instead of the solve: how deep bodies overlap, for the user's counters. Spokes are split
 // in the step that lays them out, so that the next one reads back whether any is.
 static scree_status look(scree_world* world, const Step* step)
@@ -466,6 +475,8 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 	Step step = step_constants(world, dt, substeps);
 	bool moves = dt > 0.0f, solved = false;
 	status = detect(world, &step, substeps, &solved);
+	if (!status && pipeline->mixed)
+		status = mix(world, &step);
 	if (!status && !moves)
 		status = look(world, &step);
 	else if (!status && !solved)

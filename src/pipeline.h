@@ -37,6 +37,7 @@ typedef struct
 	int idle;                     // steps since pools were last looked at for room to give back
 	int sparse;                   // steps with few contacts for their slots
 	bool jumps;                   // the user placed or made something since the last step: boxes may jump
+	bool mixed;                   // some collidable got another attribute of its shape since the last step
 	bool begun;                   // the step at work has changed something on the device
 	bool extras;                  // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution

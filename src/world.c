@@ -210,10 +210,11 @@ void scree_world_destroy(scree_world* world)
 	pending_close(&world->pending);
 	slots_close(&world->bodies);
 	slots_close(&world->collidables);
+	slots_close(&world->attribute_slots);
 	scree_release(world->host_bodies);
 	scree_release(world->host_collidables);
 	scree_release(world->attributes);
-	scree_release(world->attribute_names);
+	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);
 	scree_release(world->scratch);
 	scree_release(world);
@@ -327,7 +328,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	scree_counters now = {.bodies = world->bodies.alive,
 	                      .dynamic_bodies = world->dynamic_bodies,
 	                      .collidables = world->collidables.alive,
-	                      .attributes = world->attribute_count,
+	                      .attributes = world->attribute_slots.alive,
 	                      .contacts = c->alive - c->released,
 	                      .touching = c->touching,
 	                      .spokes = c->color_count[COLORS],

@@ -36,6 +36,14 @@ typedef struct // what only the host knows of a collidable
 	bool marked;
 } HostCollidable;
 
+typedef struct // what else the host knows of an attribute
+{
+	uint32_t name;   // a hash of its values, never 0
+	int claims;      // times that the user made it, less those that it was destroyed
+	int collidables; // that have it
+	bool waiting;    // for the next flush
+} HostAttribute;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -46,10 +54,11 @@ struct scree_world
 	HostBody* host_bodies;     // of each slot
 	HostCollidable* host_collidables;
 	int host_body_capacity, host_collidable_capacity;
-	scree_attribute_def* attributes;
-	uint32_t* attribute_names; // a hash of each one's values, never 0: the generation of its handle
-	int* attribute_table;      // attribute or -1 by name, open addressing
-	int attribute_count, attribute_capacity, attribute_table_size;
+	Slots attribute_slots;
+	scree_attribute_def* attributes; // of each slot
+	HostAttribute* host_attributes;  // the same
+	int* attribute_table;            // 1 + attribute by name, 0 for none; open addressing
+	int attribute_capacity, host_attribute_capacity, attribute_table_size;
 	int dynamic_bodies;
 	Pending pending;
 	Pipeline pipeline;

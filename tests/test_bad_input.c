@@ -261,6 +261,14 @@ static void attribute_functions(void** state)
 	STALE(scree_attribute_get_def, (world, (scree_attribute){0, 0}, &def), "attribute is null");
 	STALE(scree_attribute_get_def, (world, foreign, &def), "attribute (index 0) is no attribute of this world");
 	INVALID(scree_attribute_get_def, (world, crate, NULL), "def is null");
+	INVALID(scree_attribute_destroy, (NULL, crate), "world is null");
+	INVALID(scree_attribute_destroy, (world, crate), "attribute (index 0) is still that of 4 collidables");
+	STALE(scree_attribute_destroy, (world, (scree_attribute){0, 0}), "attribute is null");
+	STALE(scree_attribute_destroy, (world, foreign), "attribute (index 0) is no attribute of this world");
+	STALE(scree_attribute_destroy, (world, (scree_attribute){77, 1}), "attribute (index 77) is no attribute");
+	assert_true(scree_attribute_is_valid(world, crate));
+	assert_false(scree_attribute_is_valid(world, foreign));
+	assert_false(scree_attribute_is_valid(NULL, crate));
 }
 
 static void body_functions(void** state)
@@ -492,6 +500,11 @@ static void collidable_functions(void** state)
 	INVALID(scree_collidable_get_filter, (world, part, NULL), "filter is null");
 	INVALID(scree_collidable_get_user, (world, part, NULL), "user is null");
 	INVALID(scree_collidable_set_filter, (NULL, part, filter), "world is null");
+	INVALID(scree_collidable_set_attribute, (NULL, part, crate), "world is null");
+	STALE(scree_collidable_set_attribute, (world, stale_part, crate), "collidable (index");
+	STALE(scree_collidable_set_attribute, (world, null_part, crate), "collidable is null");
+	STALE(scree_collidable_set_attribute, (world, part, (scree_attribute){0, 0}), "attribute is null");
+	STALE(scree_collidable_set_attribute, (world, part, foreign), "attribute (index 0) is no attribute of this world");
 
 	scree_contact contact;
 	INVALID(scree_world_get_contacts, (world, NULL, 1, &count), "contacts is null");

@@ -413,10 +413,16 @@ typedef struct scree_attribute_def
 // Defaults with a box of half a metre a side (1 m wide).
 static inline scree_attribute_def scree_attribute_def_default(void);
 
-// Makes an attribute, or returns the one that exists with equal values. Attributes live as long as their world and
-// never change.
+// Makes an attribute, or returns the one that exists with equal values. An attribute never changes, and lives until it is
+// destroyed, or its world is.
 SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
+
+// Gives back what one scree_attribute_create gave: an attribute that was made several times, by equal values, goes with
+// the last of as many calls. That one is refused (SCREE_ERROR_INVALID) while a collidable has the attribute. Its place is
+// taken by later ones, and the handle is stale for good.
+SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
+SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribute attribute);
 
 // The values that an attribute was made of.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
@@ -573,7 +579,8 @@ typedef struct scree_mass
 } scree_mass;
 
 // Mass follows from the collidables' densities; a dynamic body without any mass counts as 1 kg that cannot turn.
-// scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed.
+// scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed, or gets an attribute of
+// another shape or density.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
@@ -627,6 +634,11 @@ SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree
                                                  scree_body* body);
 SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
                                                       scree_attribute* attribute);
+// Another attribute. Where the shapes are equal, contacts stay with their impulses, and the pair's surface is that of the
+// new attribute from the next step on; else they start anew. The mass of a dynamic body follows from its collidables again,
+// unless shape and density are equal. An attribute that it has already changes nothing.
+SCREE_API scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable,
+                                                      scree_attribute attribute);
 SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable,
                                                        scree_pose* pose);
 SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable,

@@ -137,7 +137,7 @@ static scree_status take(Paper* paper, scree_world* world, Taken* taken)
 	TRY(take_bodies(world, taken));
 	TRY(count_collidables(world, taken, &most, &p->step.collidables));
 	p->step.bodies = taken->body_count;
-	p->step.attributes = world->attribute_count;
+	p->step.attributes = world->attribute_slots.used;
 	scree_vec gravity;
 	TRY(scree_world_get_gravity(world, &gravity));
 	p->step.gravity_x = gravity.x;

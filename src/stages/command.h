@@ -151,6 +151,9 @@ INLINE void command_apply(const Pools* p, Command c)
 	case COMMAND_COLLIDABLE:
 		command_collidable(p, i, value, c.whole[0], c.whole[1]);
 		break;
+	case COMMAND_ATTRIBUTE:
+		p->collidable_attribute[i] = c.whole[0];
+		break;
 	case COMMAND_FILTER:
 		p->filter[i].category = command_word64(value.x, value.y);
 		p->filter[i].mask = command_word64(value.z, value.w);
