@@ -363,6 +363,10 @@ static void batch_functions(void** state)
 	      " is ");
 	BATCH(scree_bodies_set_velocities, scree_body_set_velocity, scree_velocity, good_velocity, bad_velocity(x),
 	      "velocities", "velocity", ".angular is ");
+	BATCH(scree_bodies_set_linear_velocities, scree_body_set_linear_velocity, scree_vec, good_vec, bad_vec(x),
+	      "velocities", "velocity", ".y is ");
+	BATCH(scree_bodies_set_angular_velocities, scree_body_set_angular_velocity, float, 1.0f, x, "velocities",
+	      "velocity", " is ");
 	BATCH(scree_bodies_set_poses, scree_body_set_pose, scree_pose, good_pose, bad_pose(x), "poses", "pose",
 	      ".position.x is ");
 
@@ -377,6 +381,10 @@ static void batch_functions(void** state)
 	INVALID(scree_body_apply_impulse_at, (world, body, good_vec, far), "point.y is 1e+07");
 	INVALID(scree_body_set_pose, (world, body, (scree_pose){{0, 0}, {2, 0}}), "pose.rotation is (2, 0)");
 	INVALID(scree_body_set_velocity, (world, body, (scree_velocity){{1e9f, 0}, 0}), "velocity.linear.x is 1e+09");
+
+	INVALID(scree_body_set_linear_velocity, (world, body, (scree_vec){0, -2e5f}),
+	        "velocity.y is -200000, must be from -100000 to 100000");
+	INVALID(scree_body_set_angular_velocity, (world, body, 2e5f), "velocity is 200000, must be from -100000 to 100000");
 
 	scree_pose pose[2];
 	scree_velocity velocity[2];

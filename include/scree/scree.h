@@ -518,6 +518,12 @@ SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const 
                                                       const scree_vec* impulses, const scree_vec* points, int count);
 SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
                                                    const scree_velocity* velocities, int count);
+SCREE_API scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
+                                                          const scree_vec* velocities,
+                                                          int count); // m/s; angular ones stay
+SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies,
+                                                           const float* velocities,
+                                                           int count); // rad/s; linear ones stay
 SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                               int count); // teleport; velocities stay
 SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
@@ -547,6 +553,8 @@ SCREE_API scree_status scree_body_apply_impulse_at(scree_world* world, scree_bod
 SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse);
 SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
+SCREE_API scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity);
+SCREE_API scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity);
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
 

@@ -122,6 +122,12 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_velocity(p, i, v);
 		p->body[i].w = value.z;
 		break;
+	case COMMAND_LINEAR_VELOCITY:
+		command_velocity(p, i, v);
+		break;
+	case COMMAND_SPIN:
+		p->body[i].w = value.x;
+		break;
 	case COMMAND_POSE:
 	{
 		Float2 center = p->local_center[i];
