@@ -13,8 +13,14 @@ int collidable_kind(const scree_world* world, int index)
 {
 	if (!slots_in_use(&world->collidables, index))
 		return KIND_DEAD;
-	int body = world->host_collidables[index].body;
-	return body < 0 ? KIND_FREE : kind_of_type(world->host_bodies[body].type);
+	return kind_on_body(world, world->host_collidables[index].body);
+}
+
+int kind_on_body(const scree_world* world, int body)
+{
+	if (body < 0)
+		return KIND_FREE;
+	return world->host_bodies[body].disabled ? KIND_DEAD : kind_of_type(world->host_bodies[body].type);
 }
 
 scree_filter scree_filter_default(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
@@ -47,7 +53,7 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 	{
 		int kind = slots[k];
 		slots[k] = slots_take(&world->collidables);
-		scree_status status = tree_insert(world, tree_of_kind(kind), slots[k]);
+		scree_status status = kind == KIND_DEAD ? SCREE_OK : tree_insert(world, tree_of_kind(kind), slots[k]);
 		if (status == SCREE_OK)
 			continue;
 
@@ -111,7 +117,9 @@ void collidable_remove(scree_world* world, int index)
 		--body->collidables;
 		list_changed(world, host->previous);
 	}
-	tree_leave(world, tree_of_kind(collidable_kind(world, index)), index);
+	int kind = collidable_kind(world, index);
+	if (kind != KIND_DEAD)
+		tree_leave(world, tree_of_kind(kind), index);
 	--world->host_attributes[host->attribute].collidables;
 	slots_free(&world->collidables, index);
 	pending_collidable(world, index);
@@ -201,7 +209,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	{
 		check_def(world, (Where){function, argument, k}, defs, k, &made);
 		bodies[k] = made.body;
-		slots[k] = made.body < 0 ? KIND_FREE : kind_of_type(world->host_bodies[made.body].type);
+		slots[k] = kind_on_body(world, made.body);
 	}
 	TRY(collidables_take(world, slots, count));
 	for (int k = 0; k < count; ++k)
@@ -409,7 +417,9 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
 	TRY(pending_reserve(world, function, 0, 1, 0));
 	// its leaf is there already; the tree has to hear that the box changes
-	TRY(tree_insert(world, tree_of_kind(collidable_kind(world, index)), index));
+	int kind = collidable_kind(world, index);
+	if (kind != KIND_DEAD)
+		TRY(tree_insert(world, tree_of_kind(kind), index));
 	world->host_collidables[index].filter = filter;
 	pending_collidable(world, index);
 	return SCREE_OK;

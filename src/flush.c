@@ -120,10 +120,11 @@ static int body_run(const Pending* p, int k)
 	return end;
 }
 
-// Of a collidable that was destroyed only the kind is written: its contacts end when they see its box become empty.
+// Of a collidable that was destroyed, or whose body is disabled, only the kind is written: its contacts end when they see
+// its box become empty.
 static bool is_dead(const scree_world* world, int k)
 {
-	return !slots_in_use(&world->collidables, world->pending.collidables[k].index);
+	return collidable_kind(world, world->pending.collidables[k].index) == KIND_DEAD;
 }
 
 static int collidable_run(const scree_world* world, int k)
@@ -141,17 +142,19 @@ static int collidable_run(const scree_world* world, int k)
 // ---------------------------------------------------------------------------------------------------------------
 
 static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pose_low, POOL_motion,
-                                    POOL_local_center, POOL_color_mask, POOL_guarded};
+                                    POOL_local_center, POOL_color_mask, POOL_guarded,  POOL_kept};
 
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
+	// what is disabled rests, and its velocity is kept beside it
+	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
 	{
 	case POOL_body:
-		*(BodyState*)item = (BodyState){.vx = row->velocity.linear.x,
-		                                .vy = row->velocity.linear.y,
-		                                .w = row->velocity.angular,
+		*(BodyState*)item = (BodyState){.vx = now.linear.x,
+		                                .vy = now.linear.y,
+		                                .w = now.angular,
 		                                .inv_mass = row->inv_mass,
 		                                .inv_inertia = row->inv_inertia};
 		break;
@@ -159,7 +162,7 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		*(Float4*)item = make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
 		break;
 	case POOL_motion:
-		*(Motion*)item = (Motion){.gravity_scale = row->gravity_scale,
+		*(Motion*)item = (Motion){.gravity_scale = row->disabled ? 0.0f : row->gravity_scale,
 		                          .linear_damping = row->linear_damping,
 		                          .angular_damping = row->angular_damping,
 		                          .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
@@ -170,6 +173,11 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		break;
 	case POOL_guarded:
 		*(Guarded*)item = body_guarded(world, row->index);
+		break;
+	case POOL_kept:
+		*(Float4*)item = make_float4(v.linear.x, v.linear.y, v.angular, 1.0f);
+		if (!row->disabled)
+			*(Float4*)item = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 		break;
 	default:
 		*(Word64*)item = 0;
@@ -222,6 +230,20 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 	}
 }
 
+// Is there something to write into the row kept of a body, or to clear?
+static bool has_kept(const scree_world* world, const BodyRow* row)
+{
+	return row->disabled || world->host_bodies[row->index].kept;
+}
+
+static bool some_have_kept(const scree_world* world, int begin, int end)
+{
+	bool some = false;
+	for (int k = begin; k < end && !some; ++k)
+		some = has_kept(world, world->pending.bodies + k);
+	return some;
+}
+
 static scree_status write_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
@@ -229,6 +251,8 @@ static scree_status write_bodies(scree_world* world, int begin, int end, char* s
 	for (size_t p = 0; p < sizeof body_pools / sizeof *body_pools; ++p)
 	{
 		PoolId pool = body_pools[p];
+		if (pool == POOL_kept && !some_have_kept(world, begin, end))
+			continue;
 		for (int k = begin; k < end; ++k)
 			body_item(world, pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
 		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
@@ -288,13 +312,16 @@ static scree_status write_waiting_attributes(scree_world* world, char* stage)
 static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
-	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};
+	to[0] = (Command){.kind = COMMAND_BODY, .whole = {has_kept(world, row)}, .value = pose_value(row->pose)};
 	to[1] = (Command){.kind = COMMAND_MASS,
+	                  .whole = {0, row->disabled},
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
 	to[2] = (Command){.kind = COMMAND_MOTION,
-	                  .whole = {(int)row->locks},
+	                  .whole = {(int)row->locks, row->disabled},
 	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
-	to[3] = (Command){.kind = COMMAND_VELOCITY, .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	to[3] = (Command){.kind = COMMAND_VELOCITY,
+	                  .whole = {0, row->disabled},
+	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
 	to[4] = guarded_command(world, row->index);
 	for (int k = 0; k < BODY_COMMANDS; ++k)
 		to[k].index = row->index;
@@ -504,7 +531,11 @@ static scree_status flush(scree_world* world)
 	TRY(send_commands(world, commands, memory));
 
 	for (int k = 0; k < p->body_count; ++k)
-		world->host_bodies[p->bodies[k].index].waiting.row = 0;
+	{
+		HostBody* host = world->host_bodies + p->bodies[k].index;
+		host->waiting.row = 0;
+		host->kept = host->disabled;
+	}
 	for (int k = 0; k < p->collidable_count; ++k)
 		world->host_collidables[p->collidables[k].index].waiting.row = 0;
 	for (int k = 0; k < p->attribute_count; ++k)

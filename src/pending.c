@@ -47,5 +47,7 @@ void pending_command(scree_world* world, int kind, int index, Float4 value, int 
 void pending_whole(scree_world* world, Command command)
 {
 	Pending* p = &world->pending;
+	if (command.kind < COMMAND_BODY)
+		command.whole[1] = world->host_bodies[command.index].disabled;
 	p->commands[p->command_count++] = command;
 }

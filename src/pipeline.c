@@ -530,7 +530,7 @@ scree_status pipeline_hash(scree_world* world, uint64_t* hash)
 		status = b->f->read(b, POOL_hash, 0, HASH_SUMS, sums);
 	if (status)
 		return status;
-	*hash = 0;
+	*hash = world_hidden_hash(world);
 	for (int i = 0; i < HASH_SUMS; ++i)
 		*hash += sums[i];
 	return SCREE_OK;

@@ -167,6 +167,8 @@ static bool tree_owns(const scree_world* world, int t, int k)
 	if (k >= world->collidables.used || !(world->collidables.generation[k] & 1))
 		return false;
 	int body = world->host_collidables[k].body;
+	if (body >= 0 && world->host_bodies[body].disabled)
+		return false;
 	bool fixed = body >= 0 && world->host_bodies[body].type == SCREE_BODY_STATIC;
 	return fixed == (t == 1);
 }

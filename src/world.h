@@ -19,6 +19,8 @@ typedef struct // what only the host knows of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
+	bool disabled; // takes no part: its collidables are dead to the device
+	bool kept;     // the device may have something in the row kept of the slot
 	Waiting waiting;
 	bool marked; // within a call: named by the batch
 } HostBody;
@@ -59,7 +61,7 @@ struct scree_world
 	HostAttribute* host_attributes;  // the same
 	int* attribute_table;            // 1 + attribute by name, 0 for none; open addressing
 	int attribute_capacity, host_attribute_capacity, attribute_table_size;
-	int dynamic_bodies;
+	int dynamic_bodies, disabled_bodies;
 	Pending pending;
 	Pipeline pipeline;
 	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
@@ -71,6 +73,9 @@ struct scree_world
 
 // Makes a world on a device that is open. On failure, *world is null and the device still the caller's.
 scree_status world_create(const scree_world_def* def, Backend* backend, scree_world** world);
+
+// What the hash of a world has besides the pools: what waits on bodies that are disabled.
+uint64_t world_hidden_hash(const scree_world* world);
 
 // Reads items of a pool for the user.
 scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items);
@@ -124,12 +129,14 @@ scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity veloci
 // src/collidable.c
 // Room for so many more, after which putting one cannot fail. pending_reserve is the caller's.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
-// Takes count slots, with leaves in the trees. slots holds the kinds (KIND_*) and gets the slots; on failure none is taken.
+// Takes count slots, with leaves in the trees but for KIND_DEAD. slots holds the kinds (KIND_*) and gets the slots; on
+// failure none is taken.
 scree_status collidables_take(scree_world* world, int* slots, int count);
 // Makes a collidable in a slot, last of its body's list (body -1: none); takes one out again and frees the slot.
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
-int collidable_kind(const scree_world* world, int index);
+int collidable_kind(const scree_world* world, int index); // KIND_DEAD also on a body that is disabled
+int kind_on_body(const scree_world* world, int body);     // of a collidable of this body, -1 for none
 int kind_of_type(scree_body_type type);
 // The tree in which collidables of a kind lie.
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

@@ -423,6 +423,20 @@ static void setting_functions(void** state)
 	INVALID(scree_body_set_mass, (world, body, (scree_mass){1, -1, {0, 0}}), "mass.inertia");
 	INVALID(scree_body_set_mass, (world, fixed, mass), "body is not dynamic");
 
+	const bool enabled[2] = {false, false};
+	scree_body handles[2] = {body, stale};
+	STALE(scree_bodies_set_enabled, (world, handles, enabled, 2), "bodies[1] (index 4");
+	INVALID(scree_bodies_set_enabled, (world, NULL, enabled, 2), "bodies is null");
+	INVALID(scree_bodies_set_enabled, (world, handles, NULL, 2), "enabled is null");
+	INVALID(scree_bodies_set_enabled, (world, handles, enabled, -1), "count is -1");
+	INVALID(scree_bodies_set_enabled, (NULL, handles, enabled, 2), "world is null");
+	INVALID(scree_body_set_enabled, (NULL, body, false), "world is null");
+	STALE(scree_body_set_enabled, (world, stale, false), "body (index 4");
+	STALE(scree_body_set_enabled, (world, null_body, false), "body is null");
+	assert_true(scree_body_is_enabled(world, body));
+	assert_false(scree_body_is_enabled(world, stale));
+	assert_false(scree_body_is_enabled(NULL, body));
+
 	STALE(scree_body_set_type, (world, stale, SCREE_BODY_STATIC), "body (index 4");
 	STALE(scree_body_set_locks, (world, stale, 0), "body (index 4");
 	STALE(scree_body_set_damping, (world, stale, 0, 0), "body (index 4");

@@ -480,6 +480,7 @@ typedef struct scree_body_def
 	scree_attribute attribute; // when not null, the body is made with one collidable of it, at the body's origin
 	scree_filter filter;       // of that collidable
 	uint64_t user;             // kept for the user, not simulated; default 0
+	bool disabled;             // begins as scree_body_set_enabled leaves it; default false
 } scree_body_def;
 
 static inline scree_body_def scree_body_def_default(void);
@@ -578,6 +579,16 @@ SCREE_API scree_status scree_body_set_locks(scree_world* world, scree_body body,
 SCREE_API scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks);
 SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user);
 SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user);
+
+// Whether bodies take part. One that is disabled is as good as not there: it does not move, nothing touches it, forces
+// and gravity do not reach it, and its collidables are not shown (scree_render_row.attribute is -1). Its contacts end as
+// they do when it is destroyed. All else stays and can be read and set as ever, with its velocity, its pose and its
+// collidables; forces on it are lost. When it is enabled it goes on with that velocity, and its contacts are new. It counts
+// in scree_counters.bodies. Enabling what is enabled changes nothing, nor does disabling what is disabled.
+SCREE_API scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled,
+                                                int count); // all or none
+SCREE_API scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled);
+SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body); // false for one that is not there
 
 typedef struct scree_mass
 {

@@ -224,7 +224,8 @@ typedef struct // 32 bytes: a change that the user made between steps
 	Float4 value;
 } Command;
 
-// Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
+// Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body; below COMMAND_BODY
+// whole[1] is 1 where that body is disabled.
 #define COMMAND_FORCE           0  // x, y: N
 #define COMMAND_FORCE_AT        1  // force x, y, world point x, y
 #define COMMAND_TORQUE          2  // x: N m

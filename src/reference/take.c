@@ -30,6 +30,12 @@ static scree_status take_bodies(scree_world* world, Taken* taken)
 	if (!taken->bodies || !taken->poses || !taken->velocities)
 		return no_memory();
 	TRY(scree_world_get_bodies(world, taken->bodies, count, &count));
+	int enabled = 0; // the others take no part
+	for (int i = 0; i < count; ++i)
+		if (scree_body_is_enabled(world, taken->bodies[i]))
+			taken->bodies[enabled++] = taken->bodies[i];
+	taken->bodies[enabled] = SCREE_NULL_BODY;
+	taken->body_count = count = enabled;
 	TRY(scree_bodies_get_poses(world, taken->bodies, taken->poses, count));
 	return scree_bodies_get_velocities(world, taken->bodies, taken->velocities, count);
 }

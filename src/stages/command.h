@@ -66,8 +66,32 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
+// A body that is disabled rests: its velocity is kept beside it, and neither forces nor gravity act on it.
+INLINE void command_rest(const Pools* p, int i)
+{
+	BodyState state = p->body[i];
+	GLOBAL Motion* motion = p->motion + i;
+	p->kept[i] = make_float4(state.vx, state.vy, state.w, 1.0f);
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+	motion->fx = 0.0f;
+	motion->fy = 0.0f;
+	motion->torque = 0.0f;
+	motion->gravity_scale = 0.0f;
+}
+
+// It has its velocity again, while a command is applied or for good.
+INLINE void command_wake(const Pools* p, int i)
+{
+	Float4 kept = p->kept[i];
+	p->body[i].vx = kept.x;
+	p->body[i].vy = kept.y;
+	p->body[i].w = kept.z;
+}
+
 // A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose)
+INLINE void command_body(const Pools* p, int i, Float4 pose, int kept)
 {
 	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
 	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
@@ -77,6 +101,8 @@ INLINE void command_body(const Pools* p, int i, Float4 pose)
 	p->pose_low[i] = make_float2(0.0f, 0.0f);
 	p->local_center[i] = make_float2(0.0f, 0.0f);
 	p->color_mask[i] = 0;
+	if (kept)
+		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 }
 
 // A row anew: its box is empty, so that it is found as if it had just come.
@@ -92,7 +118,7 @@ INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
 
-INLINE void command_apply(const Pools* p, Command c)
+INLINE void command_change(const Pools* p, Command c)
 {
 	int i = c.index;
 	Float4 value = c.value;
@@ -136,6 +162,15 @@ INLINE void command_apply(const Pools* p, Command c)
 		p->pose_low[i] = make_float2(0.0f, 0.0f);
 		break;
 	}
+	case COMMAND_ENABLED:
+		if (!c.whole[0])
+		{
+			command_rest(p, i);
+			break;
+		}
+		command_wake(p, i);
+		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		break;
 	case COMMAND_MASS:
 		command_mass(p, i, value);
 		break;
@@ -143,7 +178,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value);
+		command_body(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_GUARDED:
 		p->guarded[i].first = c.whole[0];
@@ -170,6 +205,16 @@ INLINE void command_apply(const Pools* p, Command c)
 		p->next_collidable[i] = c.whole[0];
 		break;
 	}
+}
+
+INLINE void command_apply(const Pools* p, Command c)
+{
+	int disabled = c.kind < COMMAND_BODY && c.whole[1];
+	if (disabled)
+		command_wake(p, c.index);
+	command_change(p, c);
+	if (disabled)
+		command_rest(p, c.index);
 }
 
 // so many groups before they are applied, the rows that they make anew are fetched
