@@ -240,6 +240,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
 		world->disabled_bodies -= host->disabled;
 		host->disabled = false;
+		target_drop(world, index);
 		slots_free(&world->bodies, index);
 		pending_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}

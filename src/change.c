@@ -69,10 +69,12 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 		scree_velocity v = {{value.x, value.y}, value.z};
 		v = body_velocity_allowed(host, v);
 		value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
+		target_drop(world, index);
 	}
 	else if (kind == COMMAND_SPIN)
 	{
 		value.x = body_velocity_allowed(host, (scree_velocity){.angular = value.x}).angular;
+		target_drop(world, index);
 	}
 	else if (kind == COMMAND_POSE)
 	{

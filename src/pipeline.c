@@ -474,13 +474,18 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 		return status;
 	Step step = step_constants(world, dt, substeps);
 	bool moves = dt > 0.0f, solved = false;
-	status = detect(world, &step, substeps, &solved);
+	if (moves)
+		status = targets_begin(world, &step);
+	if (!status)
+		status = detect(world, &step, substeps, &solved);
 	if (!status && pipeline->mixed)
 		status = mix(world, &step);
 	if (!status && !moves)
 		status = look(world, &step);
 	else if (!status && !solved)
 		status = solve(world, &step, substeps, NO_COUNT);
+	if (!status && moves)
+		status = targets_end(world, &step, true);
 	if (!status && moves && pipeline_sparse(world))
 		status = pack(world, &step);
 	if (!status && world->def.timings)
@@ -490,7 +495,8 @@ scree_status pipeline_step(scree_world* world, float dt, int substeps)
 		// the boxes have moved on and the bodies have not: what touched in between would never be found again
 		if (pipeline->begun)
 			world->broken = status;
-		return status;
+		scree_status undone = moves && !pipeline->begun ? targets_end(world, &step, false) : SCREE_OK;
+		return undone == SCREE_ERROR_DEVICE_FAILED ? undone : status;
 	}
 	int constraints = 0;
 	for (int color = 0; color <= COLORS; ++color)

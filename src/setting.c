@@ -72,6 +72,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 		TRY(tree_insert(world, new_tree, k));
 
 	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
+	target_drop(world, index);
 	host->type = type;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{

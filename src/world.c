@@ -217,6 +217,7 @@ void scree_world_destroy(scree_world* world)
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);
+	scree_release(world->targets);
 	scree_release(world->scratch);
 	scree_release(world);
 	worlds_add(-1);
@@ -341,6 +342,8 @@ static Word64 hash_disabled(const scree_world* world, int body)
 uint64_t world_hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
+	for (int k = 0; k < world->target_count; ++k)
+		sum += hash_pose(hash_begin(4, world->targets[k].body), world->targets[k].pose);
 	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
 		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
 			sum += hash_disabled(world, k);

@@ -9,6 +9,7 @@
 #include "pending.h"
 #include "pipeline.h"
 #include "slots.h"
+#include "target.h"
 
 typedef struct // what only the host knows of a body
 {
@@ -19,6 +20,7 @@ typedef struct // what only the host knows of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
+	int target;    // 1 + its place among the targets, 0 for none
 	bool disabled; // takes no part: its collidables are dead to the device
 	bool kept;     // the device may have something in the row kept of the slot
 	Waiting waiting;
@@ -62,6 +64,8 @@ struct scree_world
 	int* attribute_table;            // 1 + attribute by name, 0 for none; open addressing
 	int attribute_capacity, host_attribute_capacity, attribute_table_size;
 	int dynamic_bodies, disabled_bodies;
+	Target* targets; // of kinematic bodies, in no order
+	int target_count, target_capacity;
 	Pending pending;
 	Pipeline pipeline;
 	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
@@ -74,7 +78,7 @@ struct scree_world
 // Makes a world on a device that is open. On failure, *world is null and the device still the caller's.
 scree_status world_create(const scree_world_def* def, Backend* backend, scree_world** world);
 
-// What the hash of a world has besides the pools: what waits on bodies that are disabled.
+// What the hash of a world has besides the pools: targets, and what waits on bodies that are disabled.
 uint64_t world_hidden_hash(const scree_world* world);
 
 // Reads items of a pool for the user.

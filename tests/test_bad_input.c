@@ -400,6 +400,38 @@ static void batch_functions(void** state)
 	STALE(scree_body_get_velocity, (world, null_body, velocity), "body is null");
 }
 
+// The last of the tests: it makes a body kinematic, of which set_up's world has none.
+static void target_functions(void** state)
+{
+	(void)state;
+	scree_pose poses[2] = {good_pose, good_pose}, wrong = good_pose;
+	scree_body handles[2] = {body, second};
+	INVALID(scree_body_set_target, (NULL, body, good_pose), "world is null");
+	INVALID(scree_body_set_target, (world, body, good_pose), "body is dynamic: only a kinematic body has a target");
+	INVALID(scree_body_set_target, (world, fixed, good_pose), "body is static: only a kinematic body has a target");
+	STALE(scree_body_set_target, (world, stale, good_pose), "body (index 4");
+	STALE(scree_body_set_target, (world, null_body, good_pose), "body is null");
+	INVALID(scree_bodies_set_targets, (world, NULL, poses, 2), "bodies is null");
+	INVALID(scree_bodies_set_targets, (world, handles, NULL, 2), "poses is null");
+	INVALID(scree_bodies_set_targets, (world, handles, poses, -1), "count is -1");
+	INVALID(scree_bodies_set_targets, (world, handles, poses, 2), "bodies[0] is dynamic");
+
+	assert_ok(scree_body_set_type(world, second, SCREE_BODY_KINEMATIC));
+	assert_ok(scree_world_get_hash(world, &before));
+	handles[0] = second;
+	handles[1] = body;
+	INVALID(scree_bodies_set_targets, (world, handles, poses, 2), "bodies[1] is dynamic");
+	for (int k = 0; k < 3; ++k)
+	{
+		INVALID(scree_body_set_target, (world, second, bad_pose(bad[k])), "pose.position.x is ");
+		handles[1] = second;
+		poses[1] = bad_pose(bad[k]);
+		INVALID(scree_bodies_set_targets, (world, handles, poses, 2), "poses[1].position.x is ");
+	}
+	wrong.rotation.c = 2;
+	INVALID(scree_body_set_target, (world, second, wrong), "pose.rotation is (2, 1)");
+}
+
 static void setting_functions(void** state)
 {
 	(void)state;
@@ -568,6 +600,7 @@ int main(void)
 	    cmocka_unit_test(attribute_functions),  cmocka_unit_test(body_functions),
 	    cmocka_unit_test(batch_functions),      cmocka_unit_test(setting_functions),
 	    cmocka_unit_test(collidable_functions), cmocka_unit_test(nearly_normal_rotations_are_taken),
+	    cmocka_unit_test(target_functions),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

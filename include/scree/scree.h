@@ -527,6 +527,21 @@ SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, c
                                                            int count); // rad/s; linear ones stay
 SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                               int count); // teleport; velocities stay
+
+// Where kinematic bodies are to be at the end of the next step that takes time: the poses of their origins, within
+// SCREE_HUGE. A body that is static or dynamic is refused. In that step the body has the velocity that takes it there, the
+// shorter way round (half a circle is counter-clockwise), so that what it touches is pushed and carried. At its end it is
+// there, to the last bit, and stands still until it is told again: its velocity is 0 before that step and after it.
+//
+// What is locked stays. A body that is farther away than max_speed reaches, or turns by more than a step can
+// (scree_world_def.max_speed), is there all the same, but others feel no more than the greatest speed and spin.
+//
+// A second target takes the place of the first. A target goes when the body's velocity is set, its type changes or it is
+// destroyed; scree_body_set_pose only moves where it starts. Neither a step of dt 0, nor one that is refused, nor the steps
+// in which the body is disabled use it up.
+SCREE_API scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses,
+                                                int count);
+
 SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
                                               int count); // of the bodies' origins; the world keeps more digits
 // than a float has: set again, a body may be off by half the last
@@ -556,6 +571,7 @@ SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body bo
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
 SCREE_API scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity);
 SCREE_API scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity);
+SCREE_API scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
 

@@ -4,6 +4,7 @@
 #define COMMAND_H
 #include "pools/pools.h"
 #include "stages/pose.h"
+#include "stages/sweep_closing.h"
 
 // The velocity of a body, nothing along what is locked.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
@@ -90,6 +91,60 @@ INLINE void command_wake(const Pools* p, int i)
 	p->body[i].w = kept.z;
 }
 
+// The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to an eighth of pi; half a circle is pi.
+INLINE float command_angle(Vec rotation)
+{
+	float x = absolute(rotation.x), y = absolute(rotation.y), base = 0.0f, sum = 0.0f;
+	float t = y < x ? y / x : x / y;
+	if (t > 0.414f)
+	{
+		t = (t - 1.0f) / (t + 1.0f);
+		base = 0.785398163f;
+	}
+	float q = t * t;
+	for (int k = 13; k >= 1; k -= 2)
+		sum = 1.0f / (float)k - q * sum;
+	float angle = base + t * sum;
+	angle = y < x ? angle : 1.57079633f - angle;
+	angle = rotation.x < 0.0f ? 3.14159265f - angle : angle;
+	return rotation.y < 0.0f ? -angle : angle;
+}
+
+// Where the center of mass is when the origin is at a pose.
+INLINE Vec command_center(const Pools* p, int i, Float4 pose)
+{
+	Float2 center = p->local_center[i];
+	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
+}
+
+// The velocity that takes a body to a pose within the step, the shorter way round, as far as limits and locks allow.
+INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
+{
+	Float4 pose = p->pose[i];
+	Float2 low = p->pose_low[i];
+	Vec to = command_center(p, i, target);
+	float rate = 1.0f / p->step.dt;
+	Vec v = vec(((to.x - pose.x) - low.x) * rate, ((to.y - pose.y) - low.y) * rate);
+	float turn = command_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
+	command_velocity(p, i, sweep_velocity(&p->step, v));
+	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
+}
+
+// The body is at the pose, but for what is locked, and stands still.
+INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
+{
+	Float4 pose = p->pose[i];
+	Float2 low = p->pose_low[i];
+	if (locks & 4)
+		target = make_float4(target.x, target.y, pose.z, pose.w);
+	Vec to = command_center(p, i, target);
+	p->pose[i] = make_float4(locks & 1 ? pose.x : to.x, locks & 2 ? pose.y : to.y, target.z, target.w);
+	p->pose_low[i] = make_float2(locks & 1 ? low.x : 0.0f, locks & 2 ? low.y : 0.0f);
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+}
+
 // A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
 INLINE void command_body(const Pools* p, int i, Float4 pose, int kept)
 {
@@ -156,8 +211,7 @@ INLINE void command_change(const Pools* p, Command c)
 		break;
 	case COMMAND_POSE:
 	{
-		Float2 center = p->local_center[i];
-		Vec position = vec_add(v, vec_turn(vec(value.z, value.w), vec(center.x, center.y)));
+		Vec position = command_center(p, i, value);
 		p->pose[i] = make_float4(position.x, position.y, value.z, value.w);
 		p->pose_low[i] = make_float2(0.0f, 0.0f);
 		break;
@@ -170,6 +224,12 @@ INLINE void command_change(const Pools* p, Command c)
 		}
 		command_wake(p, i);
 		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		break;
+	case COMMAND_TARGET:
+		command_target(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_ARRIVE:
+		command_arrive(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_MASS:
 		command_mass(p, i, value);
