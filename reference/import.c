@@ -30,6 +30,12 @@ static scree_status take_bodies(scree_world* world, Taken* taken)
 	if (!taken->bodies || !taken->poses || !taken->velocities)
 		return no_memory();
 	TRY(scree_world_get_bodies(world, taken->bodies, count, &count));
+	int enabled = 0; // the others take no part
+	for (int i = 0; i < count; ++i)
+		if (scree_body_is_enabled(world, taken->bodies[i]))
+			taken->bodies[enabled++] = taken->bodies[i];
+	taken->bodies[enabled] = SCREE_NULL_BODY;
+	taken->body_count = count = enabled;
 	TRY(scree_bodies_get_poses(world, taken->bodies, taken->poses, count));
 	return scree_bodies_get_velocities(world, taken->bodies, taken->velocities, count);
 }
@@ -137,7 +143,7 @@ static scree_status take(Paper* paper, scree_world* world, Taken* taken)
 	TRY(take_bodies(world, taken));
 	TRY(count_collidables(world, taken, &most, &p->step.collidables));
 	p->step.bodies = taken->body_count;
-	p->step.attributes = world->attribute_count;
+	p->step.attributes = world->attribute_slots.used;
 	scree_vec gravity;
 	TRY(scree_world_get_gravity(world, &gravity));
 	p->step.gravity_x = gravity.x;

@@ -364,7 +364,7 @@ static int items_in_use(const scree_world* world, Per per)
 	switch (per)
 	{
 	case ATTRIBUTE:
-		return world->attribute_count;
+		return world->attribute_slots.used;
 	case COLLIDABLE:
 		return world->collidables.used;
 	case BODY:

@@ -136,7 +136,9 @@ static void world_functions(void** state)
 	assert_null(made);
 
 	INVALID(scree_world_step, (NULL, 0.01f, 4), "world is null");
-	INVALID(scree_world_step, (world, 0.0f, 4), "dt is 0, must be from 1e-09");
+	INVALID(scree_world_step, (world, 0.0f, 0), "substeps is 0");
+	INVALID(scree_world_step, (world, 9e-10f, 4), "dt is 9e-10, must be 0 or from 1e-09 to 1");
+	INVALID(scree_world_step, (world, INFINITY, 4), "dt is inf");
 	INVALID(scree_world_step, (world, -0.1f, 4), "dt is -0.1");
 	INVALID(scree_world_step, (world, 1.5f, 4), "dt is 1.5");
 	INVALID(scree_world_step, (world, 1e-40f, 4), "dt is");
@@ -259,6 +261,14 @@ static void attribute_functions(void** state)
 	STALE(scree_attribute_get_def, (world, (scree_attribute){0, 0}, &def), "attribute is null");
 	STALE(scree_attribute_get_def, (world, foreign, &def), "attribute (index 0) is no attribute of this world");
 	INVALID(scree_attribute_get_def, (world, crate, NULL), "def is null");
+	INVALID(scree_attribute_destroy, (NULL, crate), "world is null");
+	INVALID(scree_attribute_destroy, (world, crate), "attribute (index 0) is still that of 4 collidables");
+	STALE(scree_attribute_destroy, (world, (scree_attribute){0, 0}), "attribute is null");
+	STALE(scree_attribute_destroy, (world, foreign), "attribute (index 0) is no attribute of this world");
+	STALE(scree_attribute_destroy, (world, (scree_attribute){77, 1}), "attribute (index 77) is no attribute");
+	assert_true(scree_attribute_is_valid(world, crate));
+	assert_false(scree_attribute_is_valid(world, foreign));
+	assert_false(scree_attribute_is_valid(NULL, crate));
 }
 
 static void body_functions(void** state)
@@ -353,6 +363,10 @@ static void batch_functions(void** state)
 	      " is ");
 	BATCH(scree_bodies_set_velocities, scree_body_set_velocity, scree_velocity, good_velocity, bad_velocity(x),
 	      "velocities", "velocity", ".angular is ");
+	BATCH(scree_bodies_set_linear_velocities, scree_body_set_linear_velocity, scree_vec, good_vec, bad_vec(x),
+	      "velocities", "velocity", ".y is ");
+	BATCH(scree_bodies_set_angular_velocities, scree_body_set_angular_velocity, float, 1.0f, x, "velocities",
+	      "velocity", " is ");
 	BATCH(scree_bodies_set_poses, scree_body_set_pose, scree_pose, good_pose, bad_pose(x), "poses", "pose",
 	      ".position.x is ");
 
@@ -368,6 +382,10 @@ static void batch_functions(void** state)
 	INVALID(scree_body_set_pose, (world, body, (scree_pose){{0, 0}, {2, 0}}), "pose.rotation is (2, 0)");
 	INVALID(scree_body_set_velocity, (world, body, (scree_velocity){{1e9f, 0}, 0}), "velocity.linear.x is 1e+09");
 
+	INVALID(scree_body_set_linear_velocity, (world, body, (scree_vec){0, -2e5f}),
+	        "velocity.y is -200000, must be from -100000 to 100000");
+	INVALID(scree_body_set_angular_velocity, (world, body, 2e5f), "velocity is 200000, must be from -100000 to 100000");
+
 	scree_pose pose[2];
 	scree_velocity velocity[2];
 	INVALID(scree_bodies_get_poses, (world, handles, NULL, 2), "poses is null");
@@ -380,6 +398,38 @@ static void batch_functions(void** state)
 	STALE(scree_bodies_get_velocities, (world, handles, velocity, 2), "bodies[1] (index 4");
 	STALE(scree_body_get_pose, (world, stale, pose), "body (index 4");
 	STALE(scree_body_get_velocity, (world, null_body, velocity), "body is null");
+}
+
+// The last of the tests: it makes a body kinematic, of which set_up's world has none.
+static void target_functions(void** state)
+{
+	(void)state;
+	scree_pose poses[2] = {good_pose, good_pose}, wrong = good_pose;
+	scree_body handles[2] = {body, second};
+	INVALID(scree_body_set_target, (NULL, body, good_pose), "world is null");
+	INVALID(scree_body_set_target, (world, body, good_pose), "body is dynamic: only a kinematic body has a target");
+	INVALID(scree_body_set_target, (world, fixed, good_pose), "body is static: only a kinematic body has a target");
+	STALE(scree_body_set_target, (world, stale, good_pose), "body (index 4");
+	STALE(scree_body_set_target, (world, null_body, good_pose), "body is null");
+	INVALID(scree_bodies_set_targets, (world, NULL, poses, 2), "bodies is null");
+	INVALID(scree_bodies_set_targets, (world, handles, NULL, 2), "poses is null");
+	INVALID(scree_bodies_set_targets, (world, handles, poses, -1), "count is -1");
+	INVALID(scree_bodies_set_targets, (world, handles, poses, 2), "bodies[0] is dynamic");
+
+	assert_ok(scree_body_set_type(world, second, SCREE_BODY_KINEMATIC));
+	assert_ok(scree_world_get_hash(world, &before));
+	handles[0] = second;
+	handles[1] = body;
+	INVALID(scree_bodies_set_targets, (world, handles, poses, 2), "bodies[1] is dynamic");
+	for (int k = 0; k < 3; ++k)
+	{
+		INVALID(scree_body_set_target, (world, second, bad_pose(bad[k])), "pose.position.x is ");
+		handles[1] = second;
+		poses[1] = bad_pose(bad[k]);
+		INVALID(scree_bodies_set_targets, (world, handles, poses, 2), "poses[1].position.x is ");
+	}
+	wrong.rotation.c = 2;
+	INVALID(scree_body_set_target, (world, second, wrong), "pose.rotation is (2, 1)");
 }
 
 static void setting_functions(void** state)
@@ -404,6 +454,20 @@ static void setting_functions(void** state)
 	INVALID(scree_body_set_mass, (world, body, (scree_mass){0, 1, {0, 0}}), "mass.mass is 0");
 	INVALID(scree_body_set_mass, (world, body, (scree_mass){1, -1, {0, 0}}), "mass.inertia");
 	INVALID(scree_body_set_mass, (world, fixed, mass), "body is not dynamic");
+
+	const bool enabled[2] = {false, false};
+	scree_body handles[2] = {body, stale};
+	STALE(scree_bodies_set_enabled, (world, handles, enabled, 2), "bodies[1] (index 4");
+	INVALID(scree_bodies_set_enabled, (world, NULL, enabled, 2), "bodies is null");
+	INVALID(scree_bodies_set_enabled, (world, handles, NULL, 2), "enabled is null");
+	INVALID(scree_bodies_set_enabled, (world, handles, enabled, -1), "count is -1");
+	INVALID(scree_bodies_set_enabled, (NULL, handles, enabled, 2), "world is null");
+	INVALID(scree_body_set_enabled, (NULL, body, false), "world is null");
+	STALE(scree_body_set_enabled, (world, stale, false), "body (index 4");
+	STALE(scree_body_set_enabled, (world, null_body, false), "body is null");
+	assert_true(scree_body_is_enabled(world, body));
+	assert_false(scree_body_is_enabled(world, stale));
+	assert_false(scree_body_is_enabled(NULL, body));
 
 	STALE(scree_body_set_type, (world, stale, SCREE_BODY_STATIC), "body (index 4");
 	STALE(scree_body_set_locks, (world, stale, 0), "body (index 4");
@@ -490,11 +554,22 @@ static void collidable_functions(void** state)
 	INVALID(scree_collidable_get_filter, (world, part, NULL), "filter is null");
 	INVALID(scree_collidable_get_user, (world, part, NULL), "user is null");
 	INVALID(scree_collidable_set_filter, (NULL, part, filter), "world is null");
+	INVALID(scree_collidable_set_attribute, (NULL, part, crate), "world is null");
+	STALE(scree_collidable_set_attribute, (world, stale_part, crate), "collidable (index");
+	STALE(scree_collidable_set_attribute, (world, null_part, crate), "collidable is null");
+	STALE(scree_collidable_set_attribute, (world, part, (scree_attribute){0, 0}), "attribute is null");
+	STALE(scree_collidable_set_attribute, (world, part, foreign), "attribute (index 0) is no attribute of this world");
 
 	scree_contact contact;
 	INVALID(scree_world_get_contacts, (world, NULL, 1, &count), "contacts is null");
 	INVALID(scree_world_get_contacts, (world, &contact, 1, NULL), "count is null");
 	INVALID(scree_world_get_contacts, (NULL, &contact, 1, &count), "world is null");
+	INVALID(scree_body_get_contacts, (NULL, body, &contact, 1, &count), "world is null");
+	INVALID(scree_body_get_contacts, (world, body, NULL, 1, &count), "contacts is null");
+	INVALID(scree_body_get_contacts, (world, body, &contact, 1, NULL), "count is null");
+	INVALID(scree_body_get_contacts, (world, body, &contact, -1, &count), "capacity is -1");
+	STALE(scree_body_get_contacts, (world, stale, &contact, 1, &count), "body (index 4");
+	STALE(scree_body_get_contacts, (world, null_body, &contact, 1, &count), "body is null");
 	INVALID(scree_world_get_overlaps, (world, NULL, 1, &count), "overlaps is null");
 	INVALID(scree_world_get_overlaps, (world, &contact, -1, &count), "capacity is -1");
 }
@@ -525,6 +600,7 @@ int main(void)
 	    cmocka_unit_test(attribute_functions),  cmocka_unit_test(body_functions),
 	    cmocka_unit_test(batch_functions),      cmocka_unit_test(setting_functions),
 	    cmocka_unit_test(collidable_functions), cmocka_unit_test(nearly_normal_rotations_are_taken),
+	    cmocka_unit_test(target_functions),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

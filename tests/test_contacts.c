@@ -197,6 +197,64 @@ static void settings_are_kept(void** state)
 	scree_world_destroy(world);
 }
 
+static int contacts_with(scree_world* world, scree_body body)
+{
+	int count;
+	assert_ok(scree_body_get_contacts(world, body, NULL, 0, &count));
+	return count;
+}
+
+#define CROWD 1000
+
+// The contacts of a plate under 1,000 crates, and of each crate: those of all in which it is, in the same order.
+static void contacts_of_one_body(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body_def def = scree_body_def_default();
+	def.attribute = make_box(world, 0.15f * CROWD, 0.25f);
+	def.pose.position.y = 0.25f;
+	scree_body plate, crates[CROWD];
+	assert_ok(scree_body_create(world, &def, &plate));
+	assert_int_equal(contacts_with(world, plate), 0);
+	def.attribute = make_box(world, 0.1f, 0.1f);
+	for (int k = 0; k < CROWD; ++k)
+	{
+		def.pose.position = (scree_vec){0.29f * (float)k - 0.145f * CROWD, 0.6f};
+		assert_ok(scree_body_create(world, &def, &crates[k]));
+	}
+	step(world, 20);
+	int total, count;
+	scree_contact *all = calloc(2 * CROWD, sizeof *all), *some = calloc(2 * CROWD, sizeof *some);
+	assert_ok(scree_world_get_contacts(world, all, 2 * CROWD, &total));
+	uint64_t before = hash_of(world);
+	for (int k = -1; k < 20; ++k)
+	{
+		scree_body body = k < 0 ? plate : crates[50 * k];
+		assert_ok(scree_body_get_contacts(world, body, some, 2 * CROWD, &count));
+		int listed = 0;
+		for (int i = 0; i < total; ++i)
+			if (scree_body_equals(all[i].body_a, body) || scree_body_equals(all[i].body_b, body))
+				assert_memory_equal(&all[i], &some[listed++], sizeof *all);
+		assert_int_equal(listed, count);
+		assert_true(count == (k < 0 ? CROWD + 1 : 1));
+	}
+	assert_true(hash_of(world) == before);
+
+	// with less room, and after some are gone
+	memset(some, 0x5a, 2 * CROWD * sizeof *some);
+	scree_contact kept = some[3];
+	assert_ok(scree_body_get_contacts(world, plate, some, 3, &count));
+	assert_int_equal(count, CROWD + 1);
+	assert_memory_equal(&some[3], &kept, sizeof kept);
+	assert_ok(scree_bodies_destroy(world, crates, 10));
+	assert_int_equal(contacts_with(world, plate), CROWD - 9);
+	free(all);
+	free(some);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -206,6 +264,7 @@ int main(void)
 	    cmocka_unit_test(statics_obey_the_user),
 	    cmocka_unit_test(free_collidables_only_detect),
 	    cmocka_unit_test(settings_are_kept),
+	    cmocka_unit_test(contacts_of_one_body),
 	};
 	return RUN_ON_DEVICES(tests);
 }

@@ -107,8 +107,12 @@ static void build_changes(scree_world* world, const void* context)
 
 static void change_settings(scree_world* world, scree_body body, uint64_t* seed)
 {
-	switch (random_below(seed, 6))
+	switch (random_below(seed, 8))
 	{
+	case 6:
+	case 7:
+		OK(scree_body_set_enabled(world, body, random_below(seed, 3) > 0));
+		break;
 	case 0:
 		OK(scree_body_set_damping(world, body, random_between(seed, 0.0f, 2.0f), random_between(seed, 0.0f, 2.0f)));
 		break;
@@ -148,6 +152,8 @@ static void change_collidables(scree_world* world, scree_body body, uint64_t* se
 		def.pose.position.x = random_between(seed, -1.0f, 1.0f);
 		OK(scree_collidable_create(world, &def, NULL));
 	}
+	else if (random_below(seed, 2))
+		OK(scree_collidable_set_attribute(world, list[random_below(seed, count)], any_attribute(world, seed)));
 	else if (count > 1)
 		OK(scree_collidable_destroy(world, list[random_below(seed, count)]));
 	else
@@ -165,8 +171,22 @@ static void change_motion(scree_world* world, scree_body body, uint64_t* seed)
 	scree_vec v = {random_between(seed, -20.0f, 20.0f), random_between(seed, -20.0f, 20.0f)};
 	scree_vec at = position_of(world, body);
 	at.x += 0.3f;
-	switch (random_below(seed, 8))
+	scree_body_type type;
+	OK(scree_body_get_type(world, body, &type));
+	if (type == SCREE_BODY_KINEMATIC && random_below(seed, 3))
 	{
+		at.y += 0.2f;
+		OK(scree_body_set_target(world, body, (scree_pose){at, scree_rot_make(0.1f * v.x)}));
+		return;
+	}
+	switch (random_below(seed, 10))
+	{
+	case 7:
+		OK(scree_body_set_linear_velocity(world, body, (scree_vec){0.2f * v.x, 0.2f * v.y}));
+		break;
+	case 8:
+		OK(scree_body_set_angular_velocity(world, body, 0.1f * v.x));
+		break;
 	case 0:
 		OK(scree_body_apply_force(world, body, v));
 		break;
@@ -225,6 +245,14 @@ static void make_changes(scree_world* world, int step, const void* context)
 		if (count + more < 300)
 			OK(scree_bodies_create(world, defs, more, NULL));
 	}
+
+	if (step % 6 == 5)
+	{
+		scree_pose there = {{0.05f * (float)(step % 11), 2.0f}, scree_rot_make(0.2f * (float)step)};
+		OK(scree_body_set_target(world, bodies[3], there));
+	}
+	if (step % 7 == 3)
+		OK(scree_world_step(world, 0.0f, 2));
 
 	// made and destroyed between two steps
 	scree_body_def def = any_body(world, &seed);

@@ -89,6 +89,26 @@ static void older_results(void** state)
 	scree_world_destroy(world);
 }
 
+// A definition that ends before its last member is that of an older program: the body takes part.
+static void older_definitions(void** state)
+{
+	(void)state;
+	scree_world* world = open_world();
+	size_t known = offsetof(scree_body_def, disabled);
+	_Alignas(8) unsigned char memory[2][sizeof(scree_body_def)];
+	memset(memory, 0x5a, sizeof memory);
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_body_def* def = (scree_body_def*)((char*)memory + (size_t)k * known);
+		scree_body_def_default_sized(def, known);
+		assert_int_equal(def->size, known);
+	}
+	scree_body bodies[2];
+	OK(scree_bodies_create(world, (scree_body_def*)memory, 2, bodies));
+	assert_true(scree_body_is_enabled(world, bodies[0]) && scree_body_is_enabled(world, bodies[1]));
+	scree_world_destroy(world);
+}
+
 // What a newer program knows and the library does not is 0 in results, and must be 0 in definitions.
 static void newer_structs(void** state)
 {
@@ -142,6 +162,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(older_results),
+	    cmocka_unit_test(older_definitions),
 	    cmocka_unit_test(newer_structs),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -231,8 +231,14 @@ SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_worl
 // Destroys a world and everything in it. Null is allowed.
 SCREE_API void scree_world_destroy(scree_world* world);
 
-// Advances a world by dt seconds (1e-9 to 1) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
+// Advances a world by dt seconds (1e-9 to 1, or 0) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
 // Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
+//
+// A step of dt 0 only looks: contacts and overlaps begin and end by where everything is now, so that they can be read as
+// soon as a world was built or a body was placed, with scree_counters.penetration. Poses, velocities, forces and targets
+// stay, and so do the impulses of points that are still there; a contact that is new has none. It counts in
+// scree_counters.steps, and scree_traffic is zero after it. It leaves the same bits on every device. The steps after it do
+// not have the bits that they would have without it: boxes and contacts were made at another time.
 //
 // Bodies that lie in one place make contacts by the square of their number. Where these are more than
 // scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED, and the sentence names the most crowded place
@@ -299,7 +305,7 @@ typedef struct scree_counters
 	int held;              // bodies that in the last step stopped in the surface of something static that they were
 	                       // about to go through
 	float penetration;     // deepest overlap of two cores at the start of the last step, m
-	int64_t steps;         // steps taken
+	int64_t steps;         // steps taken, those of dt 0 as well
 	uint64_t device_bytes; // memory of the pools on the device
 } scree_counters;
 
@@ -407,10 +413,16 @@ typedef struct scree_attribute_def
 // Defaults with a box of half a metre a side (1 m wide).
 static inline scree_attribute_def scree_attribute_def_default(void);
 
-// Makes an attribute, or returns the one that exists with equal values. Attributes live as long as their world and
-// never change.
+// Makes an attribute, or returns the one that exists with equal values. An attribute never changes, and lives until it is
+// destroyed, or its world is.
 SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
+
+// Gives back what one scree_attribute_create gave: an attribute that was made several times, by equal values, goes with
+// the last of as many calls. That one is refused (SCREE_ERROR_INVALID) while a collidable has the attribute. Its place is
+// taken by later ones, and the handle is stale for good.
+SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
+SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribute attribute);
 
 // The values that an attribute was made of.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
@@ -468,6 +480,7 @@ typedef struct scree_body_def
 	scree_attribute attribute; // when not null, the body is made with one collidable of it, at the body's origin
 	scree_filter filter;       // of that collidable
 	uint64_t user;             // kept for the user, not simulated; default 0
+	bool disabled;             // begins as scree_body_set_enabled leaves it; default false
 } scree_body_def;
 
 static inline scree_body_def scree_body_def_default(void);
@@ -506,8 +519,29 @@ SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const 
                                                       const scree_vec* impulses, const scree_vec* points, int count);
 SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
                                                    const scree_velocity* velocities, int count);
+SCREE_API scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
+                                                          const scree_vec* velocities,
+                                                          int count); // m/s; angular ones stay
+SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies,
+                                                           const float* velocities,
+                                                           int count); // rad/s; linear ones stay
 SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                               int count); // teleport; velocities stay
+
+// Where kinematic bodies are to be at the end of the next step that takes time: the poses of their origins, within
+// SCREE_HUGE. A body that is static or dynamic is refused. In that step the body has the velocity that takes it there, the
+// shorter way round (half a circle is counter-clockwise), so that what it touches is pushed and carried. At its end it is
+// there, to the last bit, and stands still until it is told again: its velocity is 0 before that step and after it.
+//
+// What is locked stays. A body that is farther away than max_speed reaches, or turns by more than a step can
+// (scree_world_def.max_speed), is there all the same, but others feel no more than the greatest speed and spin.
+//
+// A second target takes the place of the first. A target goes when the body's velocity is set, its type changes or it is
+// destroyed; scree_body_set_pose only moves where it starts. Neither a step of dt 0, nor one that is refused, nor the steps
+// in which the body is disabled use it up.
+SCREE_API scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses,
+                                                int count);
+
 SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
                                               int count); // of the bodies' origins; the world keeps more digits
 // than a float has: set again, a body may be off by half the last
@@ -535,6 +569,9 @@ SCREE_API scree_status scree_body_apply_impulse_at(scree_world* world, scree_bod
 SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse);
 SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
+SCREE_API scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity);
+SCREE_API scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity);
+SCREE_API scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
 
@@ -559,6 +596,16 @@ SCREE_API scree_status scree_body_get_locks(const scree_world* world, scree_body
 SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user);
 SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user);
 
+// Whether bodies take part. One that is disabled is as good as not there: it does not move, nothing touches it, forces
+// and gravity do not reach it, and its collidables are not shown (scree_render_row.attribute is -1). Its contacts end as
+// they do when it is destroyed. All else stays and can be read and set as ever, with its velocity, its pose and its
+// collidables; forces on it are lost. When it is enabled it goes on with that velocity, and its contacts are new. It counts
+// in scree_counters.bodies. Enabling what is enabled changes nothing, nor does disabling what is disabled.
+SCREE_API scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled,
+                                                int count); // all or none
+SCREE_API scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled);
+SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body); // false for one that is not there
+
 typedef struct scree_mass
 {
 	float mass;       // kg, 0 for static and kinematic bodies
@@ -567,7 +614,8 @@ typedef struct scree_mass
 } scree_mass;
 
 // Mass follows from the collidables' densities; a dynamic body without any mass counts as 1 kg that cannot turn.
-// scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed.
+// scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed, or gets an attribute of
+// another shape or density.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
@@ -621,6 +669,11 @@ SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree
                                                  scree_body* body);
 SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
                                                       scree_attribute* attribute);
+// Another attribute. Where the shapes are equal, contacts stay with their impulses, and the pair's surface is that of the
+// new attribute from the next step on; else they start anew. The mass of a dynamic body follows from its collidables again,
+// unless shape and density are equal. An attribute that it has already changes nothing.
+SCREE_API scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable,
+                                                      scree_attribute attribute);
 SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable,
                                                        scree_pose* pose);
 SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable,
@@ -664,6 +717,10 @@ typedef struct scree_contact
 // devices), and how many there are.
 static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
                                                     int* count);
+
+// The same for the contacts of one body, in the same order. The device puts them together, and only they are read.
+static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
+                                                   int capacity, int* count);
 
 // The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
 // shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
@@ -793,6 +850,14 @@ static inline scree_status scree_world_get_contacts(scree_world* world, scree_co
                                                     int* count)
 {
 	return scree_world_get_contacts_sized(world, contacts, sizeof *contacts, capacity, count);
+}
+
+SCREE_API scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, scree_contact* contacts,
+                                                     size_t size, int capacity, int* count);
+static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
+                                                   int capacity, int* count)
+{
+	return scree_body_get_contacts_sized(world, body, contacts, sizeof *contacts, capacity, count);
 }
 
 SCREE_API scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attribute.c -- attributes: made once for equal values, then shared by index.
+// attribute.c -- attributes: made once for equal values, shared by index, and destroyed when nobody wants them.
 #include "world/definition.h"
 #include "world/geometry.h"
 #include "world/world.h"
@@ -67,21 +67,41 @@ static int* find(const scree_world* world, uint32_t name, const scree_attribute_
 	for (uint32_t i = name & mask;; i = (i + 1) & mask)
 	{
 		int* entry = world->attribute_table + i;
-		if (*entry == 0 || (world->attribute_names[*entry - 1] == name &&
+		if (*entry == 0 || (world->host_attributes[*entry - 1].name == name &&
 		                    memcmp(world->attributes + *entry - 1, def, sizeof *def) == 0))
 			return entry;
 	}
 }
 
+// Takes an entry out of the table. Those behind it that it kept from their places move up.
+static void forget(scree_world* world, int* entry)
+{
+	int* table = world->attribute_table;
+	uint32_t mask = (uint32_t)world->attribute_table_size - 1, hole = (uint32_t)(entry - table);
+	for (uint32_t i = (hole + 1) & mask; table[i] != 0; i = (i + 1) & mask)
+	{
+		uint32_t home = world->host_attributes[table[i] - 1].name & mask;
+		if (((i - home) & mask) < ((i - hole) & mask))
+			continue;
+		table[hole] = table[i];
+		hole = i;
+	}
+	table[hole] = 0;
+}
+
 // Room for one more attribute, in a table that is at most half full.
 static scree_status reserve(scree_world* world, const char* function)
 {
-	int count = world->attribute_count, name_capacity = world->attribute_capacity;
-	if (count >= MAX_ITEMS)
+	Slots* slots = &world->attribute_slots;
+	Pending* p = &world->pending;
+	if (slots->alive >= MAX_ITEMS)
 		return fail(SCREE_ERROR_INVALID, "%s: a world holds at most %d attributes", function, MAX_ITEMS);
-	TRY(GROW(function, world->attribute_names, name_capacity, count + 1));
-	TRY(GROW(function, world->attributes, world->attribute_capacity, count + 1));
-	if (2 * (count + 1) <= world->attribute_table_size)
+	if (!slots_reserve(slots, 1))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for one more attribute", function);
+	TRY(GROW(function, world->attributes, world->attribute_capacity, slots->capacity));
+	TRY(GROW(function, world->host_attributes, world->host_attribute_capacity, slots->capacity));
+	TRY(GROW(function, p->attributes, p->attribute_capacity, p->attribute_count + 1));
+	if (2 * (slots->alive + 1) <= world->attribute_table_size)
 		return SCREE_OK;
 
 	int size = world->attribute_table_size > 0 ? 2 * world->attribute_table_size : 64;
@@ -91,9 +111,29 @@ static scree_status reserve(scree_world* world, const char* function)
 	scree_release(world->attribute_table);
 	world->attribute_table = table;
 	world->attribute_table_size = size;
-	for (int k = 0; k < count; ++k)
-		*find(world, world->attribute_names[k], world->attributes + k) = k + 1;
+	for (int k = 0; k < slots->used; ++k)
+		if (slots_in_use(slots, k))
+			*find(world, world->host_attributes[k].name, world->attributes + k) = k + 1;
 	return SCREE_OK;
+}
+
+// A new attribute in a slot of its own; the device hears of it with the next batch.
+static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
+{
+	Pending* p = &world->pending;
+	int index = slots_take(&world->attribute_slots);
+	HostAttribute* host = world->host_attributes + index;
+	if (!host->waiting)
+		p->attributes[p->attribute_count++] = index;
+	world->attributes[index] = *plain;
+	*host = (HostAttribute){.name = name, .waiting = true};
+	if (plain->restitution != 0.0f || plain->rolling_resistance != 0.0f || plain->tangent_speed != 0.0f)
+		world->pipeline.extras = true;
+	if (plain->restitution != 0.0f)
+		world->pipeline.bounces = true;
+	if (plain->shape.radius != 0.0f)
+		world->pipeline.round = true;
+	return index;
 }
 
 scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute)
@@ -111,18 +151,8 @@ scree_status scree_attribute_create(scree_world* world, const scree_attribute_de
 	uint32_t name = name_of(&plain);
 	int* entry = find(world, name, &plain);
 	if (*entry == 0)
-	{
-		int index = world->attribute_count++;
-		world->attributes[index] = plain;
-		world->attribute_names[index] = name;
-		*entry = index + 1;
-		if (plain.restitution != 0.0f || plain.rolling_resistance != 0.0f || plain.tangent_speed != 0.0f)
-			world->pipeline.extras = true;
-		if (plain.restitution != 0.0f)
-			world->pipeline.bounces = true;
-		if (plain.shape.radius != 0.0f)
-			world->pipeline.round = true;
-	}
+		*entry = make(world, name, &plain) + 1;
+	++world->host_attributes[*entry - 1].claims;
 	*attribute = attribute_handle(world, *entry - 1);
 	return SCREE_OK;
 }
@@ -141,10 +171,48 @@ scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attri
 	return SCREE_OK;
 }
 
-// The name is the generation, so that a handle of another world is only taken when it means the same.
+scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute)
+{
+	const char* function = "scree_attribute_destroy";
+	TRY(world_check(world, function));
+	int index = 0;
+	Where at = {function, "attribute", ALONE};
+	TRY(check_attribute(world, at, "", attribute, &index));
+	HostAttribute* host = world->host_attributes + index;
+	if (host->claims == 1 && host->collidables > 0)
+		return refuse(SCREE_ERROR_INVALID, at, "", "(index %u) is still that of %d collidable%s", attribute.index,
+		              host->collidables, host->collidables == 1 ? "" : "s");
+	if (--host->claims > 0)
+		return SCREE_OK;
+	forget(world, find(world, host->name, world->attributes + index));
+	slots_free(&world->attribute_slots, index);
+	return SCREE_OK;
+}
+
+// The first attribute of a slot has its name for a generation, so that a handle of another world is only taken when it
+// means the same. One that takes the slot later has another, even with the same values.
+static uint32_t generation_of(const scree_world* world, int index)
+{
+	uint32_t before = world->attribute_slots.generation[index] >> 1;
+	uint32_t generation = world->host_attributes[index].name ^ before * 0x9e3779b9u;
+	return generation ? generation : 1;
+}
+
 scree_attribute attribute_handle(const scree_world* world, int index)
 {
-	return (scree_attribute){(uint32_t)index, world->attribute_names[index]};
+	return (scree_attribute){(uint32_t)index, generation_of(world, index)};
+}
+
+static bool is_valid(const scree_world* world, scree_attribute attribute)
+{
+	return attribute.index < (uint32_t)world->attribute_slots.used &&
+	       slots_in_use(&world->attribute_slots, (int)attribute.index) &&
+	       generation_of(world, (int)attribute.index) == attribute.generation;
+}
+
+bool scree_attribute_is_valid(const scree_world* world, scree_attribute attribute)
+{
+	return world && is_valid(world, attribute);
 }
 
 scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
@@ -152,8 +220,7 @@ scree_status check_attribute(const scree_world* world, Where at, const char* mem
 {
 	if (scree_attribute_is_null(attribute))
 		return refuse(SCREE_ERROR_STALE, at, member, "is null");
-	if (attribute.index >= (uint32_t)world->attribute_count ||
-	    world->attribute_names[attribute.index] != attribute.generation)
+	if (!is_valid(world, attribute))
 		return refuse(SCREE_ERROR_STALE, at, member, "(index %u) is no attribute of this world", attribute.index);
 	*index = (int)attribute.index;
 	return SCREE_OK;

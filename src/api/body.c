@@ -92,6 +92,7 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
 	world->dynamic_bodies += moves;
+	world->disabled_bodies += def->disabled;
 	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
 	                   .locks = def->locks,
@@ -101,6 +102,8 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                   .first_collidable = -1,
 	                   .last_collidable = -1,
 	                   .user = def->user,
+	                   .disabled = def->disabled,
+	                   .kept = host->kept,
 	                   .waiting = host->waiting};
 	if (has_attribute(def))
 	{
@@ -121,7 +124,8 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                              .gravity_scale = moves ? def->gravity_scale : 0.0f,
 	                              .linear_damping = moves ? def->linear_damping : 0.0f,
 	                              .angular_damping = moves ? def->angular_damping : 0.0f,
-	                              .locks = def->locks});
+	                              .locks = def->locks,
+	                              .disabled = def->disabled});
 }
 
 static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
@@ -160,7 +164,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	{
 		const scree_body_def* def = def_at(defs, k, &local);
 		if (has_attribute(def))
-			slots[next++] = kind_of_type(def->type);
+			slots[next++] = def->disabled ? KIND_DEAD : kind_of_type(def->type);
 	}
 	TRY(collidables_take(world, slots, collidables));
 	int* indices = slots + collidables;
@@ -234,6 +238,9 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
 		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
+		world->disabled_bodies -= host->disabled;
+		host->disabled = false;
+		target_drop(world, index);
 		slots_free(&world->bodies, index);
 		pending_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}

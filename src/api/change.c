@@ -37,16 +37,17 @@ static scree_status value_at(const Call* call, const Values* values, int k, Floa
 {
 	int shown = call->alone ? ALONE : k;
 	Where at = {call->function, call->values, shown};
+	float limit = call->kind == COMMAND_LINEAR_VELOCITY || call->kind == COMMAND_SPIN ? SCREE_HUGE : FLT_MAX;
 	if (values->numbers)
 	{
 		*value = make_float4(values->numbers[k], 0.0f, 0.0f, 0.0f);
-		return check_real(at, "", values->numbers[k], -FLT_MAX, FLT_MAX);
+		return check_real(at, "", values->numbers[k], -limit, limit);
 	}
 	if (values->vectors)
 	{
 		scree_vec v = values->vectors[k], p = values->points ? values->points[k] : (scree_vec){0};
 		*value = make_float4(v.x, v.y, p.x, p.y);
-		TRY(check_vec(at, "", v, FLT_MAX));
+		TRY(check_vec(at, "", v, limit));
 		return check_vec((Where){call->function, call->points, shown}, "", p, SCREE_HUGE);
 	}
 	if (values->velocities)
@@ -64,11 +65,17 @@ static scree_status value_at(const Call* call, const Values* values, int k, Floa
 static void send(scree_world* world, int kind, int index, Float4 value)
 {
 	const HostBody* host = world->host_bodies + index;
-	if (kind == COMMAND_VELOCITY)
+	if (kind == COMMAND_VELOCITY || kind == COMMAND_LINEAR_VELOCITY)
 	{
 		scree_velocity v = {{value.x, value.y}, value.z};
 		v = body_velocity_allowed(host, v);
 		value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
+		target_drop(world, index);
+	}
+	else if (kind == COMMAND_SPIN)
+	{
+		value.x = body_velocity_allowed(host, (scree_velocity){.angular = value.x}).angular;
+		target_drop(world, index);
 	}
 	else if (kind == COMMAND_POSE)
 	{
@@ -157,6 +164,21 @@ scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* b
 	return change(world, &call, bodies, &(Values){.velocities = velocities}, count);
 }
 
+scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
+                                                const scree_vec* velocities, int count)
+{
+	static const Call call = {
+	    "scree_bodies_set_linear_velocities", COMMAND_LINEAR_VELOCITY, "bodies", "velocities", NULL, false};
+	return change(world, &call, bodies, &(Values){.vectors = velocities}, count);
+}
+
+scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies, const float* velocities,
+                                                 int count)
+{
+	static const Call call = {"scree_bodies_set_angular_velocities", COMMAND_SPIN, "bodies", "velocities", NULL, false};
+	return change(world, &call, bodies, &(Values){.numbers = velocities}, count);
+}
+
 scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
 	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "bodies", "poses", NULL, false};
@@ -208,6 +230,19 @@ scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_
 {
 	static const Call call = {"scree_body_set_velocity", COMMAND_VELOCITY, "body", "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.velocities = &velocity}, 1);
+}
+
+scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity)
+{
+	static const Call call = {
+	    "scree_body_set_linear_velocity", COMMAND_LINEAR_VELOCITY, "body", "velocity", NULL, true};
+	return change(world, &call, &body, &(Values){.vectors = &velocity}, 1);
+}
+
+scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity)
+{
+	static const Call call = {"scree_body_set_angular_velocity", COMMAND_SPIN, "body", "velocity", NULL, true};
+	return change(world, &call, &body, &(Values){.numbers = &velocity}, 1);
 }
 
 scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose)

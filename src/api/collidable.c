@@ -3,6 +3,7 @@
 #include "step/tree.h"
 #include "world/definition.h"
 #include "world/world.h"
+#include <string.h>
 
 int kind_of_type(scree_body_type type)
 {
@@ -13,8 +14,14 @@ int collidable_kind(const scree_world* world, int index)
 {
 	if (!slots_in_use(&world->collidables, index))
 		return KIND_DEAD;
-	int body = world->host_collidables[index].body;
-	return body < 0 ? KIND_FREE : kind_of_type(world->host_bodies[body].type);
+	return kind_on_body(world, world->host_collidables[index].body);
+}
+
+int kind_on_body(const scree_world* world, int body)
+{
+	if (body < 0)
+		return KIND_FREE;
+	return world->host_bodies[body].disabled ? KIND_DEAD : kind_of_type(world->host_bodies[body].type);
 }
 
 scree_filter scree_filter_default(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
@@ -47,7 +54,8 @@ scree_status collidables_take(scree_world* world, int* slots, int count)
 	{
 		int kind = slots[k];
 		slots[k] = slots_take(&world->collidables);
-		scree_status status = tree_insert(&world->pipeline, tree_of_kind(kind), slots[k]);
+		scree_status status =
+		    kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), slots[k]);
 		if (status == SCREE_OK)
 			continue;
 
@@ -76,6 +84,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 	Waiting waiting = host->waiting;
 	*host = *made;
 	host->waiting = waiting;
+	++world->host_attributes[host->attribute].collidables;
 	host->born = world->pipeline.steps;
 	host->next = host->previous = -1;
 	if (host->body >= 0)
@@ -110,7 +119,10 @@ void collidable_remove(scree_world* world, int index)
 		--body->collidables;
 		list_changed(world, host->previous);
 	}
-	tree_leave(&world->pipeline, tree_of_kind(collidable_kind(world, index)), index);
+	int kind = collidable_kind(world, index);
+	if (kind != KIND_DEAD)
+		tree_leave(&world->pipeline, tree_of_kind(kind), index);
+	--world->host_attributes[host->attribute].collidables;
 	slots_free(&world->collidables, index);
 	pending_collidable(world, index);
 }
@@ -199,7 +211,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	{
 		check_def(world, (Where){function, argument, k}, defs, k, &made);
 		bodies[k] = made.body;
-		slots[k] = made.body < 0 ? KIND_FREE : kind_of_type(world->host_bodies[made.body].type);
+		slots[k] = kind_on_body(world, made.body);
 	}
 	TRY(collidables_take(world, slots, count));
 	for (int k = 0; k < count; ++k)
@@ -331,6 +343,42 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
+scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
+{
+	const char* function = "scree_collidable_set_attribute";
+	TRY(world_check(world, function));
+	int index = 0, now = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &now));
+	HostCollidable* host = world->host_collidables + index;
+	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
+	if (host->attribute == now)
+		return SCREE_OK;
+	TRY(pending_reserve(world, function, 0, 1, 1));
+
+	// shapes of attributes are canonical: equal values, equal bytes
+	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
+	int kind = collidable_kind(world, index);
+	if (!same && kind != KIND_DEAD)
+		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	--world->host_attributes[host->attribute].collidables;
+	++world->host_attributes[now].collidables;
+	host->attribute = now;
+	if (same)
+	{
+		pending_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
+		world->pipeline.mixed = true;
+	}
+	else
+	{
+		host->born = world->pipeline.steps;
+		pending_collidable(world, index);
+	}
+	if ((!same || heavier) && host->body >= 0)
+		update_masses(world, &host->body, 1);
+	return SCREE_OK;
+}
+
 scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose)
 {
 	HostCollidable* host;
@@ -371,7 +419,9 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
 	TRY(pending_reserve(world, function, 0, 1, 0));
 	// its leaf is there already; the tree has to hear that the box changes
-	TRY(tree_insert(&world->pipeline, tree_of_kind(collidable_kind(world, index)), index));
+	int kind = collidable_kind(world, index);
+	if (kind != KIND_DEAD)
+		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
 	world->host_collidables[index].filter = filter;
 	pending_collidable(world, index);
 	return SCREE_OK;

@@ -44,11 +44,15 @@ static bool was_there(const scree_world* world, int collidable)
 	       world->host_collidables[collidable].born < world->pipeline.steps;
 }
 
+static bool both_were_there(const scree_world* world, Int2 pair)
+{
+	return was_there(world, pair.x) && was_there(world, pair.y);
+}
+
 static bool is_wanted(const scree_world* world, const Rows* rows, int k, Word detected)
 {
 	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED);
-	return flags == (CONTACT_TOUCHING | detected) && was_there(world, rows->pair[k].x) &&
-	       was_there(world, rows->pair[k].y);
+	return flags == (CONTACT_TOUCHING | detected) && both_were_there(world, rows->pair[k]);
 }
 
 static scree_body body_of(const scree_world* world, int collidable)
@@ -57,58 +61,67 @@ static scree_body body_of(const scree_world* world, int collidable)
 	return body < 0 ? SCREE_NULL_BODY : body_handle(world, body);
 }
 
-static scree_contact contact_at(const scree_world* world, const Rows* rows, int k)
+static Listed listed_at(const Rows* rows, int k)
 {
-	Int2 pair = rows->pair[k];
-	Placed a = rows->placed[pair.x], b = rows->placed[pair.y];
-	Word flags = rows->flags[k];
-	Int feature[2] = {rows->feature[k].x, rows->feature[k].y};
-	Real row_a[8], row_b[8], found[16];
-	gather_rows8((const float*)rows->placed, pair.x, row_a);
-	gather_rows8((const float*)rows->placed, pair.y, row_b);
-	gather_rows8((const float*)rows->found, 2 * k, found);
-	gather_rows8((const float*)rows->found, 2 * k + 1, found + 8);
-	ContactPoints at = contact_points_held(row_a, row_b, found);
-	if (flags & FOUND_ROLLS)
-	{
-		Attribute shapes[2];
-		attribute_item(world, a.attribute, shapes);
-		attribute_item(world, b.attribute, shapes + 1);
-		row_a[6] = bits_float(0);
-		row_b[6] = bits_float(1);
-		const Advance rests = {{0.0f, 0.0f}, 0.0f};
-		at = rolling_points(shapes, row_a, row_b, found, (Int)flags, feature, rests, rests);
-	}
 	int c = rows->place[k];
-	float impulse[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+	Listed row = {.pair = rows->pair[k],
+	              .feature = rows->feature[k],
+	              .flags = rows->flags[k],
+	              .color = rows->color[k],
+	              .place = c,
+	              .found = rows->found[k],
+	              .a = rows->placed[rows->pair[k].x],
+	              .b = rows->placed[rows->pair[k].y]};
 	if (c >= 0)
 	{
 		const ContactRows* block = rows->blocks + c / MAX_LANES;
-		impulse[0] = block->normal_impulse1[c % MAX_LANES];
-		impulse[1] = block->normal_impulse2[c % MAX_LANES];
-		impulse[2] = block->tangent_impulse1[c % MAX_LANES];
-		impulse[3] = block->tangent_impulse2[c % MAX_LANES];
+		row.impulse = make_float4(block->normal_impulse1[c % MAX_LANES], block->normal_impulse2[c % MAX_LANES],
+		                          block->tangent_impulse1[c % MAX_LANES], block->tangent_impulse2[c % MAX_LANES]);
+	}
+	return row;
+}
+
+static scree_contact contact_at(const scree_world* world, const Listed* row)
+{
+	Int2 pair = row->pair;
+	Int feature[2] = {row->feature.x, row->feature.y};
+	Real row_a[8], row_b[8], found[16];
+	gather_rows8((const float*)&row->a, 0, row_a);
+	gather_rows8((const float*)&row->b, 0, row_b);
+	gather_rows8((const float*)&row->found, 0, found);
+	gather_rows8((const float*)&row->found, 1, found + 8);
+	ContactPoints at = contact_points_held(row_a, row_b, found);
+	if (row->flags & FOUND_ROLLS)
+	{
+		// the shapes are those of the last step, though the attributes may have changed since
+		Attribute shapes[2];
+		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
+		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
+		row_a[6] = bits_float(0);
+		row_b[6] = bits_float(1);
+		const Advance rests = {{0.0f, 0.0f}, 0.0f};
+		at = rolling_points(shapes, row_a, row_b, found, (Int)row->flags, feature, rests, rests);
 	}
 	scree_contact contact = {.a = collidable_handle(world, pair.x),
 	                         .b = collidable_handle(world, pair.y),
 	                         .normal = {at.normal.x, at.normal.y},
-	                         .color = rows->color[k],
-	                         .count = (int)(rows->flags[k] & CONTACT_COUNT),
+	                         .color = row->color,
+	                         .count = (int)(row->flags & CONTACT_COUNT),
 	                         .body_a = body_of(world, pair.x),
 	                         .body_b = body_of(world, pair.y),
 	                         .user_a = world->host_collidables[pair.x].user,
 	                         .user_b = world->host_collidables[pair.y].user};
-	contact.points[0] = (scree_contact_point){{a.x + at.point[0].x, a.y + at.point[0].y},
+	contact.points[0] = (scree_contact_point){{row->a.x + at.point[0].x, row->a.y + at.point[0].y},
 	                                          at.separation[0],
-	                                          impulse[0],
-	                                          impulse[2],
-	                                          (uint32_t)rows->feature[k].x};
+	                                          row->impulse.x,
+	                                          row->impulse.z,
+	                                          (uint32_t)row->feature.x};
 	if (contact.count == 2)
-		contact.points[1] = (scree_contact_point){{a.x + at.point[1].x, a.y + at.point[1].y},
+		contact.points[1] = (scree_contact_point){{row->a.x + at.point[1].x, row->a.y + at.point[1].y},
 		                                          at.separation[1],
-		                                          impulse[1],
-		                                          impulse[3],
-		                                          (uint32_t)rows->feature[k].y};
+		                                          row->impulse.y,
+		                                          row->impulse.w,
+		                                          (uint32_t)row->feature.y};
 	return contact;
 }
 
@@ -134,7 +147,8 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		{
 			if (!is_wanted(world, rows, k, detected))
 				continue;
-			scree_contact contact = contact_at(world, rows, k);
+			Listed row = listed_at(rows, k);
+			scree_contact contact = contact_at(world, &row);
 			write_result((char*)contacts + size * (size_t)listed++, size, &contact, sizeof contact);
 		}
 	}
@@ -169,4 +183,45 @@ scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* o
                                             int* count)
 {
 	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
+}
+
+// The rows that the device has put together, but for contacts that ended since by the user's doing.
+static scree_status list_rows(scree_world* world, const char* function, int found, scree_contact* contacts, size_t size,
+                              int capacity, int* count)
+{
+	Listed* rows = world_scratch(world, (size_t)found * sizeof *rows);
+	if (!rows)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, found);
+	TRY(world_read(world, POOL_listed, 0, found, rows));
+	int listed = 0;
+	for (int k = 0; k < found; ++k)
+	{
+		if (!both_were_there(world, rows[k].pair))
+			continue;
+		if (listed < capacity)
+		{
+			scree_contact contact = contact_at(world, rows + k);
+			write_result((char*)contacts + size * (size_t)listed, size, &contact, sizeof contact);
+		}
+		++listed;
+	}
+	*count = listed;
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, scree_contact* contacts, size_t size,
+                                           int capacity, int* count)
+{
+	const char* function = "scree_body_get_contacts";
+	int index = 0, found = 0;
+	TRY(world_check(world, function));
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	TRY(check_list(function, "contacts", contacts, capacity, count));
+	TRY(world_flush(world));
+	if (world->pipeline.counters.contacts > 0)
+		TRY(world_note(world, pipeline_list_contacts(&world->pipeline, index, &found)));
+	if (found > 0)
+		return list_rows(world, function, found, contacts, size, capacity, count);
+	*count = 0;
+	return SCREE_OK;
 }

@@ -69,7 +69,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	if (host->type == type)
 		return SCREE_OK;
 	int old_tree = tree_of_kind(kind_of_type(host->type)), new_tree = tree_of_kind(kind_of_type(type));
-	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	for (int k = host->first_collidable; !host->disabled && k >= 0; k = world->host_collidables[k].next)
 	{
 		scree_status status = tree_insert(&world->pipeline, new_tree, k);
 		if (status == SCREE_OK)
@@ -80,11 +80,12 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	}
 
 	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
+	target_drop(world, index);
 	host->type = type;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		pending_collidable(world, k);
-		if (old_tree != new_tree)
+		if (old_tree != new_tree && !host->disabled)
 			tree_leave(&world->pipeline, old_tree, k);
 	}
 	if (type == SCREE_BODY_STATIC)
@@ -163,6 +164,98 @@ scree_status scree_body_get_locks(const scree_world* world, scree_body body, uin
 	TRY(lookup(world, "scree_body_get_locks", body, "locks", locks, &host));
 	*locks = host->locks;
 	return SCREE_OK;
+}
+
+// Leaves of all collidables of a body, of which none has one; on failure the first ones have.
+static scree_status insert_all(scree_world* world, const HostBody* host)
+{
+	int tree = tree_of_kind(kind_of_type(host->type));
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+		TRY(tree_insert(&world->pipeline, tree, k));
+	return SCREE_OK;
+}
+
+static void leave_all(scree_world* world, const HostBody* host)
+{
+	int tree = tree_of_kind(kind_of_type(host->type));
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+		tree_leave(&world->pipeline, tree, k);
+}
+
+// Room in the trees for the bodies of a batch that will take part again; on failure none has got any.
+static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
+{
+	scree_status status = SCREE_OK;
+	int done = 0;
+	for (; done < count && status == SCREE_OK; ++done)
+	{
+		const HostBody* host = world->host_bodies + bodies[done].index;
+		if (enabled[done] && host->disabled)
+			status = insert_all(world, host);
+	}
+	for (int k = 0; k < done && status != SCREE_OK; ++k)
+	{
+		const HostBody* host = world->host_bodies + bodies[k].index;
+		if (enabled[k] && host->disabled)
+			leave_all(world, host);
+	}
+	return status;
+}
+
+// There is room for everything.
+static void enable(scree_world* world, int index, bool enabled)
+{
+	HostBody* host = world->host_bodies + index;
+	if (host->disabled == !enabled)
+		return;
+	if (enabled)
+		insert_all(world, host); // has its leaves already, unless the batch has just taken them
+	else
+		leave_all(world, host);
+	host->disabled = !enabled;
+	host->kept = true;
+	world->disabled_bodies += enabled ? -1 : 1;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		world->host_collidables[k].born = world->pipeline.steps;
+		pending_collidable(world, k);
+	}
+	pending_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
+	send_motion(world, index);
+}
+
+static scree_status set_enabled(scree_world* world, const char* function, const char* argument,
+                                const scree_body* bodies, const bool* enabled, int count, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, bodies, count));
+	TRY(check_batch(function, "enabled", enabled, count));
+	int index = 0, collidables = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		TRY(check_body(world, (Where){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
+		collidables += world->host_bodies[index].collidables;
+	}
+	TRY(pending_reserve(world, function, 0, collidables, 2 * count));
+	TRY(insert_batch(world, bodies, enabled, count));
+	for (int k = 0; k < count; ++k)
+		enable(world, (int)bodies[k].index, enabled[k]);
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
+{
+	return set_enabled(world, "scree_bodies_set_enabled", "bodies", bodies, enabled, count, false);
+}
+
+scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled)
+{
+	return set_enabled(world, "scree_body_set_enabled", "body", &body, &enabled, 1, true);
+}
+
+bool scree_body_is_enabled(const scree_world* world, scree_body body)
+{
+	return scree_body_is_valid(world, body) && !world->host_bodies[body.index].disabled;
 }
 
 scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user)

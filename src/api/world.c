@@ -3,7 +3,9 @@
 #include "world/world.h"
 #include "device/devices.h"
 #include "platform/processor.h"
+#include "stages/hash_word.h"
 #include "world/definition.h"
+#include "world/targets.h"
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -210,11 +212,13 @@ void scree_world_destroy(scree_world* world)
 	pending_close(&world->pending);
 	slots_close(&world->bodies);
 	slots_close(&world->collidables);
+	slots_close(&world->attribute_slots);
 	scree_release(world->host_bodies);
 	scree_release(world->host_collidables);
 	scree_release(world->attributes);
-	scree_release(world->attribute_names);
+	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);
+	scree_release(world->targets);
 	scree_release(world->scratch);
 	scree_release(world);
 	worlds_add(-1);
@@ -228,10 +232,13 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 {
 	const char* function = "scree_world_step";
 	TRY(world_check(world, function));
-	TRY(check_real((Where){function, "dt", ALONE}, "", dt, SHORTEST_STEP, 1.0f));
+	if (dt != 0.0f && !(dt >= SHORTEST_STEP && dt <= 1.0f))
+		return fail(SCREE_ERROR_INVALID, "%s: dt is %s, must be 0 or from %s to 1", function, decimal(dt).text,
+		            decimal(SHORTEST_STEP).text);
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
-	TRY(automatic_choose(world));
+	if (dt > 0.0f) // what only looks takes another time
+		TRY(automatic_choose(world));
 	double start = processor_milliseconds();
 	TRY(world_flush(world));
 	double begin = automatic_clock();
@@ -243,7 +250,11 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .collidables = world->collidables.used,
 	                       .contact_limit = world->def.contact_limit,
 	                       .timings = world->def.timings};
+	if (dt > 0.0f)
+		TRY(targets_commands(world, &request.commands));
 	scree_status status = pipeline_step(&world->pipeline, &request);
+	if (status == SCREE_OK && dt > 0.0f)
+		targets_arrived(world);
 	// the boxes have moved on and the bodies have not: what touched in between would never be found again
 	if (status != SCREE_OK && world->pipeline.begun)
 		world->broken = status;
@@ -254,7 +265,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	TRY(world_note(world, status));
 	world->pipeline.milliseconds = milliseconds;
 	const Counters* c = &world->pipeline.counters;
-	if (c->nonfinite > 0)
+	if (c->nonfinite > 0 && dt > 0.0f)
 		log_sentence(SCREE_LOG_WARNING,
 		             "%s: %d bodies were frozen because their state was not finite; the first is body %d", function,
 		             c->nonfinite, c->first_nonfinite);
@@ -311,6 +322,39 @@ const char* scree_world_get_device(const scree_world* world) { return world ? wo
 int scree_world_get_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
 int scree_world_get_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
 
+static Word64 hash_pose(Word64 h, scree_pose pose)
+{
+	return hash_float4(h, make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s));
+}
+
+// the device hashes no collidable of a body that is disabled, and has no gravity for it
+static Word64 hash_disabled(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	Word64 sum = hash_float(hash_word(hash_begin(5, body), (Word)host->type), host->gravity_scale);
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* c = world->host_collidables + k;
+		Word64 h = hash_pose(hash_word(hash_word(hash_begin(6, k), (Word)body), (Word)c->attribute), c->pose);
+		h = hash_word(hash_word(h, (Word)c->filter.category), (Word)(c->filter.category >> 32));
+		h = hash_word(hash_word(h, (Word)c->filter.mask), (Word)(c->filter.mask >> 32));
+		sum += hash_word(h, (Word)c->filter.group);
+	}
+	return sum;
+}
+
+// Of what only the host knows.
+static uint64_t hidden_hash(const scree_world* world)
+{
+	Word64 sum = 0;
+	for (int k = 0; k < world->target_count; ++k)
+		sum += hash_pose(hash_begin(4, world->targets[k].body), world->targets[k].pose);
+	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
+		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
+			sum += hash_disabled(world, k);
+	return sum;
+}
+
 scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 {
 	const char* function = "scree_world_get_hash";
@@ -319,6 +363,8 @@ scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 	TRY(world_flush(world));
 	double begin = automatic_clock();
 	scree_status status = pipeline_hash(&world->pipeline, world->bodies.used, world->collidables.used, hash);
+	if (status == SCREE_OK)
+		*hash += hidden_hash(world);
 	automatic_count(world, begin);
 	return world_note(world, status);
 }
@@ -335,7 +381,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	scree_counters now = {.bodies = world->bodies.alive,
 	                      .dynamic_bodies = world->dynamic_bodies,
 	                      .collidables = world->collidables.alive,
-	                      .attributes = world->attribute_count,
+	                      .attributes = world->attribute_slots.alive,
 	                      .contacts = c->alive - c->released,
 	                      .touching = c->touching,
 	                      .spokes = c->layout[CONSTRAINT_CONTACT].count[COLORS],

@@ -23,6 +23,7 @@ typedef enum // what a pool has an item for
 	SPOKE,       // contact of a hub
 	SPOKE_BLOCK, // of MAX_LANES of them
 	SHOWN,       // collidable, as a renderer sees it
+	LISTED,      // contact of a body that the user asks for
 	TREE,
 	LEAF,
 	NODE,

@@ -72,15 +72,20 @@ INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 		prepare_bounce(p, i, u);
 }
 
-// The rows that stay while the layout stands.
-INLINE void contact_set_place(const Pools* p, int slot, int i)
+// What the surfaces of two collidables make of the rows.
+INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 {
-	Float4 surface = p->contact_surface[slot];
-	p->contact_place_pair[i] = p->pair[slot];
 	contact_row(p, friction, i) = surface.x;
 	contact_rare(p, restitution, i) = surface.y;
 	contact_rare(p, rolling, i) = surface.z;
 	contact_rare(p, tangent_speed, i) = surface.w;
+}
+
+// The rows that stay while the layout stands.
+INLINE void contact_set_place(const Pools* p, int slot, int i)
+{
+	p->contact_place_pair[i] = p->pair[slot];
+	contact_set_surface(p, i, p->contact_surface[slot]);
 }
 
 #endif

@@ -46,8 +46,8 @@ INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 	return gather(member, shape * (int)(sizeof(Attribute) / sizeof(float)));
 }
 
-// when the last relaxing pass looks: a substep after the step
-INLINE float sweep_end(const Step* step) { return 1.0f + step->h / step->dt; }
+// when the last relaxing pass looks: a substep after the step, which may take no time
+INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + step->h / step->dt : 1.0f; }
 
 // a velocity no faster than max_speed; what is not finite will be frozen, where it is
 INLINE Vec sweep_velocity(const Step* step, Vec v)

@@ -152,6 +152,16 @@ typedef struct // 32 bytes: one sector
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
+typedef struct // 176 bytes: what the user is told of a contact
+{
+	Int2 pair, feature;
+	Word flags;
+	int color, place, unused;
+	Float4 impulse; // normal 1, 2, tangent 1, 2, N s
+	Found found;
+	Placed a, b;
+} Listed;
+
 typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
 {
 	float parts[MAX_LANES];     // into which the light end is split: one a spoke, and one for the hub that it may be
@@ -195,7 +205,8 @@ typedef struct // 32 bytes: a change that the user made between steps
 	Float4 value;
 } Command;
 
-// Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body.
+// Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body; below COMMAND_BODY
+// whole[1] is 1 where that body is disabled.
 #define COMMAND_FORCE           0  // x, y: N
 #define COMMAND_FORCE_AT        1  // force x, y, world point x, y
 #define COMMAND_TORQUE          2  // x: N m
@@ -206,12 +217,18 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_POSE            7  // of the body's origin: x, y, cos, sin
 #define COMMAND_MASS            8  // inverse mass, inverse inertia, local center x, y: the origin stays where it is
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
-#define COMMAND_BODY            10 // a row anew, inert and without mass: pose of the origin x, y, cos, sin
-#define COMMAND_GUARDED         11 // Guarded: whole first, parts; x way, y reach
-#define COMMAND_PLACE           12 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      13 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
-#define COMMAND_FILTER          14 // the bits of category and mask; whole: group, kind
-#define COMMAND_NEXT            15 // whole[0]: 1 + index of the body's next collidable, 0 for none
+#define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin stays
+#define COMMAND_SPIN            11 // x: rad/s; the linear velocity stays
+#define COMMAND_BODY            12 // a row anew, of no mass: pose of the origin x, y, cos, sin; whole[0]: clears kept
+#define COMMAND_GUARDED         13 // Guarded: whole first, parts; x way, y reach
+#define COMMAND_ENABLED         14 // whole[0]: 1, or 0 for a body that takes no part from now on
+#define COMMAND_TARGET          15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks
+#define COMMAND_ARRIVE          16 // the same at the end of that step: the body is there, and stands still
+#define COMMAND_PLACE           17 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_ATTRIBUTE       19 // whole[0]: another attribute of the same shape
+#define COMMAND_FILTER          20 // the bits of category and mask; whole: group, kind
+#define COMMAND_NEXT            21 // whole[0]: 1 + index of the body's next collidable, 0 for none
 
 typedef struct // one tree of the broad phase, as the host sees it
 {

@@ -2,6 +2,7 @@
 // command.h -- the user's changes since the last step, each item's in the order in which they were made.
 #ifndef COMMAND_H
 #define COMMAND_H
+#include "constraints/sweep_closing.h"
 #include "pools/pools.h"
 #include "stages/pose.h"
 
@@ -66,8 +67,86 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
+// A body that is disabled rests: its velocity is kept beside it, and neither forces nor gravity act on it.
+INLINE void command_rest(const Pools* p, int i)
+{
+	BodyState state = p->body[i];
+	GLOBAL Motion* motion = p->motion + i;
+	p->kept[i] = make_float4(state.vx, state.vy, state.w, 1.0f);
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+	motion->fx = 0.0f;
+	motion->fy = 0.0f;
+	motion->torque = 0.0f;
+	motion->gravity_scale = 0.0f;
+}
+
+// It has its velocity again, while a command is applied or for good.
+INLINE void command_wake(const Pools* p, int i)
+{
+	Float4 kept = p->kept[i];
+	p->body[i].vx = kept.x;
+	p->body[i].vy = kept.y;
+	p->body[i].w = kept.z;
+}
+
+// The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to an eighth of pi; half a circle is pi.
+INLINE float command_angle(Vec rotation)
+{
+	float x = absolute(rotation.x), y = absolute(rotation.y), base = 0.0f, sum = 0.0f;
+	float t = y < x ? y / x : x / y;
+	if (t > 0.414f)
+	{
+		t = (t - 1.0f) / (t + 1.0f);
+		base = 0.785398163f;
+	}
+	float q = t * t;
+	for (int k = 13; k >= 1; k -= 2)
+		sum = 1.0f / (float)k - q * sum;
+	float angle = base + t * sum;
+	angle = y < x ? angle : 1.57079633f - angle;
+	angle = rotation.x < 0.0f ? 3.14159265f - angle : angle;
+	return rotation.y < 0.0f ? -angle : angle;
+}
+
+// Where the center of mass is when the origin is at a pose.
+INLINE Vec command_center(const Pools* p, int i, Float4 pose)
+{
+	Float2 center = p->local_center[i];
+	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
+}
+
+// The velocity that takes a body to a pose within the step, the shorter way round, as far as limits and locks allow.
+INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
+{
+	Float4 pose = p->pose[i];
+	Float2 low = p->pose_low[i];
+	Vec to = command_center(p, i, target);
+	float rate = 1.0f / p->step.dt;
+	Vec v = vec(((to.x - pose.x) - low.x) * rate, ((to.y - pose.y) - low.y) * rate);
+	float turn = command_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
+	command_velocity(p, i, sweep_velocity(&p->step, v));
+	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
+}
+
+// The body is at the pose, but for what is locked, and stands still.
+INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
+{
+	Float4 pose = p->pose[i];
+	Float2 low = p->pose_low[i];
+	if (locks & 4)
+		target = make_float4(target.x, target.y, pose.z, pose.w);
+	Vec to = command_center(p, i, target);
+	p->pose[i] = make_float4(locks & 1 ? pose.x : to.x, locks & 2 ? pose.y : to.y, target.z, target.w);
+	p->pose_low[i] = make_float2(locks & 1 ? low.x : 0.0f, locks & 2 ? low.y : 0.0f);
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+}
+
 // A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose)
+INLINE void command_body(const Pools* p, int i, Float4 pose, int kept)
 {
 	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
 	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
@@ -77,6 +156,8 @@ INLINE void command_body(const Pools* p, int i, Float4 pose)
 	p->pose_low[i] = make_float2(0.0f, 0.0f);
 	p->local_center[i] = make_float2(0.0f, 0.0f);
 	p->color_mask[i] = 0;
+	if (kept)
+		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 }
 
 // A row anew: its box is empty, so that it is found as if it had just come.
@@ -92,7 +173,7 @@ INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
 
-INLINE void command_apply(const Pools* p, Command c)
+INLINE void command_change(const Pools* p, Command c)
 {
 	int i = c.index;
 	Float4 value = c.value;
@@ -122,14 +203,34 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_velocity(p, i, v);
 		p->body[i].w = value.z;
 		break;
+	case COMMAND_LINEAR_VELOCITY:
+		command_velocity(p, i, v);
+		break;
+	case COMMAND_SPIN:
+		p->body[i].w = value.x;
+		break;
 	case COMMAND_POSE:
 	{
-		Float2 center = p->local_center[i];
-		Vec position = vec_add(v, vec_turn(vec(value.z, value.w), vec(center.x, center.y)));
+		Vec position = command_center(p, i, value);
 		p->pose[i] = make_float4(position.x, position.y, value.z, value.w);
 		p->pose_low[i] = make_float2(0.0f, 0.0f);
 		break;
 	}
+	case COMMAND_ENABLED:
+		if (!c.whole[0])
+		{
+			command_rest(p, i);
+			break;
+		}
+		command_wake(p, i);
+		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		break;
+	case COMMAND_TARGET:
+		command_target(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_ARRIVE:
+		command_arrive(p, i, value, c.whole[0]);
+		break;
 	case COMMAND_MASS:
 		command_mass(p, i, value);
 		break;
@@ -137,7 +238,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value);
+		command_body(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_GUARDED:
 		p->guarded[i].first = c.whole[0];
@@ -151,6 +252,9 @@ INLINE void command_apply(const Pools* p, Command c)
 	case COMMAND_COLLIDABLE:
 		command_collidable(p, i, value, c.whole[0], c.whole[1]);
 		break;
+	case COMMAND_ATTRIBUTE:
+		p->collidable_attribute[i] = c.whole[0];
+		break;
 	case COMMAND_FILTER:
 		p->filter[i].category = command_word64(value.x, value.y);
 		p->filter[i].mask = command_word64(value.z, value.w);
@@ -161,6 +265,16 @@ INLINE void command_apply(const Pools* p, Command c)
 		p->next_collidable[i] = c.whole[0];
 		break;
 	}
+}
+
+INLINE void command_apply(const Pools* p, Command c)
+{
+	int disabled = c.kind < COMMAND_BODY && c.whole[1];
+	if (disabled)
+		command_wake(p, c.index);
+	command_change(p, c);
+	if (disabled)
+		command_rest(p, c.index);
 }
 
 // so many groups before they are applied, the rows that they make anew are fetched

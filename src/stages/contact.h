@@ -4,6 +4,7 @@
 // Slots name contacts wherever an order is needed (colors' priorities, read-back), so they must not depend on the device.
 #ifndef CONTACT_H
 #define CONTACT_H
+#include "constraints/contact_one.h"
 #include "constraints/kinds.h"
 #include "dialect/finite.h"
 
@@ -97,6 +98,19 @@ INLINE int contact_first(const Pools* p, int a, int b)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
+// Of a pair: friction, restitution, rolling lever, tangent speed; the same whichever is the first.
+//
+// Friction as the geometric mean, so that ice stays slippery on anything; the livelier restitution; a lever of rolling
+// resistance as long as the larger radius; belts that run against each other add up.
+INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
+{
+	float lever =
+	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	float friction = square_root(sa->friction * sb->friction);
+	return make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
+	                   surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
+}
+
 STAGE(contact_create)
 {
 	Word64 key = p->key[i];
@@ -110,9 +124,6 @@ STAGE(contact_create)
 		a = first;
 	}
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
-	const GLOBAL Attribute* sa = p->attribute + p->collidable_attribute[a];
-	const GLOBAL Attribute* sb = p->attribute + p->collidable_attribute[b];
-
 	p->pair[slot] = make_int2(a, b);
 	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
 	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0 ? CONTACT_DETECTED : 0u);
@@ -120,15 +131,23 @@ STAGE(contact_create)
 	p->contact_feature[slot] = make_int2(-1, -1);
 	contact_forget(p, slot);
 	p->contact_place[slot] = -1;
-
-	// friction as the geometric mean, so that ice stays slippery on anything; the livelier restitution; a lever of
-	// rolling resistance as long as the larger radius; belts that run against each other add up
-	float lever =
-	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
-	float friction = square_root(sa->friction * sb->friction);
 	p->contact_surface[slot] =
-	    make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
-	                surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
+	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
+}
+
+// Some collidable has got another attribute: the surfaces of all contacts anew, also where the layout stands.
+STAGE(contact_mix)
+{
+	Int2 pair = p->pair[i];
+	if (pair.x < 0)
+		return;
+	Float4 surface = contact_surface_of(p->attribute + p->collidable_attribute[pair.x],
+	                                    p->attribute + p->collidable_attribute[pair.y]);
+	int c = p->contact_place[i];
+	p->contact_surface[i] = surface;
+	if (c < 0)
+		return;
+	contact_set_surface(p, c, surface);
 }
 
 #endif

@@ -3,25 +3,7 @@
 #ifndef HASH_H
 #define HASH_H
 #include "constraints/kinds.h"
-
-// the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input moves half of the output's
-INLINE Word64 hash_mix(Word64 h)
-{
-	h ^= h >> 33;
-	h *= (Word64)0xff51afd7ed558ccdUL;
-	h ^= h >> 33;
-	h *= (Word64)0xc4ceb9fe1a85ec53UL;
-	h ^= h >> 33;
-	return h;
-}
-
-INLINE Word64 hash_word(Word64 h, Word x) { return hash_mix(h + (Word64)0x9e3779b97f4a7c15UL + (Word64)x); }
-INLINE Word64 hash_float(Word64 h, float x) { return hash_word(h, float_word(x)); }
-INLINE Word64 hash_float4(Word64 h, Float4 v)
-{
-	return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w);
-}
-INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
+#include "stages/hash_word.h"
 
 // What is kept of a constraint, in the order of its rows.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
@@ -58,7 +40,9 @@ STAGE(hash_bodies)
 		    hash_float(hash_float(hash_float(h, motion.linear_damping), motion.angular_damping), motion.free_x),
 		    motion.free_y);
 		h = hash_float(hash_float(h, p->pose_low[k].x), p->pose_low[k].y);
-		sum += hash_float(hash_float(h, p->local_center[k].x), p->local_center[k].y);
+		h = hash_float(hash_float(h, p->local_center[k].x), p->local_center[k].y);
+		Float4 kept = p->kept[k];
+		sum += kept.w != 0.0f ? hash_float4(h, kept) : h;
 	}
 	p->hash[i] = sum;
 }

@@ -22,4 +22,5 @@
 #include "stages/hub.h"
 #include "stages/guard.h"
 #include "stages/finalize.h"
+#include "stages/listed.h"
 #include "stages/hash.h"

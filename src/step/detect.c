@@ -208,7 +208,8 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	const Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	RunList* list = &pipeline->list;
-	bool ahead = b->distant && !c->changed && (c->hubs == 0 || pipeline->split);
+	bool alone = step->dt == 0.0f || pipeline->mixed; // something else comes before the solve, or instead of it
+	bool ahead = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
 		broad_phase(list, step);

@@ -79,7 +79,9 @@ static Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	const scree_tuning* tuning = &request->tuning;
 	const Backend* b = pipeline->backend;
 	int collidables = request->collidables;
-	float dt = request->dt, h = dt / (float)request->substeps, rate = 1.0f / h;
+	// a step of no time only looks: nothing divides by it
+	bool moves = request->dt > 0.0f;
+	float dt = request->dt, h = dt / (float)request->substeps, rate = moves ? 1.0f / h : 0.0f;
 
 	// A contact under load F sags by F / (m omega^2), so that stiff is good: a stack of 20 boxes leans over and falls at
 	// 48 Hz, as a column does that is too slender for its weight (Leonhard Euler, 1778), and stands at 52. But a pyramid
@@ -97,11 +99,11 @@ static Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .gravity_x = request->gravity.x,
 	    .gravity_y = request->gravity.y,
 	    .max_speed = tuning->max_speed,
-	    .max_spin = (turn < 3.14159265f ? turn : 3.14159265f) / dt,
+	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
 	    .push_speed = tuning->contact_push_speed,
 	    .restitution_threshold = tuning->restitution_threshold,
-	    .soft = softness(hertz, tuning->contact_damping_ratio, h),
-	    .stiff = softness(2.0f * hertz, tuning->contact_damping_ratio, h),
+	    .soft = moves ? softness(hertz, tuning->contact_damping_ratio, h) : (Softness){0},
+	    .stiff = moves ? softness(2.0f * hertz, tuning->contact_damping_ratio, h) : (Softness){0},
 	    .extras = pipeline->extras,
 	    .bounces = pipeline->bounces,
 	    .round = pipeline->round,
@@ -150,31 +152,87 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
+// Applies commands of the step.
+static scree_status command(Pipeline* pipeline, const Step* step, const StepCommands* all, const Command* commands)
+{
+	Backend* b = pipeline->backend;
+	if (all->count == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(pipeline, COMMAND, all->count + 1));
+	TRY(b->f->write(b, POOL_command, 0, all->count, commands));
+	TRY(b->f->write(b, POOL_command_group, 0, all->count + 1, all->groups));
+	Run run = {.stage = STAGE_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
+	return b->f->run(b, step, &run, 1);
+}
+
+// Some collidable has another attribute: the surfaces of all contacts anew.
+static scree_status mix(Pipeline* pipeline, const Step* step)
+{
+	runs_add(&pipeline->list, STAGE_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
+	pipeline->mixed = false;
+	return pipeline_run(pipeline, step);
+}
+
+// The end of a step of no time, instead of the solve: how deep bodies overlap, for the user's counters. Spokes are split
+// in the step that lays them out, so that the next one reads back whether any is.
+static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
+{
+	RunList* list = &pipeline->list;
+	const Counters* c = &pipeline->counters;
+	if (c->hubs > 0 && !pipeline->split)
+		TRY(split(pipeline, step, bodies));
+	runs_add_single(list, STAGE_solve_begin); // its first item clears what the last finalize counted
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		runs_add(list, kind_info[kind].prepare, 0, c->layout[kind].begin[COLORS + 1], NO_COUNT, 0);
+	return pipeline_run(pipeline, step);
+}
+
+// From the boxes to the final poses.
+static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* request)
+{
+	bool moves = request->dt > 0.0f, solved = false;
+	TRY(pipeline_detect(pipeline, step, request, &solved));
+	if (pipeline->mixed)
+		TRY(mix(pipeline, step));
+	if (!moves)
+		return look(pipeline, step, request->bodies);
+	if (!solved)
+		TRY(pipeline_solve(pipeline, step, request, NO_COUNT));
+	TRY(command(pipeline, step, &request->commands, request->commands.end));
+	return pipeline_sparse(pipeline) ? pack(pipeline, step) : SCREE_OK;
+}
+
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
 	int solve_most = solve_runs_most(request->substeps);
-	bool solved = false;
+	bool moves = request->dt > 0.0f;
 	pipeline->begun = false;
 
 	// room for the longest list is made before the step begins, so that it cannot break off for want of it
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_flush(pipeline));
 	Step step = step_constants(pipeline, request);
-	TRY(pipeline_detect(pipeline, &step, request, &solved));
-	if (!solved)
-		TRY(pipeline_solve(pipeline, &step, request, NO_COUNT));
-	if (pipeline_sparse(pipeline))
-		TRY(pack(pipeline, &step));
+	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
+	if (!status)
+		status = work(pipeline, &step, request);
+	if (status && !pipeline->begun &&
+	    command(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED)
+		status = SCREE_ERROR_DEVICE_FAILED;
+	TRY(status);
 	if (request->timings)
 		TRY(b->f->timings(b, pipeline->boxes));
-	pipeline->traffic = traffic_of_solve(&pipeline->counters, request->bodies, request->substeps, &step);
+	pipeline->traffic = (scree_traffic){0};
+	if (moves)
+	{
+		pipeline->traffic = traffic_of_solve(&pipeline->counters, request->bodies, request->substeps, &step);
+		pipeline->step = step;
+	}
 	pipeline->begun = false;
 	TRY(count_trees(pipeline));
 	pipeline->jumps = false;
 	pipeline_trim(pipeline);
 	++pipeline->steps;
-	pipeline->step = step;
 	return SCREE_OK;
 }
 
@@ -207,6 +265,21 @@ scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared)
 		return b->f->show(b, &run);
 	TRY(pipeline_reserve(pipeline, SHOWN, run.end));
 	return b->f->run(b, &pipeline->step, &run, 1);
+}
+
+scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count)
+{
+	Backend* b = pipeline->backend;
+	int slots = pipeline->counters.contacts;
+	Run mark[] = {{.stage = STAGE_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
+	              {.stage = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
+	TRY(b->f->run(b, &pipeline->step, mark, 2));
+	TRY(b->f->read(b, POOL_scan, slots, 1, count));
+	if (*count == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(pipeline, LISTED, *count));
+	Run list = {.stage = STAGE_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
+	return b->f->run(b, &pipeline->step, &list, 1);
 }
 
 void pipeline_move(Pipeline* pipeline, Backend* backend)

@@ -20,14 +20,22 @@ typedef struct // host side of one tree of the broad phase; tree.c
 	bool shrunk; // there are more of these than left has
 } TreeState;
 
+typedef struct // that a step applies, a group of commands each: before it, after it, or instead of that where it was refused
+{
+	const Command *begin, *end, *undo;
+	const int* groups; // and the end
+	int count;
+} StepCommands;
+
 typedef struct // what a step is asked for
 {
-	float dt; // s
+	float dt; // s; 0 for a step that finds contacts and moves nothing
 	int substeps;
 	scree_vec gravity;
 	scree_tuning tuning;
 	int bodies, collidables; // slots in use
 	int contact_limit;       // 0 for the default
+	StepCommands commands;
 	bool timings;
 } StepRequest;
 
@@ -45,6 +53,7 @@ typedef struct
 	int idle;                     // steps since pools were last looked at for room to give back
 	int sparse;                   // steps with few contacts for their slots
 	bool jumps;                   // the user placed or made something since the last step: boxes may jump
+	bool mixed;                   // some collidable got another attribute of its shape since the last step
 	bool begun;                   // the step at work has changed something on the device
 	bool extras;                  // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution
@@ -75,6 +84,10 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 
 // Brings the pool shown up to date for so many slots of collidables; where it is shared, in the memory that OpenGL draws from.
 scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared);
+
+// Puts the touching contacts of a body together in the pool listed, and says how many there are. The user's changes are on the
+// device.
+scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // room.c

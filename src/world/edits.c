@@ -17,6 +17,7 @@ void pending_close(Pending* pending)
 	scree_release(pending->bodies);
 	scree_release(pending->collidables);
 	scree_release(pending->commands);
+	scree_release(pending->attributes);
 }
 
 void pending_body(scree_world* world, BodyRow row)
@@ -46,5 +47,7 @@ void pending_command(scree_world* world, int kind, int index, Float4 value, int 
 void pending_whole(scree_world* world, Command command)
 {
 	Pending* p = &world->pending;
+	if (command.kind < COMMAND_BODY)
+		command.whole[1] = world->host_bodies[command.index].disabled;
 	p->commands[p->command_count++] = command;
 }

@@ -7,6 +7,7 @@
 #define PENDING_H
 #include "pools/pools.h"
 #include "scree/scree.h"
+#include <stdbool.h>
 
 typedef struct // the row of a body, sorted by index; all zero but the rotation for one that is destroyed
 {
@@ -18,6 +19,7 @@ typedef struct // the row of a body, sorted by index; all zero but the rotation 
 	float inv_mass, inv_inertia;
 	float gravity_scale, linear_damping, angular_damping;
 	uint32_t locks;
+	bool disabled;
 } BodyRow;
 
 typedef struct // the row of a collidable, the same
@@ -40,7 +42,9 @@ typedef struct
 	int body_count, body_capacity;
 	int collidable_count, collidable_capacity;
 	int command_count, command_capacity;
-	int attributes; // how many the device has
+	int* attributes; // slots that the device has to hear of, each once
+	int attribute_count, attribute_capacity;
+	int attribute_rows; // of the device, that have ever been written
 } Pending;
 
 // Room for so many more, after which the functions below cannot fail.

@@ -3,6 +3,7 @@
 // commands, grouped by the item that they change.
 #include "world/geometry.h"
 #include "world/world.h"
+#include <stdlib.h>
 #include <string.h>
 
 // A shorter run of rows travels as commands: on a GPU a transfer costs as much as some hundred commands.
@@ -119,10 +120,11 @@ static int body_run(const Pending* p, int k)
 	return end;
 }
 
-// Of a collidable that was destroyed only the kind is written: its contacts end when they see its box become empty.
+// Of a collidable that was destroyed, or whose body is disabled, only the kind is written: its contacts end when they see
+// its box become empty.
 static bool is_dead(const scree_world* world, int k)
 {
-	return !slots_in_use(&world->collidables, world->pending.collidables[k].index);
+	return collidable_kind(world, world->pending.collidables[k].index) == KIND_DEAD;
 }
 
 static int collidable_run(const scree_world* world, int k)
@@ -140,17 +142,19 @@ static int collidable_run(const scree_world* world, int k)
 // ---------------------------------------------------------------------------------------------------------------
 
 static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pose_low, POOL_motion,
-                                    POOL_local_center, POOL_color_mask, POOL_guarded};
+                                    POOL_local_center, POOL_color_mask, POOL_guarded,  POOL_kept};
 
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
+	// what is disabled rests, and its velocity is kept beside it
+	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
 	{
 	case POOL_body:
-		*(BodyState*)item = (BodyState){.vx = row->velocity.linear.x,
-		                                .vy = row->velocity.linear.y,
-		                                .w = row->velocity.angular,
+		*(BodyState*)item = (BodyState){.vx = now.linear.x,
+		                                .vy = now.linear.y,
+		                                .w = now.angular,
 		                                .inv_mass = row->inv_mass,
 		                                .inv_inertia = row->inv_inertia};
 		break;
@@ -158,7 +162,7 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		*(Float4*)item = make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
 		break;
 	case POOL_motion:
-		*(Motion*)item = (Motion){.gravity_scale = row->gravity_scale,
+		*(Motion*)item = (Motion){.gravity_scale = row->disabled ? 0.0f : row->gravity_scale,
 		                          .linear_damping = row->linear_damping,
 		                          .angular_damping = row->angular_damping,
 		                          .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
@@ -169,6 +173,11 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		break;
 	case POOL_guarded:
 		*(Guarded*)item = body_guarded(world, row->index);
+		break;
+	case POOL_kept:
+		*(Float4*)item = make_float4(v.linear.x, v.linear.y, v.angular, 1.0f);
+		if (!row->disabled)
+			*(Float4*)item = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 		break;
 	default:
 		*(Word64*)item = 0;
@@ -221,6 +230,20 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 	}
 }
 
+// Is there something to write into the row kept of a body, or to clear?
+static bool has_kept(const scree_world* world, const BodyRow* row)
+{
+	return row->disabled || world->host_bodies[row->index].kept;
+}
+
+static bool some_have_kept(const scree_world* world, int begin, int end)
+{
+	bool some = false;
+	for (int k = begin; k < end && !some; ++k)
+		some = has_kept(world, world->pending.bodies + k);
+	return some;
+}
+
 static scree_status write_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
@@ -228,6 +251,8 @@ static scree_status write_bodies(scree_world* world, int begin, int end, char* s
 	for (size_t p = 0; p < sizeof body_pools / sizeof *body_pools; ++p)
 	{
 		PoolId pool = body_pools[p];
+		if (pool == POOL_kept && !some_have_kept(world, begin, end))
+			continue;
 		for (int k = begin; k < end; ++k)
 			body_item(world, pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
 		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
@@ -250,18 +275,34 @@ static scree_status write_collidables(scree_world* world, int begin, int end, ch
 	return SCREE_OK;
 }
 
-static scree_status write_attributes(scree_world* world, char* stage)
+static scree_status write_attributes(scree_world* world, int first, int count, char* stage)
 {
 	Backend* b = world->backend;
-	int first = world->pending.attributes, count = world->attribute_count - first;
 	for (int k = 0; k < count; ++k)
 		attribute_item(world, first + k, (Attribute*)stage + k);
-	if (count == 0)
-		return SCREE_OK;
 	TRY(b->f->write(b, POOL_attribute, first, count, stage));
 	for (int k = 0; k < count; ++k)
 		((float*)stage)[k] = attribute_thickness(world, first + k);
 	return b->f->write(b, POOL_thickness, first, count, stage);
+}
+
+static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
+
+// Those that wait, by runs of neighboring slots. One that is gone again is written as it was.
+static scree_status write_waiting_attributes(scree_world* world, char* stage)
+{
+	Pending* p = &world->pending;
+	if (p->attribute_count > 1)
+		qsort(p->attributes, (size_t)p->attribute_count, sizeof *p->attributes, compare_slots);
+	for (int k = 0, end; k < p->attribute_count; k = end)
+	{
+		for (end = k + 1; end < p->attribute_count && p->attributes[end] == p->attributes[end - 1] + 1;)
+			++end;
+		TRY(write_attributes(world, p->attributes[k], end - k, stage));
+		int rows = p->attributes[end - 1] + 1;
+		p->attribute_rows = rows > p->attribute_rows ? rows : p->attribute_rows;
+	}
+	return SCREE_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -271,13 +312,16 @@ static scree_status write_attributes(scree_world* world, char* stage)
 static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
-	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_value(row->pose)};
+	to[0] = (Command){.kind = COMMAND_BODY, .whole = {has_kept(world, row)}, .value = pose_value(row->pose)};
 	to[1] = (Command){.kind = COMMAND_MASS,
+	                  .whole = {0, row->disabled},
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
 	to[2] = (Command){.kind = COMMAND_MOTION,
-	                  .whole = {(int)row->locks},
+	                  .whole = {(int)row->locks, row->disabled},
 	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
-	to[3] = (Command){.kind = COMMAND_VELOCITY, .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	to[3] = (Command){.kind = COMMAND_VELOCITY,
+	                  .whole = {0, row->disabled},
+	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
 	to[4] = guarded_command(world, row->index);
 	for (int k = 0; k < BODY_COMMANDS; ++k)
 		to[k].index = row->index;
@@ -458,11 +502,11 @@ static scree_status flush(scree_world* world)
 	}
 
 	// room for everything before anything is sent
-	TRY(pipeline_reserve(&world->pipeline, ATTRIBUTE, world->attribute_count));
+	TRY(pipeline_reserve(&world->pipeline, ATTRIBUTE, world->attribute_slots.used));
 	TRY(pipeline_reserve(&world->pipeline, BODY, world->bodies.used));
 	TRY(pipeline_reserve(&world->pipeline, COLLIDABLE, world->collidables.used));
 	TRY(pipeline_reserve(&world->pipeline, COMMAND, commands + 1));
-	size_t bytes = (size_t)(world->attribute_count - p->attributes) * sizeof(Attribute);
+	size_t bytes = (size_t)p->attribute_count * sizeof(Attribute);
 	bytes = larger(bytes, (size_t)body_rows * sizeof(BodyState));
 	bytes = larger(bytes, (size_t)collidable_rows * sizeof(Filter));
 	bytes = larger(bytes, (size_t)commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
@@ -471,7 +515,7 @@ static scree_status flush(scree_world* world)
 		return no_memory(bytes);
 
 	world->pipeline.jumps |= places(p);
-	TRY(write_attributes(world, memory));
+	TRY(write_waiting_attributes(world, memory));
 	for (int k = 0, end; k < p->body_count; k = end)
 	{
 		end = body_run(p, k);
@@ -487,18 +531,23 @@ static scree_status flush(scree_world* world)
 	TRY(send_commands(world, commands, memory));
 
 	for (int k = 0; k < p->body_count; ++k)
-		world->host_bodies[p->bodies[k].index].waiting.row = 0;
+	{
+		HostBody* host = world->host_bodies + p->bodies[k].index;
+		host->waiting.row = 0;
+		host->kept = host->disabled;
+	}
 	for (int k = 0; k < p->collidable_count; ++k)
 		world->host_collidables[p->collidables[k].index].waiting.row = 0;
-	p->body_count = p->collidable_count = p->command_count = 0;
-	p->attributes = world->attribute_count;
+	for (int k = 0; k < p->attribute_count; ++k)
+		world->host_attributes[p->attributes[k]].waiting = false;
+	p->body_count = p->collidable_count = p->command_count = p->attribute_count = 0;
 	return SCREE_OK;
 }
 
 scree_status world_flush(scree_world* world)
 {
 	const Pending* p = &world->pending;
-	if (p->body_count + p->collidable_count + p->command_count == 0 && p->attributes == world->attribute_count)
+	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count == 0)
 		return SCREE_OK;
 	double begin = automatic_clock();
 	scree_status status = world_note(world, flush(world));

@@ -9,6 +9,7 @@
 #include "world/check.h"
 #include "world/edits.h"
 #include "world/slots.h"
+#include "world/targets.h"
 
 typedef struct // what only the host knows of a body
 {
@@ -19,6 +20,9 @@ typedef struct // what only the host knows of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
+	int target;    // 1 + its place among the targets, 0 for none
+	bool disabled; // takes no part: its collidables are dead to the device
+	bool kept;     // the device may have something in the row kept of the slot
 	Waiting waiting;
 	bool marked; // within a call: named by the batch
 } HostBody;
@@ -36,6 +40,14 @@ typedef struct // what only the host knows of a collidable
 	bool marked;
 } HostCollidable;
 
+typedef struct // what else the host knows of an attribute
+{
+	uint32_t name;   // a hash of its values, never 0
+	int claims;      // times that the user made it, less those that it was destroyed
+	int collidables; // that have it
+	bool waiting;    // for the next flush
+} HostAttribute;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -46,11 +58,14 @@ struct scree_world
 	HostBody* host_bodies;     // of each slot
 	HostCollidable* host_collidables;
 	int host_body_capacity, host_collidable_capacity;
-	scree_attribute_def* attributes;
-	uint32_t* attribute_names; // a hash of each one's values, never 0: the generation of its handle
-	int* attribute_table;      // attribute or -1 by name, open addressing
-	int attribute_count, attribute_capacity, attribute_table_size;
-	int dynamic_bodies;
+	Slots attribute_slots;
+	scree_attribute_def* attributes; // of each slot
+	HostAttribute* host_attributes;  // the same
+	int* attribute_table;            // 1 + attribute by name, 0 for none; open addressing
+	int attribute_capacity, host_attribute_capacity, attribute_table_size;
+	int dynamic_bodies, disabled_bodies;
+	Target* targets; // of kinematic bodies, in no order
+	int target_count, target_capacity;
 	Pending pending;
 	Pipeline pipeline;
 	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
@@ -115,12 +130,14 @@ scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity veloci
 // src/api/collidable.c
 // Room for so many more, after which putting one cannot fail. pending_reserve is the caller's.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
-// Takes count slots, with leaves in the trees. slots holds the kinds (KIND_*) and gets the slots; on failure none is taken.
+// Takes count slots, with leaves in the trees but for KIND_DEAD. slots holds the kinds (KIND_*) and gets the slots; on
+// failure none is taken.
 scree_status collidables_take(scree_world* world, int* slots, int count);
 // Makes a collidable in a slot, last of its body's list (body -1: none); takes one out again and frees the slot.
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
-int collidable_kind(const scree_world* world, int index);
+int collidable_kind(const scree_world* world, int index); // KIND_DEAD also on a body that is disabled
+int kind_on_body(const scree_world* world, int body);     // of a collidable of this body, -1 for none
 int kind_of_type(scree_body_type type);
 // The tree in which collidables of a kind lie.
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

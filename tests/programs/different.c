@@ -20,6 +20,7 @@ static const Named named[] = {
     {POOL_pose_low, {"low_x", "low_y"}},
     {POOL_motion, {"fx", "fy", "torque", "gravity_scale", "linear_damping", "angular_damping", "free_x", "free_y"}},
     {POOL_local_center, {"x", "y"}},
+    {POOL_kept, {"vx", "vy", "w", "disabled"}},
     {POOL_color_mask, {"low", "high"}},
     {POOL_collidable_pose, {"x", "y", "cos", "sin"}},
     {POOL_collidable_kind, {"kind"}},

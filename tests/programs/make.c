@@ -6,17 +6,20 @@
 #include <float.h>
 #include <math.h>
 
-#define MOST_BODIES 110 // at a time, so that thousands of programs need minutes
+#define MOST_KINEMATIC 8
+#define MOST_BODIES    110 // at a time, so that thousands of programs need minutes
 
 typedef struct
 {
 	Program* program;
 	uint64_t seed;
 	int bodies, collidables, attributes; // numbers given out
-	int alive;                           // bodies, about
-	float extreme;                       // share of values that are extreme
-	bool extras;                         // restitution, rolling resistance, tangent speeds
-	bool moves;                          // between devices, which takes as long as dozens of steps
+	float kinematic[MOST_KINEMATIC];     // numbers of the last bodies that were made, or became, kinematic
+	int kinematics;
+	int alive;     // bodies, about
+	float extreme; // share of values that are extreme
+	bool extras;   // restitution, rolling resistance, tangent speeds
+	bool moves;    // between devices, which takes as long as dozens of steps
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -104,6 +107,20 @@ static void set_place(Maker* m, Call* call)
 	call_set(call, "angle", angle(m));
 }
 
+static void set_surface(Maker* m, Call* call)
+{
+	call_set(call, "density",
+	         chance(m, 0.3) ? PICK(m, 0.0f, 1e-6f, 0.01f, 100.0f, 1e6f, 1e9f) : between(m, 0.1f, 3.0f));
+	call_set(call, "friction",
+	         chance(m, 0.1) ? PICK(m, 0.0f, 1e-45f, 10.0f, 1e3f, 1e6f, FLT_MAX) : between(m, 0.0f, 1.0f));
+	if (m->extras && chance(m, 0.6))
+	{
+		call_set(call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f));
+		call_set(call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
+		call_set(call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
+	}
+}
+
 static void put_attribute(Maker* m)
 {
 	static const CallKind kinds[] = {CALL_box,     CALL_box,     CALL_circle,  CALL_circle, CALL_capsule,
@@ -145,21 +162,43 @@ static void put_attribute(Maker* m)
 		call_set(&call, "size", 2.0f * size);
 		call_set(&call, "radius", chance(m, 0.3) ? 0.1f * size : 0.0f);
 	}
-	call_set(&call, "density",
-	         chance(m, 0.3) ? PICK(m, 0.0f, 1e-6f, 0.01f, 100.0f, 1e6f, 1e9f) : between(m, 0.1f, 3.0f));
-	call_set(&call, "friction",
-	         chance(m, 0.1) ? PICK(m, 0.0f, 1e-45f, 10.0f, 1e3f, 1e6f, FLT_MAX) : between(m, 0.0f, 1.0f));
-	if (m->extras && chance(m, 0.6))
-	{
-		call_set(&call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f));
-		call_set(&call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
-		call_set(&call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
-	}
+	set_surface(m, &call);
 	put(m, call);
 }
 
 static float any_attribute(Maker* m) { return (float)below(m, m->attributes + chance(m, 0.01)); }
+// another surface for a shape that is there
+static void put_like(Maker* m)
+{
+	Call call = call_make(CALL_like);
+	call_set(&call, "of", any_attribute(m));
+	call_set(&call, "attribute", (float)m->attributes++);
+	set_surface(m, &call);
+	put(m, call);
+}
+
+// often one that something has, and one whose number others had
+static void put_drop(Maker* m)
+{
+	Call call = call_make(CALL_drop);
+	call_set(&call, "attribute", any_attribute(m));
+	put(m, call);
+}
+
 static float any_body(Maker* m) { return (float)below(m, m->bodies + 1); } // now and then one that is not there
+// A target is only for a body that is kinematic, which few are: the number of one that was made so, if any.
+static float any_kinematic(Maker* m)
+{
+	int place = m->kinematics > 0 ? below(m, m->kinematics) : 0;
+	return m->kinematics > 0 && chance(m, 0.9) ? m->kinematic[place % MOST_KINEMATIC] : any_body(m);
+}
+
+static void note_type(Maker* m, const Call* call, float body)
+{
+	if (call_value(call, "type") == 1.0f)
+		m->kinematic[m->kinematics++ % MOST_KINEMATIC] = body;
+}
+
 static float any_type(Maker* m) { return PICK(m, 0.0f, 1.0f, 2.0f, 2.0f, 2.0f, 2.0f, 2.0f, 2.0f); }
 
 static void set_velocity(Maker* m, Call* call, const char* x, const char* y, const char* w)
@@ -188,7 +227,10 @@ static void put_body(Maker* m)
 	}
 	if (chance(m, 0.15))
 		call_set(&call, "locks", (float)below(m, 8));
+	if (chance(m, 0.05))
+		call_set(&call, "disabled", 1.0f);
 	set_filter(m, &call);
+	note_type(m, &call, call_value(&call, "body"));
 	m->alive += 1;
 	put(m, call);
 }
@@ -272,7 +314,9 @@ static void put_step(Maker* m)
 {
 	Call call = call_make(CALL_step);
 	if (chance(m, 0.2))
-		call_set(&call, "dt", PICK(m, 1e-9f, 1e-6f, 1e-4f, 1e-3f, 1.0f / 240.0f, 1.0f / 30.0f, 0.1f, 0.5f, 1.0f));
+		call_set(&call, "dt",
+		         PICK(m, 0.0f, 0.0f, 0.0f, 1e-10f, 1e-9f, 1e-6f, 1e-4f, 1e-3f, 1.0f / 240.0f, 1.0f / 30.0f, 0.1f, 0.5f,
+		              1.0f));
 	if (chance(m, 0.2))
 		call_set(&call, "substeps", PICK(m, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 5.0f, 8.0f, 16.0f));
 	put(m, call);
@@ -292,6 +336,17 @@ static void put_motion(Maker* m)
 		break;
 	case CALL_pose:
 		set_place(m, &call);
+		break;
+	case CALL_target:
+		set_place(m, &call);
+		call_set(&call, "body", any_kinematic(m));
+		break;
+	case CALL_linear_velocity:
+		call_set(&call, "x", bounded(m, 4.0f));
+		call_set(&call, "y", bounded(m, 4.0f));
+		break;
+	case CALL_angular_velocity:
+		call_set(&call, "x", bounded(m, 4.0f));
 		break;
 	default:
 		call_set(&call, "x", amount(m, chance(m, 0.2) ? 1000.0f : 20.0f));
@@ -314,6 +369,7 @@ static void put_setting(Maker* m)
 	{
 	case CALL_type:
 		call_set(&call, "type", any_type(m));
+		note_type(m, &call, call_value(&call, "body"));
 		break;
 	case CALL_damping:
 		call_set(&call, "linear", factor(m, 3.0f));
@@ -324,6 +380,11 @@ static void put_setting(Maker* m)
 		break;
 	case CALL_locks:
 		call_set(&call, "locks", (float)below(m, 8));
+		break;
+	case CALL_enabled:
+		call_set(&call, "enabled", (float)chance(m, 0.6));
+		if (chance(m, 0.3))
+			call_set(&call, "count", (float)(1 + below(m, 8)));
 		break;
 	default:
 		call_set(&call, "mass", chance(m, 0.5) ? PICK(m, 100.0f, 1e6f, 1e-3f, 1e-15f, 1e30f) : factor(m, 5.0f));
@@ -339,8 +400,8 @@ static void put_setting(Maker* m)
 
 static void put_collidable(Maker* m)
 {
-	CallKind kinds[] = {CALL_collidable, CALL_collidable, CALL_remove, CALL_filter, CALL_place};
-	Call call = call_make(kinds[below(m, 5)]);
+	CallKind kinds[] = {CALL_collidable, CALL_collidable, CALL_remove, CALL_filter, CALL_place, CALL_dress, CALL_dress};
+	Call call = call_make(kinds[below(m, 7)]);
 	switch (call.kind)
 	{
 	case CALL_collidable:
@@ -366,6 +427,8 @@ static void put_collidable(Maker* m)
 		call_set(&call, "which", (float)below(m, 3));
 		if (call.kind == CALL_filter)
 			set_filter(m, &call);
+		if (call.kind == CALL_dress)
+			call_set(&call, "attribute", any_attribute(m));
 	}
 	put(m, call);
 }
@@ -436,7 +499,7 @@ static void put_any(Maker* m)
 	else if (k < 89)
 		m->alive < MOST_BODIES - 20 ? put_bodies(m, 2 + below(m, 18)) : put_destroy(m);
 	else if (k < 92)
-		put_attribute(m);
+		chance(m, 0.5) ? put_attribute(m) : chance(m, 0.5) ? put_like(m) : put_drop(m);
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : put_tuning(m);
 	else if (k < 97)

@@ -218,7 +218,9 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
 		take_turns(pair, call, hashes, left);
 		bool differs = left_differs(&left[0], &left[1], &outcome);
-		if (!differs && call->kind == CALL_step && left[0].status == SCREE_OK && hashes)
+		// a step of no time ends nothing that is not finite, and nothing that is too fast
+		bool moved = call->kind == CALL_step && call_value(call, "dt") > 0.0f;
+		if (!differs && moved && left[0].status == SCREE_OK && hashes)
 		{
 			outcome.frozen += state_frozen(pair->worlds[0]);
 			if (!pair->infinite)

@@ -24,11 +24,13 @@ static scree_body body_of(const Turn* t, int k)
 	return k >= 0 && k < MOST_NAMES ? t->names->bodies[k] : (scree_body){0, 0};
 }
 
-static scree_attribute attribute_of(const Turn* t)
+static scree_attribute attribute_at(const Turn* t, const char* name)
 {
-	int k = whole(t, "attribute");
+	int k = whole(t, name);
 	return k >= 0 && k < MOST_NAMES ? t->names->attributes[k] : (scree_attribute){0, 0};
 }
+
+static scree_attribute attribute_of(const Turn* t) { return attribute_at(t, "attribute"); }
 
 static scree_pose pose_of(const Turn* t) { return (scree_pose){vec(t, "x", "y"), scree_rot_make(real(t, "angle"))}; }
 
@@ -102,6 +104,13 @@ static scree_status make_shape(const Turn* t, scree_shape* shape)
 		return scree_shape_make_segment(vec(t, "x", "y"), vec(t, "x2", "y2"), shape);
 	case CALL_polygon:
 		return make_polygon(t, shape);
+	case CALL_like:
+	{
+		scree_attribute_def def = scree_attribute_def_default();
+		scree_status status = scree_attribute_get_def(t->world, attribute_at(t, "of"), &def);
+		*shape = def.shape;
+		return status;
+	}
 	default:
 		return make_hull(t, shape);
 	}
@@ -139,6 +148,7 @@ static scree_status run_body(const Turn* t)
 	def.linear_damping = real(t, "linear");
 	def.angular_damping = real(t, "angular");
 	def.locks = (uint32_t)whole(t, "locks");
+	def.disabled = whole(t, "disabled") != 0;
 	def.filter = filter_of(t);
 	if (real(t, "attribute") >= 0.0f)
 		def.attribute = attribute_of(t);
@@ -217,6 +227,7 @@ typedef struct // the same value for each of a batch
 	scree_body bodies[MOST_BATCH];
 	scree_vec vectors[MOST_BATCH], points[MOST_BATCH];
 	float numbers[MOST_BATCH];
+	bool flags[MOST_BATCH];
 	scree_velocity velocities[MOST_BATCH];
 	scree_pose poses[MOST_BATCH];
 } Batch;
@@ -227,16 +238,21 @@ static scree_status run_batch(const Turn* t)
 	CallKind kind = t->call->kind;
 	int count = batch_count(t), first = whole(t, "body");
 	bool at = kind == CALL_force_at || kind == CALL_impulse_at;
-	bool number = kind == CALL_torque || kind == CALL_angular_impulse;
+	bool number = kind == CALL_torque || kind == CALL_angular_impulse || kind == CALL_angular_velocity;
 	for (int k = 0; k < count; ++k)
 	{
 		b.bodies[k] = body_of(t, first + k);
+		if (kind == CALL_enabled)
+		{
+			b.flags[k] = whole(t, "enabled") != 0;
+			continue;
+		}
 		b.numbers[k] = real(t, "x");
 		b.vectors[k] = number ? (scree_vec){0} : vec(t, "x", "y");
 		b.points[k] = at ? vec(t, "at_x", "at_y") : (scree_vec){0};
 		if (kind == CALL_velocity)
 			b.velocities[k] = (scree_velocity){vec(t, "x", "y"), real(t, "w")};
-		if (kind == CALL_pose)
+		if (kind == CALL_pose || kind == CALL_target)
 			b.poses[k] = pose_of(t);
 	}
 	switch (kind)
@@ -255,6 +271,14 @@ static scree_status run_batch(const Turn* t)
 		return scree_bodies_apply_angular_impulses(t->world, b.bodies, b.numbers, count);
 	case CALL_velocity:
 		return scree_bodies_set_velocities(t->world, b.bodies, b.velocities, count);
+	case CALL_linear_velocity:
+		return scree_bodies_set_linear_velocities(t->world, b.bodies, b.vectors, count);
+	case CALL_angular_velocity:
+		return scree_bodies_set_angular_velocities(t->world, b.bodies, b.numbers, count);
+	case CALL_target:
+		return scree_bodies_set_targets(t->world, b.bodies, b.poses, count);
+	case CALL_enabled:
+		return scree_bodies_set_enabled(t->world, b.bodies, b.flags, count);
 	default:
 		return scree_bodies_set_poses(t->world, b.bodies, b.poses, count);
 	}
@@ -281,6 +305,14 @@ static scree_status run_motion(const Turn* t)
 		return scree_body_apply_angular_impulse(t->world, body, real(t, "x"));
 	case CALL_velocity:
 		return scree_body_set_velocity(t->world, body, (scree_velocity){vec(t, "x", "y"), real(t, "w")});
+	case CALL_linear_velocity:
+		return scree_body_set_linear_velocity(t->world, body, vec(t, "x", "y"));
+	case CALL_angular_velocity:
+		return scree_body_set_angular_velocity(t->world, body, real(t, "x"));
+	case CALL_target:
+		return scree_body_set_target(t->world, body, pose_of(t));
+	case CALL_enabled:
+		return scree_body_set_enabled(t->world, body, whole(t, "enabled") != 0);
 	default:
 		return scree_body_set_pose(t->world, body, pose_of(t));
 	}
@@ -317,6 +349,24 @@ static uint64_t mixed(uint64_t word, const void* bytes, size_t count)
 }
 
 #define MOST_READ 512
+
+// The contacts of one body are those of all in which it is.
+static bool contacts_agree(const Turn* t, scree_body body, const scree_contact* all, int count)
+{
+	static scree_contact some[MOST_READ];
+	int listed = 0, next = 0;
+	if (scree_body_get_contacts(t->world, body, some, MOST_READ, &listed) != SCREE_OK)
+		return false;
+	for (int k = 0; k < count; ++k)
+	{
+		if (!scree_body_equals(all[k].body_a, body) && !scree_body_equals(all[k].body_b, body))
+			continue;
+		if (next == listed || memcmp(&some[next++], &all[k], sizeof all[k]) != 0)
+			return false;
+	}
+	return next == listed;
+}
+
 static scree_status run_read(const Turn* t)
 {
 	static scree_contact contacts[MOST_READ];
@@ -324,6 +374,10 @@ static scree_status run_read(const Turn* t)
 	uint64_t word = 0xcbf29ce484222325u;
 	int counts[3] = {0};
 	scree_status status = scree_world_get_contacts(t->world, contacts, MOST_READ, &counts[0]);
+	scree_body body = body_of(t, whole(t, "body"));
+	if (status == SCREE_OK && counts[0] <= MOST_READ && scree_body_is_valid(t->world, body) &&
+	    !contacts_agree(t, body, contacts, counts[0]))
+		return SCREE_ERROR_DEVICE_FAILED;
 	for (int k = 0; k < counts[0] && k < MOST_READ && status == SCREE_OK; ++k)
 	{
 		contacts[k].points[1] = contacts[k].count > 1 ? contacts[k].points[1] : (scree_contact_point){.feature = 0};
@@ -347,7 +401,6 @@ static scree_status run_read(const Turn* t)
 	}
 	scree_pose pose = {0};
 	scree_velocity velocity = {0};
-	scree_body body = body_of(t, whole(t, "body"));
 	if (status == SCREE_OK && scree_body_is_valid(t->world, body))
 	{
 		status = scree_body_get_pose(t->world, body, &pose);
@@ -404,7 +457,10 @@ scree_status run_call(const Turn* t)
 	case CALL_segment:
 	case CALL_polygon:
 	case CALL_hull:
+	case CALL_like:
 		return run_attribute(t);
+	case CALL_drop:
+		return scree_attribute_destroy(t->world, attribute_of(t));
 	case CALL_body:
 		return run_body(t);
 	case CALL_bodies:
@@ -423,6 +479,8 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_destroy(t->world, collidable_of(t));
 	case CALL_filter:
 		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
+	case CALL_dress:
+		return scree_collidable_set_attribute(t->world, collidable_of(t), attribute_of(t));
 	case CALL_place:
 		return run_place(t);
 	case CALL_gravity:

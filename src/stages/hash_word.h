@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// hash_word.h -- what the hash of an item is made of, for the stages and for what only the host knows.
+#ifndef HASH_WORD_H
+#define HASH_WORD_H
+#include "pools/pools.h"
+
+// the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input moves half of the output's
+INLINE Word64 hash_mix(Word64 h)
+{
+	h ^= h >> 33;
+	h *= (Word64)0xff51afd7ed558ccdUL;
+	h ^= h >> 33;
+	h *= (Word64)0xc4ceb9fe1a85ec53UL;
+	h ^= h >> 33;
+	return h;
+}
+
+INLINE Word64 hash_word(Word64 h, Word x) { return hash_mix(h + (Word64)0x9e3779b97f4a7c15UL + (Word64)x); }
+INLINE Word64 hash_float(Word64 h, float x) { return hash_word(h, float_word(x)); }
+INLINE Word64 hash_float4(Word64 h, Float4 v)
+{
+	return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w);
+}
+INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
+
+#endif

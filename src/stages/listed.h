@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// listed.h -- the touching contacts of one body, side by side for the host to read: no step reads them.
+#ifndef LISTED_H
+#define LISTED_H
+#include "constraints/kinds.h"
+
+// Item i is a contact slot, and one more. argument is the body.
+STAGE(contact_mark)
+{
+	int wanted = 0;
+	if (i < p->counters->contacts && p->pair[i].x >= 0)
+	{
+		Int2 bodies = p->contact_bodies[i];
+		wanted = (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED)) == CONTACT_TOUCHING &&
+		         (bodies.x == p->argument || bodies.y == p->argument);
+	}
+	p->scan[i] = wanted;
+}
+
+// After the scan: slot i is wanted where the scan rises. argument is how many rows there is room for.
+STAGE(contact_list)
+{
+	int row = p->scan[i];
+	if (p->scan[i + 1] == row || row >= p->argument)
+		return;
+	Listed listed;
+	int c = p->contact_place[i];
+	listed.pair = p->pair[i];
+	listed.feature = p->contact_feature[i];
+	listed.flags = p->contact_flags[i];
+	listed.color = p->contact_color[i];
+	listed.place = c;
+	listed.unused = 0;
+	listed.impulse = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	if (c >= 0)
+		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
+		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
+	listed.found = p->contact_found[i];
+	listed.a = p->placed[listed.pair.x];
+	listed.b = p->placed[listed.pair.y];
+	p->listed[row] = listed;
+}
+
+#endif

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// test_looks.c -- steps of no time: what they find, and what they leave alone; on the CPU and on OpenCL.
+#include "world_support.h"
+
+static scree_pose pose_at(float x, float y, float radians) { return (scree_pose){{x, y}, scree_rot_make(radians)}; }
+
+static scree_counters counters_of(scree_world* world)
+{
+	scree_counters counters;
+	assert_ok(scree_world_get_counters(world, &counters));
+	return counters;
+}
+
+static int contacts_with(scree_world* world, scree_body body)
+{
+	int count;
+	assert_ok(scree_body_get_contacts(world, body, NULL, 0, &count));
+	return count;
+}
+
+static void assert_pose(scree_world* world, scree_body body, scree_pose expected)
+{
+	scree_pose pose = pose_of(world, body);
+	assert_true(pose.position.x == expected.position.x && pose.position.y == expected.position.y);
+	assert_true(pose.rotation.c == expected.rotation.c && pose.rotation.s == expected.rotation.s);
+}
+
+static void assert_velocity(scree_world* world, scree_body body, float x, float y, float w)
+{
+	scree_velocity v = velocity_of(world, body);
+	assert_true(v.linear.x == x && v.linear.y == y && v.angular == w);
+}
+
+static void look(scree_world* world) { assert_ok(scree_world_step(world, 0.0f, 4)); }
+
+static void looking_finds_contacts(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.49f),
+	           fast = add_box(world, SCREE_BODY_DYNAMIC, 5.0f, 3.0f);
+	assert_ok(scree_body_set_velocity(world, fast, (scree_velocity){{3, -300}, 2}));
+	assert_int_equal(contacts_of(world), 0);
+	scree_pose pose = pose_of(world, crate);
+	look(world);
+	scree_contact contact;
+	int count;
+	assert_ok(scree_body_get_contacts(world, crate, &contact, 1, &count));
+	assert_int_equal(count, 1);
+	assert_near(contact.points[0].separation, -0.01, 1e-6);
+	assert_true(contact.points[0].normal_impulse == 0.0f && contact.points[1].tangent_impulse == 0.0f);
+	assert_near(counters_of(world).penetration, 0.01, 1e-6);
+	assert_int_equal(contacts_with(world, fast), 0);
+	assert_pose(world, crate, pose);
+	assert_velocity(world, crate, 0, 0, 0);
+	assert_velocity(world, fast, 3, -300, 2);
+	scree_traffic traffic;
+	assert_ok(scree_world_get_traffic(world, &traffic));
+	assert_true(traffic.constraints == 0 && traffic.constraint_bytes == 0);
+
+	// placed elsewhere, the contact ends
+	assert_ok(scree_body_set_pose(world, crate, pose_at(0.0f, 5.0f, 0.0f)));
+	look(world);
+	assert_int_equal(contacts_of(world), 0);
+	assert_int_equal(counters_of(world).steps, 2);
+	assert_true(counters_of(world).penetration == 0.0f);
+	scree_world_destroy(world);
+}
+
+static void looking_changes_nothing_else(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body crates[5];
+	for (int k = 0; k < 5; ++k)
+		crates[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f + (float)k);
+	step(world, 100);
+	scree_contact before[8], after[8];
+	int count, again;
+	look(world);
+	assert_ok(scree_world_get_contacts(world, before, 8, &count));
+	assert_int_equal(count, 5);
+	uint64_t hash = hash_of(world);
+	for (int k = 0; k < 100; ++k)
+	{
+		look(world);
+		assert_true(hash_of(world) == hash);
+	}
+	assert_ok(scree_world_get_contacts(world, after, 8, &again));
+	assert_int_equal(again, count);
+	assert_memory_equal(before, after, (size_t)count * sizeof *before);
+
+	// impulses stayed, m g of what is above a substep; and a force waits for a step that takes time
+	double load = 0.0;
+	assert_ok(scree_body_get_contacts(world, crates[4], after, 8, &again));
+	assert_int_equal(again, 1);
+	for (int k = 0; k < 2; ++k)
+		load += after[0].points[k].normal_impulse;
+	assert_near(load, 10.0 * STEP / 4.0, 1e-3);
+	scree_velocity v = velocity_of(world, crates[4]);
+	assert_ok(scree_body_apply_force(world, crates[4], (scree_vec){0.0f, 70.0f}));
+	look(world);
+	assert_velocity(world, crates[4], v.linear.x, v.linear.y, v.angular);
+	step(world, 1);
+	assert_near(velocity_of(world, crates[4]).linear.y, 60.0 * STEP, 1e-2);
+	step(world, 1);
+	assert_near(velocity_of(world, crates[4]).linear.y, 50.0 * STEP, 1e-2);
+
+	// a pile at rest stays at rest, however often somebody looks between two steps
+	for (int k = 0; k < 60; ++k)
+	{
+		step(world, 1);
+		look(world);
+	}
+	for (int k = 0; k < 5; ++k)
+		assert_near(pose_of(world, crates[k]).position.y, 0.5 + k, 0.02);
+	scree_world_destroy(world);
+}
+
+static void no_time_is_no_error(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	look(world); // of nothing
+	assert_ok(scree_world_step(world, -0.0f, 1));
+	scree_attribute_def ball = scree_attribute_def_default();
+	scree_attribute attribute;
+	assert_ok(scree_shape_make_circle((scree_vec){0, 0}, 0.5f, &ball.shape));
+	ball.restitution = 1.0f;
+	ball.rolling_resistance = 0.1f;
+	assert_ok(scree_attribute_create(world, &ball, &attribute));
+	add_ground(world);
+	scree_body_def def = scree_body_def_default();
+	def.attribute = attribute;
+	def.pose.position.y = 0.49f;
+	def.velocity.angular = 1000.0f;
+	scree_body body;
+	assert_ok(scree_body_create(world, &def, &body));
+	assert_ok(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, FLT_MAX}));
+	assert_ok(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, FLT_MAX}));
+	look(world);
+	assert_int_equal(contacts_of(world), 1);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+	assert_velocity(world, body, 0, 0, 1000.0f);
+	assert_int_equal(scree_world_step(world, 1e-10f, 1), SCREE_ERROR_INVALID);
+	assert_int_equal(scree_world_step(world, 0.0f, 0), SCREE_ERROR_INVALID);
+	step(world, 1);
+	assert_int_equal(counters_of(world).nonfinite, 1); // by the force
+	look(world);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+	scree_world_destroy(world);
+}
+
+// Bodies with many contacts, laid out by a step of no time: what the solver knows of them is there in the steps after it,
+// also where the host lists a solve before it has read the counters. hash(device) = hash(cpu).
+static void looking_lays_out_hubs(void** state)
+{
+	(void)state;
+	const char* here = device;
+	uint64_t hashes[2][8];
+	for (int w = 0; w < 2; ++w)
+	{
+		device = w ? here : "cpu";
+		scree_world* world = make_world(-10.0f);
+		scree_attribute_def ball = scree_attribute_def_default();
+		scree_body_def def = scree_body_def_default();
+		assert_ok(scree_shape_make_circle((scree_vec){0, 0}, 0.5f, &ball.shape));
+		assert_ok(scree_attribute_create(world, &ball, &def.attribute));
+		for (int k = 0; k < 40; ++k)
+			assert_ok(scree_body_create(world, &def, NULL));
+		look(world);
+		assert_true(counters_of(world).spokes > 32);
+		for (int k = 0; k < 8; ++k)
+		{
+			assert_ok(scree_world_step(world, k == 5 ? 0.0f : 0.001f, 4));
+			hashes[w][k] = hash_of(world);
+		}
+		scree_world_destroy(world);
+	}
+	device = here;
+	assert_memory_equal(hashes[0], hashes[1], sizeof hashes[0]);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(looking_finds_contacts),
+	    cmocka_unit_test(looking_changes_nothing_else),
+	    cmocka_unit_test(no_time_is_no_error),
+	    cmocka_unit_test(looking_lays_out_hubs),
+	};
+	return RUN_ON_DEVICES(tests);
+}

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// test_targets.c -- velocities set apart, and kinematic bodies on their way to a pose; on the CPU and on OpenCL.
+#include "world_support.h"
+
+static scree_pose pose_at(float x, float y, float radians) { return (scree_pose){{x, y}, scree_rot_make(radians)}; }
+
+static void assert_pose(scree_world* world, scree_body body, scree_pose expected)
+{
+	scree_pose pose = pose_of(world, body);
+	assert_true(pose.position.x == expected.position.x && pose.position.y == expected.position.y);
+	assert_true(pose.rotation.c == expected.rotation.c && pose.rotation.s == expected.rotation.s);
+}
+
+static void assert_velocity(scree_world* world, scree_body body, float x, float y, float w)
+{
+	scree_velocity v = velocity_of(world, body);
+	assert_true(v.linear.x == x && v.linear.y == y && v.angular == w);
+}
+
+static void look(scree_world* world) { assert_ok(scree_world_step(world, 0.0f, 4)); }
+
+static void velocities_are_set_apart(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body bodies[3];
+	for (int k = 0; k < 3; ++k)
+		bodies[k] = add_box(world, (scree_body_type)k, 5.0f * (float)k, 0.0f);
+	const scree_vec linear[3] = {{1, 2}, {3, 4}, {5, 6}};
+	const float angular[3] = {7, 8, 9};
+	assert_ok(scree_bodies_set_linear_velocities(world, bodies, linear, 3));
+	assert_velocity(world, bodies[2], 5, 6, 0);
+	assert_ok(scree_bodies_set_angular_velocities(world, bodies, angular, 3));
+	assert_velocity(world, bodies[0], 0, 0, 0);
+	assert_velocity(world, bodies[1], 3, 4, 8);
+	assert_velocity(world, bodies[2], 5, 6, 9);
+	assert_ok(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){-1, 0}));
+	assert_ok(scree_body_set_angular_velocity(world, bodies[1], -2));
+	assert_velocity(world, bodies[1], 3, 4, -2);
+	assert_velocity(world, bodies[2], -1, 0, 9);
+
+	// nothing along what is locked
+	assert_ok(scree_body_set_locks(world, bodies[2], SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
+	assert_ok(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){2, 2}));
+	assert_ok(scree_body_set_angular_velocity(world, bodies[2], 2));
+	assert_velocity(world, bodies[2], 2, 0, 0);
+	scree_world_destroy(world);
+}
+
+// At the end of the step, whatever it takes, the pose is the target's, and the body stands still.
+static void targets_are_reached(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body bodies[3];
+	for (int k = 0; k < 3; ++k)
+		bodies[k] = add_box(world, SCREE_BODY_KINEMATIC, 3.0f * (float)k, 0.0f);
+	static const struct
+	{
+		float dt;
+		int substeps;
+	} steps[] = {{STEP, 4}, {0.1f, 1}, {1.0f / 240.0f, 2}, {1e-9f, 1}, {1.0f, 64}};
+	for (int s = 0; s < 5; ++s)
+	{
+		float x = 0.1f * (float)s;
+		scree_pose poses[3] = {pose_at(x, 0.3f, 0.1f), pose_at(3.0f + x, -x, -3.0f * x),
+		                       pose_at(90000.0f, 0.37f, 3.1f)};
+		assert_ok(scree_bodies_set_targets(world, bodies, poses, 3));
+		for (int k = 0; k < 3; ++k)
+			assert_velocity(world, bodies[k], 0, 0, 0);
+		assert_ok(scree_world_step(world, steps[s].dt, steps[s].substeps));
+		for (int k = 0; k < 3; ++k)
+		{
+			assert_pose(world, bodies[k], poses[k]);
+			assert_velocity(world, bodies[k], 0, 0, 0);
+		}
+	}
+	scree_pose last = pose_of(world, bodies[0]);
+	step(world, 3);
+	assert_pose(world, bodies[0], last);
+	scree_world_destroy(world);
+}
+
+// A crate on a platform rides along, and one before it is pushed: they feel the speed of (target - pose) / dt.
+static void targets_carry_and_push(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body_def def = scree_body_def_default();
+	def.type = SCREE_BODY_KINEMATIC;
+	def.attribute = make_box(world, 4.0f, 0.5f);
+	scree_body platform;
+	assert_ok(scree_body_create(world, &def, &platform));
+	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	step(world, 30);
+	float start = pose_of(world, crate).position.x;
+	for (int k = 1; k <= 60; ++k)
+	{
+		// from rest to 2 m/s in half a second: friction of 0.6 gives 6 m/s^2
+		float t = (float)k * STEP, x = t < 0.5f ? 2.0f * t * t : 0.5f + 2.0f * (t - 0.5f);
+		assert_ok(scree_body_set_target(world, platform, pose_at(x, 0.0f, 0.0f)));
+		step(world, 1);
+	}
+	assert_near(pose_of(world, platform).position.x, 1.5, 1e-6);
+	assert_near(pose_of(world, crate).position.x - start, 1.5, 0.02);
+	assert_near(velocity_of(world, crate).linear.x, 2.0, 0.02);
+	scree_world_destroy(world);
+
+	world = make_world(0.0f);
+	platform = add_box(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
+	crate = add_box(world, SCREE_BODY_DYNAMIC, 1.2f, 0.0f);
+	assert_ok(scree_body_set_target(world, platform, pose_at(0.5f, 0.0f, 0.0f)));
+	step(world, 1);
+	assert_near(velocity_of(world, crate).linear.x, 0.5 / STEP, 0.5);
+	scree_world_destroy(world);
+}
+
+// From 175 to -175 degrees it is 10 degrees counter-clockwise: the right end of a beam goes up.
+static void targets_turn_the_shorter_way(void** state)
+{
+	(void)state;
+	for (int way = -1; way <= 1; way += 2)
+	{
+		scree_world* world = make_world(0.0f);
+		scree_body_def def = scree_body_def_default();
+		def.type = SCREE_BODY_KINEMATIC;
+		def.attribute = make_box(world, 4.0f, 0.1f);
+		def.pose = pose_at(0.0f, 0.0f, (float)way * 3.05432619f);
+		scree_body beam;
+		assert_ok(scree_body_create(world, &def, &beam));
+		scree_body above = add_box(world, SCREE_BODY_DYNAMIC, 3.0f, (float)way * 0.5f);
+		assert_ok(scree_body_set_target(world, beam, pose_at(0.0f, 0.0f, (float)way * -3.05432619f)));
+		step(world, 1);
+		assert_true((float)way * velocity_of(world, above).linear.y > 1.0f);
+		scree_world_destroy(world);
+	}
+}
+
+static void targets_wait_and_are_dropped(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body body = add_box(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
+	scree_pose home = pose_of(world, body), there = pose_at(1.0f, 2.0f, 0.5f), later = pose_at(-1.0f, 0.0f, 0.0f);
+
+	// the last counts, and a step of no time does not use it up
+	uint64_t before = hash_of(world);
+	assert_ok(scree_body_set_target(world, body, there));
+	uint64_t waiting = hash_of(world);
+	assert_true(waiting != before);
+	assert_ok(scree_body_set_target(world, body, later));
+	assert_true(hash_of(world) != waiting);
+	look(world);
+	assert_pose(world, body, home);
+	step(world, 1);
+	assert_pose(world, body, later);
+
+	// where it starts does not matter
+	assert_ok(scree_body_set_target(world, body, there));
+	assert_ok(scree_body_set_pose(world, body, home));
+	step(world, 1);
+	assert_pose(world, body, there);
+
+	// a velocity takes its place, of whatever part
+	for (int k = 0; k < 3; ++k)
+	{
+		assert_ok(scree_body_set_pose(world, body, home));
+		assert_ok(scree_body_set_target(world, body, there));
+		if (k == 0)
+			assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{0, 0}, 0}));
+		else if (k == 1)
+			assert_ok(scree_body_set_linear_velocity(world, body, (scree_vec){0, 0}));
+		else
+			assert_ok(scree_body_set_angular_velocity(world, body, 0));
+		step(world, 1);
+		assert_pose(world, body, home);
+	}
+	assert_ok(scree_body_set_target(world, body, there));
+	assert_ok(scree_body_set_type(world, body, SCREE_BODY_STATIC));
+	assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
+	step(world, 1);
+	assert_pose(world, body, home);
+
+	// what is locked stays
+	assert_ok(scree_body_set_locks(world, body, SCREE_LOCK_X | SCREE_LOCK_ROTATION));
+	assert_ok(scree_body_set_target(world, body, there));
+	step(world, 1);
+	assert_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
+	assert_ok(scree_body_set_locks(world, body, 0));
+
+	// not while it is disabled, but then
+	assert_ok(scree_body_set_target(world, body, home));
+	assert_ok(scree_body_set_enabled(world, body, false));
+	step(world, 3);
+	assert_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
+	assert_ok(scree_body_set_enabled(world, body, true));
+	step(world, 1);
+	assert_pose(world, body, home);
+
+	// one that is destroyed leaves the others theirs
+	scree_body others[3];
+	scree_pose poses[3];
+	for (int k = 0; k < 3; ++k)
+	{
+		others[k] = add_box(world, SCREE_BODY_KINEMATIC, 10.0f, 5.0f * (float)k);
+		poses[k] = pose_at(11.0f, 5.0f * (float)k, 0.0f);
+	}
+	assert_ok(scree_bodies_set_targets(world, others, poses, 3));
+	assert_ok(scree_body_destroy(world, others[0]));
+	assert_int_equal(scree_body_set_target(world, others[0], home), SCREE_ERROR_STALE);
+	others[0] = add_box(world, SCREE_BODY_KINEMATIC, 20.0f, 0.0f);
+	step(world, 1);
+	assert_pose(world, others[0], pose_at(20.0f, 0.0f, 0.0f));
+	assert_pose(world, others[1], poses[1]);
+	assert_pose(world, others[2], poses[2]);
+	scree_world_destroy(world);
+}
+
+// A step that is refused changes nothing, targets included.
+static void refused_steps_keep_targets(void** state)
+{
+	(void)state;
+	scree_world_def def = scree_world_def_default();
+	def.device = device;
+	def.contact_limit = 10;
+	scree_world* world;
+	assert_ok(scree_world_create(&def, &world));
+	scree_body body = add_box(world, SCREE_BODY_KINEMATIC, 50.0f, 0.0f), crowd[6];
+	for (int k = 0; k < 6; ++k)
+		crowd[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.1f * (float)k);
+	scree_pose there = pose_at(51.0f, 1.0f, 1.0f);
+	assert_ok(scree_body_set_target(world, body, there));
+	uint64_t before = hash_of(world);
+	for (int k = 0; k < 2; ++k)
+	{
+		assert_int_equal(scree_world_step(world, k ? 0.0f : STEP, 4), SCREE_ERROR_CROWDED);
+		assert_true(hash_of(world) == before);
+		assert_velocity(world, body, 0, 0, 0);
+	}
+	assert_ok(scree_bodies_destroy(world, crowd, 3));
+	step(world, 1);
+	assert_pose(world, body, there);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(velocities_are_set_apart),     cmocka_unit_test(targets_are_reached),
+	    cmocka_unit_test(targets_carry_and_push),       cmocka_unit_test(targets_turn_the_shorter_way),
+	    cmocka_unit_test(targets_wait_and_are_dropped), cmocka_unit_test(refused_steps_keep_targets),
+	};
+	return RUN_ON_DEVICES(tests);
+}
