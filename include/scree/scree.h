@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: MIT
-// scree.h -- the whole public interface of Scree, a 2D rigid body physics engine whose CPU and GPU leave the same bits.
+// scree.h -- the public interface of Scree, a 2D rigid body physics engine with bit-identical results on CPU and GPU.
 //
 // This header is also the manual. The shortest program is examples/hello.c.
 //
-// Units are metres, kilograms, seconds and radians. Angles turn counter-clockwise. A world is used by one thread at a
-// time; different worlds may be used by different threads at once.
+// Units are metres, kilograms, seconds and radians. Positive angles are counter-clockwise.
 //
-// Errors. Every function that can fail returns a scree_status. On anything but SCREE_OK nothing has changed, and
-// scree_error() holds one sentence naming the argument and its value.
+// Threads. Only one thread at a time may use a world. Different threads may use different worlds at the same time.
 //
-// Handles are an index and a generation. A handle that is all zero is null; a handle of something that has been
-// destroyed is recognised and refused.
+// Errors. Every function that can fail returns a scree_status. If it is not SCREE_OK, nothing has changed, except where
+// noted, and scree_error() returns one sentence that names the argument and its value.
 //
-// Between two steps, changes (forces, velocities, poses, ...) are collected and travel to the device as one batch.
-// Reading anything back sends what is pending first, so that one reads what one wrote.
+// Handles consist of an index and a generation. The all-zero handle is null. Functions refuse a handle whose object has
+// been destroyed with SCREE_ERROR_STALE.
 //
-// Versions. Definitions and results get further members with time, always at the end. So a definition begins with its
-// size, which its default sets, and whoever fills a result is told its size; the functions that do so are at the end of
-// this header. A program and a library of different versions work together, or the library refuses what it does not
-// know with a sentence.
+// Ownership. The library copies all arguments, except where noted. The caller owns every world and destroys it; a world
+// owns everything in it.
 //
-// Determinism. After the same calls in the same order, a world has the same scree_world_get_hash on every device, with
-// any number of threads or lanes, and with every compiler that keeps IEEE 754 arithmetic.
+// Changes (forces, velocities, poses, ...) are collected between steps and uploaded to the device as one batch. Reading
+// anything back uploads pending changes first, so a read returns what was written.
+//
+// Versions. New members are added at the end of definitions and results. A definition therefore starts with its size,
+// which its default function sets; functions that fill a result receive its size (see the end of this header). Programs
+// and libraries of different versions work together; the library refuses unknown members that are set.
+//
+// Determinism. The same calls in the same order give the same scree_world_get_hash on every device, with any number of
+// threads and lanes, and with every compiler that follows IEEE 754.
 #ifndef SCREE_H
 #define SCREE_H
 
@@ -49,10 +52,10 @@ extern "C" {
 #define SCREE_VERSION_MINOR 1
 #define SCREE_VERSION_PATCH 0
 
-// Most vertices of a convex polygon. The narrow phase clips in registers: a larger polygon costs every pair.
+// Maximum vertices of a convex polygon. The narrow phase clips in registers; a larger limit would slow down every pair.
 #define SCREE_MAX_VERTICES 8
 
-// Coordinates beyond this many metres from the origin are refused: a float has steps of 8 mm there.
+// Largest coordinate, in metres; larger ones are refused. The spacing of floats is 8 mm there.
 #define SCREE_HUGE 100000.0f
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -62,16 +65,16 @@ extern "C" {
 typedef enum scree_status
 {
 	SCREE_OK = 0,
-	SCREE_ERROR_INVALID = 1,       // an argument is out of its range; nothing changed
-	SCREE_ERROR_STALE = 2,         // a handle is null or names something that was destroyed; nothing changed
-	SCREE_ERROR_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, unless in mid-step (scree_world_step)
-	SCREE_ERROR_NO_DEVICE = 4,     // the device asked for is not there, or cannot keep the promise of equal bits
-	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error in mid-run; the world can only be destroyed
-	SCREE_ERROR_NOT_SUPPORTED = 6, // the device has no way to do this; nothing changed
+	SCREE_ERROR_INVALID = 1,       // an argument is out of range; nothing changed
+	SCREE_ERROR_STALE = 2,         // a handle is null, or its object was destroyed; nothing changed
+	SCREE_ERROR_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, except late in a step (scree_world_step)
+	SCREE_ERROR_NO_DEVICE = 4,     // the requested device does not exist or is not bit-identical to the CPU
+	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; the world can only be destroyed
+	SCREE_ERROR_NOT_SUPPORTED = 6, // the device does not support this operation; nothing changed
 	SCREE_ERROR_CROWDED = 7, // scree_world_step: more contacts than scree_world_def.contact_limit; nothing changed
 } scree_status;
 
-// The sentence of the last failure on this thread, or an empty string. Valid until the next failing call.
+// The message of the last failure on this thread, or an empty string. Valid until the next failing call.
 SCREE_API const char* scree_error(void);
 
 // The name of a status, "ok", "invalid", ...; never null.
@@ -86,9 +89,8 @@ typedef enum scree_log_level
 	SCREE_LOG_WARNING,
 } scree_log_level;
 
-// Hooks of the process. Null members mean the default. Set them before the first world is created and not while one
-// exists. The pointed-to functions may be called from any thread that calls into Scree, and by a thread of its own that
-// opens a GPU for a world of device "auto".
+// Process-wide hooks. A null member selects the default. Any thread that calls Scree may call the hooks, and so may the
+// background thread that opens a GPU for a world with device "auto".
 typedef struct scree_hooks
 {
 	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
@@ -98,11 +100,11 @@ typedef struct scree_hooks
 	void* context;
 } scree_hooks;
 
-// Installs hooks, copied; null restores the defaults. Fails with SCREE_ERROR_INVALID while a world exists, or when only
-// one of allocate and release is given.
+// Installs a copy of hooks; null restores the defaults. Fails with SCREE_ERROR_INVALID while a world exists, or if only
+// one of allocate and release is set.
 SCREE_API scree_status scree_hooks_set(const scree_hooks* hooks);
 
-// Bytes of host memory in use by the library now.
+// Host memory that the library currently uses, in bytes.
 SCREE_API size_t scree_memory(void);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -137,19 +139,19 @@ typedef struct scree_box
 	scree_vec lower, upper;
 } scree_box;
 
-// The rotation by an angle in radians, from Scree's own polynomials: the same bits on every machine.
+// The rotation by an angle in radians. Uses Scree's own polynomials, which give the same bits on every machine.
 SCREE_API scree_rot scree_rot_make(float radians);
 
-// The angle of a rotation, in [-pi, pi], from Scree's own polynomial.
+// The angle of a rotation, in [-pi, pi] radians, from Scree's own polynomial.
 SCREE_API float scree_rot_get_angle(scree_rot rotation);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Devices
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef enum scree_sharing // how the rows of scree_world_write_render_rows can reach an OpenGL buffer, best last
+typedef enum scree_sharing // how render rows get into an OpenGL buffer; the best way is last
 {
-	SCREE_SHARING_COPIED, // through the host: scree_world_get_render_rows, then into the buffer
+	SCREE_SHARING_COPIED, // through host memory: scree_world_get_render_rows, then upload to the buffer
 	SCREE_SHARING_MEMORY, // cl_khr_external_memory with file descriptors: scree_world_share_memory
 	SCREE_SHARING_OPENGL, // cl_khr_gl_sharing: scree_world_share_opengl
 } scree_sharing;
@@ -159,21 +161,21 @@ SCREE_API const char* scree_sharing_name(scree_sharing sharing);
 
 typedef struct scree_device
 {
-	char name[128];        // what scree_world_def.device takes: "cpu", "opencl:NVIDIA H200"
+	char name[128];        // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"
 	char driver[128];      // platform and driver version; for the CPU its widest lanes
-	bool equal_bits;       // whether the promise of equal bits holds on it
-	char reason[192];      // if not, why and what to do; otherwise empty
-	int units;             // threads or compute units
+	bool equal_bits;       // whether results are bit-identical to the CPU's
+	char reason[192];      // if not, why, and what to do; otherwise empty
+	int units;             // CPU threads or OpenCL compute units
 	uint64_t memory;       // bytes
-	scree_sharing sharing; // the best way that its driver offers
-	uint8_t uuid[16];      // the one that OpenGL and Vulkan know it by; zeros where the driver does not say
+	scree_sharing sharing; // the best way that its driver supports
+	uint8_t uuid[16];      // device UUID as in OpenGL and Vulkan; zero if the driver does not report it
 } scree_device;
 
-// Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null when capacity
-// is 0) and the number there are into count. When there is no OpenCL, scree_opencl_remedy says what to install.
+// Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null if capacity is
+// 0) and sets count to the total number. Without OpenCL, scree_opencl_remedy tells what to install.
 static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
 
-// One sentence on what to install to get an OpenCL device, or an empty string when there is one.
+// One sentence that tells what to install to get an OpenCL device, or an empty string if there is one.
 SCREE_API const char* scree_opencl_remedy(void);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -189,7 +191,7 @@ typedef enum scree_window_system
 	SCREE_WINDOW_WGL, // HGLRC, HDC
 } scree_window_system;
 
-typedef struct scree_opengl // a context of OpenGL
+typedef struct scree_opengl // an OpenGL context
 {
 	scree_window_system system;
 	void *context, *display;
@@ -200,56 +202,56 @@ typedef struct scree_world_def
 	uint32_t size;           // set by scree_world_def_default
 	scree_vec gravity;       // m/s^2, default (0, -10)
 	const char* device;      // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
-	int threads;             // CPU worker threads, 0 (default) for one a core, at most 64
-	int lanes;               // CPU SIMD lanes: 0 (default) for the widest this processor has, or 1, 4, 8, 16
-	bool allow_unequal_bits; // run on a device that cannot keep the promise of equal bits; default false
-	bool timings;            // measure milliseconds a stage (scree_world_get_timings), which costs a GPU a little
-	float contact_hertz;     // stiffness of contacts, 1/s, default 52; capped to 0.22 of the substep rate
-	float contact_damping_ratio; // default 15
-	float contact_push_speed;    // fastest speed at which overlap is pushed out, m/s, default 3
-	float restitution_threshold; // slower impacts do not bounce, m/s, default 1
-	float max_speed; // m/s, default 400: no body is faster when a step ends. Nor does one turn by more than half
-	                 // a circle a step, or an eighth a substep
-	const scree_opengl* opengl; // null (default), or the context that scree_world_share_opengl works in: copied; the
-	                            // context itself is lent until the world's end, for it may move to its device
-	int body_capacity;          // room to begin with; everything grows. 0 (default) for a small world
+	int threads;             // CPU worker threads, 0 to 64; 0 (default): one per core
+	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16; 0 (default): the widest that the processor supports
+	bool allow_unequal_bits; // accept a device whose results are not bit-identical; default false
+	bool timings;            // measure each stage (scree_world_get_timings); slows down a GPU slightly; default false
+	float contact_hertz;     // contact stiffness, Hz, 1e-3 to 1e6, default 52; limited to 0.22 of the substep rate
+	float contact_damping_ratio; // 0 to 1e6, default 15
+	float contact_push_speed;    // maximum speed that pushes overlap out, m/s, 0 to SCREE_HUGE, default 3
+	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
+	float max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_HUGE, default 400. Rotation is limited to pi
+	                 // radians per step and pi / 4 per substep
+	const scree_opengl* opengl; // null (default), or the context for scree_world_share_opengl. The struct is copied;
+	                            // the context must outlive the world
+	int body_capacity;          // initial capacity, grows on demand; 0 (default): small
 	int contact_capacity;       // the same for contacts
-	int contact_limit; // most contacts, 300 bytes each; a step that finds more fails with SCREE_ERROR_CROWDED and changes
-	                   // nothing. 0 (default) for 32 a collidable, and 2 million at least
+	int contact_limit;          // maximum number of contacts, 300 bytes each; a step that finds more fails with
+	                            // SCREE_ERROR_CROWDED. 0 (default): 32 per collidable, but at least 2 million
 } scree_world_def;
 
 static inline scree_world_def scree_world_def_default(void);
 
-// Creates a world into *world, which the caller owns and gives to scree_world_destroy. On failure *world is null.
+// Creates a world. The caller owns *world and destroys it with scree_world_destroy. On failure *world is null.
 //
-// With device "auto" the world begins on the CPU. scree_world_step moves it to a GPU, and back, when its steps take
-// less time there, and tells the log so (SCREE_LOG_INFO, with both times). A GPU is opened when the world is large
-// enough to gain from it, by a thread while the world goes on; one that fails, or whose bits are not the CPU's, is
-// logged and left alone. Moving changes no bit of the world. docs/auto.md says when it moves.
+// With device "auto" the world starts on the CPU. scree_world_step moves it to a GPU, and back, when steps are faster
+// there, and logs both times (SCREE_LOG_INFO). A background thread opens the GPU once the world is large enough to gain
+// from it. A GPU that fails, or whose results differ from the CPU's, is logged and not used. A move changes no bit of
+// the world. docs/auto.md has the rules.
 SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_world** world);
 
-// Destroys a world and everything in it. Null is allowed.
+// Destroys a world and everything in it. world may be null.
 SCREE_API void scree_world_destroy(scree_world* world);
 
-// Advances a world by dt seconds (1e-9 to 1, or 0) in substeps (1 to 64) solver substeps; 1/60 and 4 are usual. Based on
-// Erin Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
+// Advances a world by dt seconds (1e-9 to 1, or 0) in 1 to 64 substeps. Typical values are 1/60 and 4. Based on Erin Catto,
+// Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
-// A step of dt 0 only looks: contacts and overlaps begin and end by where everything is now, so that they can be read as
-// soon as a world was built or a body was placed, with scree_counters.penetration. Poses, velocities, forces and targets
-// stay, and so do the impulses of points that are still there; a contact that is new has none. It counts in
-// scree_counters.steps, and scree_traffic is zero after it. It leaves the same bits on every device. The steps after it do
-// not have the bits that they would have without it: boxes and contacts were made at another time.
+// A step of dt 0 only detects: contacts and overlaps begin and end at the current poses, so that they can be read as soon
+// as a world was built or a body was placed, with scree_counters.penetration. Poses, velocities, forces, targets and the
+// impulses of existing points stay; a new contact has no impulse. The step counts in scree_counters.steps, and
+// scree_traffic is zero after it. It leaves the same bits on every device. Later steps differ in their bits from those
+// without it, because boxes and contacts were updated at another time.
 //
-// Bodies that lie in one place make contacts by the square of their number. Where these are more than
-// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED, and the sentence names the most crowded place
-// and how many collidables are there; where there is no memory for them, it fails with SCREE_ERROR_OUT_OF_MEMORY.
-// Nothing has changed then: time stands still, and when bodies have been moved apart or destroyed the world goes on.
+// The number of contacts grows with the square of the number of bodies in one place. If it exceeds
+// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED; the message names the most crowded place and
+// the number of collidables there. If memory for the contacts runs out, the step fails with SCREE_ERROR_OUT_OF_MEMORY.
+// In both cases nothing has changed; move bodies apart or destroy some, and step again.
 //
-// A step that breaks off later, because the device failed or had no memory left for what the solver needs, cannot be
-// undone: from then on the world refuses every call that works on it with the same status, and can only be destroyed.
+// A later failure (the device fails, or has no memory left for the solver) cannot be undone. The error is sticky: from
+// then on every call that uses the world returns the same status, and the world can only be destroyed.
 SCREE_API scree_status scree_world_step(scree_world* world, float dt, int substeps);
 
-// Gravity, m/s^2, each component finite.
+// Gravity, m/s^2; components must be finite.
 SCREE_API scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity);
 SCREE_API scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity);
 
@@ -263,84 +265,87 @@ typedef struct scree_tuning // the members of scree_world_def of the same names
 	float max_speed;
 } scree_tuning;
 
-// How the solver is tuned now, and from the next step on. Get it, change members, set it: ranges are those of
+// Solver tuning; changes take effect with the next step. Get it, change members, set it. Units and ranges are those of
 // scree_world_def.
 static inline scree_status scree_world_get_tuning(const scree_world* world, scree_tuning* tuning);
 SCREE_API scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning);
 
-// The device that the world runs on now, as in scree_device.name; owned by the world, and changed when it moves.
+// The device on which the world currently runs, as in scree_device.name. The string is owned by the world and changes
+// when the world moves.
 SCREE_API const char* scree_world_get_device(const scree_world* world);
 
-// Moves a world to another device between two steps. device is what scree_world_def.device takes: "cpu", "opencl" or
-// "opencl:NAME" for good, "auto" to leave the choice to scree_world_step from now on. The world goes on with the same
-// bits: its hash, handles, contacts and impulses, and what the user has changed since the last step all stay. Threads,
-// lanes, allow_unequal_bits and timings are those of its definition.
+// Moves a world to another device between two steps. device is "cpu", "opencl" or "opencl:NAME" to stay there, or
+// "auto" to let scree_world_step choose from now on. The world continues with the same bits: hash, handles, contacts,
+// impulses and pending changes are kept. Threads, lanes, allow_unequal_bits and timings are those of its definition.
 //
-// It costs the opening of the device, some 0.3 s for a GPU, and the transfer of the world, some 1 kB a body; both
-// devices hold it for that moment. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world is
-// where it was, as it was; only if the device that it was on failed while it was read (SCREE_ERROR_DEVICE_FAILED) it is
-// broken, as after scree_world_step.
+// A move opens the device (about 0.3 s for a GPU) and transfers about 1 kB per body; both devices hold the world
+// meanwhile. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world stays unchanged on its
+// device. If that device fails while it is read, the error (SCREE_ERROR_DEVICE_FAILED) is sticky, as after
+// scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
 // CPU threads and lanes in use; 0 on an OpenCL device.
 SCREE_API int scree_world_get_threads(const scree_world* world);
 SCREE_API int scree_world_get_lanes(const scree_world* world);
 
-// A 64-bit hash of all simulated state: equal worlds have equal hashes on every device.
+// A 64-bit hash of all simulated state. Worlds with equal state have equal hashes on every device.
 SCREE_API scree_status scree_world_get_hash(scree_world* world, uint64_t* hash);
 
 typedef struct scree_counters
 {
 	int bodies, dynamic_bodies;  // alive
 	int collidables, attributes; // alive
-	int contacts;                // pairs whose boxes overlap
-	int touching;                // of these, the ones with points: within the speculative distance, or about to meet
+	int contacts;                // pairs whose enlarged boxes overlap
+	int touching;                // contacts with manifold points, speculative ones included
 	int colors;                  // colors in use
-	int spokes;                  // contacts of hubs, bodies with more than 32 contacts: solved together, hub by hub
+	int spokes;                  // contacts of hubs (bodies with more than 32 contacts), which are solved together
 	int moved;                   // collidables whose enlarged box changed in the last step
-	int new_contacts;            // pairs found in the last step
-	int grown;                   // times that a buffer grew since the world was created
-	int nonfinite;         // bodies frozen in the last step because their state was not finite: an infinite force, say;
-	                       // what is finite never is. A body that leaves 1e8 m stops there
-	int held;              // bodies that in the last step stopped in the surface of something static that they were
-	                       // about to go through
-	float penetration;     // deepest overlap of two cores at the start of the last step, m
-	int64_t steps;         // steps taken, those of dt 0 as well
-	uint64_t device_bytes; // memory of the pools on the device
+	int new_contacts;            // contacts found in the last step
+	int grown;                   // buffer reallocations since the world was created
+	int nonfinite;         // bodies frozen in the last step because their state became infinite or NaN, for instance by
+	                       // an infinite force. A body that reaches 1e8 m stops there
+	int held;              // bodies that were stopped in the last step because they would have tunneled through
+	                       // something static
+	float penetration;     // deepest overlap at the start of the last step, m
+	int64_t steps;         // steps taken, those of dt 0 included
+	uint64_t device_bytes; // device memory of the pools, bytes
 } scree_counters;
 
+// bodies, dynamic_bodies, collidables and attributes are current; the other counters are those of the last step.
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 
-typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings
+typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings is set
 {
-	float step; // wall clock of scree_world_step, from the upload of what was changed to the end of the device's work
+	float step; // wall-clock time of scree_world_step, from the upload of changes until the device has finished
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
 } scree_timings;
 
+// The times of the last step. Zero before the first step.
 static inline scree_status scree_world_get_timings(scree_world* world, scree_timings* timings);
 
-typedef struct scree_traffic // memory that the solve stage of the last step asked for
+typedef struct scree_traffic // memory traffic of the solve stage in the last step
 {
-	int constraints;           // touching contacts that it solved
-	int passes;                // over all of them
-	uint64_t constraint_bytes; // read and written of the constraints themselves, which stream by in every pass
-	uint64_t body_bytes;       // read and written of bodies, which are few enough for a cache to serve much of it
+	int constraints;           // touching contacts that were solved
+	int passes;                // passes over all constraints
+	uint64_t constraint_bytes; // read and written for constraints, which are streamed in every pass
+	uint64_t body_bytes;       // read and written for bodies, much of which caches can serve
 } scree_traffic;
 
-// Counts the bytes that the last step's solve stage read and wrote by its algorithm: the same on every device, whatever
-// caches save. Both members over scree_timings.solve are the rate that it achieved. Zeros before the first step.
+// The bytes that the solve stage of the last step read and wrote, counted from the algorithm: the same on every device,
+// regardless of caches. The sum of both byte counts divided by scree_timings.solve is the achieved bandwidth. Zero
+// before the first step.
 static inline scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
 
-// Measures how fast the world's device copies its own memory: bytes read and written a second, both counted, with all
-// threads of a CPU. Takes some milliseconds on a GPU and up to a second elsewhere, and 512 MB for that time, or less
-// where there is less. The world stays as it is.
+// Measures the copy bandwidth of the world's device, in bytes per second, reads plus writes; a CPU uses all threads.
+// Takes some milliseconds on a GPU and up to a second elsewhere. Allocates 512 MB for that time, or less if there is
+// less. The world does not change.
 SCREE_API scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth);
 
-// Waits until the device has finished everything that was asked of it.
+// Blocks until the device has finished all queued work.
 SCREE_API scree_status scree_world_wait(scree_world* world);
 
 // ---------------------------------------------------------------------------------------------------------------
-// Attributes: what many collidables share
+// Attributes: shape and surface, shared by many collidables
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_attribute
@@ -366,65 +371,67 @@ typedef enum scree_shape_kind
 	SCREE_SHAPE_POLYGON,
 } scree_shape_kind;
 
-// A shape in local coordinates: the points within radius of the convex hull of the vertices.
+// A shape in local coordinates: all points within radius of the convex hull of the vertices.
 typedef struct scree_shape
 {
 	scree_shape_kind kind;
 	int count;                              // 1 circle, 2 capsule and segment, 3 to 8 polygon
-	float radius;                           // m; of a polygon: its rounding; of a segment: 0
+	float radius;                           // m; polygon: rounding radius; segment: 0
 	scree_vec vertices[SCREE_MAX_VERTICES]; // polygon: convex, counter-clockwise
 	scree_vec normals[SCREE_MAX_VERTICES];  // outward, of the edge from vertex i to i + 1; filled by scree_shape_make_*
 	scree_vec centroid;                     // filled by scree_shape_make_*
 	float area;                             // m^2; 0 for a segment; filled by scree_shape_make_*
 	float inertia; // m^4: about the centroid, per unit of density; filled by scree_shape_make_*
-	float reach;   // m: largest distance of a point of the shape from the origin; filled
+	float reach;   // m: largest distance from the origin to a point of the shape; filled by scree_shape_make_*
 } scree_shape;
 
-// Each fails with SCREE_ERROR_INVALID on values that are not finite, sizes that are not positive (or under 1 mm), and
-// coordinates beyond SCREE_HUGE.
+// Make a shape; lengths in m. Each fails with SCREE_ERROR_INVALID if a value is not finite, a size is below 1 mm, or a
+// coordinate exceeds SCREE_HUGE.
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
-// A convex polygon, rounded by radius (0 for sharp corners), from 3 to 8 corners in order, either way round. Corners
-// that are concave, coincident (closer than 5 mm) or collinear are refused: scree_shape_make_hull drops them instead.
+// A convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp). Fails
+// with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident (closer than 5 mm to another);
+// scree_shape_make_hull drops such corners.
 SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
 
-// The convex hull of any 3 to 64 points, welded at 5 mm and freed of collinear corners; refused when it has fewer than
-// 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
+// The convex hull of 3 to 64 points. Points closer than 5 mm are merged, collinear corners dropped. Fails with
+// SCREE_ERROR_INVALID if the hull has fewer than 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The
+// Quickhull Algorithm for Convex Hulls, 1996.
 SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
 
-// Moves a shape: turned by pose.rotation, then shifted by pose.position.
+// Transforms a shape: rotates it by pose.rotation, then translates it by pose.position.
 SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* moved);
 
 typedef struct scree_attribute_def
 {
 	uint32_t size; // set by scree_attribute_def_default
 	scree_shape shape;
-	float density;            // kg/m^2, >= 0, default 1
-	float friction;           // >= 0, default 0.6; a pair takes the geometric mean, 1000 at most
-	float restitution;        // 0 to 1, default 0; a pair takes the larger
-	float rolling_resistance; // >= 0, default 0: times the larger radius of the pair, a lever in metres
-	float tangent_speed; // m/s, default 0: a conveyor belt along the surface, clockwise around the shape: what lies
-	                     // on top is carried to the right
+	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1
+	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
+	float restitution;        // 0 to 1, default 0; a pair uses the larger value
+	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
+	float tangent_speed;      // speed of a conveyor belt along the surface, m/s, default 0; clockwise around the
+	                          // shape if positive, so that a body on top moves to the right
 } scree_attribute_def;
 
-// Defaults with a box of half a metre a side (1 m wide).
+// Default values, with a box 1 m wide and high.
 static inline scree_attribute_def scree_attribute_def_default(void);
 
-// Makes an attribute, or returns the one that exists with equal values. An attribute never changes, and lives until it is
-// destroyed, or its world is.
+// Creates an attribute, or returns the existing one with equal values. Attributes are immutable and live until they are
+// destroyed, or their world is.
 SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
 
-// Gives back what one scree_attribute_create gave: an attribute that was made several times, by equal values, goes with
-// the last of as many calls. That one is refused (SCREE_ERROR_INVALID) while a collidable has the attribute. Its place is
-// taken by later ones, and the handle is stale for good.
+// Releases what one scree_attribute_create returned. An attribute that was created several times, by equal values, is
+// destroyed by the last of as many calls, which is refused (SCREE_ERROR_INVALID) while a collidable uses the attribute.
+// Later attributes reuse the slot; the handle stays stale.
 SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
 SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribute attribute);
 
-// The values that an attribute was made of.
+// The values from which an attribute was created.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
                                                    scree_attribute_def* def);
 
@@ -446,9 +453,9 @@ static inline bool scree_body_equals(scree_body a, scree_body b)
 
 typedef enum scree_body_type
 {
-	SCREE_BODY_STATIC,    // never moves by itself, infinite mass
-	SCREE_BODY_KINEMATIC, // moves with the velocity that it is given, infinite mass
-	SCREE_BODY_DYNAMIC,   // moved by forces and contacts
+	SCREE_BODY_STATIC,    // does not move; infinite mass
+	SCREE_BODY_KINEMATIC, // moves with the velocity that the user sets; infinite mass
+	SCREE_BODY_DYNAMIC,   // moves by forces and contacts
 } scree_body_type;
 
 enum // bits of scree_body_def.locks
@@ -458,8 +465,8 @@ enum // bits of scree_body_def.locks
 	SCREE_LOCK_ROTATION = 4,
 };
 
-// Two collidables may touch when each one's category is in the other's mask. An equal, non-zero group decides before
-// that: positive always, negative never.
+// Two collidables may touch if the category of each is in the mask of the other. If both have the same non-zero group,
+// only the group decides: positive always, negative never.
 typedef struct scree_filter
 {
 	uint64_t category; // default 1
@@ -471,50 +478,52 @@ typedef struct scree_body_def
 {
 	uint32_t size;             // set by scree_body_def_default
 	scree_body_type type;      // default SCREE_BODY_DYNAMIC
-	scree_pose pose;           // of the body's origin; default the world's origin
-	scree_velocity velocity;   // default 0
+	scree_pose pose;           // of the body's origin; default: the world's origin, not rotated
+	scree_velocity velocity;   // of the center of mass; default 0
 	float gravity_scale;       // default 1
 	float linear_damping;      // 1/s, >= 0, default 0
 	float angular_damping;     // 1/s, >= 0, default 0
-	uint32_t locks;            // default 0
-	scree_attribute attribute; // when not null, the body is made with one collidable of it, at the body's origin
+	uint32_t locks;            // bits of SCREE_LOCK_*; default 0
+	scree_attribute attribute; // if not null: the body gets one collidable with it, at the body's origin
 	scree_filter filter;       // of that collidable
-	uint64_t user;             // kept for the user, not simulated; default 0
-	bool disabled;             // begins as scree_body_set_enabled leaves it; default false
+	uint64_t user;             // user data, not simulated; default 0
+	bool disabled;             // starts disabled, see scree_body_set_enabled; default false
 } scree_body_def;
 
 static inline scree_body_def scree_body_def_default(void);
 SCREE_API scree_filter scree_filter_default(void);
 
-// Creates count bodies from count definitions. All or none: on failure no body is created. bodies (may be null) gets
-// the handles.
+// Creates count bodies from count definitions and writes their handles to bodies (may be null). On failure no body is
+// created.
 SCREE_API scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count,
                                            scree_body* bodies);
 SCREE_API scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body);
 
-// Destroys bodies and their collidables. Contacts end without a further word. All or none.
+// Destroys bodies with their collidables and contacts. On failure, for instance because a body is named twice, none is
+// destroyed.
 SCREE_API scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count);
 SCREE_API scree_status scree_body_destroy(scree_world* world, scree_body body);
 
 SCREE_API bool scree_body_is_valid(const scree_world* world, scree_body body);
 
-// Writes up to capacity handles of all bodies alive, by rising index, and how many there are.
+// Writes the handles of up to capacity bodies in ascending index order, and sets count to the number of bodies.
 SCREE_API scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count);
 
-// Batches. Each takes count handles and count values; all or none. A body named twice gets both, in order.
+// Batches. Each takes count handles and count values. On failure nothing has changed. If a body is named twice, both
+// values are applied, in order. Forces, torques and impulses act on dynamic bodies only.
 SCREE_API scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces,
-                                                 int count); // N at the center of mass, for the next step
+                                                 int count); // N, at the center of mass, during the next step
 SCREE_API scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques,
-                                                  int count); // N m, for the next step
+                                                  int count); // N m, during the next step
 SCREE_API scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies,
                                                    const scree_vec* impulses,
-                                                   int count); // N s at the center of mass, at once
+                                                   int count); // N s, at the center of mass, immediately
 SCREE_API scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies,
                                                            const float* impulses,
-                                                           int count); // N m s, at once
+                                                           int count); // N m s, immediately
 SCREE_API scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies,
                                                     const scree_vec* forces, const scree_vec* points,
-                                                    int count); // at world points, m
+                                                    int count); // N, at world points, m
 SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies,
                                                       const scree_vec* impulses, const scree_vec* points, int count);
 SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
@@ -526,25 +535,25 @@ SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, c
                                                            const float* velocities,
                                                            int count); // rad/s; linear ones stay
 SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
-                                              int count); // teleport; velocities stay
+                                              int count); // teleports; velocities do not change
 
-// Where kinematic bodies are to be at the end of the next step that takes time: the poses of their origins, within
-// SCREE_HUGE. A body that is static or dynamic is refused. In that step the body has the velocity that takes it there, the
-// shorter way round (half a circle is counter-clockwise), so that what it touches is pushed and carried. At its end it is
-// there, to the last bit, and stands still until it is told again: its velocity is 0 before that step and after it.
+// Sets the poses that kinematic bodies have at the end of the next step with dt > 0: poses of their origins, within
+// SCREE_HUGE. Static and dynamic bodies are refused. During that step the body has the velocity that takes it there, by
+// the shorter rotation (half a circle is counter-clockwise), so that it pushes and carries what it touches. At the end it
+// is exactly there and stands still: its velocity is 0 before that step and after it.
 //
-// What is locked stays. A body that is farther away than max_speed reaches, or turns by more than a step can
-// (scree_world_def.max_speed), is there all the same, but others feel no more than the greatest speed and spin.
+// Locked motion stays locked. A body that would exceed max_speed, or turn by more than a step can
+// (scree_world_def.max_speed), arrives all the same, but others feel only the limited velocity.
 //
-// A second target takes the place of the first. A target goes when the body's velocity is set, its type changes or it is
-// destroyed; scree_body_set_pose only moves where it starts. Neither a step of dt 0, nor one that is refused, nor the steps
-// in which the body is disabled use it up.
+// A second target replaces the first. Setting the velocity, changing the type or destroying the body drops the target;
+// scree_body_set_pose only moves the start. A step of dt 0, a refused step and steps while the body is disabled keep it.
 SCREE_API scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                                 int count);
 
 SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
-                                              int count); // of the bodies' origins; the world keeps more digits
-// than a float has: set again, a body may be off by half the last
+                                              int count); // of the bodies' origins
+// The world also stores what rounding a position to float leaves over, and the getters do not return it. Setting a pose
+// that was read may therefore move a body by half the spacing of floats.
 SCREE_API scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies,
                                                    scree_velocity* velocities, int count);
 
@@ -554,8 +563,8 @@ typedef struct scree_body_state
 	scree_velocity velocity;
 } scree_body_state;
 
-// The state of all bodies alive, by rising index: writes up to capacity of them, and how many there are. bodies (may be
-// null) gets their handles.
+// Writes the states of up to capacity bodies in ascending index order, and their handles to bodies (may be null). Sets
+// count to the number of bodies.
 SCREE_API scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states,
                                               int capacity, int* count);
 
@@ -575,7 +584,7 @@ SCREE_API scree_status scree_body_set_target(scree_world* world, scree_body body
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
 
-// Points of a body: from its frame to the world and back, m, and how fast one that is now at a world point moves, m/s.
+// Converts a point (m) from the body's frame to the world and back; the velocity (m/s) of the body at a world point.
 SCREE_API scree_status scree_body_get_world_point(scree_world* world, scree_body body, scree_vec local,
                                                   scree_vec* point);
 SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body body, scree_vec point,
@@ -583,9 +592,9 @@ SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body
 SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point,
                                                      scree_vec* velocity);
 
-// Settings of one body; ranges as in scree_body_def. Setters reach the device with the next batch.
+// Settings of one body; units and ranges as in scree_body_def. Changes are uploaded with the next batch.
 SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body,
-                                           scree_body_type type); // its contacts start anew
+                                           scree_body_type type); // recreates its contacts
 SCREE_API scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type);
 SCREE_API scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular);
 SCREE_API scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular);
@@ -613,13 +622,15 @@ typedef struct scree_mass
 	scree_vec center; // of mass, in the body's frame, m
 } scree_mass;
 
-// Mass follows from the collidables' densities; a dynamic body without any mass counts as 1 kg that cannot turn.
-// scree_body_set_mass overrides it (mass > 0, inertia >= 0) until a collidable is added or removed, or gets an attribute of
-// another shape or density.
+// The mass is computed from the densities of the collidables; a dynamic body with zero mass gets 1 kg and cannot
+// rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
+// gets an attribute with another shape or density. Its mass is 1e-15 to 1e30 kg; its
+// inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
+// that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
-                                               int count); // all or none
+                                               int count); // on failure nothing has changed
 
 // ---------------------------------------------------------------------------------------------------------------
 // Collidables
@@ -644,27 +655,34 @@ typedef struct scree_collidable_def
 {
 	uint32_t size; // set by scree_collidable_def_default
 	scree_attribute attribute;
-	scree_body body; // null for a collidable without a body: it detects overlaps and nothing answers to it
-	scree_pose pose; // in the body's frame; in the world when there is no body
+	scree_body body; // null: the collidable belongs to no body, and only reports overlaps
+	scree_pose pose; // in the body's frame, or in the world if there is no body
 	scree_filter filter;
-	uint64_t user;
+	uint64_t user; // user data, not simulated; default 0
 } scree_collidable_def;
 
 static inline scree_collidable_def scree_collidable_def_default(void);
 
+// Creates count collidables and writes their handles to collidables (may be null). The masses of their bodies are
+// computed again. On failure no collidable is created.
 SCREE_API scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
                                                 scree_collidable* collidables);
 SCREE_API scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def,
                                                scree_collidable* collidable);
+
+// Destroys collidables with their contacts; the masses of their bodies are computed again. On failure, for instance
+// because a collidable is named twice, none is destroyed.
 SCREE_API scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count);
 SCREE_API scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable);
+
 SCREE_API bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable);
 
-// Writes up to capacity handles of a body's collidables, in the order that they were added, and how many there are. A
-// null body lists the collidables without a body, by rising index.
+// Writes the handles of up to capacity collidables of a body, in the order in which they were added, and sets count to
+// their number. A null body lists the collidables without a body, in ascending index order.
 SCREE_API scree_status scree_body_get_collidables(const scree_world* world, scree_body body,
                                                   scree_collidable* collidables, int capacity, int* count);
 
+// Settings of one collidable. Changes are uploaded with the next batch.
 SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable,
                                                  scree_body* body);
 SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
@@ -679,11 +697,11 @@ SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world,
 SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable,
                                                    scree_filter* filter);
 SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable,
-                                                   scree_filter filter); // its contacts start anew
+                                                   scree_filter filter); // recreates its contacts
 SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user);
 SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
 
-// Teleports collidables that have no body; the others belong to their bodies and are refused.
+// Teleports collidables without a body. Fails with SCREE_ERROR_INVALID if one belongs to a body.
 SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
                                                    const scree_pose* poses, int count);
 
@@ -693,93 +711,93 @@ SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scr
 
 typedef struct scree_contact_point
 {
-	scree_vec point;       // m, world, halfway between the surfaces, where the last step found it
-	float separation;      // m, negative when overlapping, at the start of the last step; where fast bodies were about
-	                       // to meet in it, as much as they had left to go
+	scree_vec point;       // m, in the world, halfway between the surfaces, at the start of the last step
+	float separation;      // m, negative if overlapping, at the start of the last step; for a speculative contact the
+	                       // remaining gap
 	float normal_impulse;  // N s, of the last substep
-	float tangent_impulse; // N s
-	uint32_t feature;      // names the two features that touch; stable while they do
+	float tangent_impulse; // N s, of the last substep
+	uint32_t feature;      // id of the two touching features; constant while they touch
 } scree_contact_point;
 
 typedef struct scree_contact
 {
 	scree_collidable a, b;
-	scree_vec normal; // from a to b
-	int color;        // in which the solver takes it: no two of a color from 0 to 62 share a body that can move; 63 is
-	                  // that of hubs, bodies with more than 32 contacts. -1 for an overlap
-	int count;        // 1 or 2
+	scree_vec normal; // unit vector from a to b
+	int color;        // of the solver's constraint graph coloring, 0 to 62: constraints of one color share no body that
+	                  // can move. 63: contact of a hub (a body with more than 32 contacts). -1: overlap
+	int count;        // number of points, 1 or 2
 	scree_contact_point points[2];
 	scree_body body_a, body_b; // of a and b; null for a collidable without a body
-	uint64_t user_a, user_b;   // of a and b, as scree_collidable_set_user left them
+	uint64_t user_a, user_b;   // user data of a and b
 } scree_contact;
 
-// Writes up to capacity of the touching contacts that bodies answer to, in the order of the contact pool (equal on all
-// devices), and how many there are.
+// Writes up to capacity touching contacts between bodies and sets count to their number. The order is that of the
+// contact pool, the same on all devices.
 static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
                                                     int* count);
 
-// The same for the contacts of one body, in the same order. The device puts them together, and only they are read.
+// The same for the contacts of one body, in the same order. The device gathers them, and only they are read.
 static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
                                                    int capacity, int* count);
 
-// The same for the pairs of which at least one collidable has no body. Impulses are zero. A pair is reported while the
-// shapes are within the speculative distance (0.02 m): a separation of at most 0 is an overlap.
+// The same for pairs in which at least one collidable has no body. Impulses are zero. A pair is reported if the shapes
+// are within the speculative distance, 0.02 m; they overlap if the separation is at most 0.
 static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
                                                     int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Drawing
 //
-// What a renderer needs of every collidable, in one array that fits a vertex buffer: row k is the collidable of index
-// k. scree_world_get_render_rows copies the rows to the host. Where scree_world_get_sharing says more than
-// SCREE_SHARING_COPIED, they need not leave the device: it is given memory that OpenGL draws from, and
-// scree_world_write_render_rows writes them there. The rows are the same, bit for bit. docs/share.md has an example.
+// One row per collidable, laid out for a vertex buffer: row k is the collidable with index k.
+// scree_world_get_render_rows copies the rows to the host. If scree_world_get_sharing returns more than
+// SCREE_SHARING_COPIED, the rows can stay on the device: share a buffer that OpenGL draws from, and
+// scree_world_write_render_rows writes into it. Both give the same bits. docs/share.md has an example.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_render_row // 32 bytes
 {
 	scree_pose pose;   // of the attribute's shape in the world
-	scree_vec center;  // from there to the body's center of mass, world axes, m
-	int32_t attribute; // index of its handle; -1 where there is no collidable: skip the row
-	int32_t body;      // index of its handle, which is 1 or more; -1 for none
+	scree_vec center;  // vector from pose.position to the body's center of mass, world axes, m
+	int32_t attribute; // index of the attribute's handle; -1: no collidable, skip the row
+	int32_t body;      // index of the body's handle, 1 or more; -1: no body
 } scree_render_row;
 
-// Writes up to capacity rows of the world as it is now, and how many there are: one more than the highest index that a
-// collidable had so far. rows may be null when capacity is 0.
+// Writes up to capacity rows of the current state and sets count to the number of rows: the highest collidable index so
+// far plus one. rows may be null if capacity is 0.
 SCREE_API scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity,
                                                    int* count);
 
-// The way in which this world can share: that of its device, but SCREE_SHARING_OPENGL only when the world was made with
-// a scree_world_def.opengl that the driver took.
+// How this world can share render rows: as its device, but SCREE_SHARING_OPENGL only if the driver accepted
+// scree_world_def.opengl.
 SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 
-// Memory that another interface allocated on the same device (scree_device.uuid) and exported as an opaque file
-// descriptor; Vulkan can (VK_KHR_external_memory_fd), and OpenGL imports it as well (GL_EXT_memory_object_fd). The
-// world takes over the descriptor when this succeeds. bytes is how much of the allocation is used, at least one row.
-// Fails with SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_MEMORY or the driver
-// refuses the memory. The memory is shared until it is replaced by another call, scree_world_unshare, the world's move
-// to another device (of itself, where that is "auto"), or its end.
+// Shares memory that another API allocated on the same device (scree_device.uuid) and exported as an opaque file
+// descriptor. Vulkan can export (VK_KHR_external_memory_fd), and OpenGL can import (GL_EXT_memory_object_fd). On
+// success the world owns the descriptor. bytes is the usable size, at least one row. Fails with
+// SCREE_ERROR_NOT_SUPPORTED if scree_world_get_sharing is not SCREE_SHARING_MEMORY, or if the driver rejects the
+// memory. Sharing ends with the next call of this function, scree_world_unshare, a move to another device (which "auto"
+// may do), or scree_world_destroy.
 SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
-// A buffer object of the context in scree_world_def.opengl, which is current on this thread, now and in
-// scree_world_write_render_rows; bytes is the size of its storage, at least one row. It must outlive the sharing, and
-// keep its storage. Fails with SCREE_ERROR_NOT_SUPPORTED when scree_world_get_sharing does not say SCREE_SHARING_OPENGL
-// or the driver refuses the buffer.
+// Shares a buffer object of the context scree_world_def.opengl, which must be current on the calling thread here and in
+// scree_world_write_render_rows. bytes is the size of its storage, at least one row. The buffer and its storage must
+// outlive the sharing. Fails with SCREE_ERROR_NOT_SUPPORTED if scree_world_get_sharing is not SCREE_SHARING_OPENGL, or
+// if the driver rejects the buffer.
 SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
-// Lets go of what was shared; null and worlds that share nothing are allowed.
+// Ends sharing and releases the imported memory or buffer. world may be null, and may share nothing.
 SCREE_API void scree_world_unshare(scree_world* world);
 
-// Writes the rows of the world as it is now into the shared memory, and how many there are into count. They are there
-// when this returns. OpenGL must be done with the rows of before: wait for a fence behind the last draw. Fails with
-// SCREE_ERROR_INVALID, and writes count all the same, when there are more rows than fit: share something larger.
+// Writes the rows of the current state into the shared memory and sets count to their number. The rows are complete
+// when this returns. The caller must ensure that OpenGL has finished reading the previous rows, for instance with a
+// fence. Fails with SCREE_ERROR_INVALID, and still sets count, if the rows do not fit; share a larger buffer then.
 SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Versions
 //
-// The functions of the library behind those above that are static and inline, which pass the size that a struct has in
-// the program. A binding for another language calls these. Members that the library does not know become 0.
+// The static inline functions above call these library functions and pass the size of the struct in the program. A
+// binding for another language calls them directly. Members that the library does not know are set to 0.
 // ---------------------------------------------------------------------------------------------------------------
 
 SCREE_API void scree_world_def_default_sized(scree_world_def* def, size_t size);
