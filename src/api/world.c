@@ -2,8 +2,8 @@
 // world.c -- the world: created, stepped, hashed, counted and destroyed.
 #include "world/world.h"
 #include "device/devices.h"
+#include "dialect/hash_word.h"
 #include "platform/processor.h"
-#include "stages/hash_word.h"
 #include "world/definition.h"
 #include "world/targets.h"
 #include <limits.h>

@@ -94,7 +94,7 @@ typedef struct // of a kind of constraint
 {
 	Per items, places, blocks;
 	StageId key, edge, range, layout; // which lay it out
-	StageId prepare, prepare_rare, pass[PASS_KINDS];
+	StageId prepare, prepare_rare, pass[PASS_KINDS], hash;
 } KindInfo;
 extern const KindInfo kind_info[CONSTRAINT_KINDS];
 

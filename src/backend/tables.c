@@ -31,11 +31,18 @@ const Box stage_boxes[STAGE_COUNT] = {
 };
 
 const KindInfo kind_info[CONSTRAINT_KINDS] = {
-#define CONSTRAINT_KIND(kind, Kind, KIND) \
-	{KIND, KIND##_PLACE, KIND##_BLOCK, \
-	 STAGE_##kind##_key, STAGE_##kind##_edge, STAGE_##kind##_range, STAGE_##kind##_layout, \
-	 STAGE_##kind##_prepare, STAGE_##kind##_prepare_rare, \
-	 {STAGE_##kind##_warm_start, STAGE_##kind##_bias, STAGE_##kind##_relax, STAGE_##kind##_bounce}},
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                              \
+	{.items = KIND,                                                                                                    \
+	 .places = KIND##_PLACE,                                                                                           \
+	 .blocks = KIND##_BLOCK,                                                                                           \
+	 .key = STAGE_##kind##_key,                                                                                        \
+	 .edge = STAGE_##kind##_edge,                                                                                      \
+	 .range = STAGE_##kind##_range,                                                                                    \
+	 .layout = STAGE_##kind##_layout,                                                                                  \
+	 .prepare = STAGE_##kind##_prepare,                                                                                \
+	 .prepare_rare = STAGE_##kind##_prepare_rare,                                                                      \
+	 .pass = {STAGE_##kind##_warm_start, STAGE_##kind##_bias, STAGE_##kind##_relax, STAGE_##kind##_bounce},            \
+	 .hash = STAGE_##kind##_hash},
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 };

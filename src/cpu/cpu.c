@@ -48,7 +48,9 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_hub] = 1,
     [STAGE_hash_bodies] = 16,
     [STAGE_hash_collidables] = 16,
-    [STAGE_hash_contacts] = 16,
+#define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 };
 
 static const size_t pool_offsets[POOL_COUNT] = {

@@ -2,12 +2,13 @@
 // hash.h -- the world hash: a sum over items of a hash of each, so that no order and no padding matters.
 #ifndef HASH_H
 #define HASH_H
+#include "constraints/contact_one.h"
 #include "constraints/kinds.h"
-#include "stages/hash_word.h"
+#include "dialect/hash_word.h"
 
 // What is kept of a constraint, in the order of its rows.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
-	INLINE Word64 kind##_hash(Word64 h, const Pools* p, int i)                       \
+	INLINE Word64 kind##_hash_kept(Word64 h, const Pools* p, int i)                  \
 	{                                                                                \
 		int lane = i % MAX_LANES;                                                    \
 		{                                                                            \
@@ -66,27 +67,21 @@ STAGE(hash_collidables)
 	p->hash[i] += sum;
 }
 
-STAGE(hash_contacts)
-{
-	Word64 sum = 0;
-	for (int k = i; k < p->counters->contacts; k += HASH_SUMS)
-	{
-		Int2 pair = p->pair[k], feature = p->contact_feature[k];
-		if (pair.x < 0)
-			continue;
-		Word64 h = hash_word(hash_word(hash_begin(3, k), (Word)pair.x), (Word)pair.y);
-		h = hash_word(hash_word(h, p->contact_flags[k]), (Word)p->contact_color[k]);
-		h = hash_word(hash_word(h, (Word)feature.x), (Word)feature.y);
-		Found found = p->contact_found[k];
-		h = hash_float4(hash_float4(h, found.normal), found.on_a);
-		h = hash_float4(hash_float4(h, found.relative), found.then);
-		h = hash_float4(h, p->contact_surface[k]);
-		int c = p->contact_place[k];
-		if (c >= 0)
-			h = contact_hash(h, p, c);
-		sum += h;
+// Constraints: what their kind hashes of an item, then what is kept of it.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                              \
+	STAGE(kind##_hash)                                                 \
+	{                                                                  \
+		Word64 sum = 0;                                                \
+		for (int k = i; k < p->counters->kind##s; k += HASH_SUMS)      \
+		{                                                              \
+			Word64 h = 0;                                              \
+			int place = p->kind##_place[k];                            \
+			if (kind##_hash_fields(p, k, &h))                          \
+				sum += place >= 0 ? kind##_hash_kept(h, p, place) : h; \
+		}                                                              \
+		p->hash[i] += sum;                                             \
 	}
-	p->hash[i] += sum;
-}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 
 #endif

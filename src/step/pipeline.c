@@ -240,13 +240,14 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 {
 	Backend* b = pipeline->backend;
 	Step step = {0};
-	Run runs[3] = {
+	Run runs[2 + CONSTRAINT_KINDS] = {
 	    {.stage = STAGE_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
 	    {.stage = STAGE_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
-	    {.stage = STAGE_hash_contacts, .end = HASH_SUMS, .count = NO_COUNT, .argument = 0},
 	};
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		runs[2 + kind] = (Run){.stage = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
 	uint64_t sums[HASH_SUMS];
-	scree_status status = b->f->run(b, &step, runs, 3);
+	scree_status status = b->f->run(b, &step, runs, 2 + CONSTRAINT_KINDS);
 	if (!status)
 		status = b->f->read(b, POOL_hash, 0, HASH_SUMS, sums);
 	if (status)

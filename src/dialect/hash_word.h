@@ -2,7 +2,7 @@
 // hash_word.h -- what the hash of an item is made of, for the stages and for what only the host knows.
 #ifndef HASH_WORD_H
 #define HASH_WORD_H
-#include "pools/pools.h"
+#include "dialect/dialect.h"
 
 // the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input moves half of the output's
 INLINE Word64 hash_mix(Word64 h)
