@@ -66,8 +66,10 @@
 	PAIR(1, IN_RELAX, IN_NONE, u->tangent_mass1, u->tangent_mass2)      \
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
-#define CONTACT_QUADS 3
-#define CONTACT_PAIRS 4
+
+// Bytes that preparing it gathers: collidables, what is found there, flags that say what is round; of bodies, for restitution.
+#define CONTACT_GATHERS(step)  (sizeof(Int2) + 2 * sizeof(Placed) + sizeof(Found) + ((step)->round ? sizeof(Word) : 0))
+#define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
 
 struct ContactRows
 {

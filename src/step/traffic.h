@@ -7,6 +7,6 @@
 
 // Of one step over these constraints (padding not counted) and so many rows of bodies. Where some attribute has restitution,
 // every constraint counts as one that may bounce.
-scree_traffic traffic_of_solve(const Counters* layout, int bodies, int substeps, const Step* step);
+scree_traffic traffic_of_solve(const Counters* counters, int bodies, int substeps, const Step* step);
 
 #endif
