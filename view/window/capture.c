@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// capture.c -- what the window shows, into files: pictures, and videos frame by frame.
+// capture.c -- writes what the window shows to files: pictures, and videos frame by frame.
 #include "view/window/capture.h"
 #include "view/shader.h"
 #include "view/shot.h"
@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#define MOST_FILES 10000 // scree-N of one kind in a folder
+#define MOST_FILES 10000 // files scree-N of one kind in a folder
 
 static void drop(Capture* c)
 {
@@ -63,7 +63,7 @@ void capture_window(Capture* c)
 	shot_read(&c->canvas);
 }
 
-// The first name scree-N with this ending that no file has.
+// Finds the first unused name scree-N with this ending.
 static bool free_name(char path[64], const char* ending, char* sentence)
 {
 	for (int k = 1; k < MOST_FILES; ++k)
