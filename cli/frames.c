@@ -28,7 +28,7 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 	const Scene* scene = simulation->scene;
 	const Style style = {.detail = 1.0f};
 	Camera camera;
-	camera_fit(&camera, look_view(&renderer->look, scene), offscreen->width, offscreen->height);
+	camera_fit(&camera, render_tables_view(&renderer->tables, scene), offscreen->width, offscreen->height);
 	for (int k = 0; k < steps; ++k)
 	{
 		scree_status status = simulation_change(simulation);
@@ -65,7 +65,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	if (code != EXIT_GOOD)
 		return code;
 	bool opened = renderer_open(&renderer, sentence);
-	if (!opened || !renderer_look(&renderer, simulation.world))
+	if (!opened || !renderer_update_world(&renderer, simulation.world))
 	{
 		fprintf(stderr, "scree bench: %s\n", sentence);
 		code = EXIT_FAILED;

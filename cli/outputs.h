@@ -2,13 +2,13 @@
 // outputs.h -- what a run leaves beside its table: a picture, a video, a CSV file.
 #ifndef OUTPUTS_H
 #define OUTPUTS_H
-#include "artist.h"
+#include "picture_renderer.h"
 #include "record.h"
 #include "scene/video.h"
 
 typedef struct
 {
-	Artist* artist; // null when neither picture nor video is asked for
+	PictureRenderer* renderer; // null when neither picture nor video is asked for
 	Video video;
 	FILE* picture_file;
 	FILE* csv;

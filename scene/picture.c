@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // picture.c -- pictures of a world, drawn with Cairo through the public interface alone.
 #include "scene/picture.h"
-#include "scene/aim.h"
 #include "scene/sprites.h"
+#include "scene/viewport.h"
 
 #ifdef SCREE_HAVE_CAIRO
 
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMALL    1.0 // px: a shape of less reach is a blot of its area, not a path
+#define SMALL    1.0 // px: a shape of less reach is a splat of its area, not a path
 #define OUTLINED 3.5 // px: a shape of less reach has no outline
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134};
@@ -25,7 +25,7 @@ struct Picture
 	Sprites sprites;
 	Canvas canvas;
 	cairo_t* cairo; // of the canvas
-	Aim aim;
+	Viewport viewport;
 };
 
 Picture* picture_create(const Scene* scene, scree_world* world, int width, int height, char* sentence)
@@ -79,7 +79,7 @@ static void fit_view(Picture* p, const scree_pose* poses)
 		float own = p->sprites.attributes[s->attribute].shape.reach;
 		reach = own > reach && own < 50 ? own : reach;
 	}
-	aim_fit(points, count, reach, &p->view);
+	viewport_fit(points, count, reach, &p->view);
 	free(points);
 }
 
@@ -96,11 +96,12 @@ static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
 	for (int k = 0; k < shape->count; ++k)
 	{
 		scree_vec v = shape->vertices[k];
-		x[k] = (pose.position.x + pose.rotation.c * v.x - pose.rotation.s * v.y - p->aim.left) * p->aim.scale;
-		y[k] = p->height - BAND -
-		       (pose.position.y + pose.rotation.s * v.x + pose.rotation.c * v.y - p->aim.bottom) * p->aim.scale;
+		x[k] = (pose.position.x + pose.rotation.c * v.x - pose.rotation.s * v.y - p->viewport.left) * p->viewport.scale;
+		y[k] =
+		    p->height - BAND -
+		    (pose.position.y + pose.rotation.s * v.x + pose.rotation.c * v.y - p->viewport.bottom) * p->viewport.scale;
 	}
-	double radius = shape->radius * p->aim.scale;
+	double radius = shape->radius * p->viewport.scale;
 	cairo_new_path(p->cairo);
 	if (shape->count == 1)
 	{
@@ -125,11 +126,12 @@ static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
 }
 
 // A square of the shape's area, blended pixel by pixel; the surface has been flushed.
-static void blot(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
+static void splat(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
 {
-	double side = sqrt(fmax(shape->area, 0)) * p->aim.scale;
-	double x0 = (pose.position.x - p->aim.left) * p->aim.scale - side / 2, x1 = x0 + side;
-	double y0 = p->height - BAND - (pose.position.y - p->aim.bottom) * p->aim.scale - side / 2, y1 = y0 + side;
+	double side = sqrt(fmax(shape->area, 0)) * p->viewport.scale;
+	double x0 = (pose.position.x - p->viewport.left) * p->viewport.scale - side / 2, x1 = x0 + side;
+	double y0 = p->height - BAND - (pose.position.y - p->viewport.bottom) * p->viewport.scale - side / 2,
+	       y1 = y0 + side;
 	if (!(x0 >= 0 && y0 >= 0 && x1 < p->width - 1 && y1 < p->height - 1))
 		return;
 	for (int row = (int)y0; row <= (int)y1; ++row)
@@ -152,8 +154,8 @@ static void blot(Picture* p, const scree_shape* shape, scree_pose pose, Color co
 static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 {
 	const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-	double reach = shape->reach * p->aim.scale;
-	double line = fmin(fmax(0.03 * p->aim.scale, 0.7), 1.4);
+	double reach = shape->reach * p->viewport.scale;
+	double line = fmin(fmax(0.03 * p->viewport.scale, 0.7), 1.4);
 	trace(p, shape, pose);
 	cairo_set_line_width(p->cairo, line);
 	if (shape->kind == SCREE_SHAPE_SEGMENT || s->body < 0)
@@ -174,13 +176,13 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	{
 		// a spoke shows how it turned
 		double x = (pose.position.x + pose.rotation.c * shape->vertices[0].x - pose.rotation.s * shape->vertices[0].y -
-		            p->aim.left) *
-		           p->aim.scale;
+		            p->viewport.left) *
+		           p->viewport.scale;
 		double y = p->height - BAND -
 		           (pose.position.y + pose.rotation.s * shape->vertices[0].x + pose.rotation.c * shape->vertices[0].y -
-		            p->aim.bottom) *
-		               p->aim.scale;
-		double spoke = shape->radius * p->aim.scale;
+		            p->viewport.bottom) *
+		               p->viewport.scale;
+		double spoke = shape->radius * p->viewport.scale;
 		cairo_move_to(p->cairo, x, y);
 		cairo_line_to(p->cairo, x + spoke * pose.rotation.c, y - spoke * pose.rotation.s);
 	}
@@ -192,8 +194,8 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 {
 	if (!p->has_view)
 		fit_view(p, poses);
-	p->aim = aim_at(p->view, p->width, p->height);
-	set_color(p->cairo, PAPER, 1);
+	p->viewport = viewport_show(p->view, p->width, p->height);
+	set_color(p->cairo, BACKGROUND_COLOR, 1);
 	cairo_paint(p->cairo);
 	for (int small = 0; small < 2; ++small)
 	{
@@ -202,11 +204,11 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 		{
 			const Sprite* s = &p->sprites.list[k];
 			const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-			bool blotted = shape->reach * p->aim.scale < SMALL && shape->area > 0;
-			if (blotted != small)
+			bool splatted = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
+			if (splatted != small)
 				continue;
-			if (blotted)
-				blot(p, shape, sprite_pose(s, poses), s->color);
+			if (splatted)
+				splat(p, shape, sprite_pose(s, poses), s->color);
 			else
 				draw_sprite(p, s, sprite_pose(s, poses));
 		}

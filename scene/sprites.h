@@ -10,8 +10,8 @@ typedef struct
 } Color;
 
 // the background of pictures, and their writing
-#define PAPER ((Color){247, 245, 240})
-#define INK   ((Color){70, 68, 64})
+#define BACKGROUND_COLOR ((Color){247, 245, 240})
+#define TEXT_COLOR       ((Color){70, 68, 64})
 
 typedef struct // one collidable to draw
 {

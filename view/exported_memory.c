@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// exported_memory.c -- memory of a device that OpenCL and OpenGL both import: neither can export, but Vulkan can.
+// exported_memory.c -- device memory that OpenCL and OpenGL both import, allocated through Vulkan.
 //
-// Vulkan is opened at run time, for this alone.
-#include "view/share.h"
+// OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing else.
+#include "view/exported_memory.h"
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 #include <dlfcn.h>
 #include <vulkan/vulkan.h>
 
-// of an instance, and of a device
+// functions of an instance, and of a device
 #define INSTANCE_FUNCTIONS(X)             \
 	X(EnumeratePhysicalDevices)           \
 	X(GetPhysicalDeviceProperties2)       \
@@ -41,7 +41,7 @@ typedef struct
 
 #define MAX_GPUS 16
 
-// where a driver's memory is of the device's own
+// The memory type that is local to the device, -1 for none.
 static int own_memory(const VkPhysicalDeviceMemoryProperties* types, uint32_t allowed)
 {
 	for (uint32_t k = 0; k < types->memoryTypeCount; ++k)
@@ -109,7 +109,7 @@ static const char* open_device(Vulkan* v)
 
 static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 {
-	// a buffer is made to learn what it needs; nothing is ever bound to it
+	// this buffer only tells the size and type of memory that it needs; no memory is bound to it
 	const VkExternalMemoryHandleTypeFlags kind = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 	VkExternalMemoryBufferCreateInfo external = {.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO,
 	                                             .handleTypes = kind};
@@ -147,8 +147,8 @@ static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 	return NULL;
 }
 
-// Vulkan stays open as long as the process: when it was closed, NVIDIA's driver (580) took the thread's context of OpenGL
-// away with it. One device is enough, as OpenGL draws on one.
+// Vulkan stays open until the process ends: closing it made NVIDIA's driver 580 drop the thread's OpenGL context. One
+// device is enough, because OpenGL draws on one.
 static Vulkan vulkan;
 
 static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])

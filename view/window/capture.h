@@ -4,12 +4,12 @@
 #define CAPTURE_H
 #include "scene/canvas.h"
 #include "scene/video.h"
-#include "view/frame.h"
+#include "view/framebuffer.h"
 #include "view/renderer.h"
 
 typedef struct
 {
-	Frame frame; // as large as the canvas
+	Framebuffer framebuffer; // as large as the canvas
 	Canvas canvas;
 	Video video;    // pipe: null when none is made
 	double seconds; // of the world since the video began

@@ -9,7 +9,7 @@ static bool resize_capture(Viewer* v)
 	return capture_size(&v->capture, v->camera.width, v->camera.height, v->message);
 }
 
-// Draws without the panel and without blots larger than a pixel, as scree run does.
+// Draws without the panel and without splats larger than a pixel, as scree run does.
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];

@@ -47,20 +47,20 @@ static int compare_index(const void* key, const void* body)
 }
 
 // The dynamic body under the cursor; of several the one drawn on top, whose row is the last. Null for none.
-static scree_body body_under(const Grab* grab, const Look* look, const scree_render_row* rows, int count)
+static scree_body body_under(const Grab* grab, const RenderTables* tables, const scree_render_row* rows, int count)
 {
 	for (int k = count - 1; k >= 0; --k)
 	{
 		const scree_render_row* row = &rows[k];
-		if (row->attribute < 0 || row->attribute >= look->attribute_count || row->body < 0)
+		if (row->attribute < 0 || row->attribute >= tables->attribute_count || row->body < 0)
 			continue;
-		const scree_shape* shape = &look->attributes[row->attribute].shape;
+		const scree_shape* shape = &tables->attributes[row->attribute].shape;
 		scree_vec to = {grab->at.x - row->pose.position.x, grab->at.y - row->pose.position.y};
 		if (hypotf(to.x, to.y) > shape->reach || !is_inside(shape, turned_back(row->pose.rotation, to)))
 			continue;
 		uint32_t index = (uint32_t)row->body;
 		const scree_body* body =
-		    bsearch(&index, look->bodies, (size_t)look->body_count, sizeof *look->bodies, compare_index);
+		    bsearch(&index, tables->bodies, (size_t)tables->body_count, sizeof *tables->bodies, compare_index);
 		scree_body_type type;
 		if (body && scree_body_get_type(grab->world, *body, &type) == SCREE_OK && type == SCREE_BODY_DYNAMIC)
 			return *body;
@@ -68,7 +68,7 @@ static scree_body body_under(const Grab* grab, const Look* look, const scree_ren
 	return (scree_body){0};
 }
 
-bool grab_pick(Grab* grab, const Look* look)
+bool grab_pick(Grab* grab, const RenderTables* tables)
 {
 	int count = 0;
 	scree_pose pose;
@@ -77,7 +77,7 @@ bool grab_pick(Grab* grab, const Look* look)
 		return false;
 	scree_render_row* rows = malloc(((size_t)count + 1) * sizeof *rows);
 	if (rows && scree_world_get_render_rows(grab->world, rows, count, &count) == SCREE_OK)
-		grab->body = body_under(grab, look, rows, count);
+		grab->body = body_under(grab, tables, rows, count);
 	free(rows);
 	if (!grab_holds(grab) || scree_body_get_pose(grab->world, grab->body, &pose) != SCREE_OK ||
 	    scree_body_get_mass(grab->world, grab->body, &grab->mass) != SCREE_OK)

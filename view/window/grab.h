@@ -2,7 +2,7 @@
 // grab.h -- what the cursor does to bodies: picks one, drags it, throws new bodies in.
 #ifndef GRAB_H
 #define GRAB_H
-#include "view/look.h"
+#include "view/render_tables.h"
 
 typedef struct
 {
@@ -18,7 +18,7 @@ typedef struct
 } Grab;
 
 // Picks the dynamic body under the cursor; false when there is none.
-bool grab_pick(Grab* grab, const Look* look);
+bool grab_pick(Grab* grab, const RenderTables* tables);
 void grab_release(Grab* grab);
 bool grab_holds(const Grab* grab);
 

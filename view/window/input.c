@@ -163,8 +163,8 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 void input_button(Viewer* v, bool right, bool down)
 {
 	update_cursor(v);
-	Look* look = &v->renderer.look;
-	v->panning = down && (right || look_handles(look) != SCREE_OK || !grab_pick(&v->grab, look));
+	RenderTables* tables = &v->renderer.tables;
+	v->panning = down && (right || render_tables_update_bodies(tables) != SCREE_OK || !grab_pick(&v->grab, tables));
 	if (!right && !down)
 		grab_release(&v->grab);
 }

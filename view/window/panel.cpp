@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // panel.cpp -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 extern "C" {
-#include "scene/aim.h"
+#include "scene/viewport.h"
 #include "scene/caption.h"
 #include "view/window/input.h"
 #include "view/window/viewer.h"
@@ -53,7 +53,7 @@ static void choose_font()
 	ImGui::GetIO().Fonts->AddFontDefault();
 }
 
-// The colors of the pictures: paper, ink, one accent.
+// The colors of the pictures: background, text, one accent.
 static void choose_colors()
 {
 	ImGui::StyleColorsLight();

@@ -23,7 +23,7 @@ void viewer_fail(Viewer* v, const char* sentence)
 
 bool viewer_update_world(Viewer* v)
 {
-	bool good = renderer_look(&v->renderer, v->session.world);
+	bool good = renderer_update_world(&v->renderer, v->session.world);
 	if (!good)
 		viewer_fail(v, "the picture of the world cannot be made: memory is short, or its device failed");
 	return good;
@@ -45,7 +45,8 @@ bool viewer_fetch(Viewer* v, const Style* style)
 
 void viewer_fit(Viewer* v)
 {
-	camera_fit(&v->camera, look_view(&v->renderer.look, v->session.scene), v->camera.width, v->camera.height);
+	camera_fit(&v->camera, render_tables_view(&v->renderer.tables, v->session.scene), v->camera.width,
+	           v->camera.height);
 }
 
 bool viewer_load(Viewer* v, const char* name, bool fresh)

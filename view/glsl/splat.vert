@@ -1,6 +1,6 @@
-// blot.vert -- a small shape: a point that holds a square of the shape's area.
-uniform bool coarse; // whole pixels will do
-uniform float least; // px: shapes of more reach are drawn as they are
+// splat.vert -- a small shape as a point with the square of the shape's area.
+uniform bool coarse; // cover whole pixels only
+uniform float least; // px: shapes of more reach are no splats
 uniform vec2 size;   // px of the picture
 
 flat out vec3 color;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// aim.c -- which part of a world a picture of some size shows.
-#include "scene/aim.h"
+// viewport.c -- the part of a world that a picture of some size shows.
+#include "scene/viewport.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define SHOWN_SHARE 0.995f // of the points, from the middle, that must be inside
+#define SHOWN_SHARE 0.995f // share of the points that lie inside the box
 
-Aim aim_at(scree_box view, int width, int height)
+Viewport viewport_show(scree_box view, int width, int height)
 {
 	double across = view.upper.x - view.lower.x, up = view.upper.y - view.lower.y;
 	double room_across = fmax(width - 2 * MARGIN, 1), room_up = fmax(height - BAND - 2 * MARGIN, 1);
 	double scale = fmin(room_across / across, room_up / up);
-	return (Aim){scale, view.lower.x + across / 2 - width / scale / 2,
-	             view.lower.y + up / 2 - (height - BAND) / scale / 2};
+	return (Viewport){scale, view.lower.x + across / 2 - width / scale / 2,
+	                  view.lower.y + up / 2 - (height - BAND) / scale / 2};
 }
 
 static int compare_floats(const void* a, const void* b)
@@ -29,7 +29,7 @@ static void robust_range(float* values, int count, float* low, float* high)
 	*high = values[count - 1 - outside];
 }
 
-bool aim_fit(const scree_vec* points, int count, float reach, scree_box* view)
+bool viewport_fit(const scree_vec* points, int count, float reach, scree_box* view)
 {
 	*view = (scree_box){{-1, -1}, {1, 1}};
 	float* x = malloc((size_t)(count + 1) * 2 * sizeof(float));

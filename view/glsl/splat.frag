@@ -1,4 +1,4 @@
-// blot.frag -- how much of a pixel a small square covers: the sum over all pixels is its area.
+// splat.frag -- the share of a pixel that a small square covers; the shares of all pixels add up to its area.
 uniform bool coarse;
 
 flat in vec3 color;
