@@ -7,6 +7,8 @@
 #include "csv.h"
 #include "known.h"
 #include "record.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include <inttypes.h>
 #include <stdlib.h>
 

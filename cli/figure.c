@@ -18,6 +18,7 @@
 #include "commands.h"
 #include "csv.h"
 #include "record.h"
+#include "scene/load.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>

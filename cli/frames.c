@@ -2,6 +2,7 @@
 // frames.c -- scree bench frames: steps drawn a second, with rows shared with OpenGL and with rows copied.
 #include "commands.h"
 #include "record.h"
+#include "scene/load.h"
 #include <inttypes.h>
 
 #ifdef SCREE_HAVE_VIEW

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // paper.c -- a scene set in motion by the paper's own pipeline.
 #include "reference/paper.h"
+#include "scene/churn.h"
 #include "simulation.h"
 #include <stdlib.h>
 

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "outputs.h"
 #include "scene/caption.h"
+#include "scene/load.h"
 #include <inttypes.h>
 #include <unistd.h>
 

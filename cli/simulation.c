@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // simulation.c -- a scene set in motion by one of the pipelines.
 #include "simulation.h"
+#include "scene/build.h"
+#include "scene/churn.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include <string.h>
 #include <time.h>
 

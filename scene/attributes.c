@@ -38,7 +38,7 @@ static const char* const attribute_keys[] = {"box",
                                              "description",
                                              NULL};
 
-// A list of low to high points.
+// Reads a list of low to high points.
 static bool read_points(Reader* reader, const Place* place, const json_t* value, int low, int high, scree_vec* points,
                         int* count)
 {
@@ -60,7 +60,7 @@ static bool read_points(Reader* reader, const Place* place, const json_t* value,
 	return true;
 }
 
-// The library's own sentence about a shape, without the name of the function that said it.
+// Fails with the library's error message about a shape, without the name of the function.
 static bool shape_fail(Reader* reader, const Place* place)
 {
 	const char* sentence = scree_error();

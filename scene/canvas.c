@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// canvas.c -- the pixels of a picture, its caption and its file, by Cairo.
+// canvas.c -- the pixels of a picture, its caption and its file, with Cairo.
 #include "scene/canvas.h"
 #include "scene/viewport.h"
 

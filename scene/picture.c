@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture.c -- pictures of a world, drawn with Cairo through the public interface alone.
+// picture.c -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
 #include "scene/picture.h"
 #include "scene/sprites.h"
 #include "scene/viewport.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMALL    1.0 // px: a shape of less reach is a splat of its area, not a path
+#define SMALL    1.0 // px: a shape of less reach is a square of its area, not a path
 #define OUTLINED 3.5 // px: a shape of less reach has no outline
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134};
@@ -65,7 +65,7 @@ const scree_body* picture_bodies(const Picture* p, int* count)
 	return p->sprites.bodies;
 }
 
-// Without a view in the scene, a picture shows the bodies that move, or all when none does.
+// If the scene has no view, the picture shows the dynamic bodies, or all if there are none.
 static void fit_view(Picture* p, const scree_pose* poses)
 {
 	int first = p->sprites.first_moving < p->sprites.count ? p->sprites.first_moving : 0, count = 0;
@@ -89,8 +89,8 @@ static void set_color(cairo_t* cairo, Color color, double factor)
 	cairo_set_source_rgb(cairo, color.r * unit, color.g * unit, color.b * unit);
 }
 
-// Puts the outline of a shape into the path. y grows downwards in pixels, so angles change their sign.
-static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
+// Makes the outline of a shape the path. y grows downwards in pixels, so that angles change their sign.
+static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 {
 	double x[SCREE_MAX_VERTICES], y[SCREE_MAX_VERTICES];
 	for (int k = 0; k < shape->count; ++k)
@@ -125,8 +125,8 @@ static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
 	cairo_close_path(p->cairo);
 }
 
-// A square of the shape's area, blended pixel by pixel; the surface has been flushed.
-static void splat(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
+// Draws a square of the shape's area, blended pixel by pixel. The surface must be flushed.
+static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
 {
 	double side = sqrt(fmax(shape->area, 0)) * p->viewport.scale;
 	double x0 = (pose.position.x - p->viewport.left) * p->viewport.scale - side / 2, x1 = x0 + side;
@@ -156,7 +156,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
 	double reach = shape->reach * p->viewport.scale;
 	double line = fmin(fmax(0.03 * p->viewport.scale, 0.7), 1.4);
-	trace(p, shape, pose);
+	make_path(p, shape, pose);
 	cairo_set_line_width(p->cairo, line);
 	if (shape->kind == SCREE_SHAPE_SEGMENT || s->body < 0)
 	{
@@ -174,7 +174,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_fill_preserve(p->cairo);
 	if (shape->kind == SCREE_SHAPE_CIRCLE)
 	{
-		// a spoke shows how it turned
+		// the spoke shows the rotation
 		double x = (pose.position.x + pose.rotation.c * shape->vertices[0].x - pose.rotation.s * shape->vertices[0].y -
 		            p->viewport.left) *
 		           p->viewport.scale;
@@ -204,11 +204,11 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 		{
 			const Sprite* s = &p->sprites.list[k];
 			const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-			bool splatted = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
-			if (splatted != small)
+			bool is_splat = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
+			if (is_splat != small)
 				continue;
-			if (splatted)
-				splat(p, shape, sprite_pose(s, poses), s->color);
+			if (is_splat)
+				draw_splat(p, shape, sprite_pose(s, poses), s->color);
 			else
 				draw_sprite(p, s, sprite_pose(s, poses));
 		}
@@ -225,7 +225,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 {
 	(void)scene, (void)world;
 	Canvas canvas;
-	canvas_open(&canvas, width, height, sentence); // says why not
+	canvas_open(&canvas, width, height, sentence); // writes the sentence
 	return NULL;
 }
 

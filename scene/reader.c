@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reader.c -- reading JSON values with checks whose errors name the place in the file.
+// reader.c -- reads and checks JSON values; errors name the place in the file.
 #include "scene/reader.h"
 #include <math.h>
 #include <stdarg.h>
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHOWN 48 // characters of a wrong value that a sentence repeats
+#define SHOWN 48 // characters of a wrong value in an error
 
 void place_text(const Place* place, char* text, size_t size)
 {
@@ -109,7 +109,7 @@ bool reader_number(Reader* reader, const Place* place, const json_t* value, Rang
 	if (!code)
 		return reader_fail(reader, place, "\"%.60s\": %s", expression, text);
 
-	// outside of repeat blocks nothing varies
+	// without a repeat index an expression has only one value
 	bool varies = !expression_is_constant(code, &number->constant);
 	bool indexed = reader->redraws;
 	for (int k = 0; k < reader->scope.count; ++k)
@@ -135,6 +135,27 @@ bool reader_number(Reader* reader, const Place* place, const json_t* value, Rang
 	number->text = strdup(expression);
 	number->path = strdup(text);
 	return number->text && number->path ? true : reader_fail(reader, place, "out of memory");
+}
+
+bool reader_member(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+                   double missing, Number* number)
+{
+	const json_t* value = json_object_get(object, key);
+	*number = (Number){.constant = missing, .range = range};
+	return !value || reader_number(reader, KEY(place, key), value, range, number);
+}
+
+bool reader_pair(Reader* reader, const Place* place, const json_t* object, const char* key, Range range, Number pair[2])
+{
+	const json_t* value = json_object_get(object, key);
+	pair[0] = pair[1] = (Number){.range = range};
+	if (!value)
+		return true;
+	const Place* at = KEY(place, key);
+	if (!json_is_array(value) || json_array_size(value) != 2)
+		return reader_fail_value(reader, at, value, "must be a list of 2 numbers");
+	return reader_number(reader, ELEMENT(at, 0), json_array_get(value, 0), range, &pair[0]) &&
+	       reader_number(reader, ELEMENT(at, 1), json_array_get(value, 1), range, &pair[1]);
 }
 
 bool reader_constant(Reader* reader, const Place* place, const json_t* value, Range range, double* constant)

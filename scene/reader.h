@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reader.h -- reading JSON values with checks whose errors name the place in the file.
+// reader.h -- reads and checks JSON values; errors name the place in the file.
 #ifndef READER_H
 #define READER_H
 #include "scene/expression.h"
@@ -8,17 +8,17 @@
 
 #define SENTENCE_SIZE 512
 
-typedef struct // what all values of one file share
+typedef struct // one file that is being read
 {
 	const char* file;
-	char* sentence; // SENTENCE_SIZE characters: what is wrong
+	char* sentence; // SENTENCE_SIZE characters for an error
 	Scope scope;    // names known to expressions
 	uint64_t seed;
 	uint32_t sites; // random() calls so far
-	bool redraws;   // random() varies where there is no index
+	bool redraws;   // expressions are evaluated again and again, so that random() is no constant
 } Reader;
 
-typedef struct Place // of a value in the file, a list upwards: attributes . crate . polygon [2]
+typedef struct Place // of a value in the file, linked to the place of what holds it: attributes . crate . polygon [2]
 {
 	const struct Place* up; // null at the top
 	const char* key;        // null for an element of a list
@@ -31,7 +31,7 @@ typedef struct
 {
 	double low, high;
 	bool whole;   // only whole numbers
-	bool floored; // the whole part counts
+	bool floored; // only the whole part is used
 } Range;
 
 // ranges that several keys share; sizes and coordinates as include/scree/scree.h has them
@@ -41,7 +41,7 @@ static const Range any_speed = {-1e6, 1e6, false, false};
 static const Range not_negative = {0, 1e6, false, false};
 static const Range any_angle = {-1e6, 1e6, false, false};
 
-typedef struct // a number that may differ from item to item
+typedef struct // a number that may differ between items
 {
 	double constant;
 	Expression* code; // null for a constant
@@ -59,10 +59,10 @@ typedef struct // a number that may differ from item to item
 // Writes "FILE: PLACE: ..." as the sentence and returns false.
 bool reader_fail(Reader* reader, const Place* place, const char* format, ...) READER_FORMAT(3, 4);
 
-// Fails with "must be ..." after the value itself, shortened.
+// Fails with the value, shortened, and "must be ...".
 bool reader_fail_value(Reader* reader, const Place* place, const json_t* value, const char* must);
 
-// What is wrong with a value for a range, as "must be ..."; null when nothing is.
+// Why a value is outside a range, as "must be ..."; null if it is inside.
 const char* range_fault(Range range, double value, char* text, size_t size);
 
 // Writes a place as "bodies[3].position[0]".
@@ -71,11 +71,17 @@ void place_text(const Place* place, char* text, size_t size);
 // Checks that value is an object whose keys are all in the list, which ends with null.
 bool reader_object(Reader* reader, const Place* place, const json_t* value, const char* const* keys);
 
-// Each reads one value; the ones with a number take JSON numbers and strings with expressions.
+// Each reads one value. Numbers may be JSON numbers or strings with expressions.
 bool reader_number(Reader* reader, const Place* place, const json_t* value, Range range, Number* number);
 bool reader_constant(Reader* reader, const Place* place, const json_t* value, Range range, double* constant);
 bool reader_vec(Reader* reader, const Place* place, const json_t* value, Range range, scree_vec* vec);
 bool reader_string(Reader* reader, const Place* place, const json_t* value, const char** string);
+
+// Read a member of an object: a number, which is missing without the member, or a list of two numbers, which are 0 then.
+bool reader_member(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+                   double missing, Number* number);
+bool reader_pair(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+                 Number pair[2]);
 
 void number_free(Number* number);
 

@@ -7,8 +7,11 @@
 
 #include <cmocka.h>
 
+#include "scene/build.h"
+#include "scene/churn.h"
 #include "scene/expression.h"
-#include "scene/scene.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

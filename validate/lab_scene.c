@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // lab_scene.c -- a scene file as a lab: built into a Scree world, and read back from there body by body.
 #include "lab_scene.h"
+#include "scene/build.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "validate.h"
 #include <stdlib.h>
 

@@ -5,6 +5,7 @@
 // numbers. Contact stiffness and the like stay at each engine's defaults; sleep is off, because Scree has none.
 #include "box2d_shape.h"
 #include "engine.h"
+#include "scene/churn.h"
 #include <stdlib.h>
 
 typedef struct

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // engine_scree.c -- Scree as an engine to be measured.
 #include "engine.h"
+#include "scene/build.h"
+#include "scene/churn.h"
 #include <stdlib.h>
 
 bool report(scree_status status)

@@ -6,6 +6,8 @@
 // median of these is printed. Overlaps, contacts and final states come from trials that are not timed; a timed one must
 // end in the same state.
 #include "process.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "trial.h"
 #include "validate.h"
 #include <getopt.h>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // session.c -- the scene in the viewer: loaded, stepped, paused, moved to another device.
 #include "view/window/session.h"
+#include "scene/build.h"
+#include "scene/churn.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "view/shader.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// scene.c -- scene files: read and checked as a whole, then built into a world.
-#include "scene/scene.h"
-#include "scene/block.h"
-#include <stdarg.h>
+// load.c -- reads a scene file and checks all of it.
+#include "scene/load.h"
+#include "scene/attributes.h"
+#include "scene/evaluate.h"
+#include "scene/parameters.h"
 #include <stdlib.h>
 #include <string.h>
 
 static const char* const scene_keys[] = {
     "$schema", "name", "title",      "description", "seed",        "parameters",        "constants", "world",
     "steps",   "view", "attributes", "bodies",      "collidables", "penetration_limit", NULL};
-static const char* const parameter_keys[] = {"default", "min", "max", "integer", "description", NULL};
 
 static const struct
 {
@@ -32,103 +32,6 @@ static const char* const world_keys[] = {"gravity",
                                          "restitution_threshold",
                                          "max_speed",
                                          NULL};
-
-static bool add_name(Reader* reader, const Place* place, const char* text, double value)
-{
-	if (!name_is_allowed(text) || scope_find(&reader->scope, text))
-		return reader_fail(reader, place, "the name is taken, or is not 1 to %d small letters, digits and _",
-		                   NAME_SIZE - 1);
-	if (reader->scope.count == MAX_NAMES)
-		return reader_fail(reader, place, "more than %d names", MAX_NAMES);
-	Name* name = &reader->scope.names[reader->scope.count++];
-	*name = (Name){.slot = -1, .value = value};
-	strcpy(name->text, text);
-	return true;
-}
-
-// The value that the user set, if any.
-static bool read_setting(Reader* reader, const SceneSetting* setting, Range range, double* value)
-{
-	char fault[160];
-	const Scope no_names = {0};
-	uint32_t sites = 0;
-	Expression* expression = expression_compile(setting->value, &no_names, &sites, fault, sizeof fault);
-	bool good = expression && expression_is_constant(expression, value);
-	free(expression);
-	if (good && !range_fault(range, *value, fault, sizeof fault))
-		return true;
-	snprintf(reader->sentence, SENTENCE_SIZE, "--set %.60s=%.60s: %.160s", setting->name, setting->value,
-	         !expression ? fault
-	         : good      ? fault
-	                     : "must be a number");
-	return false;
-}
-
-static bool read_parameters(Reader* reader, const json_t* root, const SceneSetting* settings, int count)
-{
-	const json_t* parameters = json_object_get(root, "parameters");
-	const Place* place = KEY(NULL, "parameters");
-	char known[256] = "";
-	if (parameters && !json_is_object(parameters))
-		return reader_fail_value(reader, place, parameters, "must be an object, { ... }");
-
-	const char* text;
-	json_t* entry;
-	json_object_foreach((json_t*)parameters, text, entry)
-	{
-		const Place* at = KEY(place, text);
-		Range range = {-1e9, 1e9, json_is_true(json_object_get(entry, "integer")), false};
-		const json_t* low = json_object_get(entry, "min");
-		const json_t* high = json_object_get(entry, "max");
-		double value;
-		if (!reader_object(reader, at, entry, parameter_keys))
-			return false;
-		if (json_object_get(entry, "integer") && !json_is_boolean(json_object_get(entry, "integer")))
-			return reader_fail_value(reader, KEY(at, "integer"), json_object_get(entry, "integer"),
-			                         "must be true or false");
-		if (low && !reader_constant(reader, KEY(at, "min"), low, range, &range.low))
-			return false;
-		if (high && !reader_constant(reader, KEY(at, "max"), high, range, &range.high))
-			return false;
-		if (!json_object_get(entry, "default"))
-			return reader_fail(reader, at, "default is missing");
-		if (!reader_constant(reader, KEY(at, "default"), json_object_get(entry, "default"), range, &value))
-			return false;
-		for (int k = 0; k < count; ++k)
-		{
-			if (strcmp(settings[k].name, text) == 0 && !read_setting(reader, &settings[k], range, &value))
-				return false;
-		}
-		if (!add_name(reader, at, text, value))
-			return false;
-		snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", known[0] ? ", " : "", text);
-	}
-	for (int k = 0; k < count; ++k)
-	{
-		if (!scope_find(&reader->scope, settings[k].name))
-			return reader_fail(reader, NULL, "no parameter \"%.60s\" to set; %s%s", settings[k].name,
-			                   known[0] ? "there are " : "the scene has none", known);
-	}
-	return true;
-}
-
-static bool read_constants(Reader* reader, const json_t* root)
-{
-	const json_t* constants = json_object_get(root, "constants");
-	const Place* place = KEY(NULL, "constants");
-	if (constants && !json_is_object(constants))
-		return reader_fail_value(reader, place, constants, "must be an object, { ... }");
-	const char* text;
-	json_t* entry;
-	json_object_foreach((json_t*)constants, text, entry)
-	{
-		double value;
-		if (!reader_constant(reader, KEY(place, text), entry, (Range){-1e15, 1e15, false, false}, &value) ||
-		    !add_name(reader, KEY(place, text), text, value))
-			return false;
-	}
-	return true;
-}
 
 static bool read_optional(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
                           double* number)
@@ -214,7 +117,35 @@ static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
 	return true;
 }
 
-// Reads, counts and evaluates one list of blocks; the evaluation finds bad numbers before there is a world.
+// Appends a batch to Churn.items.
+static bool keep_items(void* context, const void* items)
+{
+	const Batch* batch = items;
+	Churn* churn = context;
+	memcpy(churn->items, batch->bodies, (size_t)batch->count * sizeof *batch->bodies);
+	churn->items += batch->count;
+	return true;
+}
+
+// Checks the churn of a block that has been counted, and keeps the definitions of its bodies if some are replaced.
+static bool check_churn(Reader* reader, const Place* place, Block* block)
+{
+	Churn* churn = &block->churn;
+	int64_t wanted = (int64_t)churn->moved + churn->replaced;
+	if (wanted > block->count)
+		return reader_fail(reader, KEY(place, "churn"),
+		                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
+		                   (double)block->count);
+	if (churn->replaced == 0)
+		return true;
+	churn->items = malloc((size_t)block->count * sizeof *churn->items);
+	if (!churn->items)
+		return reader_fail(reader, place, "out of memory");
+	Churn filling = *churn;
+	return evaluate_block(reader, block, keep_items, &filling);
+}
+
+// Reads, counts and evaluates one list of blocks. The evaluation finds bad numbers before a world is made.
 static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* scene)
 {
 	const char* key = bodies ? "bodies" : "collidables";
@@ -229,15 +160,15 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 		if (!block_read(reader, at, json_array_get(list, (size_t)k), scene, bodies, block))
 			return false;
 		int64_t room = SCENE_MAX_BODIES - (bodies ? scene->body_count : scene->collidable_count);
-		if (!block_count(reader, at, block, room))
+		if (!evaluate_count(reader, at, block, room))
 			return false;
-		int64_t collidables = block->count * block->part_count;
+		int64_t collidables = block->count * block->parts.count;
 		if (collidables > SCENE_MAX_BODIES - scene->collidable_count)
 			return reader_fail(reader, at, "%.9g collidables; a scene has at most %d", (double)collidables,
 			                   SCENE_MAX_BODIES);
 		scene->body_count += bodies ? (int)block->count : 0;
 		scene->collidable_count += (int)collidables;
-		if (!block_walk(reader, block, NULL, NULL) || !churn_open(reader, at, block))
+		if (!evaluate_block(reader, block, NULL, NULL) || !check_churn(reader, at, block))
 			return false;
 	}
 	return true;
@@ -245,8 +176,8 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 
 static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* settings, int count, Scene* scene)
 {
-	if (!read_heading(reader, root, scene) || !read_parameters(reader, root, settings, count) ||
-	    !read_constants(reader, root) || !read_numbers(reader, root, scene) || !read_world(reader, root, scene) ||
+	if (!read_heading(reader, root, scene) || !parameters_read(reader, root, settings, count) ||
+	    !constants_read(reader, root) || !read_numbers(reader, root, scene) || !read_world(reader, root, scene) ||
 	    !read_view(reader, root, scene))
 		return false;
 	if (!attributes_read(reader, KEY(NULL, "attributes"), json_object_get(root, "attributes"), scene))
@@ -319,7 +250,7 @@ void scene_free(Scene* scene)
 	free(scene);
 }
 
-// An expression without its blanks, which stand between parameters.
+// Copies an expression without its blanks, because blanks separate parameters.
 static void append_tight(char* text, size_t size, const char* expression)
 {
 	for (; *expression && size > 1; ++expression)
