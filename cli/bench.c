@@ -7,8 +7,10 @@
 #include "csv.h"
 #include "known.h"
 #include "record.h"
+#include "report.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "whole.h"
 #include <inttypes.h>
 #include <stdlib.h>
 
@@ -65,8 +67,8 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 	uint64_t hash = 0;
 	scree_status status = take_steps(&simulation, steps, m);
 	if (status == SCREE_OK)
-		status = simulation.f->hash(&simulation, &hash);
-	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.f->solve >= 0)
+		status = simulation.pipeline->hash(&simulation, &hash);
+	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.pipeline->solve >= 0)
 		status = scree_world_measure_bandwidth(simulation.world, &bench->bandwidth);
 	if (repeat == 0)
 		m->hash = m->other = hash;
@@ -119,7 +121,7 @@ static bool check_work(const Bench* bench, const Scene* scene, const Measurement
 	return valid;
 }
 
-static void print_heading(const SimulationFunctions* f)
+static void print_heading(const Pipeline* f)
 {
 	printf("scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most");
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
@@ -180,9 +182,9 @@ static int measure_all(Bench* bench, char** names, int count)
 	}
 	settings_text(options, bench->settings, sizeof bench->settings);
 	if (code == EXIT_GOOD && options->whole)
-		code = whole_command(options, scenes, count);
+		code = measure_whole_runs(options, scenes, count);
 	else if (code == EXIT_GOOD)
-		print_heading(pipeline_functions(options->pipeline));
+		print_heading(choose_pipeline(options->pipeline));
 	for (int k = 0; k < count && code == EXIT_GOOD && !options->whole; ++k)
 		code = measure(bench, scenes[k]);
 	for (int k = 0; scenes && k < count; ++k)

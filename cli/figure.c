@@ -18,6 +18,7 @@
 #include "commands.h"
 #include "csv.h"
 #include "record.h"
+#include "report.h"
 #include "scene/load.h"
 #include <errno.h>
 #include <inttypes.h>
@@ -137,7 +138,7 @@ static void say_row(Figure* figure, const Curve* curve, int bodies)
 
 static void print_row(Figure* figure, Curve* curve, const Rows* rows)
 {
-	const SimulationFunctions* f = pipeline_functions(pipelines[curve->pipeline]);
+	const Pipeline* f = choose_pipeline(pipelines[curve->pipeline]);
 	int bodies = rows->records[rows->count - 1].counters.bodies;
 	double contacts = mean(rows, touching_of);
 	curve->ms = median(rows->records, rows->count, step_of, 0);
@@ -213,7 +214,7 @@ static scree_status take_steps(Simulation* simulation, int most, Rows* rows)
 		++rows->count;
 		// where more steps follow, there are not equally many on all devices
 		if (step == SETTLE && status == SCREE_OK)
-			status = simulation->f->hash(simulation, &rows->hash);
+			status = simulation->pipeline->hash(simulation, &rows->hash);
 	}
 	if (status != SCREE_OK)
 		return status;
@@ -246,9 +247,9 @@ static int run_once(const Figure* figure, Curve* curve, const Options* options, 
 	if (code != EXIT_GOOD)
 		return code;
 	code = report(take_steps(&simulation, most, rows));
-	snprintf(curve->label, sizeof curve->label, "%s", simulation.f->device(&simulation));
+	snprintf(curve->label, sizeof curve->label, "%s", simulation.pipeline->device(&simulation));
 	csv_cell(curve->label);
-	curve->threads_used = simulation.f->one_thread ? 1 : scree_world_get_threads(simulation.world);
+	curve->threads_used = simulation.pipeline->one_thread ? 1 : scree_world_get_threads(simulation.world);
 	simulation_close(&simulation);
 	return code == EXIT_GOOD ? check_hash(figure, curve, plan, rows->hash) : code;
 }

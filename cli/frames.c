@@ -2,6 +2,7 @@
 // frames.c -- scree bench frames: steps drawn a second, with rows shared with OpenGL and with rows copied.
 #include "commands.h"
 #include "record.h"
+#include "report.h"
 #include "scene/load.h"
 #include <inttypes.h>
 
@@ -35,7 +36,7 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 		scree_status status = simulation_change(simulation);
 		double begin = seconds_now();
 		if (status == SCREE_OK)
-			status = simulation_go(simulation);
+			status = simulation_advance(simulation);
 		if (status == SCREE_OK)
 			status = scree_world_wait(simulation->world);
 		double stepped = seconds_now();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // main.c -- the command line of Scree.
 #include "commands.h"
+#include "help.h"
 #include <errno.h>
 #include <string.h>
 #include <unistd.h>
@@ -59,6 +60,11 @@ static int run_named(int count, char** words, const char* executable)
 		options.repeats = 3;
 		if (!options_read(&options, count - named, words + named))
 			return EXIT_BAD;
+		if (options.help)
+		{
+			print_command_help(stdout, options.command);
+			return EXIT_GOOD;
+		}
 		if (options.argument_count < commands[k].low || options.argument_count > commands[k].high)
 		{
 			fprintf(stderr, "scree %s: %d arguments, takes %s\n", commands[k].name, options.argument_count,

@@ -51,6 +51,7 @@ typedef struct
 	const char* draw;  // CSV of a figure; null: measure
 	const char* known; // null: no hash is known
 	bool names, whole, quick;
+	bool help; // of the command; the other options were not all read
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // what is not an option
@@ -60,10 +61,22 @@ typedef struct
 	const char* warm_device; // where it takes them; null: on device
 } Options;
 
-// Reads the words after the command's name. Returns false after printing what is wrong.
-bool options_read(Options* options, int count, char** words);
+typedef struct OptionRow // of the table of options
+{
+	const char* name;
+	char letter;
+	const char* value; // null for a switch
+	int commands;      // bits of Command
+	const char* help;
+	bool (*read)(Options* options, const struct OptionRow* row, char* value); // false after printing a sentence
+	size_t offset; // of the member of Options that a switch, a text or a number sets
+	int most;      // of a number; the least is 1
+} OptionRow;
 
-// Prints the table of commands and options.
-void print_help(FILE* file);
+extern const OptionRow option_rows[];
+extern const int option_count;
+
+// Reads the words after the command's name. False after printing a sentence.
+bool options_read(Options* options, int count, char** words);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // outputs.c -- what a run leaves beside its table: a picture, a video, a CSV file.
 #include "outputs.h"
+#include "report.h"
 #include "scene/caption.h"
 #include <errno.h>
 #include <string.h>
@@ -58,7 +59,7 @@ int outputs_open(Outputs* outputs, Simulation* simulation)
 	{
 		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
-			fprintf(outputs->csv, ",ms_%s", simulation->f->stages[k]);
+			fprintf(outputs->csv, ",ms_%s", simulation->pipeline->stages[k]);
 		fprintf(outputs->csv, "\n");
 	}
 	return EXIT_GOOD;
@@ -68,7 +69,7 @@ static int draw(Outputs* outputs, Simulation* simulation)
 {
 	char caption[256];
 	scree_counters counters;
-	scree_status status = simulation->f->counters(simulation, &counters);
+	scree_status status = simulation->pipeline->counters(simulation, &counters);
 	if (status == SCREE_OK)
 	{
 		caption_text(simulation->scene, simulation->world, &counters, caption, sizeof caption);

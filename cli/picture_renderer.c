@@ -128,7 +128,7 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simula
 	picture_bodies(renderer->picture, &count);
 	scree_status status = scree_world_get_bodies(simulation->world, renderer->bodies, count, &count);
 	if (status == SCREE_OK)
-		status = simulation->f->poses(simulation, renderer->bodies, renderer->poses, count);
+		status = simulation->pipeline->poses(simulation, renderer->bodies, renderer->poses, count);
 	if (status == SCREE_OK)
 		picture_draw(renderer->picture, renderer->poses, caption);
 	return status;

@@ -9,14 +9,14 @@ scree_status record_step(Simulation* simulation, Record* record)
 	scree_status status = simulation_change(simulation);
 	double start = seconds_now();
 	if (status == SCREE_OK)
-		status = simulation_go(simulation);
+		status = simulation_advance(simulation);
 	// the counters wait for the device, so the clock sees its work
 	if (status == SCREE_OK)
-		status = simulation->f->counters(simulation, &record->counters);
+		status = simulation->pipeline->counters(simulation, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
 	if (status == SCREE_OK)
-		status = simulation->f->timings(simulation, record->stages);
-	int solve = simulation->f->solve;
+		status = simulation->pipeline->timings(simulation, record->stages);
+	int solve = simulation->pipeline->solve;
 	record->traffic = (scree_traffic){0};
 	record->solve_rate = 0;
 	if (status == SCREE_OK && solve >= 0)

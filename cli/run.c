@@ -2,6 +2,7 @@
 // run.c -- the commands that simulate one scene: run, with its table, and hash, with its 16 digits.
 #include "commands.h"
 #include "outputs.h"
+#include "report.h"
 #include "scene/caption.h"
 #include "scene/load.h"
 #include <inttypes.h>
@@ -75,7 +76,7 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
-		printf("  %-12s %.4f\n", simulation->f->stages[k], totals->stages[k] / steps);
+		printf("  %-12s %.4f\n", simulation->pipeline->stages[k], totals->stages[k] / steps);
 	printf("%-14s %.4f m, the deepest seen\n", "penetration", (double)totals->penetration);
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
@@ -104,7 +105,7 @@ int run_command(const Options* options)
 		if (code == EXIT_GOOD)
 			code = take_steps(&simulation, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)
-			code = report(simulation.f->hash(&simulation, &hash));
+			code = report(simulation.pipeline->hash(&simulation, &hash));
 		code = outputs_close(&outputs, &simulation, code);
 		if (code == EXIT_GOOD)
 			print_table(&simulation, &totals, steps, hash);
@@ -133,7 +134,7 @@ int hash_command(const Options* options)
 		for (int step = 0; step < options->steps && status == SCREE_OK; ++step)
 			status = simulation_step(&simulation);
 		if (status == SCREE_OK)
-			status = simulation.f->hash(&simulation, &hash);
+			status = simulation.pipeline->hash(&simulation, &hash);
 		code = report(status);
 		simulation_close(&simulation);
 	}

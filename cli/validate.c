@@ -2,6 +2,7 @@
 // validate.c -- scree validate: experiments that say whether what must hold does.
 #include "validate/validate.h"
 #include "commands.h"
+#include "report.h"
 #include "simulation.h"
 
 static int list_experiments(void)
@@ -54,11 +55,4 @@ int validate_command(const Options* options)
 		good = validate_run(&v, e) && good;
 	}
 	return good ? EXIT_GOOD : EXIT_FAILED;
-}
-
-void print_validate_help(FILE* file)
-{
-	fprintf(file, "\nexperiments of scree validate\n");
-	for (int k = 0; k < validate_count; ++k)
-		fprintf(file, "  %-10s %s\n", validate_experiments[k].name, validate_experiments[k].shows);
 }

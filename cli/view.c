@@ -22,12 +22,6 @@ int view_command(const Options* options)
 	                    .script = options->script};
 	return view_run(&view);
 }
-
-void print_view_help(FILE* file)
-{
-	fprintf(file, "\nkeys of scree view\n");
-	view_print_keys(file);
-}
 #else
 int view_command(const Options* options)
 {
@@ -37,6 +31,4 @@ int view_command(const Options* options)
 	        "Ubuntu) and build again, or say make view\n");
 	return EXIT_FAILED;
 }
-
-void print_view_help(FILE* file) { (void)file; }
 #endif

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// paper.c -- a scene set in motion by the paper's own pipeline.
+// pipeline_paper.c -- the pipeline of the paper, reference/paper.h.
+#include "pipeline_paper.h"
 #include "reference/paper.h"
+#include "report.h"
 #include "scene/churn.h"
-#include "simulation.h"
 #include <stdlib.h>
 
 typedef struct
 {
 	Paper* paper;
-	scree_body* bodies; // of the scene, by rising index, as the pipeline numbers them
+	scree_body* bodies; // of the scene, by rising index; the pipeline has the same order
 	scree_pose* poses;
 	int count;
 } State;
@@ -40,7 +41,7 @@ static int paper_open(const Options* options, Simulation* simulation)
 	status = scree_world_get_bodies(simulation->world, state->bodies, count, &count);
 	if (status == SCREE_OK)
 	{
-		// a world that was warmed up elsewhere stayed there
+		// the world stays on the device that took its warm-up steps
 		const char* device = options->warm_device ? options->device : scree_world_get_device(simulation->world);
 		status = paper_create(simulation->world, device, options->allow_unequal_bits, &state->paper);
 	}
@@ -66,7 +67,7 @@ static void paper_close(Simulation* simulation)
 	simulation->state = NULL;
 }
 
-// one step is one step: the paper has no substeps
+// the paper has no substeps
 static scree_status take_step(Simulation* simulation, float dt, int substeps)
 {
 	State* state = simulation->state;
@@ -114,7 +115,7 @@ static scree_status read_poses(Simulation* simulation, const scree_body* bodies,
 	scree_status status = paper_poses(state->paper, state->poses, state->count);
 	for (int k = 0; k < count && status == SCREE_OK; ++k)
 	{
-		// it is there: the command line destroys no bodies
+		// the body exists, because the command line destroys none
 		const scree_body* found =
 		    bsearch(&bodies[k], state->bodies, (size_t)state->count, sizeof *state->bodies, by_index);
 		poses[k] = state->poses[found - state->bodies];
@@ -122,7 +123,7 @@ static scree_status read_poses(Simulation* simulation, const scree_body* bodies,
 	return status;
 }
 
-const SimulationFunctions paper_functions = {
+const Pipeline paper_pipeline = {
     .stages = {"to_device", "integrate", "transform", "detect", "from_device", "resolve"},
     .solve = -1,
     .one_thread = true,
