@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// bench.c -- the command that measures scenes and proves that the work was done.
+// bench.c -- scree bench: measures scenes and checks that the work was done.
 //
-// A GPU's clocks between kernels cost time themselves. So the repeats run without them and give ms_step; one more run,
-// with them, gives the stages. Its hash must be the same.
+// Timing each kernel of a GPU costs time itself. So the repeats run without timings and give ms_step. One more run with
+// timings gives the stages; its hash must be the same.
 #include "commands.h"
 #include "csv.h"
 #include "known.h"
@@ -14,7 +14,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
-// Steps at the start of each run whose time does not count: kernels are built, buffers grow, threads wake up.
+// Steps at the start of each run that are not timed: kernels are built, buffers grow, threads start.
 #define WARM_UP 2
 
 typedef struct
@@ -23,17 +23,17 @@ typedef struct
 	Known known;
 	char settings[256];
 	double bandwidth; // of the device, bytes a second; 0 until it has been measured
-	bool invalid;     // some row is
+	bool invalid;     // any row is
 } Bench;
 
 typedef struct
 {
-	Record* records; // of the steps whose time counts, of all repeats
+	Record* records; // of the timed steps of all runs
 	int count;
-	int staged;           // of these, the ones of the last run, with milliseconds by stage
+	int staged;           // records of the last run, which have milliseconds by stage
 	double least, most;   // median step of the fastest and of the slowest repeat, ms
 	float penetration;    // deepest of all steps, m
-	uint64_t hash, other; // of the first run, and of a later one that differs
+	uint64_t hash, other; // of the first run, and of a later run if it differs
 	int nonfinite;        // steps that froze a body
 	char device[160];
 	int threads, lanes;
@@ -56,7 +56,7 @@ static scree_status take_steps(Simulation* simulation, int steps, Measurement* m
 	return SCREE_OK;
 }
 
-// One run from the scene's start; the last one is timed by stage.
+// Runs a scene once. The last run is timed by stage.
 static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat, Measurement* m)
 {
 	Simulation simulation;
@@ -88,7 +88,7 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 	return report(status);
 }
 
-// Whether the work was done; if not, says why.
+// Whether the work was done; if not, prints why.
 static bool check_work(const Bench* bench, const Scene* scene, const Measurement* m, int steps)
 {
 	bool valid = true;
@@ -169,7 +169,7 @@ static int measure(Bench* bench, const Scene* scene)
 	return code;
 }
 
-// Reads all scenes before the first is measured, so that a bad one costs nothing.
+// Loads all scenes before it measures the first, so that an error is found early.
 static int measure_all(Bench* bench, char** names, int count)
 {
 	const Options* options = bench->options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// frames.c -- scree bench frames: steps drawn a second, with rows shared with OpenGL and with rows copied.
+// frames.c -- scree bench frames: measures steps that are drawn, with rows shared with OpenGL and with rows copied.
 #include "commands.h"
 #include "record.h"
 #include "report.h"
@@ -14,7 +14,7 @@
 #include <epoxy/gl.h>
 #include <stdlib.h>
 
-// frames at the start of a run whose time does not count: buffers are made, drivers wake up
+// frames at the start of a run that are not timed: buffers are made, drivers start
 #define WARM_UP 5
 
 typedef struct // medians of a run, ms, and hashes at its end
@@ -56,7 +56,7 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 	return SCREE_OK;
 }
 
-// One run, from a world of its own.
+// Runs the scene once, in a new world.
 static int measure(const Options* options, const Scene* scene, const Offscreen* offscreen, bool copy, int steps,
                    double* times[4], Frames* frames)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// options.c -- the table of options, and reading the command line by it.
+// options.c -- reads the command line with a table of options.
 #include "options.h"
 #include <ctype.h>
 #include <getopt.h>
@@ -123,7 +123,7 @@ static bool read_renderer(Options* options, const OptionRow* row, char* text)
 	return false;
 }
 
-// what an option sets, and how
+// how an option is read, and the member that it sets
 #define SWITCH(member)       read_switch, offsetof(Options, member), 0
 #define TEXT(member)         read_text, offsetof(Options, member), 0
 #define NUMBER(member, most) read_number, offsetof(Options, member), most
@@ -165,7 +165,7 @@ const OptionRow option_rows[] = {
 #define OPTION_COUNT (int)(sizeof option_rows / sizeof option_rows[0])
 const int option_count = OPTION_COUNT;
 
-// Whether an option was given that has no effect, one of letters; prints why.
+// Whether an option of letters was given; if so, prints why it has no effect.
 static bool no_effect(const Options* options, unsigned given, const char* letters, const char* because)
 {
 	for (int k = 0; k < OPTION_COUNT; ++k)
@@ -200,7 +200,7 @@ static bool have_effect(const Options* options, unsigned given)
 	return !options->whole || !no_effect(options, given, "k", "--whole knows no hashes");
 }
 
-// The row of an option that the command takes, null after printing that it takes none.
+// Finds the row of an option. Returns null after printing that the command does not take the option.
 static const OptionRow* find_row(const Options* options, int letter)
 {
 	const OptionRow* row = option_rows;

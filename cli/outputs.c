@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// outputs.c -- what a run leaves beside its table: a picture, a video, a CSV file.
+// outputs.c -- the files of a run: a picture, a video, a CSV file.
 #include "outputs.h"
 #include "report.h"
 #include "scene/caption.h"
@@ -18,7 +18,7 @@ static bool open_file(FILE** file, const char* path)
 	return *file || !path || file_failed(path) == EXIT_GOOD;
 }
 
-// A full disk may show only when the last bytes are written.
+// Writing the last bytes may fail only now, when the disk is full.
 static bool close_file(FILE** file, const char* path)
 {
 	if (!*file)
@@ -103,7 +103,7 @@ int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
 	int code = due > 0 ? draw(outputs, simulation) : EXIT_GOOD;
 	for (; due > 0 && code == EXIT_GOOD; --due)
 		if (!video_frame(&outputs->video, picture_renderer_canvas(outputs->renderer)->pixels))
-			code = EXIT_FAILED; // closing the video says why
+			code = EXIT_FAILED; // closing the video prints the reason
 	return code;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run.c -- the commands that simulate one scene: run, with its table, and hash, with its 16 digits.
+// run.c -- scree run, which prints a table of results, and scree hash, which prints the hash.
 #include "commands.h"
 #include "outputs.h"
 #include "report.h"
@@ -14,7 +14,7 @@
 typedef struct // of all steps
 {
 	Record last;
-	double seconds; // in steps alone
+	double seconds; // of the steps
 	double stages[STAGE_COLUMNS];
 	float penetration;
 	int nonfinite;

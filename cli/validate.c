@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// validate.c -- scree validate: experiments that say whether what must hold does.
+// validate.c -- scree validate: experiments that check physical behavior against limits.
 #include "validate/validate.h"
 #include "commands.h"
 #include "report.h"
@@ -12,7 +12,7 @@ static int list_experiments(void)
 	return EXIT_GOOD;
 }
 
-// Whether worlds can be made as the options say; else nothing is printed on standard output.
+// Makes a world with the options, so that an error is printed before any row. Returns an exit code.
 static int try_device(const Options* options)
 {
 	scree_world_def def = scree_world_def_default();

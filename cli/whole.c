@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// whole.c -- scree bench --whole: times runs from end to end, as one waits for them, the opening of the device included.
+// whole.c -- scree bench --whole: times runs from end to end, the opening of the device included.
 //
 // Nothing is read back between the steps, and the clock stops when the device has finished the last one. Each run should
-// be a process of its own (--repeats 1): a driver starts once in a process.
+// be a process of its own (--repeats 1), because a process starts a driver only once.
 #include "whole.h"
 #include "report.h"
 #include "simulation.h"
