@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "report.h"
 #include "simulation.h"
+#include "validate/lab_scree.h"
 
 static int list_experiments(void)
 {

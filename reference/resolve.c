@@ -46,56 +46,56 @@ typedef struct
 	int count;
 } Resolution;
 
-static float overlap_severity(const Resolution* r, const ActiveContact* t)
+static float overlap_severity(const Resolution* r, const ActiveContact* c)
 {
-	return t->depth - vec_dot(t->normal, vec_sub(r->bodies[t->b].d, r->bodies[t->a].d));
+	return c->depth - vec_dot(c->normal, vec_sub(r->bodies[c->b].d, r->bodies[c->a].d));
 }
 
 // Moves both bodies along the normal, in inverse proportion to their masses. Only velocities rotate bodies.
-static void overlap_resolve(Resolution* r, ActiveContact* t)
+static void overlap_resolve(Resolution* r, ActiveContact* c)
 {
-	Body *a = r->bodies + t->a, *b = r->bodies + t->b;
-	Vec shift = vec_scale((t->severity - DEPTH_LEFT) / (a->inv_mass + b->inv_mass), t->normal);
+	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
+	Vec shift = vec_scale((c->severity - DEPTH_LEFT) / (a->inv_mass + b->inv_mass), c->normal);
 	a->d = vec_sub(a->d, vec_scale(a->inv_mass, shift));
 	b->d = vec_add(b->d, vec_scale(b->inv_mass, shift));
 }
 
-static Vec relative_velocity(const Resolution* r, const ActiveContact* t, int k)
+static Vec relative_velocity(const Resolution* r, const ActiveContact* c, int k)
 {
-	return vec_sub(body_velocity_at(r->bodies[t->b], t->arm_b[k]), body_velocity_at(r->bodies[t->a], t->arm_a[k]));
+	return vec_sub(body_velocity_at(r->bodies[c->b], c->arm_b[k]), body_velocity_at(r->bodies[c->a], c->arm_a[k]));
 }
 
-static float point_severity(const Resolution* r, const ActiveContact* t, int k)
+static float point_severity(const Resolution* r, const ActiveContact* c, int k)
 {
-	return t->target[k] - vec_dot(t->normal, relative_velocity(r, t, k));
+	return c->target[k] - vec_dot(c->normal, relative_velocity(r, c, k));
 }
 
-static float speed_severity(const Resolution* r, const ActiveContact* t)
+static float speed_severity(const Resolution* r, const ActiveContact* c)
 {
-	float severity = point_severity(r, t, 0);
-	return t->count < 2 ? severity : maximum(severity, point_severity(r, t, 1));
+	float severity = point_severity(r, c, 0);
+	return c->count < 2 ? severity : maximum(severity, point_severity(r, c, 1));
 }
 
 // Applies an impulse at the more severe point, after which it separates at its target, and Coulomb friction, which that impulse
 // limits.
-static void speed_resolve(Resolution* r, ActiveContact* t)
+static void speed_resolve(Resolution* r, ActiveContact* c)
 {
-	Body *a = r->bodies + t->a, *b = r->bodies + t->b;
-	int k = t->count > 1 && point_severity(r, t, 1) > point_severity(r, t, 0);
-	Vec tangent = vec(t->normal.y, -t->normal.x), arm_a = t->arm_a[k], arm_b = t->arm_b[k];
+	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
+	int k = c->count > 1 && point_severity(r, c, 1) > point_severity(r, c, 0);
+	Vec tangent = vec(c->normal.y, -c->normal.x), arm_a = c->arm_a[k], arm_b = c->arm_b[k];
 
-	float impulse = t->severity * body_effective_mass(*a, arm_a, *b, arm_b, t->normal);
-	body_push(a, arm_a, b, arm_b, vec_scale(impulse, t->normal));
+	float impulse = c->severity * body_effective_mass(*a, arm_a, *b, arm_b, c->normal);
+	body_push(a, arm_a, b, arm_b, vec_scale(impulse, c->normal));
 
-	float limit = t->friction * impulse;
-	float slide = vec_dot(tangent, relative_velocity(r, t, k));
+	float limit = c->friction * impulse;
+	float slide = vec_dot(tangent, relative_velocity(r, c, k));
 	float drag = -slide * body_effective_mass(*a, arm_a, *b, arm_b, tangent);
 	body_push(a, arm_a, b, arm_b, vec_scale(minimum(maximum(drag, -limit), limit), tangent));
 }
 
-static bool adjacent(const ActiveContact* t, const ActiveContact* u)
+static bool adjacent(const ActiveContact* c, const ActiveContact* other)
 {
-	return t->a == u->a || t->a == u->b || t->b == u->a || t->b == u->b;
+	return c->a == other->a || c->a == other->b || c->b == other->a || c->b == other->b;
 }
 
 // Of equally severe contacts the one of the lower pair comes first.
@@ -109,12 +109,12 @@ static void resolve_all(Resolution* r, float (*severity)(const Resolution*, cons
 	{
 		// computes the severity of the contacts that the last resolution changed, and finds the most severe
 		ActiveContact* worst = NULL;
-		for (ActiveContact* t = r->contacts; t < r->contacts + r->count; ++t)
+		for (ActiveContact* c = r->contacts; c < r->contacts + r->count; ++c)
 		{
-			if (last && adjacent(last, t))
-				t->severity = severity(r, t);
-			if (t->severity > (worst ? worst->severity : tolerance))
-				worst = t;
+			if (last && adjacent(last, c))
+				c->severity = severity(r, c);
+			if (c->severity > (worst ? worst->severity : tolerance))
+				worst = c;
 		}
 		if (!worst)
 			return;
@@ -142,29 +142,29 @@ static Vec arm(const PaperBody* body, Float2 point) { return vec(point.x - body-
 
 static ActiveContact active_contact(const PaperBody* bodies, const PaperContact* contact)
 {
-	ActiveContact t = {
+	ActiveContact c = {
 	    .a = contact->body_a, .b = contact->body_b, .count = contact->count, .friction = contact->friction};
-	t.normal = vec(contact->normal.x, contact->normal.y);
+	c.normal = vec(contact->normal.x, contact->normal.y);
 	for (int k = 0; k < contact->count; ++k)
 	{
-		t.arm_a[k] = arm(&bodies[t.a], contact->point[k]);
-		t.arm_b[k] = arm(&bodies[t.b], contact->point[k]);
-		t.depth = maximum(t.depth, -contact->separation[k]);
+		c.arm_a[k] = arm(&bodies[c.a], contact->point[k]);
+		c.arm_b[k] = arm(&bodies[c.b], contact->point[k]);
+		c.depth = maximum(c.depth, -contact->separation[k]);
 	}
-	return t;
+	return c;
 }
 
 // Sets the target speeds. Where the surfaces overlap, by Newton's law of restitution. A second point may be above the other
 // surface; it may close that gap within a step.
-static void set_targets(const Resolution* r, ActiveContact* t, const PaperContact* contact, float dt)
+static void set_targets(const Resolution* r, ActiveContact* c, const PaperContact* contact, float dt)
 {
-	for (int k = 0; k < t->count; ++k)
+	for (int k = 0; k < c->count; ++k)
 	{
-		float closing = point_severity(r, t, k), gap = contact->separation[k];
+		float closing = point_severity(r, c, k), gap = contact->separation[k];
 		if (gap > 0.0f)
-			t->target[k] = -gap / dt;
+			c->target[k] = -gap / dt;
 		else if (closing > RESTITUTION_THRESHOLD)
-			t->target[k] = contact->restitution * closing;
+			c->target[k] = contact->restitution * closing;
 	}
 }
 
@@ -202,10 +202,10 @@ scree_status paper_resolve(Paper* paper)
 		const PaperContact* contact = &p->contact[i];
 		if (contact->body_a < 0 || contact->body_b < 0)
 			continue;
-		ActiveContact* t = &r.contacts[r.count++];
-		*t = active_contact(p->body, contact);
-		set_targets(&r, t, contact, p->step.dt);
-		paper->counters.penetration = maximum(paper->counters.penetration, t->depth);
+		ActiveContact* c = &r.contacts[r.count++];
+		*c = active_contact(p->body, contact);
+		set_targets(&r, c, contact, p->step.dt);
+		paper->counters.penetration = maximum(paper->counters.penetration, c->depth);
 	}
 	resolve_all(&r, overlap_severity, overlap_resolve, DEPTH_TOLERANCE);
 	resolve_all(&r, speed_severity, speed_resolve, SPEED_TOLERANCE);
