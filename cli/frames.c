@@ -62,7 +62,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 {
 	Simulation simulation;
 	Renderer renderer;
-	char sentence[SENTENCE] = "there is no memory for the picture";
+	char sentence[SENTENCE] = "out of memory for the picture";
 	int code = simulation_open(options, scene, false, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
@@ -115,13 +115,13 @@ int frames_command(const Options* options)
 		return EXIT_BAD;
 	int steps = options->steps > 0 ? options->steps : scene->steps;
 	Offscreen offscreen;
-	const char* trouble = offscreen_open(&offscreen, options->width, options->height);
+	const char* error = offscreen_open(&offscreen, options->width, options->height);
 	scree_opengl opengl;
 	Options drawn = *options;
-	drawn.opengl = !trouble && share_context(&opengl) ? &opengl : NULL;
-	double* memory = trouble ? NULL : malloc((size_t)steps * 4 * sizeof(double));
+	drawn.opengl = !error && share_context(&opengl) ? &opengl : NULL;
+	double* memory = error ? NULL : malloc((size_t)steps * 4 * sizeof(double));
 	if (!memory)
-		fprintf(stderr, "scree bench: %s\n", trouble ? trouble : "there is no memory for the times");
+		fprintf(stderr, "scree bench: %s\n", error ? error : "out of memory for the times");
 	int code = memory ? EXIT_GOOD : EXIT_FAILED;
 	if (code == EXIT_GOOD)
 	{
@@ -138,7 +138,7 @@ int frames_command(const Options* options)
 		}
 	}
 	free(memory);
-	if (!trouble)
+	if (!error)
 		offscreen_close(&offscreen);
 	scene_free(scene);
 	return code;

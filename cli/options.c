@@ -151,11 +151,11 @@ const OptionRow option_rows[] = {
      TEXT(paint)},
     {"layers", 'L', "NAME,...", RUN | VIEW, "with gl: boxes, contacts, normals, impulses, velocities over the bodies",
      TEXT(layers)},
-    {"script", 'x', "FILE", VIEW, "what a user would do, one thing a line: docs/view.md", TEXT(script)},
+    {"script", 'x', "FILE", VIEW, "a file of user actions, one a line: docs/view.md", TEXT(script)},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds", TEXT(csv)},
     {"repeats", 'r', "N", BENCH | FIGURE, "runs of each scene, 3 without it", NUMBER(repeats, 1000)},
     {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md", SWITCH(whole)},
-    {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench, whose hashes must come out again", TEXT(known)},
+    {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench; the hashes must be the same", TEXT(known)},
     {"limit", 'm', "N", FIGURE, "most bodies, a million without it", NUMBER(limit, 1000000000)},
     {"draw", 'D', "FILE.csv", FIGURE, "draw what an earlier bench measured", TEXT(draw)},
     {"names", 'N', NULL, SCENES | VALIDATE, "names alone, one a line", SWITCH(names)},
@@ -188,7 +188,7 @@ static bool have_effect(const Options* options, unsigned given)
 	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
 	    no_effect(options, given, "tl", "the device is not the CPU"))
 		return false;
-	if (options->pipeline == PIPELINE_PAPER && no_effect(options, given, "l", "the pipeline paper knows no lanes"))
+	if (options->pipeline == PIPELINE_PAPER && no_effect(options, given, "l", "the pipeline paper has no lanes"))
 		return false;
 	if (options->pipeline == PIPELINE_PAPER && options->threads > 1 &&
 	    no_effect(options, given, "t", "the pipeline paper runs on one thread"))
@@ -197,7 +197,7 @@ static bool have_effect(const Options* options, unsigned given)
 		return false;
 	if (options->command == VALIDATE && options->names && no_effect(options, given, "dtluq", "--names runs nothing"))
 		return false;
-	return !options->whole || !no_effect(options, given, "k", "--whole knows no hashes");
+	return !options->whole || !no_effect(options, given, "k", "--whole compares no hashes");
 }
 
 // Finds the row of an option. Returns null after printing that the command does not take the option.

@@ -41,7 +41,7 @@ static bool open_gl(PictureRenderer* renderer, const Options* options, int* code
 {
 	(void)renderer, (void)options;
 	fprintf(stderr,
-	        "scree run: this build draws nothing by OpenGL: install libepoxy-dev (Debian, Ubuntu) and build again\n");
+	        "scree run: this build cannot draw with OpenGL: install libepoxy-dev (Debian, Ubuntu) and build again\n");
 	*code = EXIT_FAILED;
 	return false;
 }

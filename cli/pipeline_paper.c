@@ -19,7 +19,7 @@ static int paper_open(const Options* options, Simulation* simulation)
 	int count;
 	if (scene_churns(simulation->scene))
 	{
-		fprintf(stderr, "scree: %s puts bodies elsewhere between steps, which the paper's pipeline cannot\n",
+		fprintf(stderr, "scree: %s changes bodies between steps, which the pipeline paper cannot\n",
 		        simulation->scene->name);
 		return EXIT_BAD;
 	}

@@ -28,7 +28,7 @@ int view_command(const Options* options)
 	(void)options;
 	fprintf(stderr,
 	        "scree view: this build has no viewer: install libglfw3-dev, libepoxy-dev and libimgui-dev (Debian, "
-	        "Ubuntu) and build again, or say make view\n");
+	        "Ubuntu) and build again, or run make view\n");
 	return EXIT_FAILED;
 }
 #endif

@@ -103,31 +103,31 @@ typedef struct // arrays for the changes of a step, as the functions of scree.h 
 	scree_pose* poses;
 	scree_velocity* velocities;
 	scree_body_def* defs;
-} Room;
+} Arrays;
 
-static bool open_room(Room* room, int bodies, int attributes, int changes)
+static bool open_arrays(Arrays* arrays, int bodies, int attributes, int changes)
 {
-	room->bodies = calloc((size_t)bodies + 1, sizeof *room->bodies);
-	room->attributes = calloc((size_t)attributes + 1, sizeof *room->attributes);
-	room->some = calloc((size_t)changes + 1, sizeof *room->some);
-	room->poses = calloc((size_t)changes + 1, sizeof *room->poses);
-	room->velocities = calloc((size_t)changes + 1, sizeof *room->velocities);
-	room->defs = calloc((size_t)changes + 1, sizeof *room->defs);
-	return room->bodies && room->attributes && room->some && room->poses && room->velocities && room->defs;
+	arrays->bodies = calloc((size_t)bodies + 1, sizeof *arrays->bodies);
+	arrays->attributes = calloc((size_t)attributes + 1, sizeof *arrays->attributes);
+	arrays->some = calloc((size_t)changes + 1, sizeof *arrays->some);
+	arrays->poses = calloc((size_t)changes + 1, sizeof *arrays->poses);
+	arrays->velocities = calloc((size_t)changes + 1, sizeof *arrays->velocities);
+	arrays->defs = calloc((size_t)changes + 1, sizeof *arrays->defs);
+	return arrays->bodies && arrays->attributes && arrays->some && arrays->poses && arrays->velocities && arrays->defs;
 }
 
-static void close_room(Room* room)
+static void close_arrays(Arrays* arrays)
 {
-	free(room->bodies);
-	free(room->attributes);
-	free(room->some);
-	free(room->poses);
-	free(room->velocities);
-	free(room->defs);
+	free(arrays->bodies);
+	free(arrays->attributes);
+	free(arrays->some);
+	free(arrays->poses);
+	free(arrays->velocities);
+	free(arrays->defs);
 }
 
 // Applies the moves or the replacements.
-static scree_status apply(scree_world* world, Room* room, const SceneChange* changes, int count, bool replaced)
+static scree_status apply(scree_world* world, Arrays* arrays, const SceneChange* changes, int count, bool replaced)
 {
 	int chosen = 0;
 	for (int k = 0; k < count; ++k)
@@ -135,21 +135,21 @@ static scree_status apply(scree_world* world, Room* room, const SceneChange* cha
 		if (changes[k].replaced != replaced)
 			continue;
 		const scree_body_def* body = &changes[k].body;
-		room->some[chosen] = room->bodies[changes[k].item];
-		room->poses[chosen] = body->pose;
-		room->velocities[chosen] = body->velocity;
-		room->defs[chosen] = *body;
-		room->defs[chosen].attribute = room->attributes[body->attribute.index];
+		arrays->some[chosen] = arrays->bodies[changes[k].item];
+		arrays->poses[chosen] = body->pose;
+		arrays->velocities[chosen] = body->velocity;
+		arrays->defs[chosen] = *body;
+		arrays->defs[chosen].attribute = arrays->attributes[body->attribute.index];
 		++chosen;
 	}
 	if (chosen == 0)
 		return SCREE_OK;
-	scree_status status = replaced ? scree_bodies_destroy(world, room->some, chosen)
-	                               : scree_bodies_set_poses(world, room->some, room->poses, chosen);
+	scree_status status = replaced ? scree_bodies_destroy(world, arrays->some, chosen)
+	                               : scree_bodies_set_poses(world, arrays->some, arrays->poses, chosen);
 	if (status != SCREE_OK)
 		return status;
-	return replaced ? scree_bodies_create(world, room->defs, chosen, NULL)
-	                : scree_bodies_set_velocities(world, room->some, room->velocities, chosen);
+	return replaced ? scree_bodies_create(world, arrays->defs, chosen, NULL)
+	                : scree_bodies_set_velocities(world, arrays->some, arrays->velocities, chosen);
 }
 
 scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
@@ -158,20 +158,20 @@ scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
 		return SCREE_OK;
 	SceneChange* changes;
 	int count = scene_changes(scene, step, &changes), bodies = 0;
-	Room room = {0};
+	Arrays arrays = {0};
 	scree_status status = scree_world_get_bodies(world, NULL, 0, &bodies);
-	if (status == SCREE_OK && (count < 0 || !open_room(&room, bodies, scene->attribute_count, count)))
+	if (status == SCREE_OK && (count < 0 || !open_arrays(&arrays, bodies, scene->attribute_count, count)))
 		status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (status == SCREE_OK)
-		status = scree_world_get_bodies(world, room.bodies, bodies, &bodies);
+		status = scree_world_get_bodies(world, arrays.bodies, bodies, &bodies);
 	// a world has one attribute for equal definitions, so these are the handles of the bodies
 	for (int k = 0; k < scene->attribute_count && status == SCREE_OK; ++k)
-		status = scree_attribute_create(world, &scene->attributes[k].def, &room.attributes[k]);
+		status = scree_attribute_create(world, &scene->attributes[k].def, &arrays.attributes[k]);
 	if (status == SCREE_OK)
-		status = apply(world, &room, changes, count, false);
+		status = apply(world, &arrays, changes, count, false);
 	if (status == SCREE_OK)
-		status = apply(world, &room, changes, count, true);
-	close_room(&room);
+		status = apply(world, &arrays, changes, count, true);
+	close_arrays(&arrays);
 	free(changes);
 	return status;
 }

@@ -132,10 +132,10 @@ static void test_exported_memory(void** state)
 
 int main(void)
 {
-	const char* trouble = offscreen_open(&offscreen, 640, 400);
-	if (trouble)
+	const char* error = offscreen_open(&offscreen, 640, 400);
+	if (error)
 	{
-		print_message("skipped: %s\n", trouble);
+		print_message("skipped: %s\n", error);
 		return 77;
 	}
 	print_message("drawn by %s\n", offscreen.renderer);

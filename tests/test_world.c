@@ -393,59 +393,59 @@ typedef struct
 	After after;
 	scree_body bodies[60], compound;
 	scree_collidable parts[3]; // of compound
-} Told;
+} Caller;
 
-static void follow(const Told* t, scree_status status)
+static void after_call(const Caller* c, scree_status status)
 {
 	assert_ok(status);
-	if (t->after == FLUSH)
-		assert_ok(world_flush(t->world));
-	if (t->after == READ)
-		hash_of(t->world);
+	if (c->after == FLUSH)
+		assert_ok(world_flush(c->world));
+	if (c->after == READ)
+		hash_of(c->world);
 }
 
-static void create_bodies(Told* t)
+static void create_bodies(Caller* c)
 {
 	for (int k = 0; k < 60; ++k)
 	{
 		scree_body_def def =
-		    box_def(t->world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
+		    box_def(c->world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
 		def.pose.rotation = scree_rot_make(0.1f * (float)k);
 		def.velocity.linear.x = (float)(k % 3);
-		follow(t, scree_body_create(t->world, &def, &t->bodies[k]));
+		after_call(c, scree_body_create(c->world, &def, &c->bodies[k]));
 	}
 	scree_body_def empty = scree_body_def_default();
 	empty.pose = (scree_pose){{-3.0f, 2.0f}, scree_rot_make(1.0f)};
 	empty.velocity.angular = 2.0f;
-	follow(t, scree_body_create(t->world, &empty, &t->compound));
+	after_call(c, scree_body_create(c->world, &empty, &c->compound));
 	for (int k = 0; k < 3; ++k)
 	{
 		scree_collidable_def part = scree_collidable_def_default();
-		part.attribute = make_box(t->world, 0.2f, 0.4f);
-		part.body = t->compound;
+		part.attribute = make_box(c->world, 0.2f, 0.4f);
+		part.body = c->compound;
 		part.pose = (scree_pose){{0.3f * (float)k, 0.1f}, scree_rot_make(0.3f * (float)k)};
-		follow(t, scree_collidable_create(t->world, &part, &t->parts[k]));
+		after_call(c, scree_collidable_create(c->world, &part, &c->parts[k]));
 	}
 }
 
-static void change_bodies(Told* t, int round)
+static void change_bodies(Caller* c, int round)
 {
-	scree_body* body = &t->bodies[7 * round % 60];
-	follow(t, scree_body_apply_force_at(t->world, *body, (scree_vec){10.0f, 20.0f}, (scree_vec){1.0f, 1.0f}));
-	follow(t, scree_body_set_locks(t->world, t->bodies[5], round % 8));
-	follow(t, scree_body_set_type(t->world, t->bodies[11], round % 3));
-	follow(t, scree_body_set_damping(t->world, t->bodies[3], 0.1f * (float)round, 0.2f));
-	follow(t, scree_body_apply_impulse(t->world, t->compound, (scree_vec){0.3f, 0.7f}));
+	scree_body* body = &c->bodies[7 * round % 60];
+	after_call(c, scree_body_apply_force_at(c->world, *body, (scree_vec){10.0f, 20.0f}, (scree_vec){1.0f, 1.0f}));
+	after_call(c, scree_body_set_locks(c->world, c->bodies[5], round % 8));
+	after_call(c, scree_body_set_type(c->world, c->bodies[11], round % 3));
+	after_call(c, scree_body_set_damping(c->world, c->bodies[3], 0.1f * (float)round, 0.2f));
+	after_call(c, scree_body_apply_impulse(c->world, c->compound, (scree_vec){0.3f, 0.7f}));
 	if (round % 4 == 0)
 	{
-		follow(t, scree_body_destroy(t->world, *body));
-		scree_body_def def = box_def(t->world, SCREE_BODY_DYNAMIC, -5.0f, 3.0f);
-		follow(t, scree_body_create(t->world, &def, body));
-		follow(t, scree_body_set_velocity(t->world, *body, (scree_velocity){{1.0f, 0.0f}, 5.0f}));
+		after_call(c, scree_body_destroy(c->world, *body));
+		scree_body_def def = box_def(c->world, SCREE_BODY_DYNAMIC, -5.0f, 3.0f);
+		after_call(c, scree_body_create(c->world, &def, body));
+		after_call(c, scree_body_set_velocity(c->world, *body, (scree_velocity){{1.0f, 0.0f}, 5.0f}));
 	}
 	if (round == 10)
-		follow(t, scree_collidable_destroy(t->world, t->parts[1]));
-	follow(t, scree_collidable_set_filter(t->world, t->parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
+		after_call(c, scree_collidable_destroy(c->world, c->parts[1]));
+	after_call(c, scree_collidable_set_filter(c->world, c->parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
 }
 
 // Three worlds get the same calls. One applies all changes before its steps, one applies each at once, one is read after each.
@@ -455,16 +455,16 @@ static void reading_changes_nothing(void** state)
 	uint64_t hashes[3];
 	for (After after = NOTHING; after <= READ; ++after)
 	{
-		Told told = {.world = make_world(-10.0f), .after = after};
-		add_ground(told.world);
-		create_bodies(&told);
+		Caller caller = {.world = make_world(-10.0f), .after = after};
+		add_ground(caller.world);
+		create_bodies(&caller);
 		for (int round = 0; round < 20; ++round)
 		{
-			change_bodies(&told, round);
-			step(told.world, 1);
+			change_bodies(&caller, round);
+			step(caller.world, 1);
 		}
-		hashes[after] = hash_of(told.world);
-		scree_world_destroy(told.world);
+		hashes[after] = hash_of(caller.world);
+		scree_world_destroy(caller.world);
 	}
 	assert_int_equal(hashes[NOTHING], hashes[FLUSH]);
 	assert_int_equal(hashes[NOTHING], hashes[READ]);

@@ -156,25 +156,25 @@ static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])
 	void* library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
 	if (!library)
 		return "there is no Vulkan to allocate memory with: install libvulkan1 (Debian, Ubuntu)";
-	const char* trouble = open_instance(v, library);
-	if (!trouble)
-		trouble = choose_gpu(v, uuid);
-	return trouble ? trouble : open_device(v);
+	const char* error = open_instance(v, library);
+	if (!error)
+		error = choose_gpu(v, uuid);
+	return error ? error : open_device(v);
 }
 
 static const char* make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes)
 {
-	static const char* trouble;
+	static const char* error;
 	static uint8_t opened[16];
 	static bool open;
 	if (!open)
 	{
-		trouble = open_vulkan(&vulkan, uuid);
+		error = open_vulkan(&vulkan, uuid);
 		memcpy(opened, uuid, sizeof opened);
 		open = true;
 	}
-	if (trouble)
-		return trouble;
+	if (error)
+		return error;
 	if (memcmp(opened, uuid, sizeof opened) != 0)
 		return "Vulkan allocates memory on another device already";
 	return allocate(&vulkan, bytes, memory);
@@ -199,11 +199,11 @@ static void drop(ExportedMemory* memory) { (void)memory; }
 bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size)
 {
 	*memory = (ExportedMemory){.files = {-1, -1}};
-	const char* trouble = make(memory, uuid, bytes);
-	snprintf(sentence, size, "%s", trouble ? trouble : "");
-	if (trouble)
+	const char* error = make(memory, uuid, bytes);
+	snprintf(sentence, size, "%s", error ? error : "");
+	if (error)
 		exported_memory_drop(memory);
-	return !trouble;
+	return !error;
 }
 
 void exported_memory_drop(ExportedMemory* memory)

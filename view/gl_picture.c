@@ -51,10 +51,10 @@ GlPicture* gl_picture_open(int width, int height, char* sentence)
 		free(picture);
 		return NULL;
 	}
-	const char* trouble = offscreen_open(&picture->offscreen, width, height);
-	if (trouble)
-		snprintf(sentence, SENTENCE, "%s", trouble);
-	if (trouble || !renderer_open(&picture->renderer, sentence))
+	const char* error = offscreen_open(&picture->offscreen, width, height);
+	if (error)
+		snprintf(sentence, SENTENCE, "%s", error);
+	if (error || !renderer_open(&picture->renderer, sentence))
 	{
 		offscreen_close(&picture->offscreen);
 		canvas_close(&picture->canvas);

@@ -86,9 +86,9 @@ static bool fill_attributes(RenderTables* tables)
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)
-		if ((int)tables->bodies[k].index >= tables->body_room)
-			tables->body_room = (int)tables->bodies[k].index + 1;
-	uint8_t* kinds = calloc((size_t)tables->body_room + 1, 1);
+		if ((int)tables->bodies[k].index >= tables->body_capacity)
+			tables->body_capacity = (int)tables->bodies[k].index + 1;
+	uint8_t* kinds = calloc((size_t)tables->body_capacity + 1, 1);
 	scree_vec* points = malloc(((size_t)sprites->count + 1) * sizeof(scree_vec));
 	scree_pose* poses = malloc(((size_t)tables->body_count + 1) * sizeof(scree_pose));
 	bool good = kinds && points && poses &&
@@ -108,7 +108,7 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 	if (good)
 	{
 		viewport_fit(points, count, reach, &tables->box);
-		buffer_texture_fill(&tables->kinds, GL_R8UI, kinds, (size_t)tables->body_room + 1);
+		buffer_texture_fill(&tables->kinds, GL_R8UI, kinds, (size_t)tables->body_capacity + 1);
 	}
 	free(poses);
 	free(points);
@@ -160,9 +160,9 @@ scree_status render_tables_update_bodies(RenderTables* tables)
 
 scree_status render_tables_update_velocities(RenderTables* tables)
 {
-	size_t room = (size_t)tables->body_room + 1;
+	size_t size = (size_t)tables->body_capacity + 1;
 	scree_velocity* velocities = malloc(((size_t)tables->body_count + 1) * sizeof *velocities);
-	scree_vec* linear = calloc(room, sizeof *linear);
+	scree_vec* linear = calloc(size, sizeof *linear);
 	scree_status status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (velocities && linear)
 		status = render_tables_update_bodies(tables);
@@ -172,7 +172,7 @@ scree_status render_tables_update_velocities(RenderTables* tables)
 	{
 		for (int k = 0; k < tables->body_count; ++k)
 			linear[tables->bodies[k].index] = velocities[k].linear;
-		buffer_texture_fill(&tables->velocities, GL_RG32F, linear, room * sizeof *linear);
+		buffer_texture_fill(&tables->velocities, GL_RG32F, linear, size * sizeof *linear);
 	}
 	free(linear);
 	free(velocities);
@@ -184,16 +184,16 @@ static int body_of(const RenderTables* tables, scree_collidable collidable)
 {
 	scree_body body;
 	bool found = scree_collidable_get_body(tables->world, collidable, &body) == SCREE_OK && body.generation != 0;
-	return found && (int)body.index < tables->body_room ? (int)body.index : -1;
+	return found && (int)body.index < tables->body_capacity ? (int)body.index : -1;
 }
 
 bool render_tables_update_graph(RenderTables* tables, const scree_contact* contacts, int count)
 {
-	size_t room = (size_t)tables->body_room + 1;
-	uint8_t* lowest = malloc(room);
+	size_t size = (size_t)tables->body_capacity + 1;
+	uint8_t* lowest = malloc(size);
 	if (!lowest)
 		return false;
-	memset(lowest, 255, room);
+	memset(lowest, 255, size);
 	for (int k = 0; k < count; ++k)
 	{
 		const int bodies[2] = {body_of(tables, contacts[k].a), body_of(tables, contacts[k].b)};
@@ -201,7 +201,7 @@ bool render_tables_update_graph(RenderTables* tables, const scree_contact* conta
 			if (bodies[side] >= 0 && contacts[k].color >= 0 && contacts[k].color < lowest[bodies[side]])
 				lowest[bodies[side]] = (uint8_t)contacts[k].color;
 	}
-	buffer_texture_fill(&tables->graph, GL_R8UI, lowest, room);
+	buffer_texture_fill(&tables->graph, GL_R8UI, lowest, size);
 	free(lowest);
 	return true;
 }

@@ -20,8 +20,8 @@ typedef struct
 	int row_count;
 	scree_body* bodies; // that were alive when the tables were built
 	int body_count;
-	int body_room; // one more than the highest index
-	scree_box box; // around the bodies that move, m; for scenes without a view
+	int body_capacity; // one more than the highest index
+	scree_box box;     // around the bodies that move, m; for scenes without a view
 	BufferTexture attribute_texture, kinds, velocities, graph;
 } RenderTables;
 

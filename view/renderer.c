@@ -75,17 +75,18 @@ bool renderer_update_world(Renderer* r, scree_world* world)
 
 static scree_status fetch_contacts(Renderer* r)
 {
-	scree_status status = scree_world_get_contacts(r->tables.world, r->contacts, r->contact_room, &r->contact_count);
-	if (status != SCREE_OK || r->contact_count <= r->contact_room)
+	scree_status status =
+	    scree_world_get_contacts(r->tables.world, r->contacts, r->contact_capacity, &r->contact_count);
+	if (status != SCREE_OK || r->contact_count <= r->contact_capacity)
 		return status;
-	int room = r->contact_count + r->contact_count / 2;
-	scree_contact* contacts = realloc(r->contacts, (size_t)room * sizeof *contacts);
+	int capacity = r->contact_count + r->contact_count / 2;
+	scree_contact* contacts = realloc(r->contacts, (size_t)capacity * sizeof *contacts);
 	r->contact_count = 0;
 	if (!contacts)
 		return SCREE_OK; // the picture is drawn without contacts
 	r->contacts = contacts;
-	r->contact_room = room;
-	return scree_world_get_contacts(r->tables.world, r->contacts, room, &r->contact_count);
+	r->contact_capacity = capacity;
+	return scree_world_get_contacts(r->tables.world, r->contacts, capacity, &r->contact_count);
 }
 
 scree_status renderer_fetch(Renderer* r, const Style* style)

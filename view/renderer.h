@@ -22,7 +22,7 @@ typedef struct
 	RenderTables tables;
 	Lod lod;
 	scree_contact* contacts;
-	int contact_count, contact_room;
+	int contact_count, contact_capacity;
 	bool software; // OpenGL runs on the CPU
 } Renderer;
 

@@ -46,7 +46,7 @@ static void drop_buffer(Share* share)
 		glDeleteMemoryObjectsEXT(1, &share->memory);
 	exported_memory_drop(&share->exported);
 	share->buffer = share->memory = 0;
-	share->room = 0;
+	share->capacity = 0;
 }
 
 void share_close(Share* share)
@@ -107,8 +107,8 @@ static bool share_opengl(Share* share, size_t bytes)
 // Makes a buffer for all rows and half as many more. If sharing fails, the rows are copied from then on.
 static void make_buffer(Share* share)
 {
-	int room = share->count + share->count / 2 + 1024;
-	size_t bytes = (size_t)room * sizeof(scree_render_row);
+	int capacity = share->count + share->count / 2 + 1024;
+	size_t bytes = (size_t)capacity * sizeof(scree_render_row);
 	for (;;)
 	{
 		drop_buffer(share);
@@ -121,7 +121,7 @@ static void make_buffer(Share* share)
 			break;
 		share->how = SCREE_SHARING_COPIED;
 	}
-	share->room = room;
+	share->capacity = capacity;
 }
 
 // Reads the rows from the device into the mapped buffer.
@@ -155,7 +155,7 @@ scree_status share_update(Share* share)
 		snprintf(share->device, sizeof share->device, "%s", device);
 		share->how = share->copy ? SCREE_SHARING_COPIED : scree_world_get_sharing(share->world);
 	}
-	if (moved || share->count > share->room)
+	if (moved || share->count > share->capacity)
 		make_buffer(share);
 	if (share->how == SCREE_SHARING_COPIED)
 		return copy(share);
@@ -171,4 +171,4 @@ scree_status share_update(Share* share)
 	return status;
 }
 
-const char* share_trouble(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }
+const char* share_error(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }

@@ -18,7 +18,7 @@ typedef struct
 	unsigned buffer; // OpenGL buffer of scree_render_row; replaced when the world grows
 	unsigned memory; // OpenGL memory object of the buffer, 0 for none
 	ExportedMemory exported;
-	int room, count; // rows: that fit into the buffer, that are drawn
+	int capacity, count; // rows: that fit into the buffer, that are drawn
 } Share;
 
 // Gets the current context for scree_world_def.opengl; false when it is not an EGL context.
@@ -32,7 +32,7 @@ void share_open(Share* share, scree_world* world, bool copy);
 scree_status share_update(Share* share);
 
 // Why share_update failed.
-const char* share_trouble(const Share* share);
+const char* share_error(const Share* share);
 
 void share_close(Share* share);
 

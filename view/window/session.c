@@ -20,10 +20,10 @@ static bool failed(char* sentence)
 }
 
 // Copies text that fits; else writes a sentence.
-static bool copy_text(const char* text, char* room, size_t size, const char* what, char* sentence)
+static bool copy_text(const char* text, char* copy, size_t size, const char* what, char* sentence)
 {
 	if (strlen(text) < size)
-		return strcpy(room, text);
+		return strcpy(copy, text);
 	snprintf(sentence, SENTENCE, "%s %.60s... has more than %zu characters, which the panel cannot hold", what, text,
 	         size - 1);
 	return false;

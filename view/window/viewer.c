@@ -39,7 +39,7 @@ bool viewer_fetch(Viewer* v, const Style* style)
 	if (status == SCREE_OK)
 		status = renderer_fetch(&v->renderer, style);
 	if (status != SCREE_OK)
-		viewer_fail(v, share_trouble(&v->share));
+		viewer_fail(v, share_error(&v->share));
 	return status == SCREE_OK;
 }
 

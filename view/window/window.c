@@ -14,13 +14,13 @@
 
 #define LEAST_SIDE 64 // px, as of pictures
 
-static char trouble[256]; // the first error of GLFW, whose callback has no user pointer
+static char error[256]; // the first error of GLFW, whose callback has no user pointer
 
 static void on_error(int code, const char* sentence)
 {
 	(void)code;
-	if (!*trouble)
-		snprintf(trouble, sizeof trouble, "%s", sentence);
+	if (!*error)
+		snprintf(error, sizeof error, "%s", sentence);
 }
 
 static Viewer* viewer_of(GLFWwindow* window) { return glfwGetWindowUserPointer(window); }
@@ -113,14 +113,13 @@ bool window_open(Viewer* v, char* sentence)
 	if (!glfwInit())
 	{
 		snprintf(sentence, SENTENCE,
-		         "there is no display to open a window on (%s); scree run SCENE --picture FILE.png needs none",
-		         trouble);
+		         "there is no display to open a window on (%s); scree run SCENE --picture FILE.png needs none", error);
 		return false;
 	}
 	v->window = create(v, "scree");
 	if (!v->window)
 	{
-		snprintf(sentence, SENTENCE, "there is no OpenGL 3.3 on this display (%s)", trouble);
+		snprintf(sentence, SENTENCE, "there is no OpenGL 3.3 on this display (%s)", error);
 		glfwTerminate();
 		return false;
 	}
