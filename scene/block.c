@@ -28,7 +28,7 @@ static const char* const churn_keys[] = {"moved",    "replaced",         "positi
 static const char* const free_keys[] = {"attribute", "choose", "position", "angle",       "category",
                                         "mask",      "group",  "repeat",   "description", NULL};
 
-static bool read_type(Reader* reader, const Place* place, const json_t* value, scree_body_type* type)
+static bool read_type(Reader* reader, const Location* location, const json_t* value, scree_body_type* type)
 {
 	static const char* const names[] = {"static", "kinematic", "dynamic"};
 	static const scree_body_type types[] = {SCREE_BODY_STATIC, SCREE_BODY_KINEMATIC, SCREE_BODY_DYNAMIC};
@@ -43,15 +43,15 @@ static bool read_type(Reader* reader, const Place* place, const json_t* value, s
 			return true;
 		}
 	}
-	return reader_fail_value(reader, place, value, "must be \"static\", \"kinematic\" or \"dynamic\"");
+	return reader_fail_value(reader, location, value, "must be \"static\", \"kinematic\" or \"dynamic\"");
 }
 
-static bool read_locks(Reader* reader, const Place* place, const json_t* value, uint32_t* locks)
+static bool read_locks(Reader* reader, const Location* location, const json_t* value, uint32_t* locks)
 {
 	static const char* const names[] = {"x", "y", "rotation"};
 	static const uint32_t bits[] = {SCREE_LOCK_X, SCREE_LOCK_Y, SCREE_LOCK_ROTATION};
 	if (value && !json_is_array(value))
-		return reader_fail_value(reader, place, value, "must be a list of \"x\", \"y\" and \"rotation\"");
+		return reader_fail_value(reader, location, value, "must be a list of \"x\", \"y\" and \"rotation\"");
 	for (int k = 0; value && k < (int)json_array_size(value); ++k)
 	{
 		const json_t* lock = json_array_get(value, (size_t)k);
@@ -59,67 +59,70 @@ static bool read_locks(Reader* reader, const Place* place, const json_t* value, 
 		for (int n = 0; n < 3; ++n)
 			bit |= json_is_string(lock) && strcmp(json_string_value(lock), names[n]) == 0 ? bits[n] : 0;
 		if (bit == 0)
-			return reader_fail_value(reader, ELEMENT(place, k), lock, "must be \"x\", \"y\" or \"rotation\"");
+			return reader_fail_value(reader, ELEMENT(location, k), lock, "must be \"x\", \"y\" or \"rotation\"");
 		*locks |= bit;
 	}
 	return true;
 }
 
-static bool read_body(Reader* reader, const Place* place, const json_t* value, Block* block)
+static bool read_body(Reader* reader, const Location* location, const json_t* value, Block* block)
 {
-	return read_type(reader, KEY(place, "type"), json_object_get(value, "type"), &block->type) &&
-	       reader_pair(reader, place, value, "position", any_coordinate, block->position) &&
-	       reader_member(reader, place, value, "angle", any_angle, 0, &block->angle) &&
-	       reader_pair(reader, place, value, "velocity", any_speed, block->velocity) &&
-	       reader_member(reader, place, value, "angular_velocity", any_speed, 0, &block->angular_velocity) &&
-	       reader_member(reader, place, value, "gravity_scale", any_speed, 1, &block->gravity_scale) &&
-	       reader_member(reader, place, value, "linear_damping", not_negative, 0, &block->linear_damping) &&
-	       reader_member(reader, place, value, "angular_damping", not_negative, 0, &block->angular_damping) &&
-	       read_locks(reader, KEY(place, "locks"), json_object_get(value, "locks"), &block->locks);
+	return read_type(reader, KEY(location, "type"), json_object_get(value, "type"), &block->type) &&
+	       reader_pair(reader, location, value, "position", any_coordinate, block->position) &&
+	       reader_member(reader, location, value, "angle", any_angle, 0, &block->angle) &&
+	       reader_pair(reader, location, value, "velocity", any_speed, block->velocity) &&
+	       reader_member(reader, location, value, "angular_velocity", any_speed, 0, &block->angular_velocity) &&
+	       reader_member(reader, location, value, "gravity_scale", any_speed, 1, &block->gravity_scale) &&
+	       reader_member(reader, location, value, "linear_damping", not_negative, 0, &block->linear_damping) &&
+	       reader_member(reader, location, value, "angular_damping", not_negative, 0, &block->angular_damping) &&
+	       read_locks(reader, KEY(location, "locks"), json_object_get(value, "locks"), &block->locks);
 }
 
-static bool read_share(Reader* reader, const Place* place, const json_t* object, const char* key, int* share)
+static bool read_share(Reader* reader, const Location* location, const json_t* object, const char* key, int* share)
 {
 	const json_t* value = json_object_get(object, key);
 	double number = 0;
-	bool good =
-	    !value || reader_constant(reader, KEY(place, key), value, (Range){0, SCENE_MAX_BODIES, true, false}, &number);
+	bool good = !value ||
+	            reader_constant(reader, KEY(location, key), value, (Range){0, SCENE_MAX_BODIES, true, false}, &number);
 	*share = (int)number;
 	return good;
 }
 
-static bool read_churn(Reader* reader, const Place* place, const json_t* value, Block* block)
+static bool read_churn(Reader* reader, const Location* location, const json_t* value, Block* block)
 {
 	Churn* churn = &block->churn;
 	if (!value)
 		return true;
-	if (!reader_object(reader, place, value, churn_keys) || !read_share(reader, place, value, "moved", &churn->moved) ||
-	    !read_share(reader, place, value, "replaced", &churn->replaced))
+	if (!reader_object(reader, location, value, churn_keys) ||
+	    !read_share(reader, location, value, "moved", &churn->moved) ||
+	    !read_share(reader, location, value, "replaced", &churn->replaced))
 		return false;
 	if (!json_object_get(value, "position"))
-		return reader_fail(reader, place, "position is missing");
+		return reader_fail(reader, location, "position is missing");
 	if (!block->parts.simple && churn->replaced > 0)
-		return reader_fail(reader, KEY(place, "replaced"), "a body that is made anew needs attribute, not collidables");
+		return reader_fail(reader, KEY(location, "replaced"),
+		                   "a body that is made anew needs attribute, not collidables");
 	reader->redraws = true;
-	bool good = reader_pair(reader, place, value, "position", any_coordinate, churn->position) &&
-	            reader_member(reader, place, value, "angle", any_angle, 0, &churn->angle) &&
-	            reader_pair(reader, place, value, "velocity", any_speed, churn->velocity) &&
-	            reader_member(reader, place, value, "angular_velocity", any_speed, 0, &churn->angular_velocity);
+	bool good = reader_pair(reader, location, value, "position", any_coordinate, churn->position) &&
+	            reader_member(reader, location, value, "angle", any_angle, 0, &churn->angle) &&
+	            reader_pair(reader, location, value, "velocity", any_speed, churn->velocity) &&
+	            reader_member(reader, location, value, "angular_velocity", any_speed, 0, &churn->angular_velocity);
 	reader->redraws = false;
 	return good;
 }
 
-bool block_read(Reader* reader, const Place* place, const json_t* value, const Scene* scene, bool bodies, Block* block)
+bool block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
+                Block* block)
 {
 	int names = reader->scope.count;
 	block->bodies = bodies;
 	const json_t* repeat = json_is_object(value) ? json_object_get(value, "repeat") : NULL;
-	bool good = reader_object(reader, place, value, bodies ? body_keys : free_keys) &&
-	            (!repeat || loops_read(reader, KEY(place, "repeat"), repeat, block->loops, &block->loop_count)) &&
-	            parts_read(reader, place, value, scene, bodies, &block->parts) &&
-	            (!bodies || read_body(reader, place, value, block));
+	bool good = reader_object(reader, location, value, bodies ? body_keys : free_keys) &&
+	            (!repeat || loops_read(reader, KEY(location, "repeat"), repeat, block->loops, &block->loop_count)) &&
+	            parts_read(reader, location, value, scene, bodies, &block->parts) &&
+	            (!bodies || read_body(reader, location, value, block));
 	reader->scope.count = names;
-	return good && read_churn(reader, KEY(place, "churn"), json_object_get(value, "churn"), block);
+	return good && read_churn(reader, KEY(location, "churn"), json_object_get(value, "churn"), block);
 }
 
 void block_free(Block* block)

@@ -29,7 +29,8 @@ struct Block
 };
 
 // Reads one entry of "bodies" or "collidables". The caller frees the block, also on failure.
-bool block_read(Reader* reader, const Place* place, const json_t* value, const Scene* scene, bool bodies, Block* block);
+bool block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
+                Block* block);
 
 void block_free(Block* block);
 

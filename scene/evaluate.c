@@ -19,7 +19,7 @@ typedef struct
 	int64_t rounds;
 	Batch* batch; // null while counting
 	int64_t count, limit;
-	const Place* place; // of the block, while counting
+	const Location* location; // of the block, while counting
 } Evaluation;
 
 // "expression" is 3, must be ..., at i = 1, j = 2
@@ -124,10 +124,10 @@ static bool add_item(Evaluation* e)
 	if (batch->count == batch->capacity && !flush(e))
 		return false;
 	e->item.number = (uint64_t)e->count++;
-	int place = batch->count++;
+	int index = batch->count++;
 	if (block->bodies)
 	{
-		scree_body_def* body = &batch->bodies[place];
+		scree_body_def* body = &batch->bodies[index];
 		if (!body_of(e, body))
 			return false;
 		if (block->parts.simple)
@@ -139,7 +139,7 @@ static bool add_item(Evaluation* e)
 	for (int k = 0; k < block->parts.count; ++k)
 	{
 		const Part* part = &block->parts.list[k];
-		scree_collidable_def* def = &batch->parts[(size_t)place * (size_t)block->parts.count + (size_t)k];
+		scree_collidable_def* def = &batch->parts[(size_t)index * (size_t)block->parts.count + (size_t)k];
 		*def = scree_collidable_def_default();
 		def->filter = part->filter;
 		if (!choice_of(e, &part->choice, &def->attribute) || !pose_of(e, part->position, &part->angle, &def->pose))
@@ -166,14 +166,14 @@ static bool run_loops(Evaluation* e, int depth)
 	{
 		e->count += end > first ? (int64_t)(end - first) : 0;
 		if (e->count > e->limit)
-			return reader_fail(e->reader, e->place, "%.9g or more items; a scene has at most %d", (double)e->count,
+			return reader_fail(e->reader, e->location, "%.9g or more items; a scene has at most %d", (double)e->count,
 			                   SCENE_MAX_BODIES);
 		return true;
 	}
 	for (double index = first; index < end; ++index)
 	{
 		if (!e->batch && ++e->rounds > MAX_ROUNDS)
-			return reader_fail(e->reader, e->place, "more than %d rounds of nested ranges", MAX_ROUNDS);
+			return reader_fail(e->reader, e->location, "more than %d rounds of nested ranges", MAX_ROUNDS);
 		e->indices[depth] = index;
 		if (!run_loops(e, depth + 1))
 			return false;
@@ -182,9 +182,9 @@ static bool run_loops(Evaluation* e, int depth)
 	return true;
 }
 
-bool evaluate_count(Reader* reader, const Place* place, Block* block, int64_t limit)
+bool evaluate_count(Reader* reader, const Location* location, Block* block, int64_t limit)
 {
-	Evaluation e = {.reader = reader, .block = block, .limit = limit, .place = place};
+	Evaluation e = {.reader = reader, .block = block, .limit = limit, .location = location};
 	e.item.indices = e.indices;
 	e.item.seed = reader->seed;
 	bool good = run_loops(&e, 0);

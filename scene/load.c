@@ -33,27 +33,27 @@ static const char* const world_keys[] = {"gravity",
                                          "max_speed",
                                          NULL};
 
-static bool read_optional(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+static bool read_optional(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                           double* number)
 {
 	const json_t* value = json_object_get(object, key);
-	return !value || reader_constant(reader, KEY(place, key), value, range, number);
+	return !value || reader_constant(reader, KEY(location, key), value, range, number);
 }
 
 static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 {
 	const json_t* world = json_object_get(root, "world");
-	const Place* place = KEY(NULL, "world");
+	const Location* location = KEY(NULL, "world");
 	double dt = 1.0 / 60, substeps = 4;
 	if (!world)
 		return true;
-	if (!reader_object(reader, place, world, world_keys))
+	if (!reader_object(reader, location, world, world_keys))
 		return false;
 	const json_t* gravity = json_object_get(world, "gravity");
-	if (gravity && !reader_vec(reader, KEY(place, "gravity"), gravity, any_speed, &scene->world.gravity))
+	if (gravity && !reader_vec(reader, KEY(location, "gravity"), gravity, any_speed, &scene->world.gravity))
 		return false;
-	if (!read_optional(reader, place, world, "dt", (Range){1e-5, 1, false, false}, &dt) ||
-	    !read_optional(reader, place, world, "substeps", (Range){1, 64, true, false}, &substeps))
+	if (!read_optional(reader, location, world, "dt", (Range){1e-5, 1, false, false}, &dt) ||
+	    !read_optional(reader, location, world, "substeps", (Range){1, 64, true, false}, &substeps))
 		return false;
 	scene->dt = (float)dt;
 	scene->substeps = (int)substeps;
@@ -61,7 +61,7 @@ static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 	{
 		float* member = (float*)((char*)&scene->world + world_numbers[k].offset);
 		double number = *member;
-		if (!read_optional(reader, place, world, world_numbers[k].key, world_numbers[k].range, &number))
+		if (!read_optional(reader, location, world, world_numbers[k].key, world_numbers[k].range, &number))
 			return false;
 		*member = (float)number;
 	}
@@ -71,21 +71,21 @@ static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 static bool read_view(Reader* reader, const json_t* root, Scene* scene)
 {
 	const json_t* view = json_object_get(root, "view");
-	const Place* place = KEY(NULL, "view");
+	const Location* location = KEY(NULL, "view");
 	scene->has_view = view != NULL;
 	if (!view)
 		return true;
 	if (!json_is_array(view) || json_array_size(view) != 4)
-		return reader_fail_value(reader, place, view, "must be a list of 4 numbers: left, bottom, right, top");
+		return reader_fail_value(reader, location, view, "must be a list of 4 numbers: left, bottom, right, top");
 	double side[4];
 	for (int k = 0; k < 4; ++k)
 	{
 		const json_t* value = json_array_get(view, (size_t)k);
-		if (!reader_constant(reader, ELEMENT(place, k), value, any_coordinate, &side[k]))
+		if (!reader_constant(reader, ELEMENT(location, k), value, any_coordinate, &side[k]))
 			return false;
 	}
 	if (side[0] >= side[2] || side[1] >= side[3])
-		return reader_fail_value(reader, place, view, "is empty: left and bottom must be less than right and top");
+		return reader_fail_value(reader, location, view, "is empty: left and bottom must be less than right and top");
 	scene->view.lower = (scree_vec){(float)side[0], (float)side[1]};
 	scene->view.upper = (scree_vec){(float)side[2], (float)side[3]};
 	return true;
@@ -128,19 +128,19 @@ static bool keep_items(void* context, const void* items)
 }
 
 // Checks the churn of a block that has been counted, and keeps the definitions of its bodies if some are replaced.
-static bool check_churn(Reader* reader, const Place* place, Block* block)
+static bool check_churn(Reader* reader, const Location* location, Block* block)
 {
 	Churn* churn = &block->churn;
 	int64_t wanted = (int64_t)churn->moved + churn->replaced;
 	if (wanted > block->count)
-		return reader_fail(reader, KEY(place, "churn"),
+		return reader_fail(reader, KEY(location, "churn"),
 		                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
 		                   (double)block->count);
 	if (churn->replaced == 0)
 		return true;
 	churn->items = malloc((size_t)block->count * sizeof *churn->items);
 	if (!churn->items)
-		return reader_fail(reader, place, "out of memory");
+		return reader_fail(reader, location, "out of memory");
 	Churn filling = *churn;
 	return evaluate_block(reader, block, keep_items, &filling);
 }
@@ -150,12 +150,12 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 {
 	const char* key = bodies ? "bodies" : "collidables";
 	const json_t* list = json_object_get(root, key);
-	const Place* place = KEY(NULL, key);
+	const Location* location = KEY(NULL, key);
 	if (list && !json_is_array(list))
-		return reader_fail_value(reader, place, list, "must be a list, [ ... ]");
+		return reader_fail_value(reader, location, list, "must be a list, [ ... ]");
 	for (int k = 0; k < (int)json_array_size(list); ++k)
 	{
-		const Place* at = ELEMENT(place, k);
+		const Location* at = ELEMENT(location, k);
 		Block* block = &scene->blocks[scene->block_count++];
 		if (!block_read(reader, at, json_array_get(list, (size_t)k), scene, bodies, block))
 			return false;

@@ -7,13 +7,13 @@
 
 static const char* const parameter_keys[] = {"default", "min", "max", "integer", "description", NULL};
 
-static bool add_name(Reader* reader, const Place* place, const char* text, double value)
+static bool add_name(Reader* reader, const Location* location, const char* text, double value)
 {
 	if (!name_is_allowed(text) || scope_find(&reader->scope, text))
-		return reader_fail(reader, place, "the name is taken, or is not 1 to %d small letters, digits and _",
+		return reader_fail(reader, location, "the name is taken, or is not 1 to %d small letters, digits and _",
 		                   NAME_SIZE - 1);
 	if (reader->scope.count == MAX_NAMES)
-		return reader_fail(reader, place, "more than %d names", MAX_NAMES);
+		return reader_fail(reader, location, "more than %d names", MAX_NAMES);
 	Name* name = &reader->scope.names[reader->scope.count++];
 	*name = (Name){.slot = -1, .value = value};
 	strcpy(name->text, text);
@@ -41,16 +41,16 @@ static bool read_setting(Reader* reader, const SceneSetting* setting, Range rang
 bool parameters_read(Reader* reader, const json_t* root, const SceneSetting* settings, int count)
 {
 	const json_t* parameters = json_object_get(root, "parameters");
-	const Place* place = KEY(NULL, "parameters");
+	const Location* location = KEY(NULL, "parameters");
 	char known[256] = "";
 	if (parameters && !json_is_object(parameters))
-		return reader_fail_value(reader, place, parameters, "must be an object, { ... }");
+		return reader_fail_value(reader, location, parameters, "must be an object, { ... }");
 
 	const char* text;
 	json_t* entry;
 	json_object_foreach((json_t*)parameters, text, entry)
 	{
-		const Place* at = KEY(place, text);
+		const Location* at = KEY(location, text);
 		Range range = {-1e9, 1e9, json_is_true(json_object_get(entry, "integer")), false};
 		const json_t* low = json_object_get(entry, "min");
 		const json_t* high = json_object_get(entry, "max");
@@ -89,16 +89,16 @@ bool parameters_read(Reader* reader, const json_t* root, const SceneSetting* set
 bool constants_read(Reader* reader, const json_t* root)
 {
 	const json_t* constants = json_object_get(root, "constants");
-	const Place* place = KEY(NULL, "constants");
+	const Location* location = KEY(NULL, "constants");
 	if (constants && !json_is_object(constants))
-		return reader_fail_value(reader, place, constants, "must be an object, { ... }");
+		return reader_fail_value(reader, location, constants, "must be an object, { ... }");
 	const char* text;
 	json_t* entry;
 	json_object_foreach((json_t*)constants, text, entry)
 	{
 		double value;
-		if (!reader_constant(reader, KEY(place, text), entry, (Range){-1e15, 1e15, false, false}, &value) ||
-		    !add_name(reader, KEY(place, text), text, value))
+		if (!reader_constant(reader, KEY(location, text), entry, (Range){-1e15, 1e15, false, false}, &value) ||
+		    !add_name(reader, KEY(location, text), text, value))
 			return false;
 	}
 	return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// part.h -- the collidables of a block's items: attribute, place in the body, filter.
+// part.h -- the collidables of a block's items: attribute, pose in the body, filter.
 #ifndef PART_H
 #define PART_H
 #include "scene/reader.h"
@@ -30,7 +30,8 @@ typedef struct // all collidables of each item
 
 // Reads the collidables of an entry of "bodies", or the one collidable that an entry of "collidables" is. The caller frees
 // the parts, also on failure.
-bool parts_read(Reader* reader, const Place* place, const json_t* value, const Scene* scene, bool bodies, Parts* parts);
+bool parts_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
+                Parts* parts);
 void parts_free(Parts* parts);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reader.h -- reads and checks JSON values; errors name the place in the file.
+// reader.h -- reads and checks JSON values; errors name the location in the file.
 #ifndef READER_H
 #define READER_H
 #include "scene/expression.h"
@@ -18,14 +18,15 @@ typedef struct // one file that is being read
 	bool redraws;   // expressions are evaluated again and again, so that random() is no constant
 } Reader;
 
-typedef struct Place // of a value in the file, linked to the place of what holds it: attributes . crate . polygon [2]
+typedef struct
+    Location // of a value in the file, linked to the location of its parent: attributes . crate . polygon [2]
 {
-	const struct Place* up; // null at the top
-	const char* key;        // null for an element of a list
+	const struct Location* up; // null at the top
+	const char* key;           // null for an element of a list
 	int index;
-} Place;
-#define KEY(up, key)       (&(Place){(up), (key), 0})
-#define ELEMENT(up, index) (&(Place){(up), NULL, (index)})
+} Location;
+#define KEY(up, key)       (&(Location){(up), (key), 0})
+#define ELEMENT(up, index) (&(Location){(up), NULL, (index)})
 
 typedef struct
 {
@@ -46,7 +47,7 @@ typedef struct // a number that may differ between items
 	double constant;
 	Expression* code; // null for a constant
 	char* text;       // of the expression, and
-	char* path;       // its place, for errors; null for a constant
+	char* path;       // its location, for errors; null for a constant
 	Range range;
 } Number;
 
@@ -57,30 +58,30 @@ typedef struct // a number that may differ between items
 #endif
 
 // Writes "FILE: PLACE: ..." as the sentence and returns false.
-bool reader_fail(Reader* reader, const Place* place, const char* format, ...) READER_FORMAT(3, 4);
+bool reader_fail(Reader* reader, const Location* location, const char* format, ...) READER_FORMAT(3, 4);
 
 // Fails with the value, shortened, and "must be ...".
-bool reader_fail_value(Reader* reader, const Place* place, const json_t* value, const char* must);
+bool reader_fail_value(Reader* reader, const Location* location, const json_t* value, const char* must);
 
 // Why a value is outside a range, as "must be ..."; null if it is inside.
 const char* range_fault(Range range, double value, char* text, size_t size);
 
-// Writes a place as "bodies[3].position[0]".
-void place_text(const Place* place, char* text, size_t size);
+// Writes a location as "bodies[3].position[0]".
+void location_text(const Location* location, char* text, size_t size);
 
 // Checks that value is an object whose keys are all in the list, which ends with null.
-bool reader_object(Reader* reader, const Place* place, const json_t* value, const char* const* keys);
+bool reader_object(Reader* reader, const Location* location, const json_t* value, const char* const* keys);
 
 // Each reads one value. Numbers may be JSON numbers or strings with expressions.
-bool reader_number(Reader* reader, const Place* place, const json_t* value, Range range, Number* number);
-bool reader_constant(Reader* reader, const Place* place, const json_t* value, Range range, double* constant);
-bool reader_vec(Reader* reader, const Place* place, const json_t* value, Range range, scree_vec* vec);
-bool reader_string(Reader* reader, const Place* place, const json_t* value, const char** string);
+bool reader_number(Reader* reader, const Location* location, const json_t* value, Range range, Number* number);
+bool reader_constant(Reader* reader, const Location* location, const json_t* value, Range range, double* constant);
+bool reader_vec(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* vec);
+bool reader_string(Reader* reader, const Location* location, const json_t* value, const char** string);
 
 // Read a member of an object: a number, which is missing without the member, or a list of two numbers, which are 0 then.
-bool reader_member(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                    double missing, Number* number);
-bool reader_pair(Reader* reader, const Place* place, const json_t* object, const char* key, Range range,
+bool reader_pair(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                  Number pair[2]);
 
 void number_free(Number* number);
