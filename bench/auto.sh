@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# auto.sh -- what device "auto" costs: whole runs of 500 steps on the CPU, on the GPU and on auto, by size.
+# auto.sh -- measures the cost of device "auto": whole runs of 500 steps on the CPU, on the GPU and on auto, by size.
 #
 # usage: bench/auto.sh SCREE [DEVICE]
 #   SCREE   the command line, as build/scree
 #   DEVICE  --device of the other device; default opencl
-# Each run is a process of its own, and the devices take turns. STEPS (500), REPEATS (5), SCENES ("pyramids smash") and
-# SIZES ("100 1000 10000 100000") choose. Prints one row a scene and size, the medians of ms_wait: the time from
-# scree_world_create to the end of the last step's work, without the creation of the bodies. CSV_ALL names a file for
-# the rows of all runs. Exit 1 when hashes differ.
+# Each run is a process, and the devices alternate. Variables and their defaults: STEPS (500), REPEATS (5), SCENES ("pyramids
+# smash"), SIZES ("100 1000 10000 100000"). Prints one row for each scene and size with the medians of ms_wait: the time from
+# scree_world_create to the end of the last step, without the creation of the bodies. CSV_ALL names a file for the rows of all
+# runs. Exit 1 when hashes differ.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scree=${1:?is the path of the command line}

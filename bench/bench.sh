@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# bench.sh -- measures fixed scenes at fixed sizes on the CPU, and on the GPU where there is one; then the curves.
+# bench.sh -- measures fixed scenes at fixed sizes on the CPU and on the GPU if there is one; then the curves.
 #
 # usage: bench/bench.sh [NAME]
-#   NAME  of the folder below bench/results that gets bench.csv, machine.txt and the curves; default local
-# CURVES=no leaves the curves out; SCREE names the command line (build/scree). Hashes must be those of bench/known.csv: after
-# a change that is meant to change them, KNOWN=write writes that file anew from the CPU's rows. Exit 1 when a row is invalid.
+#   NAME  folder in bench/results for bench.csv, machine.txt and the curves; default local
+# CURVES=no leaves out the curves; SCREE names the command line (build/scree). Hashes must be those of bench/known.csv. After a
+# change that must change them, KNOWN=write writes that file from the rows of the CPU. Exit 1 when a row is invalid.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 folder=bench/results/${1:-local}
@@ -14,7 +14,7 @@ mkdir -p "$folder"
 known=()
 [ -e bench/known.csv ] && [ "${KNOWN:-}" != write ] && known=(--known bench/known.csv)
 
-# the first OpenCL device whose driver is not PoCL, whose devices are CPUs
+# the first OpenCL device whose driver is not PoCL, because devices of PoCL are CPUs
 devices=(cpu)
 gpu=$("$scree" devices | awk '/^opencl:/ { name = $0 } / driver / && name { if (!/Portable Computing Language/) { print name; exit } name = "" }')
 [ -z "$gpu" ] || devices+=("$gpu")
@@ -24,7 +24,7 @@ gpu=$("$scree" devices | awk '/^opencl:/ { name = $0 } / driver / && name { if (
 	"$scree" devices
 } >"$folder/machine.txt"
 
-# the rows of all scenes on all devices, each command with a heading of its own
+# the rows of all scenes on all devices; each command prints a heading
 measure()
 {
 	local failed=0 device

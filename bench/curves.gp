@@ -1,4 +1,4 @@
-# curves.gp -- draws for bench/plot.sh: data has a block a curve (title; bodies, ms a step), count says how many.
+# curves.gp -- draws the curves for bench/plot.sh: data has one block a curve (title; bodies, ms a step), count is their number.
 set output out
 set logscale xy
 set format x '10^{%L}'

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# curves.sh -- how the cost of a step grows with the number of bodies: 100 to 10 million, at rest and in a storm.
+# curves.sh -- measures the cost of a step over the number of bodies: 100 to 10 million, at rest and in a storm.
 #
 # usage: bench/curves.sh [FOLDER [DEVICE...]]
 #   FOLDER  where curves.csv, curves.svg and curves.png go; default bench/results/local
 #   DEVICE  as for scree --device; default cpu
-# SIZES names the sizes (100 1k 10k 100k 1M 10M); CPU_SIZES the ones that a CPU takes (those up to 1M); SCENES the scenes
-# (pyramids storm); LIMIT the seconds that one run may take (600); SCREE the command line (build/scree).
-# bench/plot.sh draws. Exit 1 when a row is invalid or missing.
+# Variables and their defaults: SIZES (100 1k 10k 100k 1M 10M), CPU_SIZES of the CPU (those up to 1M), SCENES (pyramids storm),
+# LIMIT in seconds of one run (600), SCREE, the command line (build/scree).
+# bench/plot.sh draws the curves. Exit 1 when a row is invalid or missing.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 folder=${1:-bench/results/local}
@@ -18,7 +18,7 @@ csv=$folder/curves.csv
 known=()
 [ -e bench/known.csv ] && [ "${KNOWN:-}" != write ] && known=(--known bench/known.csv)
 
-# Scene and size to settings; 55 boxes a pyramid, 364 bodies and a rotor a cell of the storm.
+# Prints the settings of a scene and size: 55 boxes a pyramid, 364 bodies and a rotor a cell of the storm.
 settings_of()
 {
 	case $1.$2 in
@@ -38,7 +38,8 @@ settings_of()
 	esac
 }
 
-# The storm breaks within 30 steps. Repeats of the large sizes would say little, and building them takes longer than they run.
+# The storm begins within 30 steps. The large sizes are not repeated: their times vary little, and building them takes longer
+# than running them.
 steps_of()
 {
 	case $1 in

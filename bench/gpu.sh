@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# gpu.sh -- on a machine with a GPU: builds, compares the hash of every scene, and of random programs, on CPU and GPU, then
-# measures; one call.
+# gpu.sh -- on a machine with a GPU: builds, compares the hashes of all scenes and of random programs on CPU and GPU, then
+# measures.
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  where parity.csv, programs.txt, bench.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
-# STEPS (300) is what parity is taken after; HEAVY names scenes whose slowest reference takes HEAVY_STEPS (10) instead;
-# PROGRAMS and SECONDS_EACH are those of bench/programs.sh; no programs where PROGRAMS is 0.
+# Hashes are compared after STEPS (300) steps; for the scenes in HEAVY the slowest reference takes HEAVY_STEPS (10) instead.
+# PROGRAMS and SECONDS_EACH are those of bench/programs.sh; PROGRAMS=0 leaves it out.
 # BENCH names the scenes to measure ("none" for none), FRAMES those to draw; CURVES=yes runs bench/curves.sh as well, and
 # FIGURES=yes the figures of docs/paper.md. Exit 1 when any hash or picture differs or any row is invalid.
 set -euo pipefail
@@ -35,7 +35,7 @@ lanes=8
 grep -q avx512vl /proc/cpuinfo && lanes=16
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# hash of one scene: NAME SCENE STEPS OPTION...; the hash, or what went wrong, into $work/SCENE.NAME
+# hash of one scene: NAME SCENE STEPS OPTION...; writes the hash or the error to $work/SCENE.NAME
 hash_of()
 {
 	local file=$work/$2.$1 scene=$2 count=$3
@@ -45,7 +45,7 @@ hash_of()
 export -f hash_of
 export work scree limit
 
-# the references on the CPU, a few at a time, while the GPU goes through the scenes
+# the references on the CPU, a few at a time, while the GPU runs the scenes
 jobs=$work/jobs
 for scene in $($scree scenes --names); do
 	count=$steps
@@ -60,7 +60,7 @@ for scene in $($scree scenes --names); do
 	count=$steps
 	case $heavy in *" $scene "*)
 		count=$heavy_steps
-		# nothing may be lost in the long run either: all cores against the GPU, for as many steps as the others
+		# heavy scenes are also compared after all steps, on all cores of the CPU
 		hash_of "long" "$scene" "$steps" --device "opencl:$device"
 		;;
 	esac
@@ -105,7 +105,7 @@ if [ "$frames" != none ]; then
 			timeout "$limit" $scree bench frames "$scene" --device "$where" --steps 150
 		done
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/frames.csv" || differ=1
-	# the rows are shared or copied, of a CPU's world or a GPU's: a scene has four rows, of one picture and one hash
+	# rows are shared or copied, from a world on the CPU or on the GPU: all four must have the same picture and hash
 	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort | uniq -c | grep -c '^ *4 ')
 	[ "$pictures" = "$(echo $frames | wc -w)" ] || { echo "frames.csv: pictures differ, or are missing"; differ=1; }
 fi

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# programs.sh -- on a machine with a GPU: random programs of calls on it beside the CPU, in each form of its work.
+# programs.sh -- on a machine with a GPU: runs random programs of calls on CPU and GPU, in each form of the solve.
 #
 # usage: bench/programs.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  where programs.txt goes, and programs that fail, made shorter; default bench/results/DEVICE
-# PROGRAMS (1000) run in each form, for SECONDS_EACH (120) at most. Exit 1 when any leaves other bits than on the CPU.
-# build/tests/programs is built already.
+#   FOLDER  for programs.txt and for programs that fail, shortened; default bench/results/DEVICE
+# PROGRAMS (1000) run in each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the CPU.
+# build/tests/programs must have been built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
@@ -13,13 +13,13 @@ folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}
 programs=${PROGRAMS:-1000}
 mkdir -p "$folder/programs"
 
-# each GPU takes its share, for processes take turns on one
+# the programs are distributed over the GPUs, because processes on one GPU alternate
 gpus=$(nvidia-smi -L 2>/dev/null | grep -c ^GPU || true)
 [ "${gpus:-0}" -gt 0 ] || gpus=1
 
-# usual, launches alone, tiles: the environment chooses
+# the forms: default, launches only, tiles; environment variables choose
 for form in SCREE_SOLVER= SCREE_PERSISTENT=0 SCREE_SOLVER=tiles; do
-	# built once, for the others to find
+	# builds the kernels once, so that the other processes find them in the cache
 	env "$form" build/tests/programs --device "opencl:$device" --programs 1 >/dev/null || true
 	for ((gpu = 0; gpu < gpus; ++gpu)); do
 		env "$form" CUDA_VISIBLE_DEVICES=$gpu build/tests/programs --device "opencl:$device" --seed $((gpu * programs)) \

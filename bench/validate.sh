@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# validate.sh -- the table of docs/validate.md, from what scree validate printed.
+# validate.sh -- writes the table of docs/validate.md from the CSV of scree validate.
 #
 # usage: bench/validate.sh [FOLDER]
 #   FOLDER  holds before.csv, now.csv and box2d.csv, each optional; default bench/results/validate
-# Writes the rows between the two marks of docs/validate.md anew: value by value, and the limit that they are judged by. A
-# value that does not hold is bold; not those of Box2D, for the limits are Scree's.
+# Replaces the rows between the two marks of docs/validate.md: the values and their limit. A value beyond the limit is bold, but
+# not those of Box2D, because the limits are for Scree.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=${1:-bench/results/validate}

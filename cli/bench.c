@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-// bench.c -- the command that measures scenes and proves that the work was done.
+// bench.c -- scree bench: measures scenes and checks that the work was done.
 //
-// A GPU's clocks between kernels cost time themselves. So the repeats run without them and give ms_step; one more run,
-// with them, gives the stages. Its hash must be the same.
+// Timing each kernel of a GPU costs time itself. So the repeats run without timings and give ms_step. One more run with
+// timings gives the stages; its hash must be the same.
 #include "commands.h"
 #include "csv.h"
 #include "known.h"
 #include "record.h"
+#include "report.h"
+#include "scene/find.h"
+#include "scene/load.h"
+#include "whole.h"
 #include <inttypes.h>
 #include <stdlib.h>
 
-// Steps at the start of each run whose time does not count: kernels are built, buffers grow, threads wake up.
+// Steps at the start of each run that are not timed: kernels are built, buffers grow, threads start.
 #define WARM_UP 2
 
 typedef struct
@@ -19,17 +23,17 @@ typedef struct
 	Known known;
 	char settings[256];
 	double bandwidth; // of the device, bytes a second; 0 until it has been measured
-	bool invalid;     // some row is
+	bool invalid;     // any row is
 } Bench;
 
 typedef struct
 {
-	Record* records; // of the steps whose time counts, of all repeats
+	Record* records; // of the timed steps of all runs
 	int count;
-	int staged;           // of these, the ones of the last run, with milliseconds by stage
+	int staged;           // records of the last run, which have milliseconds by stage
 	double least, most;   // median step of the fastest and of the slowest repeat, ms
 	float penetration;    // deepest of all steps, m
-	uint64_t hash, other; // of the first run, and of a later one that differs
+	uint64_t hash, other; // of the first run, and of a later run if it differs
 	int nonfinite;        // steps that froze a body
 	char device[160];
 	int threads, lanes;
@@ -52,7 +56,7 @@ static scree_status take_steps(Simulation* simulation, int steps, Measurement* m
 	return SCREE_OK;
 }
 
-// One run from the scene's start; the last one is timed by stage.
+// Runs a scene once. The last run is timed by stage.
 static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat, Measurement* m)
 {
 	Simulation simulation;
@@ -63,8 +67,8 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 	uint64_t hash = 0;
 	scree_status status = take_steps(&simulation, steps, m);
 	if (status == SCREE_OK)
-		status = simulation.f->hash(&simulation, &hash);
-	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.f->solve >= 0)
+		status = simulation.pipeline->hash(&simulation, &hash);
+	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.pipeline->solve >= 0)
 		status = scree_world_measure_bandwidth(simulation.world, &bench->bandwidth);
 	if (repeat == 0)
 		m->hash = m->other = hash;
@@ -84,7 +88,7 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 	return report(status);
 }
 
-// Whether the work was done; if not, says why.
+// Whether the work was done; if not, prints why.
 static bool check_work(const Bench* bench, const Scene* scene, const Measurement* m, int steps)
 {
 	bool valid = true;
@@ -117,7 +121,7 @@ static bool check_work(const Bench* bench, const Scene* scene, const Measurement
 	return valid;
 }
 
-static void print_heading(const SimulationFunctions* f)
+static void print_heading(const Pipeline* f)
 {
 	printf("scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most");
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
@@ -165,7 +169,7 @@ static int measure(Bench* bench, const Scene* scene)
 	return code;
 }
 
-// Reads all scenes before the first is measured, so that a bad one costs nothing.
+// Loads all scenes before it measures the first, so that an error is found early.
 static int measure_all(Bench* bench, char** names, int count)
 {
 	const Options* options = bench->options;
@@ -178,9 +182,9 @@ static int measure_all(Bench* bench, char** names, int count)
 	}
 	settings_text(options, bench->settings, sizeof bench->settings);
 	if (code == EXIT_GOOD && options->whole)
-		code = whole_command(options, scenes, count);
+		code = measure_whole_runs(options, scenes, count);
 	else if (code == EXIT_GOOD)
-		print_heading(pipeline_functions(options->pipeline));
+		print_heading(choose_pipeline(options->pipeline));
 	for (int k = 0; k < count && code == EXIT_GOOD && !options->whole; ++k)
 		code = measure(bench, scenes[k]);
 	for (int k = 0; scenes && k < count; ++k)

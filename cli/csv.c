@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// csv.c -- rows of CSV files: cut into cells, and texts that fit into one.
+// csv.c -- splits rows of CSV files into cells, and writes texts as cells.
 #include "csv.h"
 #include <string.h>
 

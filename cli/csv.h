@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// csv.h -- rows of CSV files: cut into cells, and texts that fit into one.
+// csv.h -- splits rows of CSV files into cells, and writes texts as cells.
 #ifndef CSV_H
 #define CSV_H
 #include "options.h"
@@ -7,13 +7,13 @@
 #define CSV_LINE  2048 // bytes of the longest line
 #define CSV_CELLS 64   // of the longest row
 
-// Cuts a line at its commas and returns how many cells there are; those behind the last are empty.
+// Splits a line at its commas and returns the number of cells. The remaining entries of cells are empty texts.
 int csv_cut(char* line, char* cells[CSV_CELLS]);
 
-// A comma, as in a driver's name, must not make a column: it becomes a blank.
+// Replaces commas, as in a driver's name, by blanks.
 void csv_cell(char* text);
 
-// What --set gave, "columns=2 rows=3", as a cell.
+// Writes the settings of --set as a cell: "columns=2 rows=3".
 void settings_text(const Options* options, char* text, size_t size);
 
 #endif

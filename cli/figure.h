@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// figure.h -- what a figure's CSV holds: columns, and the names in them.
+// figure.h -- the scenes, pipelines and stages of the figures, as their CSV names them.
 #ifndef FIGURE_H
 #define FIGURE_H
+#include "options.h"
 
-// Columns of stages: the paper's, its copies over the bus among them, then ours. What a pipeline does not have is 0.
+// Columns of stages: those of the paper, with its copies over the bus, then ours. Stages that a pipeline lacks are 0.
 #define FIGURE_STAGES(X) \
 	X(to_device)         \
 	X(from_device)       \
@@ -31,6 +32,7 @@ extern const char* const figure_stages[FIGURE_STAGE_COUNT];
 #define FIGURE_PLACES    3
 extern const char* const figure_scenes[FIGURE_SCENES];       // drift, pyramids
 extern const char* const figure_pipelines[FIGURE_PIPELINES]; // paper, scree
+extern const PipelineChoice figure_choices[FIGURE_PIPELINES];
 
 typedef enum // where a pipeline runs
 {
@@ -38,9 +40,5 @@ typedef enum // where a pipeline runs
 	ON_THREADS, // more than one; the paper's pipeline has no such curve
 	ON_OPENCL,
 } FigurePlace;
-
-// Draws a CSV that figure5_command or figure6_command wrote, number 5 or 6, as SVG and PNG beside it, and prints the
-// crossovers of figure 5. Returns an exit code; without gnuplot it says that nothing is drawn, and all is well.
-int plot_figure(const char* csv, int number);
 
 #endif

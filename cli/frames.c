@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// frames.c -- scree bench frames: steps drawn a second, with rows shared with OpenGL and with rows copied.
+// frames.c -- scree bench frames: measures steps that are drawn, with rows shared with OpenGL and with rows copied.
 #include "commands.h"
 #include "record.h"
+#include "report.h"
+#include "scene/load.h"
 #include <inttypes.h>
 
 #ifdef SCREE_HAVE_VIEW
@@ -12,7 +14,7 @@
 #include <epoxy/gl.h>
 #include <stdlib.h>
 
-// frames at the start of a run whose time does not count: buffers are made, drivers wake up
+// frames at the start of a run that are not timed: buffers are made, drivers start
 #define WARM_UP 5
 
 typedef struct // medians of a run, ms, and hashes at its end
@@ -28,13 +30,13 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 	const Scene* scene = simulation->scene;
 	const Style style = {.detail = 1.0f};
 	Camera camera;
-	camera_fit(&camera, look_view(&renderer->look, scene), offscreen->width, offscreen->height);
+	camera_fit(&camera, render_tables_view(&renderer->tables, scene), offscreen->width, offscreen->height);
 	for (int k = 0; k < steps; ++k)
 	{
 		scree_status status = simulation_change(simulation);
 		double begin = seconds_now();
 		if (status == SCREE_OK)
-			status = simulation_go(simulation);
+			status = simulation_advance(simulation);
 		if (status == SCREE_OK)
 			status = scree_world_wait(simulation->world);
 		double stepped = seconds_now();
@@ -54,18 +56,18 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 	return SCREE_OK;
 }
 
-// One run, from a world of its own.
+// Runs the scene once, in a new world.
 static int measure(const Options* options, const Scene* scene, const Offscreen* offscreen, bool copy, int steps,
                    double* times[4], Frames* frames)
 {
 	Simulation simulation;
 	Renderer renderer;
-	char sentence[SENTENCE] = "there is no memory for the picture";
+	char sentence[SENTENCE] = "out of memory for the picture";
 	int code = simulation_open(options, scene, false, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
 	bool opened = renderer_open(&renderer, sentence);
-	if (!opened || !renderer_look(&renderer, simulation.world))
+	if (!opened || !renderer_update_world(&renderer, simulation.world))
 	{
 		fprintf(stderr, "scree bench: %s\n", sentence);
 		code = EXIT_FAILED;
@@ -113,13 +115,13 @@ int frames_command(const Options* options)
 		return EXIT_BAD;
 	int steps = options->steps > 0 ? options->steps : scene->steps;
 	Offscreen offscreen;
-	const char* trouble = offscreen_open(&offscreen, options->width, options->height);
+	const char* error = offscreen_open(&offscreen, options->width, options->height);
 	scree_opengl opengl;
 	Options drawn = *options;
-	drawn.opengl = !trouble && share_context(&opengl) ? &opengl : NULL;
-	double* memory = trouble ? NULL : malloc((size_t)steps * 4 * sizeof(double));
+	drawn.opengl = !error && share_context(&opengl) ? &opengl : NULL;
+	double* memory = error ? NULL : malloc((size_t)steps * 4 * sizeof(double));
 	if (!memory)
-		fprintf(stderr, "scree bench: %s\n", trouble ? trouble : "there is no memory for the times");
+		fprintf(stderr, "scree bench: %s\n", error ? error : "out of memory for the times");
 	int code = memory ? EXIT_GOOD : EXIT_FAILED;
 	if (code == EXIT_GOOD)
 	{
@@ -136,7 +138,7 @@ int frames_command(const Options* options)
 		}
 	}
 	free(memory);
-	if (!trouble)
+	if (!error)
 		offscreen_close(&offscreen);
 	scene_free(scene);
 	return code;

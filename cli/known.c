@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// known.c -- hashes that an earlier bench left, which must come out again.
+// known.c -- the hashes of an earlier bench, which a new one must have too.
 #include "known.h"
 #include "csv.h"
 #include <errno.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// known.h -- hashes that an earlier bench left, which must come out again.
+// known.h -- the hashes of an earlier bench, which a new one must have too.
 #ifndef KNOWN_H
 #define KNOWN_H
 #include "options.h"
@@ -17,12 +17,12 @@ typedef struct
 	int count;
 } Known;
 
-// Reads the columns scene, settings, steps and hash of a CSV file, such as bench prints. Null: no file, nothing is
-// known. Returns an exit code, after printing what is wrong.
+// Reads the columns scene, settings, steps and hash of a CSV file of bench. A null path reads nothing. Returns an exit code
+// after printing a sentence.
 int known_open(const char* path, Known* known);
 void known_close(Known* known);
 
-// The hash of a scene with these settings after so many steps. Returns false when it is not known.
+// Finds the hash of a scene with these settings after this many steps; false when there is none.
 bool known_find(const Known* known, const char* scene, const char* settings, int steps, uint64_t* hash);
 
 #endif

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// lists.c -- the commands that list what there is: scenes and devices.
+// lists.c -- scree scenes and scree devices: the lists of scenes and devices.
 #include "commands.h"
+#include "report.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "simulation.h"
 #include <stdlib.h>
 

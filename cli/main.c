@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // main.c -- the command line of Scree.
 #include "commands.h"
+#include "help.h"
 #include <errno.h>
 #include <string.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@ static const struct
 {
 	const char* name;
 	Command command;
-	int low, high; // how many arguments it takes
+	int low, high; // number of arguments
 	int (*function)(const Options* options);
 } commands[] = {
     {"run", RUN, 1, 1, run_command},
@@ -24,7 +25,7 @@ static const struct
     {"validate", VALIDATE, 0, 1000, validate_command},
 };
 
-// The file that is running; scenes may lie beside it.
+// The path of this program; scenes may lie beside it.
 static const char* executable_path(const char* first_word, char* text, size_t size)
 {
 	ssize_t length = readlink("/proc/self/exe", text, size - 1);
@@ -34,7 +35,7 @@ static const char* executable_path(const char* first_word, char* text, size_t si
 	return text;
 }
 
-// How many words, from words[1] on, are the command's name; 0 if they are not.
+// The number of words of a command's name, if words[1] and perhaps words[2] are that name; else 0.
 static int match(const char* name, int count, char** words)
 {
 	size_t first = strcspn(name, " ");
@@ -59,6 +60,11 @@ static int run_named(int count, char** words, const char* executable)
 		options.repeats = 3;
 		if (!options_read(&options, count - named, words + named))
 			return EXIT_BAD;
+		if (options.help)
+		{
+			print_command_help(stdout, options.command);
+			return EXIT_GOOD;
+		}
 		if (options.argument_count < commands[k].low || options.argument_count > commands[k].high)
 		{
 			fprintf(stderr, "scree %s: %d arguments, takes %s\n", commands[k].name, options.argument_count,

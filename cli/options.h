@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// options.h -- what the user asked for on the command line.
+// options.h -- the commands and options of the command line.
 #ifndef OPTIONS_H
 #define OPTIONS_H
 #include "scene/scene.h"
@@ -12,7 +12,7 @@
 #define EXIT_FAILED 1 // a device, a file or memory failed, or a measurement is invalid
 #define EXIT_BAD    2 // a bad command line or scene; nothing was simulated
 
-typedef enum // bits, so that an option can belong to several
+typedef enum // bits, so that an option can belong to several commands
 {
 	RUN = 1,
 	HASH = 2,
@@ -36,34 +36,47 @@ typedef struct
 	const char* executable;
 	Command command;
 	const char* name; // of the command, as the user wrote it
-	int steps;        // 0: as many as the scene says
+	int steps;        // 0: as the scene says
 	const char* device;
 	int threads, lanes; // 0: as many as there are
 	PipelineChoice pipeline;
 	bool allow_unequal_bits;
-	const scree_opengl* opengl;            // that draws the world; null for none
+	const scree_opengl* opengl;            // context that draws the world; null for none
 	const char *picture, *video, *csv;     // null: none
-	const char *renderer, *paint, *layers; // null: by default
+	const char *renderer, *paint, *layers; // null: the default
 	const char* script;                    // null: none
 	int width, height;                     // px
 	int repeats;
-	int limit;         // of bodies in a figure; 0: as far as it goes
+	int limit;         // most bodies in a figure; 0: no limit
 	const char* draw;  // CSV of a figure; null: measure
-	const char* known; // null: no hash is known
+	const char* known; // CSV of expected hashes; null: none
 	bool names, whole, quick;
+	bool help; // of the command; the other options were not all read
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
-	char** arguments; // what is not an option
+	char** arguments; // words that are no options
 	int argument_count;
-	// no options: figures set them
-	int warm_up;             // steps that the soft pipeline takes before the simulation is opened
-	const char* warm_device; // where it takes them; null: on device
+	// not on the command line: the figures set these
+	int warm_up;             // steps of the soft pipeline before the pipeline is opened
+	const char* warm_device; // device of these steps; null: that of the simulation
 } Options;
 
-// Reads the words after the command's name. Returns false after printing what is wrong.
-bool options_read(Options* options, int count, char** words);
+typedef struct OptionRow // of the table of options
+{
+	const char* name;
+	char letter;
+	const char* value; // null for a switch
+	int commands;      // bits of Command
+	const char* help;
+	bool (*read)(Options* options, const struct OptionRow* row, char* value); // false after printing a sentence
+	size_t offset; // of the member of Options that a switch, a text or a number sets
+	int most;      // of a number; the least is 1
+} OptionRow;
 
-// Prints the table of commands and options.
-void print_help(FILE* file);
+extern const OptionRow option_rows[];
+extern const int option_count;
+
+// Reads the words after the command's name. False after printing a sentence.
+bool options_read(Options* options, int count, char** words);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// outputs.c -- what a run leaves beside its table: a picture, a video, a CSV file.
+// outputs.c -- the files of a run: a picture, a video, a CSV file.
 #include "outputs.h"
+#include "report.h"
 #include "scene/caption.h"
 #include <errno.h>
 #include <string.h>
@@ -17,7 +18,7 @@ static bool open_file(FILE** file, const char* path)
 	return *file || !path || file_failed(path) == EXIT_GOOD;
 }
 
-// A full disk may show only when the last bytes are written.
+// Writing the last bytes may fail only now, when the disk is full.
 static bool close_file(FILE** file, const char* path)
 {
 	if (!*file)
@@ -39,16 +40,16 @@ int outputs_begin(Outputs* outputs, const Options* options, Options* drawn)
 	if (!options->picture && !options->video)
 		return EXIT_GOOD;
 	int code = EXIT_GOOD;
-	outputs->artist = artist_open(options, &code);
-	if (outputs->artist)
-		drawn->opengl = artist_opengl(outputs->artist);
+	outputs->renderer = picture_renderer_open(options, &code);
+	if (outputs->renderer)
+		drawn->opengl = picture_renderer_opengl(outputs->renderer);
 	return code;
 }
 
 int outputs_open(Outputs* outputs, Simulation* simulation)
 {
 	const Options* options = outputs->options;
-	if (outputs->artist && !artist_world(outputs->artist, simulation))
+	if (outputs->renderer && !picture_renderer_set_world(outputs->renderer, simulation))
 		return EXIT_FAILED;
 	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
 		return EXIT_FAILED;
@@ -58,7 +59,7 @@ int outputs_open(Outputs* outputs, Simulation* simulation)
 	{
 		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
-			fprintf(outputs->csv, ",ms_%s", simulation->f->stages[k]);
+			fprintf(outputs->csv, ",ms_%s", simulation->pipeline->stages[k]);
 		fprintf(outputs->csv, "\n");
 	}
 	return EXIT_GOOD;
@@ -68,11 +69,11 @@ static int draw(Outputs* outputs, Simulation* simulation)
 {
 	char caption[256];
 	scree_counters counters;
-	scree_status status = simulation->f->counters(simulation, &counters);
+	scree_status status = simulation->pipeline->counters(simulation, &counters);
 	if (status == SCREE_OK)
 	{
 		caption_text(simulation->scene, simulation->world, &counters, caption, sizeof caption);
-		status = artist_draw(outputs->artist, simulation, caption);
+		status = picture_renderer_draw(outputs->renderer, simulation, caption);
 	}
 	return report(status);
 }
@@ -101,8 +102,8 @@ int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
 	int due = video_due(&outputs->video, seconds);
 	int code = due > 0 ? draw(outputs, simulation) : EXIT_GOOD;
 	for (; due > 0 && code == EXIT_GOOD; --due)
-		if (!video_frame(&outputs->video, artist_canvas(outputs->artist)->pixels))
-			code = EXIT_FAILED; // closing the video says why
+		if (!video_frame(&outputs->video, picture_renderer_canvas(outputs->renderer)->pixels))
+			code = EXIT_FAILED; // closing the video prints the reason
 	return code;
 }
 
@@ -112,7 +113,7 @@ int outputs_close(Outputs* outputs, Simulation* simulation, int code)
 	{
 		errno = 0;
 		code = draw(outputs, simulation);
-		if (code == EXIT_GOOD && !canvas_write(artist_canvas(outputs->artist), outputs->picture_file))
+		if (code == EXIT_GOOD && !canvas_write(picture_renderer_canvas(outputs->renderer), outputs->picture_file))
 		{
 			code = file_failed(outputs->options->picture);
 			fclose(outputs->picture_file);
@@ -125,6 +126,6 @@ int outputs_close(Outputs* outputs, Simulation* simulation, int code)
 		code = EXIT_FAILED;
 	if (!video_close(&outputs->video) && code == EXIT_GOOD)
 		code = EXIT_FAILED;
-	artist_close(outputs->artist);
+	picture_renderer_close(outputs->renderer);
 	return code;
 }

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// outputs.h -- what a run leaves beside its table: a picture, a video, a CSV file.
+// outputs.h -- the files of a run: a picture, a video, a CSV file.
 #ifndef OUTPUTS_H
 #define OUTPUTS_H
-#include "artist.h"
+#include "picture_renderer.h"
 #include "record.h"
 #include "scene/video.h"
 
 typedef struct
 {
-	Artist* artist; // null when neither picture nor video is asked for
+	PictureRenderer* renderer; // null without picture and video
 	Video video;
 	FILE* picture_file;
 	FILE* csv;
 	const Options* options;
 } Outputs;
 
-// Opens what draws pictures, of which the world must know when it is made: *drawn are the options to make it with.
-// Returns an exit code. To be closed also when this fails.
+// Opens the renderer. *drawn: the options with its OpenGL context, which the world needs when it is made. Returns an exit
+// code. The caller closes the outputs also on failure.
 int outputs_begin(Outputs* outputs, const Options* options, Options* drawn);
 
-// Opens all files before the first step, so that a bad path costs nothing. Returns an exit code.
+// Opens all files before the first step, so that a wrong path is found early. Returns an exit code.
 int outputs_open(Outputs* outputs, Simulation* simulation);
 
-// Adds a frame and a row. Returns an exit code.
+// Adds the frames and the row of a step. Returns an exit code.
 int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record);
 
-// Writes the picture if the run was good, and closes everything. Returns the first exit code that is not good.
+// Writes the picture if code is EXIT_GOOD, and closes everything. Returns the first exit code that is not EXIT_GOOD.
 int outputs_close(Outputs* outputs, Simulation* simulation, int code);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// plot.c -- the figures of scree bench, drawn by gnuplot (Debian: gnuplot-nox) from nothing but their CSV.
-#include "options.h"
+// plot.c -- draws the figures of scree bench from their CSV, with gnuplot (Debian: gnuplot-nox).
+#include "plot.h"
 #include "table.h"
 #include <math.h>
 #include <signal.h>
@@ -22,7 +22,7 @@ static void duration(double ms, char text[32])
 	snprintf(text, 32, number < 10 ? "%.2g %s" : "%.0f %s", number, units[k].name);
 }
 
-// "10000" is "10,000" to a reader.
+// Writes 10000 as "10,000".
 static void number_text(double number, char text[32])
 {
 	char digits[32];
@@ -59,7 +59,7 @@ static const Row* curve_next(const Table* table, const Row* after, int scene, in
 	return table_next(table, after, scene, curves[curve].pipeline, curves[curve].place);
 }
 
-// A block a curve, the part that was run and the part that was not, with the last point of the first to begin at.
+// Writes two blocks a curve: the sizes that were run, and the sizes that were not, which begin with the last size that was.
 static void put_curves(FILE* to, const Table* table)
 {
 	fputs("$curves << EOD\n", to);
@@ -89,8 +89,8 @@ static bool has_scene(const Table* table, int scene)
 	return found;
 }
 
-// Triangles where OpenCL becomes faster than the CPU. The number of bodies stands beside them on the left; on the
-// right, where they are close together, in the corner that curves do not reach.
+// Marks with triangles where OpenCL becomes faster than the CPU. In the left plots the number of bodies is beside the triangle.
+// In the right plots, where the triangles are close together, it is in the empty corner.
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	int lines = 0;
@@ -122,7 +122,7 @@ static const Row* last_of(const Table* table, int scene, int curve)
 	return last;
 }
 
-// At the end of what was not run: how long a step would take. Where two curves end about as high, once.
+// Labels the end of each curve that was not run with the estimate of a step; of curves that end close together only one.
 static void put_estimates(FILE* to, const Table* table, int scene)
 {
 	double top = 0, before = 0;
@@ -141,7 +141,7 @@ static void put_estimates(FILE* to, const Table* table, int scene)
 	fprintf(to, "set yrange [*:%g]\n", 30 * top);
 }
 
-// One for all: a plot of nothing below the others, with the names of the curves that there are.
+// One legend for all plots: an empty plot below them, with the names of the curves.
 static void put_legend(FILE* to, const Table* table)
 {
 	fputs("set origin 0, 0\nset size 1, 0.1\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"
@@ -161,7 +161,7 @@ static void put_legend(FILE* to, const Table* table)
 	fputs("\n", to);
 }
 
-// Left as far as the paper goes, right to the end; a row a scene, and one legend below all.
+// Two plots a scene: left up to the sizes of the paper, right up to a million bodies.
 static void put_figure5(FILE* to, const Table* table)
 {
 	put_curves(to, table);
@@ -192,7 +192,7 @@ static void put_figure5(FILE* to, const Table* table)
 	fputs("unset multiplot\n", to);
 }
 
-// A bar a row: the edges of its stages, %.
+// Writes the bar of a row: the edges of its stages in %.
 static void put_bar(FILE* to, const Row* row, double x)
 {
 	double sum = 0, edge = 0;
@@ -208,7 +208,7 @@ static void put_scene(FILE* to, const Table* table, int scene)
 {
 	double x = 0, bodies = 0, first = 0;
 	fprintf(to, "unset label\nset xtics ()\n$bars << EOD\n");
-	// rows of a scene are in order of size
+	// rows of a scene are in rising order of size
 	const Row* rows[MAX_ROWS];
 	double places[MAX_ROWS];
 	int count = 0;
@@ -245,7 +245,7 @@ static void put_scene(FILE* to, const Table* table, int scene)
 	fprintf(to, "set xrange [0:%g]\n", x + 1);
 }
 
-// "to_device" is "to device" to a reader.
+// Writes "to_device" as "to device".
 static void stage_text(const char* name, char text[32])
 {
 	snprintf(text, 32, "%s", name);
@@ -284,7 +284,7 @@ static void put_figure6(FILE* to, const Table* table)
 	fputs("unset multiplot\n", to);
 }
 
-// The path of a CSV with another ending.
+// The path of the CSV with another ending.
 static void path_of(const char* csv, const char* ending, char* path, size_t size)
 {
 	size_t length = strlen(csv);
@@ -300,7 +300,7 @@ static int draw(const Table* table, const char* csv, int number)
 	    {"png", "pngcairo size 1800,1500 font 'Helvetica,16' fontscale 1.2 linewidth 2"},
 	};
 	char paths[2][1024];
-	signal(SIGPIPE, SIG_IGN); // gnuplot may end before it has read all
+	signal(SIGPIPE, SIG_IGN); // gnuplot may end before it has read all commands
 	for (int k = 0; k < 2; ++k)
 	{
 		path_of(csv, terminals[k][0], paths[k], sizeof paths[k]);

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// record.c -- what each step of a simulation left behind: counters and milliseconds.
+// record.c -- counters and milliseconds of each step, and their medians.
 #include "record.h"
 #include <stdlib.h>
 
 scree_status record_step(Simulation* simulation, Record* record)
 {
-	// what a user does between steps is not the engine's time; that it travels to the device is
+	// the clock leaves out the changes that a user makes between steps, but not their upload to the device
 	scree_status status = simulation_change(simulation);
 	double start = seconds_now();
 	if (status == SCREE_OK)
-		status = simulation_go(simulation);
-	// the counters wait for the device, so the clock sees its work
+		status = simulation_advance(simulation);
+	// reading the counters waits for the device, so that its work is timed
 	if (status == SCREE_OK)
-		status = simulation->f->counters(simulation, &record->counters);
+		status = simulation->pipeline->counters(simulation, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
 	if (status == SCREE_OK)
-		status = simulation->f->timings(simulation, record->stages);
-	int solve = simulation->f->solve;
+		status = simulation->pipeline->timings(simulation, record->stages);
+	int solve = simulation->pipeline->solve;
 	record->traffic = (scree_traffic){0};
 	record->solve_rate = 0;
 	if (status == SCREE_OK && solve >= 0)

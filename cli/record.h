@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// record.h -- what each step of a simulation left behind: counters and milliseconds.
+// record.h -- counters and milliseconds of each step, and their medians.
 #ifndef RECORD_H
 #define RECORD_H
 #include "simulation.h"
@@ -8,9 +8,9 @@ typedef struct
 {
 	scree_counters counters;
 	float stages[STAGE_COLUMNS]; // milliseconds
-	float milliseconds;          // of the step, by our own clock
+	float milliseconds;          // of the step, by the clock of the host
 	scree_traffic traffic;
-	double solve_rate; // bytes that the solve stage moved, a second; 0 where nothing timed it
+	double solve_rate; // bytes/s of the solve stage; 0 if it was not timed
 } Record;
 
 // Takes one step and records it.
@@ -19,13 +19,13 @@ scree_status record_step(Simulation* simulation, Record* record);
 // The deepest overlap of all records, m.
 float deepest(const Record* records, int count);
 
-// The median of at least one value, which it puts in order.
+// The median of at least one value. Sorts the values.
 double median_of(double* values, int count);
 
 // The median of a value over records.
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
 
-// values for median
+// values of a record, for median
 double step_of(const Record* record, int unused);
 double stage_of(const Record* record, int stage);
 double contacts_of(const Record* record, int unused);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// run.c -- the commands that simulate one scene: run, with its table, and hash, with its 16 digits.
+// run.c -- scree run, which prints a table of results, and scree hash, which prints the hash.
 #include "commands.h"
 #include "outputs.h"
+#include "report.h"
 #include "scene/caption.h"
+#include "scene/load.h"
 #include <inttypes.h>
 #include <unistd.h>
 
@@ -12,7 +14,7 @@
 typedef struct // of all steps
 {
 	Record last;
-	double seconds; // in steps alone
+	double seconds; // of the steps
 	double stages[STAGE_COLUMNS];
 	float penetration;
 	int nonfinite;
@@ -74,7 +76,7 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
-		printf("  %-12s %.4f\n", simulation->f->stages[k], totals->stages[k] / steps);
+		printf("  %-12s %.4f\n", simulation->pipeline->stages[k], totals->stages[k] / steps);
 	printf("%-14s %.4f m, the deepest seen\n", "penetration", (double)totals->penetration);
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
@@ -103,7 +105,7 @@ int run_command(const Options* options)
 		if (code == EXIT_GOOD)
 			code = take_steps(&simulation, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)
-			code = report(simulation.f->hash(&simulation, &hash));
+			code = report(simulation.pipeline->hash(&simulation, &hash));
 		code = outputs_close(&outputs, &simulation, code);
 		if (code == EXIT_GOOD)
 			print_table(&simulation, &totals, steps, hash);
@@ -132,7 +134,7 @@ int hash_command(const Options* options)
 		for (int step = 0; step < options->steps && status == SCREE_OK; ++step)
 			status = simulation_step(&simulation);
 		if (status == SCREE_OK)
-			status = simulation.f->hash(&simulation, &hash);
+			status = simulation.pipeline->hash(&simulation, &hash);
 		code = report(status);
 		simulation_close(&simulation);
 	}

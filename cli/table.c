@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// table.c -- the rows of a figure's CSV, and where its curves cross.
+// table.c -- the rows of a figure's CSV, and the crossovers of its curves.
 #include "table.h"
 #include "csv.h"
 #include <ctype.h>
@@ -17,15 +17,15 @@ static int place_of(const char* name, const char* const* names, int count)
 	return k < count ? k : -1;
 }
 
-// Removes every place where a part stands in a text.
+// Removes every occurrence of a part from a text.
 static void remove_all(char* text, const char* part)
 {
 	for (char* at = strstr(text, part); at; at = strstr(at, part))
 		memmove(at, at + strlen(part), strlen(at + strlen(part)) + 1);
 }
 
-// A device's name as a reader wants it: "opencl:NVIDIA H200" is "NVIDIA H200". PoCL names the processor's architecture
-// before the processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" is "PoCL, Intel Xeon Processor".
+// Writes a device's name for readers: "opencl:NVIDIA H200" is "NVIDIA H200". PoCL names the architecture before the
+// processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" is "PoCL, Intel Xeon Processor".
 static void show_device(const char* device, char* text, size_t size)
 {
 	static const char* const pocl[] = {"cpu-", "pthread-"};
@@ -118,7 +118,7 @@ const Row* table_next(const Table* table, const Row* after, int scene, int pipel
 	return NULL;
 }
 
-// Between two sizes both costs are taken for powers of the number of bodies.
+// Interpolates between two sizes as if both times were powers of the number of bodies.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms)
 {
 	double bodies = 0, before = 0, last_bodies = 0, last_ms = 0;

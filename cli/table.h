@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// table.h -- the rows of a figure's CSV, and where its curves cross.
+// table.h -- the rows of a figure's CSV, and the crossovers of its curves.
 #ifndef TABLE_H
 #define TABLE_H
 #include "figure.h"
@@ -12,9 +12,9 @@ typedef struct
 	int scene, pipeline;
 	FigurePlace place;
 	double bodies, ms; // of a step
-	bool run;          // else ms is what a step would take
+	bool run;          // else ms is an estimate
 	double stages[FIGURE_STAGE_COUNT];
-	char device[64]; // as it is shown: "1 thread", "NVIDIA H200"
+	char device[64]; // as in the figures: "1 thread", "NVIDIA H200"
 } Row;
 
 typedef struct
@@ -23,14 +23,14 @@ typedef struct
 	int count;
 } Table;
 
-// Returns an exit code, after printing what is wrong.
+// Reads a CSV. Returns an exit code after printing a sentence.
 int table_read(const char* csv, Table* table);
 
-// The next row of a curve after one (null: the first), null at the end.
+// The next row of a curve after another (null: the first row); null at the end.
 const Row* table_next(const Table* table, const Row* after, int scene, int pipeline, FigurePlace place);
 
-// The bodies from which on OpenCL is faster than the CPU at that place for good, and the time of a step there. Returns
-// 0 where it never is, or is from the smallest size on.
+// The number of bodies above which OpenCL is always faster than the CPU at this place, and the ms of a step there. Returns 0
+// if it is never faster, or at all sizes.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms);
 void table_print_crossovers(const Table* table);
 

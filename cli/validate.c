@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// validate.c -- scree validate: experiments that say whether what must hold does.
+// validate.c -- scree validate: experiments that check physical behavior against limits.
 #include "validate/validate.h"
 #include "commands.h"
+#include "report.h"
 #include "simulation.h"
+#include "validate/lab_scree.h"
 
 static int list_experiments(void)
 {
@@ -11,7 +13,7 @@ static int list_experiments(void)
 	return EXIT_GOOD;
 }
 
-// Whether worlds can be made as the options say; else nothing is printed on standard output.
+// Makes a world with the options, so that an error is printed before any row. Returns an exit code.
 static int try_device(const Options* options)
 {
 	scree_world_def def = scree_world_def_default();
@@ -54,11 +56,4 @@ int validate_command(const Options* options)
 		good = validate_run(&v, e) && good;
 	}
 	return good ? EXIT_GOOD : EXIT_FAILED;
-}
-
-void print_validate_help(FILE* file)
-{
-	fprintf(file, "\nexperiments of scree validate\n");
-	for (int k = 0; k < validate_count; ++k)
-		fprintf(file, "  %-10s %s\n", validate_experiments[k].name, validate_experiments[k].shows);
 }

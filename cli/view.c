@@ -22,21 +22,13 @@ int view_command(const Options* options)
 	                    .script = options->script};
 	return view_run(&view);
 }
-
-void print_view_help(FILE* file)
-{
-	fprintf(file, "\nkeys of scree view\n");
-	view_print_keys(file);
-}
 #else
 int view_command(const Options* options)
 {
 	(void)options;
 	fprintf(stderr,
 	        "scree view: this build has no viewer: install libglfw3-dev, libepoxy-dev and libimgui-dev (Debian, "
-	        "Ubuntu) and build again, or say make view\n");
+	        "Ubuntu) and build again, or run make view\n");
 	return EXIT_FAILED;
 }
-
-void print_view_help(FILE* file) { (void)file; }
 #endif

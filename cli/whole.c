@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// whole.c -- scree bench --whole: times runs from end to end, as one waits for them, the opening of the device included.
+// whole.c -- scree bench --whole: times runs from end to end, the opening of the device included.
 //
 // Nothing is read back between the steps, and the clock stops when the device has finished the last one. Each run should
-// be a process of its own (--repeats 1): a driver starts once in a process.
-#include "commands.h"
+// be a process of its own (--repeats 1), because a process starts a driver only once.
+#include "whole.h"
+#include "report.h"
 #include "simulation.h"
 #include <inttypes.h>
 
@@ -31,9 +32,9 @@ static int measure_once(const Options* options, const Scene* scene)
 	scree_status status = take_steps(&simulation, steps);
 	double taken = seconds_now() - begin;
 	if (status == SCREE_OK)
-		status = simulation.f->counters(&simulation, &counters);
+		status = simulation.pipeline->counters(&simulation, &counters);
 	if (status == SCREE_OK)
-		status = simulation.f->hash(&simulation, &hash);
+		status = simulation.pipeline->hash(&simulation, &hash);
 	if (status == SCREE_OK)
 		printf("%s,%s,%s,%d,%d,%.1f,%.1f,%.1f,%.1f,%.5f,%016" PRIx64 "\n", scene->name, options->device,
 		       scree_world_get_device(simulation.world), counters.bodies, steps, 1e3 * simulation.opening,
@@ -44,7 +45,7 @@ static int measure_once(const Options* options, const Scene* scene)
 	return report(status);
 }
 
-int whole_command(const Options* options, Scene** scenes, int count)
+int measure_whole_runs(const Options* options, Scene** scenes, int count)
 {
 	printf("scene,device,device_at_end,bodies,steps,ms_open,ms_build,ms_steps,ms_wait,penetration,hash\n");
 	int code = EXIT_GOOD;

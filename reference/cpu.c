@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cpu.c -- the first three stages on the CPU: one thread, one item after the other.
+#include "reference/cpu.h"
 #include "platform/processor.h"
-#include "reference/state.h"
 
 #define PAPER_STAGE(name)                                \
 	INLINE void name##_item(const PaperPools* p, int i); \
@@ -29,7 +29,7 @@ scree_status paper_cpu_run(Paper* paper)
 	if (*p->contact_count <= p->step.contact_capacity)
 		return SCREE_OK;
 
-	// there was no room for all; detection changes nothing and can be run again
+	// the pool is too small; detection changes nothing else and can run again
 	scree_status status = paper_reserve(paper, *p->contact_count);
 	if (status != SCREE_OK)
 		return status;

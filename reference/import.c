@@ -1,62 +1,62 @@
 // SPDX-License-Identifier: MIT
 // import.c -- fills the pools of the paper's pipeline from a world.
+#include "reference/import.h"
 #include "dialect/vec.h"
-#include "reference/state.h"
 #include "world/world.h"
 
-typedef struct // what scree_world_get_bodies and scree_body_get_collidables tell
+typedef struct // what scree_world_get_bodies and scree_body_get_collidables return
 {
 	scree_body* bodies;
 	scree_pose* poses;
 	scree_velocity* velocities;
 	scree_collidable* collidables; // of one body, or those without one
 	int body_count;
-} Taken;
+} WorldCopy;
 
 static scree_status no_memory(void)
 {
 	return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory for a copy of the world");
 }
 
-// One more body than there are: the null body at the end, which has the collidables without a body.
-static scree_status take_bodies(scree_world* world, Taken* taken)
+// Reads all bodies and adds the null body at the end, which has the collidables without a body.
+static scree_status import_bodies(scree_world* world, WorldCopy* copy)
 {
-	int count = taken->body_count;
+	int count = copy->body_count;
 	TRY(scree_world_get_bodies(world, NULL, 0, &count));
-	taken->body_count = count;
-	taken->bodies = scree_allocate(((size_t)count + 1) * sizeof *taken->bodies);
-	taken->poses = scree_allocate((size_t)count * sizeof *taken->poses);
-	taken->velocities = scree_allocate((size_t)count * sizeof *taken->velocities);
-	if (!taken->bodies || !taken->poses || !taken->velocities)
+	copy->body_count = count;
+	copy->bodies = scree_allocate(((size_t)count + 1) * sizeof *copy->bodies);
+	copy->poses = scree_allocate((size_t)count * sizeof *copy->poses);
+	copy->velocities = scree_allocate((size_t)count * sizeof *copy->velocities);
+	if (!copy->bodies || !copy->poses || !copy->velocities)
 		return no_memory();
-	TRY(scree_world_get_bodies(world, taken->bodies, count, &count));
+	TRY(scree_world_get_bodies(world, copy->bodies, count, &count));
 	int enabled = 0; // the others take no part
 	for (int i = 0; i < count; ++i)
-		if (scree_body_is_enabled(world, taken->bodies[i]))
-			taken->bodies[enabled++] = taken->bodies[i];
-	taken->bodies[enabled] = SCREE_NULL_BODY;
-	taken->body_count = count = enabled;
-	TRY(scree_bodies_get_poses(world, taken->bodies, taken->poses, count));
-	return scree_bodies_get_velocities(world, taken->bodies, taken->velocities, count);
+		if (scree_body_is_enabled(world, copy->bodies[i]))
+			copy->bodies[enabled++] = copy->bodies[i];
+	copy->bodies[enabled] = SCREE_NULL_BODY;
+	copy->body_count = count = enabled;
+	TRY(scree_bodies_get_poses(world, copy->bodies, copy->poses, count));
+	return scree_bodies_get_velocities(world, copy->bodies, copy->velocities, count);
 }
 
-static scree_status count_collidables(const scree_world* world, const Taken* taken, int* most, int* sum)
+static scree_status count_collidables(const scree_world* world, const WorldCopy* copy, int* most, int* sum)
 {
 	*most = *sum = 0;
-	for (int i = 0; i <= taken->body_count; ++i)
+	for (int i = 0; i <= copy->body_count; ++i)
 	{
 		int count;
-		TRY(scree_body_get_collidables(world, taken->bodies[i], NULL, 0, &count));
+		TRY(scree_body_get_collidables(world, copy->bodies[i], NULL, 0, &count));
 		*most = count > *most ? count : *most;
 		*sum += count;
 	}
 	return SCREE_OK;
 }
 
-static scree_status take_body(const scree_world* world, const Taken* taken, int i, PaperBody* body, int* kind)
+static scree_status import_body(const scree_world* world, const WorldCopy* copy, int i, PaperBody* body, int* kind)
 {
 	static const int kinds[] = {KIND_STATIC, KIND_KINEMATIC, KIND_DYNAMIC};
-	scree_body handle = taken->bodies[i];
+	scree_body handle = copy->bodies[i];
 	scree_body_type type;
 	scree_mass mass;
 	uint32_t locks;
@@ -70,13 +70,13 @@ static scree_status take_body(const scree_world* world, const Taken* taken, int 
 
 	motion.free_x = locks & SCREE_LOCK_X ? 0.0f : 1.0f;
 	motion.free_y = locks & SCREE_LOCK_Y ? 0.0f : 1.0f;
-	scree_velocity v = taken->velocities[i];
+	scree_velocity v = copy->velocities[i];
 	if (type != SCREE_BODY_DYNAMIC)
 		motion.gravity_scale = motion.linear_damping = motion.angular_damping = 0.0f;
 	if (type == SCREE_BODY_STATIC)
 		v = (scree_velocity){{0.0f, 0.0f}, 0.0f};
 
-	scree_pose pose = taken->poses[i];
+	scree_pose pose = copy->poses[i];
 	Vec q = vec(pose.rotation.c, pose.rotation.s);
 	Vec center = vec_add(vec(pose.position.x, pose.position.y), vec_turn(q, vec(mass.center.x, mass.center.y)));
 	*body = (PaperBody){
@@ -92,7 +92,7 @@ static scree_status take_body(const scree_world* world, const Taken* taken, int 
 	return SCREE_OK;
 }
 
-static scree_status take_collidable(const scree_world* world, scree_collidable handle, PaperCollidable* collidable)
+static scree_status import_collidable(const scree_world* world, scree_collidable handle, PaperCollidable* collidable)
 {
 	scree_attribute attribute;
 	scree_pose pose;
@@ -108,25 +108,25 @@ static scree_status take_collidable(const scree_world* world, scree_collidable h
 	return SCREE_OK;
 }
 
-// Body by body, then the collidables without one.
-static scree_status fill(Paper* paper, const scree_world* world, const Taken* taken, int most)
+// Fills the pools body by body, then with the collidables without a body.
+static scree_status fill(Paper* paper, const scree_world* world, const WorldCopy* copy, int most)
 {
 	PaperCollidable* collidable = paper->pools.collidable;
-	for (int i = 0; i <= taken->body_count; ++i)
+	for (int i = 0; i <= copy->body_count; ++i)
 	{
 		int count, kind = KIND_FREE;
 		Float2 center = make_float2(0.0f, 0.0f);
-		if (i < taken->body_count)
+		if (i < copy->body_count)
 		{
-			TRY(take_body(world, taken, i, &paper->pools.body[i], &kind));
+			TRY(import_body(world, copy, i, &paper->pools.body[i], &kind));
 			center = paper->pools.body[i].local_center;
 		}
-		TRY(scree_body_get_collidables(world, taken->bodies[i], taken->collidables, most, &count));
+		TRY(scree_body_get_collidables(world, copy->bodies[i], copy->collidables, most, &count));
 		for (int k = 0; k < count; ++k, ++collidable)
 		{
-			TRY(take_collidable(world, taken->collidables[k], collidable));
+			TRY(import_collidable(world, copy->collidables[k], collidable));
 			collidable->kind = kind;
-			collidable->body = i < taken->body_count ? i : -1;
+			collidable->body = i < copy->body_count ? i : -1;
 			collidable->place.x -= center.x;
 			collidable->place.y -= center.y;
 		}
@@ -136,36 +136,36 @@ static scree_status fill(Paper* paper, const scree_world* world, const Taken* ta
 	return SCREE_OK;
 }
 
-static scree_status take(Paper* paper, scree_world* world, Taken* taken)
+static scree_status import_world(Paper* paper, scree_world* world, WorldCopy* copy)
 {
 	PaperPools* p = &paper->pools;
 	int most;
-	TRY(take_bodies(world, taken));
-	TRY(count_collidables(world, taken, &most, &p->step.collidables));
-	p->step.bodies = taken->body_count;
+	TRY(import_bodies(world, copy));
+	TRY(count_collidables(world, copy, &most, &p->step.collidables));
+	p->step.bodies = copy->body_count;
 	p->step.attributes = world->attribute_slots.used;
 	scree_vec gravity;
 	TRY(scree_world_get_gravity(world, &gravity));
 	p->step.gravity_x = gravity.x;
 	p->step.gravity_y = gravity.y;
 
-	taken->collidables = scree_allocate((size_t)most * sizeof *taken->collidables);
+	copy->collidables = scree_allocate((size_t)most * sizeof *copy->collidables);
 	p->attribute = scree_allocate((size_t)p->step.attributes * sizeof *p->attribute);
 	p->body = scree_allocate((size_t)p->step.bodies * sizeof *p->body);
 	p->collidable = scree_allocate((size_t)p->step.collidables * sizeof *p->collidable);
 	p->contact_count = scree_allocate(sizeof *p->contact_count);
-	if (!taken->collidables || !p->attribute || !p->body || !p->collidable || !p->contact_count)
+	if (!copy->collidables || !p->attribute || !p->body || !p->collidable || !p->contact_count)
 		return no_memory();
-	return fill(paper, world, taken, most);
+	return fill(paper, world, copy, most);
 }
 
-scree_status paper_take(Paper* paper, scree_world* world)
+scree_status paper_import(Paper* paper, scree_world* world)
 {
-	Taken taken = {0};
-	scree_status status = take(paper, world, &taken);
-	scree_release(taken.bodies);
-	scree_release(taken.poses);
-	scree_release(taken.velocities);
-	scree_release(taken.collidables);
+	WorldCopy copy = {0};
+	scree_status status = import_world(paper, world, &copy);
+	scree_release(copy.bodies);
+	scree_release(copy.poses);
+	scree_release(copy.velocities);
+	scree_release(copy.collidables);
 	return status;
 }

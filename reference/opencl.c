@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// opencl.c -- the first three stages through OpenCL: in every step the pools travel there, a kernel a stage, and back.
+// opencl.c -- the first three stages through OpenCL: each step copies the pools to the device and back.
+#include "reference/opencl.h"
 #include "backend/backend.h"
 #include "opencl/program.h"
 #include "platform/error.h"
-#include "reference/state.h"
 #include <stdio.h>
 
 // work-items of a group, as in the paper
 #define GROUP 256
 
-// commands of one step that are timed; a step takes 12, and 4 more each time that the contact pool grows
-#define LAPS 64
+// timed commands of one step: 12, and 4 more each time that the contact pool grows
+#define MAX_COMMANDS 64
 
 // written by cmake/embed.cmake
 extern const char paper_program[];
@@ -20,48 +20,48 @@ typedef struct // a command whose time has not been read
 {
 	cl_event event;
 	double* milliseconds;
-} Lap;
+} TimedCommand;
 
 typedef struct PaperOpenCl
 {
 	Device device;
 	cl_context context;
-	cl_command_queue queue; // in order: the barriers are the paper's, and change nothing
+	cl_command_queue queue; // in order, so that the barriers, which the paper has, change nothing
 	cl_program program;
 	cl_kernel kernels[PAPER_STAGE_COUNT];
 	size_t groups[PAPER_STAGE_COUNT]; // work-items of a group
 	cl_mem buffers[PAPER_POOL_COUNT];
-	Lap laps[LAPS];
-	int lap_count;
+	TimedCommand commands[MAX_COMMANDS];
+	int command_count;
 } PaperOpenCl;
 
-// Waits for all commands and adds up their times.
+// Waits for all commands and adds their times.
 static scree_status finish(PaperOpenCl* d)
 {
 	scree_status status = CALL(Finish, d->queue);
-	for (int i = 0; i < d->lap_count; ++i)
+	for (int i = 0; i < d->command_count; ++i)
 	{
 		cl_ulong begin = 0, end = 0; // ns
-		opencl.GetEventProfilingInfo(d->laps[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
-		opencl.GetEventProfilingInfo(d->laps[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
-		opencl.ReleaseEvent(d->laps[i].event);
-		*d->laps[i].milliseconds += 1e-6 * (double)(end - begin);
+		opencl.GetEventProfilingInfo(d->commands[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
+		opencl.GetEventProfilingInfo(d->commands[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
+		opencl.ReleaseEvent(d->commands[i].event);
+		*d->commands[i].milliseconds += 1e-6 * (double)(end - begin);
 	}
-	d->lap_count = 0;
+	d->command_count = 0;
 	return status;
 }
 
-// The event of a command that is about to be given; keep_lap counts it once it has been.
-static cl_event* next_lap(PaperOpenCl* d, double* milliseconds)
+// The event for the next command; add_command adds the command after it was enqueued.
+static cl_event* next_command(PaperOpenCl* d, double* milliseconds)
 {
-	ASSERT(d->lap_count < LAPS);
-	d->laps[d->lap_count].milliseconds = milliseconds;
-	return &d->laps[d->lap_count].event;
+	ASSERT(d->command_count < MAX_COMMANDS);
+	d->commands[d->command_count].milliseconds = milliseconds;
+	return &d->commands[d->command_count].event;
 }
 
-static scree_status keep_lap(PaperOpenCl* d, scree_status status)
+static scree_status add_command(PaperOpenCl* d, scree_status status)
 {
-	d->lap_count += status == SCREE_OK;
+	d->command_count += status == SCREE_OK;
 	return status;
 }
 
@@ -73,8 +73,8 @@ static scree_status to_device(Paper* paper, PaperPoolId pool)
 	PaperMemory host = paper_memory(paper, pool);
 	if (host.bytes == 0)
 		return SCREE_OK;
-	cl_event* event = next_lap(d, &paper->timings.to_device);
-	return keep_lap(
+	cl_event* event = next_command(d, &paper->timings.to_device);
+	return add_command(
 	    d, CALL(EnqueueWriteBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, host.bytes, host.memory, 0, NULL, event));
 }
 
@@ -83,9 +83,9 @@ static scree_status from_device(Paper* paper, PaperPoolId pool, size_t bytes)
 	PaperOpenCl* d = paper->opencl;
 	if (bytes == 0)
 		return SCREE_OK;
-	cl_event* event = next_lap(d, &paper->timings.from_device);
-	return keep_lap(d, CALL(EnqueueReadBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, bytes,
-	                        paper_memory(paper, pool).memory, 0, NULL, event));
+	cl_event* event = next_command(d, &paper->timings.from_device);
+	return add_command(d, CALL(EnqueueReadBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, bytes,
+	                           paper_memory(paper, pool).memory, 0, NULL, event));
 }
 
 static scree_status launch(Paper* paper, PaperStageId stage)
@@ -111,8 +111,8 @@ static scree_status launch(Paper* paper, PaperStageId stage)
 	TRY(CALL(SetKernelArg, kernel, PAPER_POOL_COUNT, sizeof paper->pools.step, &paper->pools.step));
 	TRY(CALL(SetKernelArg, kernel, PAPER_POOL_COUNT + 1, sizeof items[stage], &items[stage]));
 	size_t group = d->groups[stage], size = ((size_t)items[stage] + group - 1) / group * group;
-	cl_event* event = next_lap(d, milliseconds[stage]);
-	TRY(keep_lap(d, CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &size, &group, 0, NULL, event)));
+	cl_event* event = next_command(d, milliseconds[stage]);
+	TRY(add_command(d, CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &size, &group, 0, NULL, event)));
 	return barrier(d);
 }
 
@@ -123,7 +123,7 @@ static scree_status create_buffer(Paper* paper, PaperPoolId pool)
 	if (d->buffers[pool])
 		opencl.ReleaseMemObject(d->buffers[pool]);
 	cl_int error;
-	// kernels need something to point at
+	// a kernel argument needs a buffer, even for an empty pool
 	d->buffers[pool] = opencl.CreateBuffer(d->context, CL_MEM_READ_WRITE, bytes ? bytes : 1, NULL, &error);
 	if (!error)
 		return SCREE_OK;
@@ -132,7 +132,7 @@ static scree_status create_buffer(Paper* paper, PaperPoolId pool)
 	            opencl_error_name(error), (int)error);
 }
 
-// Detection, until there is room for all contacts: it changes nothing and can be run again.
+// Runs detection, again with a larger pool when the contacts do not fit. It changes nothing else.
 static scree_status run_detect(Paper* paper)
 {
 	PaperOpenCl* d = paper->opencl;
@@ -154,7 +154,7 @@ static scree_status run_detect(Paper* paper)
 
 scree_status paper_opencl_run(Paper* paper)
 {
-	// the contact pool is empty, so only three go there
+	// the contact pool is empty and needs no copy
 	TRY(to_device(paper, PAPER_POOL_attribute));
 	TRY(to_device(paper, PAPER_POOL_collidable));
 	TRY(to_device(paper, PAPER_POOL_body));
@@ -216,7 +216,7 @@ void paper_opencl_close(Paper* paper)
 	if (!d)
 		return;
 	if (d->queue)
-		finish(d); // a failure changes nothing now
+		finish(d); // closing ignores a failure
 	for (int i = 0; i < PAPER_POOL_COUNT; ++i)
 		if (d->buffers[i])
 			opencl.ReleaseMemObject(d->buffers[i]);

@@ -1,42 +1,17 @@
 // SPDX-License-Identifier: MIT
-// paper.c -- the paper's pipeline: made, stepped, read.
+// paper.c -- the paper's pipeline: creates it, takes steps, reads its state.
+#include "reference/paper.h"
 #include "platform/processor.h"
-#include "reference/state.h"
+#include "reference/cpu.h"
+#include "reference/import.h"
+#include "reference/opencl.h"
+#include "reference/resolve.h"
 #include "world/check.h"
 #include <stdio.h>
 #include <string.h>
 
-// grows; a small pile fits
+// contacts of the first pool; it grows
 #define FIRST_CONTACTS 256
-
-_Static_assert(sizeof(PaperCollidable) == 224 && sizeof(PaperBody) == 80 && sizeof(PaperContact) == 64,
-               "OpenCL C must find the members where C put them");
-
-PaperMemory paper_memory(const Paper* paper, PaperPoolId pool)
-{
-	const PaperStep* step = &paper->pools.step;
-	const PaperMemory all[] = {
-#define X(type, name, items) {paper->pools.name, (size_t)(items) * sizeof(type)},
-		PAPER_POOLS(X)
-#undef X
-	};
-	return all[pool];
-}
-
-scree_status paper_reserve(Paper* paper, int needed)
-{
-	int64_t capacity = (int64_t)needed + needed / 2;
-	PaperContact* larger = scree_allocate((size_t)capacity * sizeof *larger);
-	if (!larger || capacity > INT32_MAX)
-	{
-		scree_release(larger);
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_step: no memory for %d contacts", needed);
-	}
-	scree_release(paper->pools.contact);
-	paper->pools.contact = larger;
-	paper->pools.step.contact_capacity = (int)capacity;
-	return SCREE_OK;
-}
 
 static scree_status open_device(Paper* paper, const char* device, bool allow_unequal_bits)
 {
@@ -64,7 +39,7 @@ scree_status paper_create(scree_world* world, const char* device, bool allow_une
 	Paper* made = scree_allocate(sizeof *made);
 	if (!made)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory");
-	scree_status status = paper_take(made, world);
+	scree_status status = paper_import(made, world);
 	if (status == SCREE_OK)
 		status = paper_reserve(made, FIRST_CONTACTS);
 	if (status == SCREE_OK)

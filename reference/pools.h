@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // pools.h -- the pools of the paper's pipeline, for C and OpenCL C alike: one array of structs each, as in its Figure 1.
 //
-// The paper keeps mass with the attributes; here it is with the body, whose collidables it follows from.
+// The paper has mass in the attributes. Here it is in the body, because it is the sum of the body's collidables.
 #ifndef REFERENCE_POOLS_H
 #define REFERENCE_POOLS_H
 #include "pools/pools.h"
@@ -47,12 +47,12 @@ typedef struct // constants of one step, by value to every stage
 } PaperStep;
 
 // X(type, name, items): items is how many there are, with a PaperStep* step at hand.
-#define PAPER_POOLS(X)                                                                                    \
-	X(Attribute, attribute, step->attributes)                                                             \
-	X(PaperCollidable, collidable, step->collidables)                                                     \
-	X(PaperBody, body, step->bodies)                                                                      \
-	X(PaperContact, contact, step->contact_capacity) /* in no order, until they are sorted on the host */ \
-	X(int, contact_count, 1)                         /* contacts found, also those for which there was no room */
+#define PAPER_POOLS(X)                                                                           \
+	X(Attribute, attribute, step->attributes)                                                    \
+	X(PaperCollidable, collidable, step->collidables)                                            \
+	X(PaperBody, body, step->bodies)                                                             \
+	X(PaperContact, contact, step->contact_capacity) /* in no order until the host sorts them */ \
+	X(int, contact_count, 1)                         /* contacts found, also those that did not fit */
 
 // X(name, items) in the order of the step
 #define PAPER_STAGES(X)       \

@@ -1,119 +1,120 @@
 // SPDX-License-Identifier: MIT
-// resolve.c -- the fourth stage, on the host: contacts one after the other, always the most severe, first by how deep they
-// overlap, then, apart from that, by how fast they close.
+// resolve.c -- the fourth stage, on the host: resolves one contact after the other, always the most severe. First it resolves
+// overlaps by their depth, then closing velocities by their speed.
 //
-// Each resolution changes the contacts that share a body with it, so the whole list is gone through after each, as in the
-// paper: time grows with the square of the contacts, and nothing can be done in parallel.
+// Each resolution changes the contacts that share a body with it, so that the whole list is searched after each, as in the
+// paper. Time grows with the square of the contacts, and nothing runs in parallel.
 //
 // This work is based on: Girgis and Wells, GPGPU Acceleration for Video Game Physics Engines, section III; for the
 // impulses: Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
+#include "reference/resolve.h"
 #include "constraints/body.h"
 #include "platform/error.h"
-#include "reference/state.h"
 #include <stdlib.h>
 
-// Most resolutions a contact, on average over all. Fewer fell taller piles: in ten seconds a column of ten boxes falls
-// at 16 and stands at 64; one of twenty falls at 64 and stands at 200, but not for thirty seconds.
+// Resolutions are limited to this number times the contacts. With fewer, piles fall within ten seconds: a column of ten boxes
+// falls at 16 and stands at 64; one of twenty falls at 64 and stands at 200, but not for thirty seconds.
 #define ROUNDS 200
 
-// what is left as it is
+// smaller overlaps and closing speeds are not resolved
 #define DEPTH_TOLERANCE 0.001f // m
 #define SPEED_TOLERANCE 0.001f // m/s
 
-// Overlap that a resolution leaves, m: without it, what rests on another thing would lose its contact every other step,
-// and piles would tremble.
+// Overlap that a resolution leaves, m. Without it a resting body would lose its contact in every other step, and piles would
+// vibrate.
 #define DEPTH_LEFT 0.0005f
 
-// Slower impacts do not bounce, m/s: what gravity adds in a step must not. The default of scree_world_def.
+// Slower impacts do not bounce, m/s, so that the speed that gravity adds in a step does not. The default of scree_world_def.
 #define RESTITUTION_THRESHOLD 1.0f
 
-typedef struct // a contact at work
+typedef struct // a contact between two bodies, as it is resolved
 {
 	int a, b; // bodies
 	int count;
 	Vec normal;
 	Vec arm_a[2], arm_b[2]; // m, from the centers of mass to the points
 	float depth;            // m, of the deepest point as detected
-	float target[2];        // m/s, at which the surfaces shall part
+	float target[2];        // m/s of separation after the impact
 	float friction;
 	float severity;
-} Touch;
+} ActiveContact;
 
 typedef struct
 {
 	Body* bodies;
-	Touch* touches;
+	ActiveContact* contacts;
 	int count;
 } Resolution;
 
-static float overlap_severity(const Resolution* r, const Touch* t)
+static float overlap_severity(const Resolution* r, const ActiveContact* c)
 {
-	return t->depth - vec_dot(t->normal, vec_sub(r->bodies[t->b].d, r->bodies[t->a].d));
+	return c->depth - vec_dot(c->normal, vec_sub(r->bodies[c->b].d, r->bodies[c->a].d));
 }
 
-// Moves both bodies along the normal, the lighter one farther. They are not turned: velocity does that.
-static void overlap_resolve(Resolution* r, Touch* t)
+// Moves both bodies along the normal, in inverse proportion to their masses. Only velocities rotate bodies.
+static void overlap_resolve(Resolution* r, ActiveContact* c)
 {
-	Body *a = r->bodies + t->a, *b = r->bodies + t->b;
-	Vec shift = vec_scale((t->severity - DEPTH_LEFT) / (a->inv_mass + b->inv_mass), t->normal);
+	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
+	Vec shift = vec_scale((c->severity - DEPTH_LEFT) / (a->inv_mass + b->inv_mass), c->normal);
 	a->d = vec_sub(a->d, vec_scale(a->inv_mass, shift));
 	b->d = vec_add(b->d, vec_scale(b->inv_mass, shift));
 }
 
-static Vec relative_velocity(const Resolution* r, const Touch* t, int k)
+static Vec relative_velocity(const Resolution* r, const ActiveContact* c, int k)
 {
-	return vec_sub(body_velocity_at(r->bodies[t->b], t->arm_b[k]), body_velocity_at(r->bodies[t->a], t->arm_a[k]));
+	return vec_sub(body_velocity_at(r->bodies[c->b], c->arm_b[k]), body_velocity_at(r->bodies[c->a], c->arm_a[k]));
 }
 
-static float point_severity(const Resolution* r, const Touch* t, int k)
+static float point_severity(const Resolution* r, const ActiveContact* c, int k)
 {
-	return t->target[k] - vec_dot(t->normal, relative_velocity(r, t, k));
+	return c->target[k] - vec_dot(c->normal, relative_velocity(r, c, k));
 }
 
-static float speed_severity(const Resolution* r, const Touch* t)
+static float speed_severity(const Resolution* r, const ActiveContact* c)
 {
-	float severity = point_severity(r, t, 0);
-	return t->count < 2 ? severity : maximum(severity, point_severity(r, t, 1));
+	float severity = point_severity(r, c, 0);
+	return c->count < 2 ? severity : maximum(severity, point_severity(r, c, 1));
 }
 
-// An impulse at the worse point that makes it part at its target, and Coulomb's friction, limited by that impulse.
-static void speed_resolve(Resolution* r, Touch* t)
+// Applies an impulse at the more severe point, after which it separates at its target, and Coulomb friction, which that impulse
+// limits.
+static void speed_resolve(Resolution* r, ActiveContact* c)
 {
-	Body *a = r->bodies + t->a, *b = r->bodies + t->b;
-	int k = t->count > 1 && point_severity(r, t, 1) > point_severity(r, t, 0);
-	Vec tangent = vec(t->normal.y, -t->normal.x), arm_a = t->arm_a[k], arm_b = t->arm_b[k];
+	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
+	int k = c->count > 1 && point_severity(r, c, 1) > point_severity(r, c, 0);
+	Vec tangent = vec(c->normal.y, -c->normal.x), arm_a = c->arm_a[k], arm_b = c->arm_b[k];
 
-	float impulse = t->severity * body_effective_mass(*a, arm_a, *b, arm_b, t->normal);
-	body_push(a, arm_a, b, arm_b, vec_scale(impulse, t->normal));
+	float impulse = c->severity * body_effective_mass(*a, arm_a, *b, arm_b, c->normal);
+	body_push(a, arm_a, b, arm_b, vec_scale(impulse, c->normal));
 
-	float limit = t->friction * impulse;
-	float slide = vec_dot(tangent, relative_velocity(r, t, k));
+	float limit = c->friction * impulse;
+	float slide = vec_dot(tangent, relative_velocity(r, c, k));
 	float drag = -slide * body_effective_mass(*a, arm_a, *b, arm_b, tangent);
 	body_push(a, arm_a, b, arm_b, vec_scale(minimum(maximum(drag, -limit), limit), tangent));
 }
 
-static bool adjacent(const Touch* t, const Touch* u)
+static bool adjacent(const ActiveContact* c, const ActiveContact* other)
 {
-	return t->a == u->a || t->a == u->b || t->b == u->a || t->b == u->b;
+	return c->a == other->a || c->a == other->b || c->b == other->a || c->b == other->b;
 }
 
-// Of contacts that are equally severe the one of the lower pair comes first.
-static void resolve_all(Resolution* r, float (*severity)(const Resolution*, const Touch*),
-                        void (*resolve)(Resolution*, Touch*), float tolerance)
+// Of equally severe contacts the one of the lower pair comes first.
+static void resolve_all(Resolution* r, float (*severity)(const Resolution*, const ActiveContact*),
+                        void (*resolve)(Resolution*, ActiveContact*), float tolerance)
 {
 	for (int i = 0; i < r->count; ++i)
-		r->touches[i].severity = severity(r, &r->touches[i]);
-	Touch* last = NULL;
+		r->contacts[i].severity = severity(r, &r->contacts[i]);
+	ActiveContact* last = NULL;
 	for (int64_t left = (int64_t)ROUNDS * r->count; left > 0; --left)
 	{
-		// those that the last resolution changed are weighed anew on the way to the worst
-		Touch* worst = NULL;
-		for (Touch* t = r->touches; t < r->touches + r->count; ++t)
+		// computes the severity of the contacts that the last resolution changed, and finds the most severe
+		ActiveContact* worst = NULL;
+		for (ActiveContact* c = r->contacts; c < r->contacts + r->count; ++c)
 		{
-			if (last && adjacent(last, t))
-				t->severity = severity(r, t);
-			if (t->severity > (worst ? worst->severity : tolerance))
-				worst = t;
+			if (last && adjacent(last, c))
+				c->severity = severity(r, c);
+			if (c->severity > (worst ? worst->severity : tolerance))
+				worst = c;
 		}
 		if (!worst)
 			return;
@@ -139,30 +140,31 @@ static void store_body(const Body* b, PaperBody* to)
 
 static Vec arm(const PaperBody* body, Float2 point) { return vec(point.x - body->pose.x, point.y - body->pose.y); }
 
-static Touch touch(const PaperBody* bodies, const PaperContact* contact)
+static ActiveContact active_contact(const PaperBody* bodies, const PaperContact* contact)
 {
-	Touch t = {.a = contact->body_a, .b = contact->body_b, .count = contact->count, .friction = contact->friction};
-	t.normal = vec(contact->normal.x, contact->normal.y);
+	ActiveContact c = {
+	    .a = contact->body_a, .b = contact->body_b, .count = contact->count, .friction = contact->friction};
+	c.normal = vec(contact->normal.x, contact->normal.y);
 	for (int k = 0; k < contact->count; ++k)
 	{
-		t.arm_a[k] = arm(&bodies[t.a], contact->point[k]);
-		t.arm_b[k] = arm(&bodies[t.b], contact->point[k]);
-		t.depth = maximum(t.depth, -contact->separation[k]);
+		c.arm_a[k] = arm(&bodies[c.a], contact->point[k]);
+		c.arm_b[k] = arm(&bodies[c.b], contact->point[k]);
+		c.depth = maximum(c.depth, -contact->separation[k]);
 	}
-	return t;
+	return c;
 }
 
-// Where the surfaces overlap: what the impact leaves of the closing speed, Newton's law of restitution. A second point may
-// hover over the other surface, and close that gap within a step.
-static void aim(const Resolution* r, Touch* t, const PaperContact* contact, float dt)
+// Sets the target speeds. Where the surfaces overlap, by Newton's law of restitution. A second point may be above the other
+// surface; it may close that gap within a step.
+static void set_targets(const Resolution* r, ActiveContact* c, const PaperContact* contact, float dt)
 {
-	for (int k = 0; k < t->count; ++k)
+	for (int k = 0; k < c->count; ++k)
 	{
-		float closing = point_severity(r, t, k), gap = contact->separation[k];
+		float closing = point_severity(r, c, k), gap = contact->separation[k];
 		if (gap > 0.0f)
-			t->target[k] = -gap / dt;
+			c->target[k] = -gap / dt;
 		else if (closing > RESTITUTION_THRESHOLD)
-			t->target[k] = contact->restitution * closing;
+			c->target[k] = contact->restitution * closing;
 	}
 }
 
@@ -179,7 +181,7 @@ scree_status paper_resolve(Paper* paper)
 	qsort(p->contact, (size_t)count, sizeof *p->contact, by_pair);
 
 	size_t body_bytes = (size_t)p->step.bodies * sizeof(Body);
-	size_t bytes = body_bytes + (size_t)count * sizeof(Touch);
+	size_t bytes = body_bytes + (size_t)count * sizeof(ActiveContact);
 	if (bytes > paper->scratch_bytes)
 	{
 		void* larger = scree_allocate(bytes + bytes / 2);
@@ -189,21 +191,21 @@ scree_status paper_resolve(Paper* paper)
 		paper->scratch = larger;
 		paper->scratch_bytes = bytes + bytes / 2;
 	}
-	Resolution r = {paper->scratch, (Touch*)((char*)paper->scratch + body_bytes), 0};
+	Resolution r = {paper->scratch, (ActiveContact*)((char*)paper->scratch + body_bytes), 0};
 	for (int i = 0; i < p->step.bodies; ++i)
 		r.bodies[i] = load_body(&p->body[i]);
 
 	paper->counters.penetration = 0.0f;
 	for (int i = 0; i < count; ++i)
 	{
-		// a collidable without a body is there to be detected only
+		// a contact of a collidable without a body is only detected
 		const PaperContact* contact = &p->contact[i];
 		if (contact->body_a < 0 || contact->body_b < 0)
 			continue;
-		Touch* t = &r.touches[r.count++];
-		*t = touch(p->body, contact);
-		aim(&r, t, contact, p->step.dt);
-		paper->counters.penetration = maximum(paper->counters.penetration, t->depth);
+		ActiveContact* c = &r.contacts[r.count++];
+		*c = active_contact(p->body, contact);
+		set_targets(&r, c, contact, p->step.dt);
+		paper->counters.penetration = maximum(paper->counters.penetration, c->depth);
 	}
 	resolve_all(&r, overlap_severity, overlap_resolve, DEPTH_TOLERANCE);
 	resolve_all(&r, speed_severity, speed_resolve, SPEED_TOLERANCE);

@@ -2,7 +2,7 @@
 // stages.h -- the three stages of the paper's pipeline that run on the device.
 //
 // This work is based on: Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines, section III.
-// PAPER_STAGE(name) says what happens to item i of the pools p; who includes this file says how it is run over all items.
+// PAPER_STAGE(name) begins a function for item i of the pools p. The file that includes this one runs it for all items.
 #ifndef REFERENCE_STAGES_H
 #define REFERENCE_STAGES_H
 #include "constraints/body.h"
@@ -10,8 +10,7 @@
 #include "stages/filter.h"
 #include "stages/manifold.h"
 
-// Forces into acceleration, acceleration into velocity, velocity into position: semi-implicit Euler. Then accumulators
-// are cleared and damping applied.
+// Integrates forces to velocity and velocity to position: semi-implicit Euler. Then clears the accumulators and applies damping.
 PAPER_STAGE(integrate)
 {
 	GLOBAL PaperBody* body = p->body + i;
@@ -46,7 +45,7 @@ PAPER_STAGE(integrate)
 	body->w = w / (1.0f + dt * motion.angular_damping);
 }
 
-// The attribute's corners and edge normals into the world, once for all pairs that the collidable will be tested in.
+// Transforms the attribute's corners and edge normals into the world, once for all pairs of the collidable.
 PAPER_STAGE(transform)
 {
 	GLOBAL PaperCollidable* collidable = p->collidable + i;
@@ -78,8 +77,8 @@ INLINE int may_touch(const GLOBAL PaperCollidable* a, const GLOBAL PaperCollidab
 	return kinds_meet(a->kind, b->kind) && (a->body < 0 || a->body != b->body) && filter_accepts(a->filter, b->filter);
 }
 
-// One collidable against all that follow it. An atomic counter hands out the slots of the contact pool, so that their
-// order is the device's; the paper left it at that, here they are sorted afterwards.
+// Tests one collidable against all that follow it. An atomic counter gives out the slots of the contact pool, so that their
+// order depends on the device. The paper keeps that order; here the contacts are sorted afterwards.
 PAPER_STAGE(detect)
 {
 	const GLOBAL PaperCollidable* a = p->collidable + i;

@@ -38,34 +38,34 @@ static const char* const attribute_keys[] = {"box",
                                              "description",
                                              NULL};
 
-// A list of low to high points.
-static bool read_points(Reader* reader, const Place* place, const json_t* value, int low, int high, scree_vec* points,
-                        int* count)
+// Reads a list of low to high points.
+static bool read_points(Reader* reader, const Location* location, const json_t* value, int low, int high,
+                        scree_vec* points, int* count)
 {
 	if (!json_is_array(value))
-		return reader_fail_value(reader, place, value, "must be a list of points, [[x, y], ...]");
+		return reader_fail_value(reader, location, value, "must be a list of points, [[x, y], ...]");
 	size_t size = json_array_size(value);
 	if (size < (size_t)low || size > (size_t)high)
 	{
 		if (low == high)
-			return reader_fail(reader, place, "%zu points, must be %d", size, low);
-		return reader_fail(reader, place, "%zu corners, must be %d to %d", size, low, high);
+			return reader_fail(reader, location, "%zu points, must be %d", size, low);
+		return reader_fail(reader, location, "%zu corners, must be %d to %d", size, low, high);
 	}
 	*count = (int)size;
 	for (int k = 0; k < *count; ++k)
 	{
-		if (!reader_vec(reader, ELEMENT(place, k), json_array_get(value, (size_t)k), any_coordinate, &points[k]))
+		if (!reader_vec(reader, ELEMENT(location, k), json_array_get(value, (size_t)k), any_coordinate, &points[k]))
 			return false;
 	}
 	return true;
 }
 
-// The library's own sentence about a shape, without the name of the function that said it.
-static bool shape_fail(Reader* reader, const Place* place)
+// Fails with the library's error message about a shape, without the name of the function.
+static bool shape_fail(Reader* reader, const Location* location)
 {
 	const char* sentence = scree_error();
 	const char* colon = strncmp(sentence, "scree_", 6) == 0 ? strstr(sentence, ": ") : NULL;
-	return reader_fail(reader, place, "%s", colon ? colon + 2 : sentence);
+	return reader_fail(reader, location, "%s", colon ? colon + 2 : sentence);
 }
 
 static bool make_box(scree_vec half, float radius, scree_shape* shape)
@@ -76,7 +76,7 @@ static bool make_box(scree_vec half, float radius, scree_shape* shape)
 	return scree_shape_make_polygon(corners, 4, radius, shape) == SCREE_OK;
 }
 
-static bool read_shape(Reader* reader, const Place* place, const json_t* value, scree_shape* shape)
+static bool read_shape(Reader* reader, const Location* location, const json_t* value, scree_shape* shape)
 {
 	const char* key = NULL;
 	for (const char* const* k = shape_keys; *k; ++k)
@@ -84,23 +84,23 @@ static bool read_shape(Reader* reader, const Place* place, const json_t* value, 
 		if (!json_object_get(value, *k))
 			continue;
 		if (key)
-			return reader_fail(reader, place, "both %s and %s; an attribute has one shape", key, *k);
+			return reader_fail(reader, location, "both %s and %s; an attribute has one shape", key, *k);
 		key = *k;
 	}
 	if (!key)
-		return reader_fail(reader, place, "no shape; one of box, circle, capsule, segment, polygon, hull is needed");
+		return reader_fail(reader, location, "no shape; one of box, circle, capsule, segment, polygon, hull is needed");
 	const json_t* geometry = json_object_get(value, key);
-	const Place* at = KEY(place, key);
+	const Location* at = KEY(location, key);
 
 	const json_t* rounding = json_object_get(value, "radius");
 	double radius = 0;
 	bool capsule = strcmp(key, "capsule") == 0;
 	if (rounding && (strcmp(key, "circle") == 0 || strcmp(key, "segment") == 0))
-		return reader_fail(reader, place, "a %s takes no radius beside it", key);
+		return reader_fail(reader, location, "a %s takes no radius beside it", key);
 	if (capsule && !rounding)
-		return reader_fail(reader, place, "a capsule needs a radius");
+		return reader_fail(reader, location, "a capsule needs a radius");
 	Range radius_range = capsule ? any_size : (Range){0, SCREE_HUGE, false, false};
-	if (rounding && !reader_constant(reader, KEY(place, "radius"), rounding, radius_range, &radius))
+	if (rounding && !reader_constant(reader, KEY(location, "radius"), rounding, radius_range, &radius))
 		return false;
 
 	scree_vec points[MAX_HULL_POINTS];
@@ -136,19 +136,19 @@ static bool read_shape(Reader* reader, const Place* place, const json_t* value, 
 	return status == SCREE_OK || shape_fail(reader, at);
 }
 
-bool attributes_read(Reader* reader, const Place* place, const json_t* value, Scene* scene)
+bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene)
 {
 	if (!json_is_object(value) || json_object_size(value) == 0)
-		return reader_fail_value(reader, place, value, "must be an object with at least one attribute");
+		return reader_fail_value(reader, location, value, "must be an object with at least one attribute");
 	scene->attributes = calloc(json_object_size(value), sizeof(Attribute));
 	if (!scene->attributes)
-		return reader_fail(reader, place, "out of memory");
+		return reader_fail(reader, location, "out of memory");
 
 	const char* name;
 	json_t* entry;
 	json_object_foreach((json_t*)value, name, entry)
 	{
-		const Place* at = KEY(place, name);
+		const Location* at = KEY(location, name);
 		if (strlen(name) >= NAME_SIZE || !*name)
 			return reader_fail(reader, at, "a name has 1 to %d characters", NAME_SIZE - 1);
 		Attribute* attribute = &scene->attributes[scene->attribute_count];

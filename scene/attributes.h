@@ -11,9 +11,10 @@ struct Attribute
 	scree_attribute_def def;
 };
 
-bool attributes_read(Reader* reader, const Place* place, const json_t* value, Scene* scene);
+// Reads "attributes" into Scene.attributes.
+bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene);
 
-// The position of a name in Scene.attributes, -1 when there is none.
+// The index of a name in Scene.attributes, -1 when there is none.
 int attributes_find(const Scene* scene, const char* name);
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// build.c -- putting a scene into a world, batch by batch.
-#include "scene/block.h"
+// build.c -- creates the bodies and collidables of a scene in a world.
+#include "scene/build.h"
+#include "scene/attributes.h"
+#include "scene/evaluate.h"
 #include <stdlib.h>
 
 typedef struct
@@ -16,8 +18,8 @@ static bool build_batch(void* context, const void* items)
 	Build* build = context;
 	const Batch* batch = items;
 	const Block* block = batch->block;
-	int parts = batch->parts ? batch->count * block->part_count : 0;
-	for (int k = 0; batch->bodies && block->simple && k < batch->count; ++k)
+	int parts = batch->parts ? batch->count * block->parts.count : 0;
+	for (int k = 0; batch->bodies && block->parts.simple && k < batch->count; ++k)
 		batch->bodies[k].attribute = build->attributes[batch->bodies[k].attribute.index];
 	for (int k = 0; k < parts; ++k)
 		batch->parts[k].attribute = build->attributes[batch->parts[k].attribute.index];
@@ -28,7 +30,7 @@ static bool build_batch(void* context, const void* items)
 		scree_body* handles = parts > 0 ? build->bodies : NULL;
 		build->status = scree_bodies_create(build->world, batch->bodies, batch->count, handles);
 		for (int k = 0; k < parts; ++k)
-			batch->parts[k].body = build->bodies[k / block->part_count];
+			batch->parts[k].body = build->bodies[k / block->parts.count];
 	}
 	if (build->status == SCREE_OK && parts > 0)
 		build->status = scree_collidables_create(build->world, batch->parts, parts, NULL);
@@ -51,8 +53,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 		build.status = scree_attribute_create(world, &scene->attributes[k].def, &attributes[k]);
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{
-		// all numbers were checked when the scene was read: what can fail is memory, here or in the world
-		if (!block_walk(reader, &scene->blocks[k], build_batch, &build) && build.status == SCREE_OK)
+		// all numbers were checked when the scene was read, so that only memory can be short, here or in the world
+		if (!evaluate_block(reader, &scene->blocks[k], build_batch, &build) && build.status == SCREE_OK)
 			build.status = SCREE_ERROR_OUT_OF_MEMORY;
 	}
 done:

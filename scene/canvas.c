@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// canvas.c -- the pixels of a picture, its caption and its file, by Cairo.
+// canvas.c -- the pixels of a picture, its caption and its file, with Cairo.
 #include "scene/canvas.h"
-#include "scene/aim.h"
+#include "scene/viewport.h"
 
 #ifdef SCREE_HAVE_CAIRO
 
@@ -61,10 +61,10 @@ void canvas_caption(Canvas* p, const char* title, const char* caption)
 	cairo_surface_mark_dirty(p->surface);
 	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL, bold = CAIRO_FONT_WEIGHT_BOLD;
 	double room = p->width - 4 * MARGIN, font = 15, baseline = p->height - BAND / 2.0 + 5;
-	set_color(p->cairo, PAPER, 0.97);
+	set_color(p->cairo, BACKGROUND_COLOR, 0.97);
 	cairo_rectangle(p->cairo, 0, p->height - BAND, p->width, BAND);
 	cairo_fill(p->cairo);
-	set_color(p->cairo, INK, 1);
+	set_color(p->cairo, TEXT_COLOR, 1);
 	cairo_set_font_size(p->cairo, font);
 	double both = text_width(p->cairo, title, bold) + text_width(p->cairo, caption, thin);
 	if (both > room)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// canvas.h -- the pixels of a picture, its caption and its file: what all pictures have, whoever draws the bodies.
+// canvas.h -- the pixels of a picture, its caption and its file, for the renderers of Cairo and OpenGL.
 #ifndef CANVAS_H
 #define CANVAS_H
 #include "scene/scene.h"
@@ -14,14 +14,14 @@ typedef struct
 	void *surface, *cairo;
 } Canvas;
 
-// Returns false and writes a sentence when there is no Cairo, no memory, or the size is out of range.
+// False writes a sentence: this build has no Cairo, memory is short, or the size is out of range.
 bool canvas_open(Canvas* canvas, int width, int height, char* sentence);
 void canvas_close(Canvas* canvas);
 
-// Writes the title, bold, and a caption beside it into the band at the bottom.
+// Draws the title in bold type and the caption into the band at the bottom.
 void canvas_caption(Canvas* canvas, const char* title, const char* caption);
 
-// Writes the picture as PNG; false when the file does not take it.
+// Writes the picture as PNG; false when writing fails.
 bool canvas_write(Canvas* canvas, FILE* file);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// caption.c -- what is written beside the title of a picture.
+// caption.c -- the caption of a picture, beside its title.
 #include "scene/caption.h"
 
 void device_text(const scree_world* world, char* text, size_t size)

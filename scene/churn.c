@@ -1,38 +1,13 @@
 // SPDX-License-Identifier: MIT
-// churn.c -- what a scene does to its bodies between steps: some are put elsewhere, some destroyed and made anew.
+// churn.c -- what a scene does to its bodies between steps: some are moved to another place, some destroyed and created again.
 //
-// Which ones, and where they go, follows from the number of the step alone, so that nothing is kept from step to step. A
-// body that is made anew takes the slot of the one that it replaces: all are destroyed first, and slots are given out from
-// the lowest on. So the bodies of a scene stay in the order of the file, whatever happens to them.
-#include "scene/block.h"
+// The number of the step alone decides which bodies change and where they go, so that no state is kept between steps. All
+// replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body gets
+// the slot of the old one, and the bodies of a scene stay in the order of the file.
+#include "scene/churn.h"
+#include "scene/attributes.h"
+#include "scene/evaluate.h"
 #include <stdlib.h>
-#include <string.h>
-
-static bool keep(void* context, const void* items)
-{
-	const Batch* batch = items;
-	Churn* churn = context;
-	memcpy(churn->items, batch->bodies, (size_t)batch->count * sizeof *batch->bodies);
-	churn->items += batch->count;
-	return true;
-}
-
-bool churn_open(Reader* reader, const Place* place, Block* block)
-{
-	Churn* churn = &block->churn;
-	int64_t wanted = (int64_t)churn->moved + churn->replaced;
-	if (wanted > block->count)
-		return reader_fail(reader, KEY(place, "churn"),
-		                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
-		                   (double)block->count);
-	if (churn->replaced == 0)
-		return true;
-	churn->items = malloc((size_t)block->count * sizeof *churn->items);
-	if (!churn->items)
-		return reader_fail(reader, place, "out of memory");
-	Churn filling = *churn;
-	return block_walk(reader, block, keep, &filling);
-}
 
 static int64_t common_divisor(int64_t a, int64_t b)
 {
@@ -45,7 +20,8 @@ static int64_t common_divisor(int64_t a, int64_t b)
 	return a;
 }
 
-// Every so many bodies further is the next, until all have had their turn: neighbors in turn are far apart in the file.
+// The distance in the file from one changed body to the next. It has no common divisor with count, so that every body has
+// its turn before one has a second, and it is a golden section of count, so that consecutive turns are far apart.
 static int64_t stride_of(int64_t count)
 {
 	int64_t stride = (int64_t)(0.6180339887 * (double)count) + 1;
@@ -60,7 +36,7 @@ static int compare_changes(const void* a, const void* b)
 	return x->replaced != y->replaced ? x->replaced - y->replaced : (x->item > y->item) - (x->item < y->item);
 }
 
-// The changes of one block, whose first body is number first of the scene.
+// Computes the changes of one block; first: index of its first body in the scene.
 static bool block_changes(Reader* reader, const Block* block, int first, int64_t step, SceneChange* changes)
 {
 	const Churn* churn = &block->churn;
@@ -73,7 +49,7 @@ static bool block_changes(Reader* reader, const Block* block, int first, int64_t
 		*change = (SceneChange){.item = first + (int)place, .replaced = k >= churn->moved};
 		if (change->replaced)
 			change->body = churn->items[place];
-		if (!block_churn(reader, block, (uint64_t)step * (uint64_t)turns + (uint64_t)k, &change->body))
+		if (!evaluate_churn(reader, block, (uint64_t)step * (uint64_t)turns + (uint64_t)k, &change->body))
 			return false;
 	}
 	qsort(changes, (size_t)turns, sizeof *changes, compare_changes);
@@ -119,7 +95,7 @@ int scene_changes(const Scene* scene, int64_t step, SceneChange** changes)
 	return -1;
 }
 
-typedef struct // room for the changes of a step, in the form that a world takes
+typedef struct // arrays for the changes of a step, as the functions of scree.h need them
 {
 	scree_body* bodies; // all of the world
 	scree_attribute* attributes;
@@ -127,31 +103,31 @@ typedef struct // room for the changes of a step, in the form that a world takes
 	scree_pose* poses;
 	scree_velocity* velocities;
 	scree_body_def* defs;
-} Room;
+} Arrays;
 
-static bool open_room(Room* room, int bodies, int attributes, int changes)
+static bool open_arrays(Arrays* arrays, int bodies, int attributes, int changes)
 {
-	room->bodies = calloc((size_t)bodies + 1, sizeof *room->bodies);
-	room->attributes = calloc((size_t)attributes + 1, sizeof *room->attributes);
-	room->some = calloc((size_t)changes + 1, sizeof *room->some);
-	room->poses = calloc((size_t)changes + 1, sizeof *room->poses);
-	room->velocities = calloc((size_t)changes + 1, sizeof *room->velocities);
-	room->defs = calloc((size_t)changes + 1, sizeof *room->defs);
-	return room->bodies && room->attributes && room->some && room->poses && room->velocities && room->defs;
+	arrays->bodies = calloc((size_t)bodies + 1, sizeof *arrays->bodies);
+	arrays->attributes = calloc((size_t)attributes + 1, sizeof *arrays->attributes);
+	arrays->some = calloc((size_t)changes + 1, sizeof *arrays->some);
+	arrays->poses = calloc((size_t)changes + 1, sizeof *arrays->poses);
+	arrays->velocities = calloc((size_t)changes + 1, sizeof *arrays->velocities);
+	arrays->defs = calloc((size_t)changes + 1, sizeof *arrays->defs);
+	return arrays->bodies && arrays->attributes && arrays->some && arrays->poses && arrays->velocities && arrays->defs;
 }
 
-static void close_room(Room* room)
+static void close_arrays(Arrays* arrays)
 {
-	free(room->bodies);
-	free(room->attributes);
-	free(room->some);
-	free(room->poses);
-	free(room->velocities);
-	free(room->defs);
+	free(arrays->bodies);
+	free(arrays->attributes);
+	free(arrays->some);
+	free(arrays->poses);
+	free(arrays->velocities);
+	free(arrays->defs);
 }
 
-// Changes of one kind.
-static scree_status apply(scree_world* world, Room* room, const SceneChange* changes, int count, bool replaced)
+// Applies the moves or the replacements.
+static scree_status apply(scree_world* world, Arrays* arrays, const SceneChange* changes, int count, bool replaced)
 {
 	int chosen = 0;
 	for (int k = 0; k < count; ++k)
@@ -159,21 +135,21 @@ static scree_status apply(scree_world* world, Room* room, const SceneChange* cha
 		if (changes[k].replaced != replaced)
 			continue;
 		const scree_body_def* body = &changes[k].body;
-		room->some[chosen] = room->bodies[changes[k].item];
-		room->poses[chosen] = body->pose;
-		room->velocities[chosen] = body->velocity;
-		room->defs[chosen] = *body;
-		room->defs[chosen].attribute = room->attributes[body->attribute.index];
+		arrays->some[chosen] = arrays->bodies[changes[k].item];
+		arrays->poses[chosen] = body->pose;
+		arrays->velocities[chosen] = body->velocity;
+		arrays->defs[chosen] = *body;
+		arrays->defs[chosen].attribute = arrays->attributes[body->attribute.index];
 		++chosen;
 	}
 	if (chosen == 0)
 		return SCREE_OK;
-	scree_status status = replaced ? scree_bodies_destroy(world, room->some, chosen)
-	                               : scree_bodies_set_poses(world, room->some, room->poses, chosen);
+	scree_status status = replaced ? scree_bodies_destroy(world, arrays->some, chosen)
+	                               : scree_bodies_set_poses(world, arrays->some, arrays->poses, chosen);
 	if (status != SCREE_OK)
 		return status;
-	return replaced ? scree_bodies_create(world, room->defs, chosen, NULL)
-	                : scree_bodies_set_velocities(world, room->some, room->velocities, chosen);
+	return replaced ? scree_bodies_create(world, arrays->defs, chosen, NULL)
+	                : scree_bodies_set_velocities(world, arrays->some, arrays->velocities, chosen);
 }
 
 scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
@@ -182,20 +158,20 @@ scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
 		return SCREE_OK;
 	SceneChange* changes;
 	int count = scene_changes(scene, step, &changes), bodies = 0;
-	Room room = {0};
+	Arrays arrays = {0};
 	scree_status status = scree_world_get_bodies(world, NULL, 0, &bodies);
-	if (status == SCREE_OK && (count < 0 || !open_room(&room, bodies, scene->attribute_count, count)))
+	if (status == SCREE_OK && (count < 0 || !open_arrays(&arrays, bodies, scene->attribute_count, count)))
 		status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (status == SCREE_OK)
-		status = scree_world_get_bodies(world, room.bodies, bodies, &bodies);
-	// equal attributes are one: these are the handles that the bodies have
+		status = scree_world_get_bodies(world, arrays.bodies, bodies, &bodies);
+	// a world has one attribute for equal definitions, so these are the handles of the bodies
 	for (int k = 0; k < scene->attribute_count && status == SCREE_OK; ++k)
-		status = scree_attribute_create(world, &scene->attributes[k].def, &room.attributes[k]);
+		status = scree_attribute_create(world, &scene->attributes[k].def, &arrays.attributes[k]);
 	if (status == SCREE_OK)
-		status = apply(world, &room, changes, count, false);
+		status = apply(world, &arrays, changes, count, false);
 	if (status == SCREE_OK)
-		status = apply(world, &room, changes, count, true);
-	close_room(&room);
+		status = apply(world, &arrays, changes, count, true);
+	close_arrays(&arrays);
 	free(changes);
 	return status;
 }

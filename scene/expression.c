@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // expression.c -- arithmetic in scene files: text compiled once, evaluated for each of up to millions of items.
 //
-// A recursive descent over sum, product, sign and atom writes postfix code for a small stack. Operations on constants
-// are done while compiling. Each operation is a statement of its own in the evaluator, so no compiler can contract
-// two of them into one.
+// The compiler is a recursive descent parser of sums, products, signs and atoms. It writes postfix code for a small stack
+// and computes operations on constants itself.
 #include "scene/expression.h"
-#include "scree/scree.h"
+#include "scene/instruction.h"
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -14,34 +13,6 @@
 
 #define STACK_SIZE  32
 #define MAX_NESTING 64
-
-typedef enum
-{
-	OP_CONSTANT,
-	OP_INDEX,
-	OP_NEGATE,
-	OP_ADD,
-	OP_SUBTRACT,
-	OP_MULTIPLY,
-	OP_DIVIDE,
-	OP_ABS,
-	OP_FLOOR,
-	OP_CEIL,
-	OP_SQRT,
-	OP_SIN,
-	OP_COS,
-	OP_MIN,
-	OP_MAX,
-	OP_MOD,
-	OP_RANDOM,
-} Op;
-
-typedef struct
-{
-	Op op;
-	uint32_t argument; // slot of OP_INDEX, site of OP_RANDOM
-	double value;      // of OP_CONSTANT
-} Instruction;
 
 struct Expression
 {
@@ -72,116 +43,19 @@ typedef struct
 	size_t error_size;
 } Parser;
 
-// Uniform in [0, 1). The mixing steps are those of splitmix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
-// Generators, 2014).
-static double random_unit(uint64_t seed, uint64_t site, uint64_t number)
-{
-	uint64_t x = seed * 0x9e3779b97f4a7c15u + site * 0xd1b54a32d192ed03u + number;
-	for (int round = 0; round < 2; ++round)
-	{
-		x += 0x9e3779b97f4a7c15u;
-		x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-		x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-		x ^= x >> 31;
-	}
-	return (double)(x >> 11) * 0x1p-53;
-}
-
-// Does one operation on the top of a stack; returns the new top, or null with *fault set.
-static double* apply(const Instruction* i, double* top, const Item* item, const char** fault)
-{
-	double b = *top;
-	switch (i->op)
-	{
-	case OP_CONSTANT:
-		*++top = i->value;
-		return top;
-	case OP_INDEX:
-		*++top = item->indices[i->argument];
-		return top;
-	case OP_NEGATE:
-		*top = -b;
-		return top;
-	case OP_ABS:
-		*top = b < 0 ? -b : b;
-		return top;
-	case OP_FLOOR:
-		*top = floor(b);
-		return top;
-	case OP_CEIL:
-		*top = ceil(b);
-		return top;
-	case OP_SQRT:
-		*fault = "square root of a negative number";
-		*top = sqrt(b);
-		return b < 0 ? NULL : top;
-	case OP_SIN:
-		*top = scree_rot_make((float)b).s;
-		return top;
-	case OP_COS:
-		*top = scree_rot_make((float)b).c;
-		return top;
-	default:
-		break;
-	}
-	double a = *--top;
-	switch (i->op)
-	{
-	case OP_ADD:
-		*top = a + b;
-		break;
-	case OP_SUBTRACT:
-		*top = a - b;
-		break;
-	case OP_MULTIPLY:
-		*top = a * b;
-		break;
-	case OP_DIVIDE:
-	case OP_MOD:
-		*fault = "division by zero";
-		if (b == 0)
-			return NULL;
-		*top = a / b;
-		if (i->op == OP_MOD)
-		{
-			double turns = floor(*top) * b;
-			*top = a - turns;
-		}
-		break;
-	case OP_MIN:
-		*top = b < a ? b : a;
-		break;
-	case OP_MAX:
-		*top = a < b ? b : a;
-		break;
-	default: // OP_RANDOM
-	{
-		double span = b - a;
-		span *= random_unit(item->seed, i->argument, item->number);
-		*top = a + span;
-	}
-	}
-	return top;
-}
-
 static bool set_error(Parser* p, const char* what)
 {
 	snprintf(p->error, p->error_size, "%s at column %d", what, (int)(p->at - p->text) + 1);
 	return false;
 }
 
-static int operand_count(Op op)
-{
-	return op <= OP_INDEX ? 0 : op == OP_NEGATE || (op >= OP_ABS && op <= OP_COS) ? 1 : 2;
-}
-
 static bool emit(Parser* p, Op op, uint32_t argument, double value)
 {
 	Instruction instruction = {op, argument, value};
-	int operands = operand_count(op);
+	int operands = instruction_operands(op);
 	Expression* e = p->expression;
 
-	// operands that are constants end the code as single instructions
+	// operands that are constants are the last instructions of the code, one each
 	bool fold = operands > 0 && op != OP_RANDOM;
 	for (int k = 1; k <= operands; ++k)
 		fold = fold && e->code[e->count - k].op == OP_CONSTANT;
@@ -190,8 +64,9 @@ static bool emit(Parser* p, Op op, uint32_t argument, double value)
 		double stack[2];
 		for (int k = 0; k < operands; ++k)
 			stack[k] = e->code[e->count - operands + k].value;
-		const char* fault = NULL;
-		if (!apply(&instruction, stack + operands - 1, NULL, &fault))
+		double* top = stack + operands - 1;
+		const char* fault = instruction_run(&instruction, &top, NULL);
+		if (fault)
 			return set_error(p, fault);
 		e->count -= operands;
 		instruction = (Instruction){OP_CONSTANT, 0, stack[0]};
@@ -225,7 +100,7 @@ static bool sum(Parser* p);
 
 static bool number(Parser* p)
 {
-	// own scan, so that strtod sees neither hexadecimals nor "inf"
+	// scans the number itself, because strtod accepts hexadecimal numbers and "inf" too
 	char digits[64];
 	size_t length = strspn(p->at, "0123456789.");
 	if (p->at[length] == 'e' || p->at[length] == 'E')
@@ -376,9 +251,8 @@ const char* expression_evaluate(const Expression* expression, const Item* item, 
 	*top = 0;
 	for (int k = 0; k < expression->count; ++k)
 	{
-		const char* fault = NULL;
-		top = apply(&expression->code[k], top, item, &fault);
-		if (!top)
+		const char* fault = instruction_run(&expression->code[k], &top, item);
+		if (fault)
 			return fault;
 	}
 	*value = *top;

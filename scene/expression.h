@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// expression.h -- arithmetic in scene files: text compiled once, evaluated for each of up to millions of items.
+// expression.h -- arithmetic in scene files: text compiled once, evaluated for up to millions of items.
 //
-// A scene must give the same floats on every machine, so an expression knows only + - * / sqrt floor and comparisons
-// of doubles, Scree's own sine and cosine, and random numbers that are a hash of the item's number.
+// A scene gives the same floats on every machine. So expressions use only + - * / sqrt floor and comparisons of doubles,
+// Scree's own sine and cosine, and random numbers that are hashes of the item's number.
 #ifndef EXPRESSION_H
 #define EXPRESSION_H
+#include "scene/item.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -19,32 +20,25 @@ typedef struct
 	double value; // of a constant
 } Name;
 
-typedef struct // what an expression may name
+typedef struct // the names that an expression may use
 {
 	int count;
 	Name names[MAX_NAMES];
 } Scope;
 
-typedef struct // what differs from one item to the next
-{
-	const double* indices; // values of the repeat indices
-	uint64_t seed;         // of the scene
-	uint64_t number;       // of the item within its repeat block
-} Item;
-
 typedef struct Expression Expression;
 
-// Compiles text, or returns null and writes what is wrong. *sites counts the random() calls of a whole scene, so that
+// Compiles text, or returns null and writes an error. *sites counts the random() calls of a whole scene, so that
 // each draws its own numbers. The caller frees the expression with free().
 Expression* expression_compile(const char* text, const Scope* scope, uint32_t* sites, char* error, size_t error_size);
 
 // Whether the value is the same for all items; if so, stores it.
 bool expression_is_constant(const Expression* expression, double* value);
 
-// Stores a finite value and returns null, or returns what went wrong.
+// Stores a finite value and returns null, or returns an error.
 const char* expression_evaluate(const Expression* expression, const Item* item, double* value);
 
-// Whether a name may be given to a parameter or an index: small letters, digits and underscores, not a function.
+// Whether a parameter or an index may have this name: small letters, digits and underscores, not a function.
 bool name_is_allowed(const char* name);
 
 // Finds a name in a scope, null when it is not there.

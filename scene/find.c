@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// find.c -- where scene files are: a path, or a name in one of the scene folders.
-#include "scene/scene.h"
+// find.c -- finds scene files: by path, or by name in the scene folders.
+#include "scene/find.h"
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 
 #define FOLDERS 4
 
-// The folders in the order of search; returns how many there are.
+// Writes the folders in the order of search and returns their count.
 static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 {
 	int count = 0;
@@ -24,7 +24,7 @@ static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 	return count;
 }
 
-// A folder that the user chose must be there.
+// Whether the folder that the user chose exists.
 static bool check_chosen(char* sentence)
 {
 	const char* chosen = getenv("SCREE_SCENES");
@@ -75,7 +75,7 @@ static int is_scene(const struct dirent* entry)
 
 static int compare_names(const void* a, const void* b) { return strcmp(*(char* const*)a, *(char* const*)b); }
 
-// Adds the scenes of a folder that are not in the list yet; returns how many there are then, -1 without memory.
+// Adds the scenes of a folder that are not in the list yet. Returns the new count, -1 when memory is short.
 static int list_folder(const char* folder, char*** names, int count)
 {
 	struct dirent** entries;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// picture.c -- pictures of a world, drawn with Cairo through the public interface alone.
+// picture.c -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
 #include "scene/picture.h"
-#include "scene/aim.h"
 #include "scene/sprites.h"
+#include "scene/viewport.h"
 
 #ifdef SCREE_HAVE_CAIRO
 
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMALL    1.0 // px: a shape of less reach is a blot of its area, not a path
+#define SMALL    1.0 // px: a shape of less reach is a square of its area, not a path
 #define OUTLINED 3.5 // px: a shape of less reach has no outline
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134};
@@ -25,7 +25,7 @@ struct Picture
 	Sprites sprites;
 	Canvas canvas;
 	cairo_t* cairo; // of the canvas
-	Aim aim;
+	Viewport viewport;
 };
 
 Picture* picture_create(const Scene* scene, scree_world* world, int width, int height, char* sentence)
@@ -65,7 +65,7 @@ const scree_body* picture_bodies(const Picture* p, int* count)
 	return p->sprites.bodies;
 }
 
-// Without a view in the scene, a picture shows the bodies that move, or all when none does.
+// If the scene has no view, the picture shows the dynamic bodies, or all if there are none.
 static void fit_view(Picture* p, const scree_pose* poses)
 {
 	int first = p->sprites.first_moving < p->sprites.count ? p->sprites.first_moving : 0, count = 0;
@@ -79,7 +79,7 @@ static void fit_view(Picture* p, const scree_pose* poses)
 		float own = p->sprites.attributes[s->attribute].shape.reach;
 		reach = own > reach && own < 50 ? own : reach;
 	}
-	aim_fit(points, count, reach, &p->view);
+	viewport_fit(points, count, reach, &p->view);
 	free(points);
 }
 
@@ -89,18 +89,19 @@ static void set_color(cairo_t* cairo, Color color, double factor)
 	cairo_set_source_rgb(cairo, color.r * unit, color.g * unit, color.b * unit);
 }
 
-// Puts the outline of a shape into the path. y grows downwards in pixels, so angles change their sign.
-static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
+// Makes the outline of a shape the path. y grows downwards in pixels, so that angles change their sign.
+static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 {
 	double x[SCREE_MAX_VERTICES], y[SCREE_MAX_VERTICES];
 	for (int k = 0; k < shape->count; ++k)
 	{
 		scree_vec v = shape->vertices[k];
-		x[k] = (pose.position.x + pose.rotation.c * v.x - pose.rotation.s * v.y - p->aim.left) * p->aim.scale;
-		y[k] = p->height - BAND -
-		       (pose.position.y + pose.rotation.s * v.x + pose.rotation.c * v.y - p->aim.bottom) * p->aim.scale;
+		x[k] = (pose.position.x + pose.rotation.c * v.x - pose.rotation.s * v.y - p->viewport.left) * p->viewport.scale;
+		y[k] =
+		    p->height - BAND -
+		    (pose.position.y + pose.rotation.s * v.x + pose.rotation.c * v.y - p->viewport.bottom) * p->viewport.scale;
 	}
-	double radius = shape->radius * p->aim.scale;
+	double radius = shape->radius * p->viewport.scale;
 	cairo_new_path(p->cairo);
 	if (shape->count == 1)
 	{
@@ -124,12 +125,13 @@ static void trace(Picture* p, const scree_shape* shape, scree_pose pose)
 	cairo_close_path(p->cairo);
 }
 
-// A square of the shape's area, blended pixel by pixel; the surface has been flushed.
-static void blot(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
+// Draws a square of the shape's area, blended pixel by pixel. The surface must be flushed.
+static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
 {
-	double side = sqrt(fmax(shape->area, 0)) * p->aim.scale;
-	double x0 = (pose.position.x - p->aim.left) * p->aim.scale - side / 2, x1 = x0 + side;
-	double y0 = p->height - BAND - (pose.position.y - p->aim.bottom) * p->aim.scale - side / 2, y1 = y0 + side;
+	double side = sqrt(fmax(shape->area, 0)) * p->viewport.scale;
+	double x0 = (pose.position.x - p->viewport.left) * p->viewport.scale - side / 2, x1 = x0 + side;
+	double y0 = p->height - BAND - (pose.position.y - p->viewport.bottom) * p->viewport.scale - side / 2,
+	       y1 = y0 + side;
 	if (!(x0 >= 0 && y0 >= 0 && x1 < p->width - 1 && y1 < p->height - 1))
 		return;
 	for (int row = (int)y0; row <= (int)y1; ++row)
@@ -152,9 +154,9 @@ static void blot(Picture* p, const scree_shape* shape, scree_pose pose, Color co
 static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 {
 	const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-	double reach = shape->reach * p->aim.scale;
-	double line = fmin(fmax(0.03 * p->aim.scale, 0.7), 1.4);
-	trace(p, shape, pose);
+	double reach = shape->reach * p->viewport.scale;
+	double line = fmin(fmax(0.03 * p->viewport.scale, 0.7), 1.4);
+	make_path(p, shape, pose);
 	cairo_set_line_width(p->cairo, line);
 	if (shape->kind == SCREE_SHAPE_SEGMENT || s->body < 0)
 	{
@@ -172,15 +174,15 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_fill_preserve(p->cairo);
 	if (shape->kind == SCREE_SHAPE_CIRCLE)
 	{
-		// a spoke shows how it turned
+		// the spoke shows the rotation
 		double x = (pose.position.x + pose.rotation.c * shape->vertices[0].x - pose.rotation.s * shape->vertices[0].y -
-		            p->aim.left) *
-		           p->aim.scale;
+		            p->viewport.left) *
+		           p->viewport.scale;
 		double y = p->height - BAND -
 		           (pose.position.y + pose.rotation.s * shape->vertices[0].x + pose.rotation.c * shape->vertices[0].y -
-		            p->aim.bottom) *
-		               p->aim.scale;
-		double spoke = shape->radius * p->aim.scale;
+		            p->viewport.bottom) *
+		               p->viewport.scale;
+		double spoke = shape->radius * p->viewport.scale;
 		cairo_move_to(p->cairo, x, y);
 		cairo_line_to(p->cairo, x + spoke * pose.rotation.c, y - spoke * pose.rotation.s);
 	}
@@ -192,8 +194,8 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 {
 	if (!p->has_view)
 		fit_view(p, poses);
-	p->aim = aim_at(p->view, p->width, p->height);
-	set_color(p->cairo, PAPER, 1);
+	p->viewport = viewport_show(p->view, p->width, p->height);
+	set_color(p->cairo, BACKGROUND_COLOR, 1);
 	cairo_paint(p->cairo);
 	for (int small = 0; small < 2; ++small)
 	{
@@ -202,11 +204,11 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 		{
 			const Sprite* s = &p->sprites.list[k];
 			const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
-			bool blotted = shape->reach * p->aim.scale < SMALL && shape->area > 0;
-			if (blotted != small)
+			bool is_splat = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
+			if (is_splat != small)
 				continue;
-			if (blotted)
-				blot(p, shape, sprite_pose(s, poses), s->color);
+			if (is_splat)
+				draw_splat(p, shape, sprite_pose(s, poses), s->color);
 			else
 				draw_sprite(p, s, sprite_pose(s, poses));
 		}
@@ -223,7 +225,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 {
 	(void)scene, (void)world;
 	Canvas canvas;
-	canvas_open(&canvas, width, height, sentence); // says why not
+	canvas_open(&canvas, width, height, sentence); // writes the sentence
 	return NULL;
 }
 

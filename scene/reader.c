@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reader.c -- reading JSON values with checks whose errors name the place in the file.
+// reader.c -- reads and checks JSON values; errors name the location in the file.
 #include "scene/reader.h"
 #include <math.h>
 #include <stdarg.h>
@@ -7,25 +7,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHOWN 48 // characters of a wrong value that a sentence repeats
+#define SHOWN 48 // characters of a wrong value in an error
 
-void place_text(const Place* place, char* text, size_t size)
+void location_text(const Location* location, char* text, size_t size)
 {
 	text[0] = 0;
-	if (!place)
+	if (!location)
 		return;
-	place_text(place->up, text, size);
+	location_text(location->up, text, size);
 	size_t length = strlen(text);
-	if (place->key)
-		snprintf(text + length, size - length, "%s%s", length ? "." : "", place->key);
+	if (location->key)
+		snprintf(text + length, size - length, "%s%s", length ? "." : "", location->key);
 	else
-		snprintf(text + length, size - length, "[%d]", place->index);
+		snprintf(text + length, size - length, "[%d]", location->index);
 }
 
-bool reader_fail(Reader* reader, const Place* place, const char* format, ...)
+bool reader_fail(Reader* reader, const Location* location, const char* format, ...)
 {
 	char path[160];
-	place_text(place, path, sizeof path);
+	location_text(location, path, sizeof path);
 	int length = snprintf(reader->sentence, SENTENCE_SIZE, "%s: %s%s", reader->file, path, path[0] ? ": " : "");
 	if (length >= SENTENCE_SIZE)
 		return false;
@@ -36,15 +36,15 @@ bool reader_fail(Reader* reader, const Place* place, const char* format, ...)
 	return false;
 }
 
-bool reader_fail_value(Reader* reader, const Place* place, const json_t* value, const char* must)
+bool reader_fail_value(Reader* reader, const Location* location, const json_t* value, const char* must)
 {
 	if (!value)
-		return reader_fail(reader, place, "is missing");
+		return reader_fail(reader, location, "is missing");
 	char* text = json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(9));
 	if (!text)
-		return reader_fail(reader, place, "out of memory");
+		return reader_fail(reader, location, "out of memory");
 	bool cut = strlen(text) > SHOWN;
-	reader_fail(reader, place, "%.*s%s %s", SHOWN, text, cut ? "..." : "", must);
+	reader_fail(reader, location, "%.*s%s %s", SHOWN, text, cut ? "..." : "", must);
 	free(text);
 	return false;
 }
@@ -70,10 +70,10 @@ const char* range_fault(Range range, double value, char* text, size_t size)
 	return text;
 }
 
-bool reader_object(Reader* reader, const Place* place, const json_t* value, const char* const* keys)
+bool reader_object(Reader* reader, const Location* location, const json_t* value, const char* const* keys)
 {
 	if (!json_is_object(value))
-		return reader_fail_value(reader, place, value, "must be an object, { ... }");
+		return reader_fail_value(reader, location, value, "must be an object, { ... }");
 	for (void* at = json_object_iter((json_t*)value); at; at = json_object_iter_next((json_t*)value, at))
 	{
 		const char* key = json_object_iter_key(at);
@@ -86,12 +86,12 @@ bool reader_object(Reader* reader, const Place* place, const json_t* value, cons
 		char list[360] = "";
 		for (known = keys; *known; ++known)
 			snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", known == keys ? "" : ", ", *known);
-		return reader_fail(reader, place, "unknown key \"%.40s\"; known are %s", key, list);
+		return reader_fail(reader, location, "unknown key \"%.40s\"; known are %s", key, list);
 	}
 	return true;
 }
 
-bool reader_number(Reader* reader, const Place* place, const json_t* value, Range range, Number* number)
+bool reader_number(Reader* reader, const Location* location, const json_t* value, Range range, Number* number)
 {
 	char text[160];
 	*number = (Number){.range = range};
@@ -99,17 +99,17 @@ bool reader_number(Reader* reader, const Place* place, const json_t* value, Rang
 	{
 		number->constant = json_number_value(value);
 		const char* fault = range_fault(range, number->constant, text, sizeof text);
-		return fault ? reader_fail_value(reader, place, value, fault) : true;
+		return fault ? reader_fail_value(reader, location, value, fault) : true;
 	}
 	if (!json_is_string(value))
-		return reader_fail_value(reader, place, value, "must be a number, or a string with an expression");
+		return reader_fail_value(reader, location, value, "must be a number, or a string with an expression");
 
 	const char* expression = json_string_value(value);
 	Expression* code = expression_compile(expression, &reader->scope, &reader->sites, text, sizeof text);
 	if (!code)
-		return reader_fail(reader, place, "\"%.60s\": %s", expression, text);
+		return reader_fail(reader, location, "\"%.60s\": %s", expression, text);
 
-	// outside of repeat blocks nothing varies
+	// without a repeat index an expression has only one value
 	bool varies = !expression_is_constant(code, &number->constant);
 	bool indexed = reader->redraws;
 	for (int k = 0; k < reader->scope.count; ++k)
@@ -124,44 +124,68 @@ bool reader_number(Reader* reader, const Place* place, const json_t* value, Rang
 	if (!varies)
 		free(code);
 	if (fault)
-		return reader_fail(reader, place, "\"%.60s\": %s", expression, fault);
+		return reader_fail(reader, location, "\"%.60s\": %s", expression, fault);
 	if (!varies)
 	{
 		fault = range_fault(range, number->constant, text, sizeof text);
-		return fault ? reader_fail(reader, place, "\"%.60s\" is %.9g, %s", expression, number->constant, fault) : true;
+		return fault ? reader_fail(reader, location, "\"%.60s\" is %.9g, %s", expression, number->constant, fault)
+		             : true;
 	}
-	place_text(place, text, sizeof text);
+	location_text(location, text, sizeof text);
 	number->code = code;
 	number->text = strdup(expression);
 	number->path = strdup(text);
-	return number->text && number->path ? true : reader_fail(reader, place, "out of memory");
+	return number->text && number->path ? true : reader_fail(reader, location, "out of memory");
 }
 
-bool reader_constant(Reader* reader, const Place* place, const json_t* value, Range range, double* constant)
+bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
+                   double missing, Number* number)
+{
+	const json_t* value = json_object_get(object, key);
+	*number = (Number){.constant = missing, .range = range};
+	return !value || reader_number(reader, KEY(location, key), value, range, number);
+}
+
+bool reader_pair(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
+                 Number pair[2])
+{
+	const json_t* value = json_object_get(object, key);
+	pair[0] = pair[1] = (Number){.range = range};
+	if (!value)
+		return true;
+	const Location* at = KEY(location, key);
+	if (!json_is_array(value) || json_array_size(value) != 2)
+		return reader_fail_value(reader, at, value, "must be a list of 2 numbers");
+	return reader_number(reader, ELEMENT(at, 0), json_array_get(value, 0), range, &pair[0]) &&
+	       reader_number(reader, ELEMENT(at, 1), json_array_get(value, 1), range, &pair[1]);
+}
+
+bool reader_constant(Reader* reader, const Location* location, const json_t* value, Range range, double* constant)
 {
 	Number number;
-	bool good = reader_number(reader, place, value, range, &number);
+	bool good = reader_number(reader, location, value, range, &number);
 	*constant = number.constant;
 	number_free(&number);
 	return good;
 }
 
-bool reader_vec(Reader* reader, const Place* place, const json_t* value, Range range, scree_vec* vec)
+bool reader_vec(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* vec)
 {
 	if (!json_is_array(value) || json_array_size(value) != 2)
-		return reader_fail_value(reader, place, value, "must be a list of 2 numbers");
+		return reader_fail_value(reader, location, value, "must be a list of 2 numbers");
 	double x, y;
-	if (!reader_constant(reader, ELEMENT(place, 0), json_array_get(value, 0), range, &x) ||
-	    !reader_constant(reader, ELEMENT(place, 1), json_array_get(value, 1), range, &y))
+	if (!reader_constant(reader, ELEMENT(location, 0), json_array_get(value, 0), range, &x) ||
+	    !reader_constant(reader, ELEMENT(location, 1), json_array_get(value, 1), range, &y))
 		return false;
 	*vec = (scree_vec){(float)x, (float)y};
 	return true;
 }
 
-bool reader_string(Reader* reader, const Place* place, const json_t* value, const char** string)
+bool reader_string(Reader* reader, const Location* location, const json_t* value, const char** string)
 {
 	*string = json_string_value(value);
-	return *string && **string ? true : reader_fail_value(reader, place, value, "must be a string that is not empty");
+	return *string && **string ? true
+	                           : reader_fail_value(reader, location, value, "must be a string that is not empty");
 }
 
 void number_free(Number* number)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reader.h -- reading JSON values with checks whose errors name the place in the file.
+// reader.h -- reads and checks JSON values; errors name the location in the file.
 #ifndef READER_H
 #define READER_H
 #include "scene/expression.h"
@@ -8,30 +8,31 @@
 
 #define SENTENCE_SIZE 512
 
-typedef struct // what all values of one file share
+typedef struct // one file that is being read
 {
 	const char* file;
-	char* sentence; // SENTENCE_SIZE characters: what is wrong
+	char* sentence; // SENTENCE_SIZE characters for an error
 	Scope scope;    // names known to expressions
 	uint64_t seed;
 	uint32_t sites; // random() calls so far
-	bool redraws;   // random() varies where there is no index
+	bool redraws;   // expressions are evaluated again and again, so that random() is no constant
 } Reader;
 
-typedef struct Place // of a value in the file, a list upwards: attributes . crate . polygon [2]
+typedef struct
+    Location // of a value in the file, linked to the location of its parent: attributes . crate . polygon [2]
 {
-	const struct Place* up; // null at the top
-	const char* key;        // null for an element of a list
+	const struct Location* up; // null at the top
+	const char* key;           // null for an element of a list
 	int index;
-} Place;
-#define KEY(up, key)       (&(Place){(up), (key), 0})
-#define ELEMENT(up, index) (&(Place){(up), NULL, (index)})
+} Location;
+#define KEY(up, key)       (&(Location){(up), (key), 0})
+#define ELEMENT(up, index) (&(Location){(up), NULL, (index)})
 
 typedef struct
 {
 	double low, high;
 	bool whole;   // only whole numbers
-	bool floored; // the whole part counts
+	bool floored; // only the whole part is used
 } Range;
 
 // ranges that several keys share; sizes and coordinates as include/scree/scree.h has them
@@ -41,12 +42,12 @@ static const Range any_speed = {-1e6, 1e6, false, false};
 static const Range not_negative = {0, 1e6, false, false};
 static const Range any_angle = {-1e6, 1e6, false, false};
 
-typedef struct // a number that may differ from item to item
+typedef struct // a number that may differ between items
 {
 	double constant;
 	Expression* code; // null for a constant
 	char* text;       // of the expression, and
-	char* path;       // its place, for errors; null for a constant
+	char* path;       // its location, for errors; null for a constant
 	Range range;
 } Number;
 
@@ -57,25 +58,31 @@ typedef struct // a number that may differ from item to item
 #endif
 
 // Writes "FILE: PLACE: ..." as the sentence and returns false.
-bool reader_fail(Reader* reader, const Place* place, const char* format, ...) READER_FORMAT(3, 4);
+bool reader_fail(Reader* reader, const Location* location, const char* format, ...) READER_FORMAT(3, 4);
 
-// Fails with "must be ..." after the value itself, shortened.
-bool reader_fail_value(Reader* reader, const Place* place, const json_t* value, const char* must);
+// Fails with the value, shortened, and "must be ...".
+bool reader_fail_value(Reader* reader, const Location* location, const json_t* value, const char* must);
 
-// What is wrong with a value for a range, as "must be ..."; null when nothing is.
+// Why a value is outside a range, as "must be ..."; null if it is inside.
 const char* range_fault(Range range, double value, char* text, size_t size);
 
-// Writes a place as "bodies[3].position[0]".
-void place_text(const Place* place, char* text, size_t size);
+// Writes a location as "bodies[3].position[0]".
+void location_text(const Location* location, char* text, size_t size);
 
 // Checks that value is an object whose keys are all in the list, which ends with null.
-bool reader_object(Reader* reader, const Place* place, const json_t* value, const char* const* keys);
+bool reader_object(Reader* reader, const Location* location, const json_t* value, const char* const* keys);
 
-// Each reads one value; the ones with a number take JSON numbers and strings with expressions.
-bool reader_number(Reader* reader, const Place* place, const json_t* value, Range range, Number* number);
-bool reader_constant(Reader* reader, const Place* place, const json_t* value, Range range, double* constant);
-bool reader_vec(Reader* reader, const Place* place, const json_t* value, Range range, scree_vec* vec);
-bool reader_string(Reader* reader, const Place* place, const json_t* value, const char** string);
+// Each reads one value. Numbers may be JSON numbers or strings with expressions.
+bool reader_number(Reader* reader, const Location* location, const json_t* value, Range range, Number* number);
+bool reader_constant(Reader* reader, const Location* location, const json_t* value, Range range, double* constant);
+bool reader_vec(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* vec);
+bool reader_string(Reader* reader, const Location* location, const json_t* value, const char** string);
+
+// Read a member of an object: a number, which is missing without the member, or a list of two numbers, which are 0 then.
+bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
+                   double missing, Number* number);
+bool reader_pair(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
+                 Number pair[2]);
 
 void number_free(Number* number);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sprites.c -- what a picture of a world consists of, read through the public interface alone.
+// sprites.c -- the shapes and colors of a picture, read through the public interface of Scree.
 #include "scene/sprites.h"
 #include <stdlib.h>
 
@@ -32,7 +32,7 @@ static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attrib
 
 Color sprite_base(int entry) { return entry < 0 ? stone : palette[entry]; }
 
-// The attribute's color, a little lighter or darker from body to body so that equal neighbors can be told apart.
+// The attribute's color, a little lighter or darker for each body, so that equal neighbors differ.
 static Color sprite_color(Sprites* p, int attribute, bool moving, int body)
 {
 	if (!moving)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sprites.h -- what a picture of a world consists of, read through the public interface alone.
+// sprites.h -- the shapes and colors of a picture, read through the public interface of Scree.
 #ifndef SPRITES_H
 #define SPRITES_H
 #include "scree/scree.h"
@@ -9,15 +9,15 @@ typedef struct
 	uint8_t r, g, b;
 } Color;
 
-// the background of pictures, and their writing
-#define PAPER ((Color){247, 245, 240})
-#define INK   ((Color){70, 68, 64})
+// the background of pictures, and their text
+#define BACKGROUND_COLOR ((Color){247, 245, 240})
+#define TEXT_COLOR       ((Color){70, 68, 64})
 
 typedef struct // one collidable to draw
 {
-	int body;        // position in Sprites.bodies, -1 for none
-	int attribute;   // position in Sprites.attributes
-	scree_pose pose; // in the body's frame, or in the world
+	int body;        // index in Sprites.bodies, -1 for none
+	int attribute;   // index in Sprites.attributes
+	scree_pose pose; // in the body's frame; without a body in the world
 	Color color;
 } Sprite;
 
@@ -29,18 +29,18 @@ typedef struct
 	int count, capacity;
 	int first_moving;
 	scree_attribute_def* attributes; // by the index of their handles
-	int* color_of;                   // palette entry of an attribute, -1 when it has none yet
+	int* color_of;                   // palette entry of an attribute, -1 for none yet
 	int attribute_count, colors;
 } Sprites;
 
-// Lists everything in a world; false when memory is short.
+// Lists all collidables of a world; false when memory is short.
 bool sprites_list(Sprites* sprites, scree_world* world);
 void sprites_free(Sprites* sprites);
 
-// A color of the palette; -1 is stone.
+// A color of the palette; -1 is the color of bodies that are not dynamic.
 Color sprite_base(int entry);
 
-// Where a sprite is in the world, when its body is at one of poses.
+// The pose of a sprite in the world; poses are those of Sprites.bodies.
 scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// video.c -- frames on their way through ffmpeg into a file.
+// video.c -- writes frames to a video file through ffmpeg.
 #include "scene/video.h"
 #include <signal.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 #define RATE 60 // frames a second
 
-// Puts a path between single quotes for the shell; "./" keeps a leading dash from being an option.
+// Quotes a path for the shell. "./" before a leading dash makes it no option.
 static bool quote(const char* path, char* text, size_t size)
 {
 	size_t length = 0;
@@ -39,7 +39,7 @@ bool video_open(Video* video, const char* path, int width, int height)
 		fprintf(stderr, "scree: the path of the video is too long\n");
 		return false;
 	}
-	// h264 wants even sides
+	// h264 needs even sides
 	snprintf(command, sizeof command,
 	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate %d -i - "
 	         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s",

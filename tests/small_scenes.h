@@ -2,7 +2,10 @@
 // small_scenes.h -- every scene at a size that a test can run on many devices. The golden hashes belong to these sizes.
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
-#include "scene/scene.h"
+#include "scene/build.h"
+#include "scene/churn.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "support.h"
 #include <stdlib.h>
 #include <string.h>

@@ -104,7 +104,7 @@ static int tear_down(void** state)
 	BAD(restitution_threshold = -0.5f, name "restitution_threshold is -0.5, must be finite and at least 0"); \
 	BAD(max_speed = 0.0f, name "max_speed is 0")
 
-static void world_functions(void** state)
+static void world_definitions(void** state)
 {
 	(void)state;
 	scree_world_def def = scree_world_def_default();
@@ -134,7 +134,11 @@ static void world_functions(void** state)
 	def.device = "opencl:no device has such a name";
 	assert_int_equal(scree_world_create(&def, &made), SCREE_ERROR_NO_DEVICE);
 	assert_null(made);
+}
 
+static void world_functions(void** state)
+{
+	(void)state;
 	INVALID(scree_world_step, (NULL, 0.01f, 4), "world is null");
 	INVALID(scree_world_step, (world, 0.0f, 0), "substeps is 0");
 	INVALID(scree_world_step, (world, 9e-10f, 4), "dt is 9e-10, must be 0 or from 1e-09 to 1");
@@ -162,6 +166,12 @@ static void world_functions(void** state)
 	TUNING(size = 0, "tuning.size is 0: the definition was not made by scree_world_get_tuning");
 	BAD_TUNINGS(TUNING, "tuning.");
 #undef TUNING
+	INVALID(scree_world_wait, (NULL), "world is null");
+}
+
+static void world_readers(void** state)
+{
+	(void)state;
 	int listed;
 	scree_body_state body_state;
 	INVALID(scree_world_get_states, (NULL, NULL, &body_state, 1, &listed), "world is null");
@@ -178,7 +188,11 @@ static void world_functions(void** state)
 	INVALID(scree_world_get_traffic, (world, NULL), "traffic is null");
 	INVALID(scree_world_measure_bandwidth, (NULL, &bandwidth), "world is null");
 	INVALID(scree_world_measure_bandwidth, (world, NULL), "bandwidth is null");
-	INVALID(scree_world_wait, (NULL), "world is null");
+}
+
+static void device_functions(void** state)
+{
+	(void)state;
 	int count;
 	INVALID(scree_devices_get, (NULL, 3, &count), "devices is null");
 	INVALID(scree_devices_get, (NULL, -1, &count), "capacity is -1");
@@ -492,7 +506,7 @@ static void setting_functions(void** state)
 	INVALID(scree_body_set_type, (NULL, body, SCREE_BODY_STATIC), "world is null");
 }
 
-static void collidable_functions(void** state)
+static void collidable_definitions(void** state)
 {
 	(void)state;
 	scree_collidable made[2];
@@ -514,7 +528,11 @@ static void collidable_functions(void** state)
 	DEF(SCREE_ERROR_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
 	DEF(SCREE_ERROR_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 0)");
 #undef DEF
+}
 
+static void collidable_batches(void** state)
+{
+	(void)state;
 	scree_collidable handles[2] = {part, stale_part};
 	scree_pose poses[2] = {good_pose, good_pose};
 	STALE(scree_collidables_destroy, (world, handles, 2), "collidables[1] (index 4");
@@ -532,8 +550,14 @@ static void collidable_functions(void** state)
 	handles[1] = zone;
 	poses[1].position.y = NAN;
 	INVALID(scree_collidables_set_poses, (world, handles, poses, 2), "poses[1].position.y is nan");
+}
 
+static void collidable_functions(void** state)
+{
+	(void)state;
 	int count;
+	scree_collidable made[2];
+	scree_pose pose;
 	scree_filter filter = scree_filter_default();
 	scree_attribute attribute;
 	scree_body owner;
@@ -543,7 +567,7 @@ static void collidable_functions(void** state)
 	STALE(scree_body_get_collidables, (world, stale, made, 1, &count), "body (index 4");
 	STALE(scree_collidable_get_body, (world, stale_part, &owner), "collidable (index");
 	STALE(scree_collidable_get_attribute, (world, stale_part, &attribute), "collidable (index");
-	STALE(scree_collidable_get_local_pose, (world, stale_part, poses), "collidable (index");
+	STALE(scree_collidable_get_local_pose, (world, stale_part, &pose), "collidable (index");
 	STALE(scree_collidable_get_filter, (world, stale_part, &filter), "collidable (index");
 	STALE(scree_collidable_set_filter, (world, stale_part, filter), "collidable (index");
 	STALE(scree_collidable_get_user, (world, stale_part, &user), "collidable (index");
@@ -559,7 +583,12 @@ static void collidable_functions(void** state)
 	STALE(scree_collidable_set_attribute, (world, null_part, crate), "collidable is null");
 	STALE(scree_collidable_set_attribute, (world, part, (scree_attribute){0, 0}), "attribute is null");
 	STALE(scree_collidable_set_attribute, (world, part, foreign), "attribute (index 0) is no attribute of this world");
+}
 
+static void contact_functions(void** state)
+{
+	(void)state;
+	int count;
 	scree_contact contact;
 	INVALID(scree_world_get_contacts, (world, NULL, 1, &count), "contacts is null");
 	INVALID(scree_world_get_contacts, (world, &contact, 1, NULL), "count is null");
@@ -596,10 +625,13 @@ static void nearly_normal_rotations_are_taken(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(world_functions),      cmocka_unit_test(shape_functions),
-	    cmocka_unit_test(attribute_functions),  cmocka_unit_test(body_functions),
-	    cmocka_unit_test(batch_functions),      cmocka_unit_test(setting_functions),
-	    cmocka_unit_test(collidable_functions), cmocka_unit_test(nearly_normal_rotations_are_taken),
+	    cmocka_unit_test(world_definitions),  cmocka_unit_test(world_functions),
+	    cmocka_unit_test(world_readers),      cmocka_unit_test(device_functions),
+	    cmocka_unit_test(shape_functions),    cmocka_unit_test(attribute_functions),
+	    cmocka_unit_test(body_functions),     cmocka_unit_test(batch_functions),
+	    cmocka_unit_test(setting_functions),  cmocka_unit_test(collidable_definitions),
+	    cmocka_unit_test(collidable_batches), cmocka_unit_test(collidable_functions),
+	    cmocka_unit_test(contact_functions),  cmocka_unit_test(nearly_normal_rotations_are_taken),
 	    cmocka_unit_test(target_functions),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -10,7 +10,6 @@
 
 #include <cmocka.h>
 
-#include "scene/scene.h"
 #include "small_scenes.h"
 #include "support.h"
 #include <inttypes.h>

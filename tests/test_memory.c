@@ -25,6 +25,32 @@ static void plain_release(void* memory, void* context)
 	free(memory);
 }
 
+// Makes a world of boxes, 40 more a round, and takes a step, until memory is short. Writes the number of bodies.
+static scree_status build(scree_world** world, int* bodies)
+{
+	scree_world_def world_def = scree_world_def_default();
+	world_def.device = "cpu";
+	world_def.threads = 1;
+	scree_attribute_def box = scree_attribute_def_default();
+	scree_body_def defs[40];
+	scree_attribute attribute;
+	scree_status status = scree_world_create(&world_def, world);
+	if (status == SCREE_OK)
+		status = scree_attribute_create(*world, &box, &attribute);
+	for (int k = 0; k < 40 && status == SCREE_OK; ++k)
+	{
+		defs[k] = scree_body_def_default();
+		defs[k].attribute = attribute;
+		defs[k].pose.position.y = 1.5f * (float)k;
+	}
+	for (int round = 0; round < 20 && status == SCREE_OK; ++round)
+	{
+		status = scree_bodies_create(*world, defs, 40, NULL);
+		*bodies += status == SCREE_OK ? 40 : 0;
+	}
+	return status == SCREE_OK ? scree_world_step(*world, 0.01f, 2) : status;
+}
+
 // Memory runs out at every allocation in turn: a status, nothing lost, nothing changed.
 static void memory_runs_out(void** state)
 {
@@ -33,34 +59,14 @@ static void memory_runs_out(void** state)
 	fewer_allocations = -1;
 	OK(scree_hooks_set(&hooks));
 	int refused = 0;
-	for (int allowed = 0;; ++allowed)
+	bool done = false;
+	for (int allowed = 0; !done; ++allowed)
 	{
-		scree_world_def world_def = scree_world_def_default();
-		world_def.device = "cpu";
-		world_def.threads = 1;
 		scree_world* made = NULL;
-		scree_attribute_def box = scree_attribute_def_default();
-		scree_body_def defs[40];
-		scree_attribute attribute;
-		fewer_allocations = allowed;
-		scree_status status = scree_world_create(&world_def, &made);
-		if (status == SCREE_OK)
-			status = scree_attribute_create(made, &box, &attribute);
-		for (int k = 0; k < 40 && status == SCREE_OK; ++k)
-		{
-			defs[k] = scree_body_def_default();
-			defs[k].attribute = attribute;
-			defs[k].pose.position.y = 1.5f * (float)k;
-		}
 		int bodies = 0;
-		for (int round = 0; round < 20 && status == SCREE_OK; ++round)
-		{
-			status = scree_bodies_create(made, defs, 40, NULL);
-			bodies += status == SCREE_OK ? 40 : 0;
-		}
-		if (status == SCREE_OK)
-			status = scree_world_step(made, 0.01f, 2);
-		bool done = fewer_allocations >= 0;
+		fewer_allocations = allowed;
+		scree_status status = build(&made, &bodies);
+		done = fewer_allocations >= 0;
 		if (status != SCREE_OK)
 		{
 			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
@@ -81,8 +87,6 @@ static void memory_runs_out(void** state)
 		}
 		scree_world_destroy(made);
 		assert_int_equal(scree_memory(), 0);
-		if (done)
-			break;
 	}
 	assert_true(refused > 20);
 	OK(scree_hooks_set(NULL));

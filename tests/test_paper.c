@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "reference/all_pairs.h"
 #include "reference/paper.h"
 #include <math.h>
 #include <string.h>

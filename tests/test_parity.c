@@ -9,7 +9,6 @@
 
 #include <cmocka.h>
 
-#include "scene/scene.h"
 #include "small_scenes.h"
 #include "support.h"
 #include <time.h>

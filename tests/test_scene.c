@@ -7,8 +7,11 @@
 
 #include <cmocka.h>
 
+#include "scene/build.h"
+#include "scene/churn.h"
 #include "scene/expression.h"
-#include "scene/scene.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -189,15 +192,28 @@ static Scene* load_text(const char* text, const SceneSetting* settings, int coun
 #define ATTRIBUTE(text) HEAD "\"attributes\": {\"a\": {" text "}}, \"bodies\": [{\"attribute\": \"a\"}]}"
 #define BODY(text)      HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}, {" text "}]}"
 
-static void test_bad_scenes(void** state)
+typedef struct
+{
+	const char* text;
+	const char* sentence; // part of the error
+} BadScene;
+
+// Each scene is refused with its sentence, which begins with the name of the file.
+static void assert_refused(const BadScene* cases, size_t count)
+{
+	for (size_t k = 0; k < count; ++k)
+	{
+		char sentence[SCENE_SENTENCE] = "";
+		Scene* scene = load_text(cases[k].text, NULL, 0, sentence);
+		if (scene || !strstr(sentence, cases[k].sentence) || strncmp(sentence, SCRATCH ": ", strlen(SCRATCH) + 2) != 0)
+			fail_msg("%s\nsays \"%s\"\nnot  \"%s\"", cases[k].text, sentence, cases[k].sentence);
+	}
+}
+
+static void test_bad_syntax(void** state)
 {
 	(void)state;
-	const struct
-	{
-		const char* text;
-		const char* sentence;
-	} cases[] = {
-	    // syntax
+	const BadScene cases[] = {
 	    {"{\"name\": \"x\",\n \"title\": }", "line 2, column 11"},
 	    {"{\"name\": \"x\", \"name\": \"y\"}", "duplicate"},
 	    {HEAD "\"seed\": NaN}", "line 1, column"},
@@ -205,7 +221,14 @@ static void test_bad_scenes(void** state)
 	    {"", "line 1, column 0"},
 	    {"[]", "must be an object"},
 	    {HEAD "\"bodies\": [", "line 1"},
-	    // keys and types
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_keys(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
 	    {"{\"title\": \"y\"}", "name: is missing"},
 	    {HEAD "\"atributes\": {}}", "unknown key \"atributes\"; known are"},
 	    {HEAD "\"attributes\": 5}", "attributes: 5 must be an object"},
@@ -220,7 +243,14 @@ static void test_bad_scenes(void** state)
 	    {BODY("\"attribute\": \"a\", \"type\": \"solid\""), "bodies[1].type: \"solid\" must be \"static\""},
 	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be \"x\""},
 	    {BODY("\"attribute\": \"a\", \"category\": [64]"), "bodies[1].category[0]: 64 must be at most 63"},
-	    // references
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_references(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
 	    {BODY("\"position\": [0, 0]"), "bodies[1]: attribute is missing"},
 	    {BODY("\"attribute\": \"c\""), "bodies[1].attribute: \"c\" is not among the attributes"},
 	    {BODY("\"attribute\": [\"a\", \"b\"]"), "bodies[1]: a list of attributes needs choose"},
@@ -242,13 +272,32 @@ static void test_bad_scenes(void** state)
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, \"churn\": {\"position\": [\"i\", 0]}"),
 	     "bodies[1].churn.position[0]: \"i\": i is no parameter"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"i\""), "bodies[1].angle: \"i\": i is no parameter"},
-	    // values
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_values(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
 	    {BODY("\"attribute\": \"a\", \"linear_damping\": -1"), "bodies[1].linear_damping: -1 must not be negative"},
 	    {BODY("\"attribute\": \"a\", \"position\": [0, 1e6]"),
 	     "bodies[1].position[1]: 1000000.0 must be at most 100000"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1/0\""), "bodies[1].angle: \"1/0\": division by zero"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1e300*1e300\""),
 	     "bodies[1].angle: \"1e300*1e300\" is inf, must be finite"},
+	    {HEAD "\"world\": {\"dt\": 0}, " GOOD_ATTRIBUTES "\"bodies\": []}", "world.dt: 0 must be positive"},
+	    {HEAD "\"world\": {\"substeps\": 1.5}, " GOOD_ATTRIBUTES "\"bodies\": []}",
+	     "world.substeps: 1.5 must be a whole"},
+	    {HEAD "\"view\": [0, 0, 0, 1], " GOOD_ATTRIBUTES "\"bodies\": []}", "view: [0,0,0,1] is empty"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_attributes(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
 	    {ATTRIBUTE("\"circle\": -1"), "attributes.a.circle: -1 must be positive"},
 	    {ATTRIBUTE("\"circle\": 0.0001"), "attributes.a.circle: 0.0001 must be at least 0.001"},
 	    {ATTRIBUTE("\"box\": [1, 0]"), "attributes.a.box[1]: 0 must be positive"},
@@ -265,17 +314,27 @@ static void test_bad_scenes(void** state)
 	    {ATTRIBUTE("\"polygon\": [[0, 0], [2, 0], [1, 0.2], [1, 2]]"), "attributes.a.polygon: "},
 	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, \"x\"], [2, 0]]"),
 	     "attributes.a.polygon[1][1]: \"x\": x is no parameter"},
-	    {HEAD "\"world\": {\"dt\": 0}, " GOOD_ATTRIBUTES "\"bodies\": []}", "world.dt: 0 must be positive"},
-	    {HEAD "\"world\": {\"substeps\": 1.5}, " GOOD_ATTRIBUTES "\"bodies\": []}",
-	     "world.substeps: 1.5 must be a whole"},
-	    {HEAD "\"view\": [0, 0, 0, 1], " GOOD_ATTRIBUTES "\"bodies\": []}", "view: [0,0,0,1] is empty"},
-	    // parameters
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_parameters(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
 	    {HEAD "\"parameters\": {\"n\": {}}}", "parameters.n: default is missing"},
 	    {HEAD "\"parameters\": {\"N\": {\"default\": 1}}}", "parameters.N: the name is taken, or is not"},
 	    {HEAD "\"parameters\": {\"sin\": {\"default\": 1}}}", "parameters.sin: the name is taken"},
 	    {HEAD "\"parameters\": {\"n\": {\"default\": 0, \"min\": 1}}}", "parameters.n.default: 0 must be at least 1"},
 	    {HEAD "\"constants\": {\"n\": \"m + 1\"}}", "constants.n: \"m + 1\": m is no parameter"},
-	    // repeat blocks
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_loops(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\"}"), "bodies[1].repeat: to is missing"},
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"to\": 3}"), "bodies[1].repeat.index: is missing"},
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"pi\", \"to\": 3}"),
@@ -293,13 +352,12 @@ static void test_bad_scenes(void** state)
 	    {BODY("\"collidables\": [{\"attribute\": \"a\", \"repeat\": {\"index\": \"k\", \"to\": -1}}]"),
 	     "bodies[1].collidables[0].repeat: must give the same"},
 	};
-	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
-	{
-		char sentence[SCENE_SENTENCE] = "";
-		Scene* scene = load_text(cases[k].text, NULL, 0, sentence);
-		if (scene || !strstr(sentence, cases[k].sentence) || strncmp(sentence, SCRATCH ": ", strlen(SCRATCH) + 2) != 0)
-			fail_msg("%s\nsays \"%s\"\nnot  \"%s\"", cases[k].text, sentence, cases[k].sentence);
-	}
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_missing_file(void** state)
+{
+	(void)state;
 	char sentence[SCENE_SENTENCE];
 	assert_null(scene_load("no/such/scene.json", NULL, 0, sentence));
 	assert_non_null(strstr(sentence, "no/such/scene.json"));
@@ -456,7 +514,66 @@ static void test_build(void** state)
 	scene_free(scene);
 }
 
-// Ten bodies a and b in turn, of which two are moved and three replaced before every step, between two that stay: each
+typedef struct // of all 12 bodies at a moment
+{
+	scree_body bodies[12];
+	scree_pose poses[12];
+	scree_velocity velocities[12];
+} Bodies;
+
+static Bodies read_bodies(scree_world* world)
+{
+	Bodies all;
+	int count;
+	assert_int_equal(scree_world_get_bodies(world, all.bodies, 12, &count), SCREE_OK);
+	assert_int_equal(count, 12);
+	assert_int_equal(scree_bodies_get_poses(world, all.bodies, all.poses, 12), SCREE_OK);
+	assert_int_equal(scree_bodies_get_velocities(world, all.bodies, all.velocities, 12), SCREE_OK);
+	return all;
+}
+
+// A body that was changed is where the churn puts bodies, and has the locks of its block.
+static void check_changed(const scree_world* world, const Bodies* after, int k)
+{
+	uint32_t locks;
+	scree_pose pose = after->poses[k];
+	assert_true(pose.position.x > 1000 && pose.position.x < 2000 && pose.position.y == 7);
+	assert_true(pose.rotation.s > 0.999f);
+	assert_true(after->velocities[k].linear.y > -3 && after->velocities[k].linear.y < -1);
+	assert_int_equal(scree_body_get_locks(world, after->bodies[k], &locks), SCREE_OK);
+	assert_int_equal(locks, SCREE_LOCK_ROTATION);
+}
+
+// Changes before one step: two bodies are moved and three replaced. Each keeps its attribute. Counts the turns of each.
+static void check_step(const Scene* scene, scree_world* world, int step, int turns[12])
+{
+	Bodies before = read_bodies(world);
+	assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
+	Bodies after = read_bodies(world);
+	int moved = 0, replaced = 0, count;
+	for (int k = 0; k < 12; ++k)
+	{
+		scree_collidable part;
+		scree_attribute attribute;
+		scree_attribute_def surface;
+		assert_int_equal(scree_body_get_collidables(world, after.bodies[k], &part, 1, &count), SCREE_OK);
+		assert_int_equal(scree_collidable_get_attribute(world, part, &attribute), SCREE_OK);
+		assert_int_equal(scree_attribute_get_def(world, attribute, &surface), SCREE_OK);
+		bool is_box = k == 0 || (k < 11 && k % 2 == 0);
+		assert_int_equal(surface.shape.kind, is_box ? SCREE_SHAPE_POLYGON : SCREE_SHAPE_CIRCLE);
+		bool other = before.bodies[k].generation != after.bodies[k].generation;
+		bool changed = other || after.poses[k].position.x != before.poses[k].position.x;
+		replaced += other;
+		moved += changed && !other;
+		turns[k] += changed;
+		if (changed)
+			check_changed(world, &after, k);
+	}
+	assert_int_equal(moved, 2);
+	assert_int_equal(replaced, 3);
+}
+
+// Ten bodies, a and b in turn, lie between two that stay. Before every step two of the ten are moved and three replaced: each
 // has its turn, keeps its place in the order and its attribute, and goes where the churn puts it.
 static void test_churn(void** state)
 {
@@ -480,47 +597,9 @@ static void test_churn(void** state)
 	def.threads = 1;
 	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
 	assert_int_equal(scene_build(scene, world), SCREE_OK);
-	scree_body before[12], after[12];
-	scree_pose poses[12], last[12];
-	scree_velocity velocities[12];
-	int count, turns[12] = {0};
+	int turns[12] = {0};
 	for (int step = 0; step < 20; ++step)
-	{
-		assert_int_equal(scree_world_get_bodies(world, before, 12, &count), SCREE_OK);
-		assert_int_equal(scree_bodies_get_poses(world, before, last, 12), SCREE_OK);
-		assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
-		assert_int_equal(scree_world_get_bodies(world, after, 12, &count), SCREE_OK);
-		assert_int_equal(count, 12);
-		assert_int_equal(scree_bodies_get_poses(world, after, poses, 12), SCREE_OK);
-		assert_int_equal(scree_bodies_get_velocities(world, after, velocities, 12), SCREE_OK);
-		int moved = 0, replaced = 0;
-		for (int k = 0; k < 12; ++k)
-		{
-			scree_collidable part;
-			scree_attribute attribute;
-			scree_attribute_def surface;
-			uint32_t locks;
-			assert_int_equal(scree_body_get_collidables(world, after[k], &part, 1, &count), SCREE_OK);
-			assert_int_equal(scree_collidable_get_attribute(world, part, &attribute), SCREE_OK);
-			assert_int_equal(scree_attribute_get_def(world, attribute, &surface), SCREE_OK);
-			bool is_box = k == 0 || (k < 11 && k % 2 == 0);
-			assert_int_equal(surface.shape.kind, is_box ? SCREE_SHAPE_POLYGON : SCREE_SHAPE_CIRCLE);
-			bool other = before[k].generation != after[k].generation;
-			bool gone = other || poses[k].position.x != last[k].position.x;
-			replaced += other;
-			moved += gone && !other;
-			turns[k] += gone;
-			if (!gone)
-				continue;
-			assert_true(poses[k].position.x > 1000 && poses[k].position.x < 2000 && poses[k].position.y == 7);
-			assert_true(poses[k].rotation.s > 0.999f);
-			assert_true(velocities[k].linear.y > -3 && velocities[k].linear.y < -1);
-			assert_int_equal(scree_body_get_locks(world, after[k], &locks), SCREE_OK);
-			assert_int_equal(locks, SCREE_LOCK_ROTATION);
-		}
-		assert_int_equal(moved, 2);
-		assert_int_equal(replaced, 3);
-	}
+		check_step(scene, world, step, turns);
 	for (int k = 0; k < 12; ++k)
 		assert_int_equal(turns[k], k == 0 || k == 11 ? 0 : 10);
 	scree_world_destroy(world);
@@ -530,9 +609,14 @@ static void test_churn(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_values),  cmocka_unit_test(test_constants_fold), cmocka_unit_test(test_bad_expressions),
-	    cmocka_unit_test(test_random),  cmocka_unit_test(test_bad_scenes),     cmocka_unit_test(test_settings),
-	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),    cmocka_unit_test(test_build),
+	    cmocka_unit_test(test_values),          cmocka_unit_test(test_constants_fold),
+	    cmocka_unit_test(test_bad_expressions), cmocka_unit_test(test_random),
+	    cmocka_unit_test(test_bad_syntax),      cmocka_unit_test(test_bad_keys),
+	    cmocka_unit_test(test_bad_references),  cmocka_unit_test(test_bad_values),
+	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
+	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_missing_file),
+	    cmocka_unit_test(test_settings),        cmocka_unit_test(test_shipped),
+	    cmocka_unit_test(test_ten_million),     cmocka_unit_test(test_build),
 	    cmocka_unit_test(test_churn),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

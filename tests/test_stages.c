@@ -140,87 +140,118 @@ static unsigned char byte_of(int pool, int slot, size_t k)
 	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
 }
 
-// A third of the slots is in use. Those from the number of contacts on move into the free slots before it, in order, with
-// all that outlives a step; a constraint hears of it.
-static void contacts_move_together(void** state)
+static bool is_kept(int pool) { return pool_info[pool].per == CONTACT && !is_scratch(pool); }
+
+typedef struct
 {
-	(void)state;
-	Int2* pairs = calloc(SLOTS + 1, sizeof *pairs);
-	int* constraints = calloc(SLOTS, sizeof *constraints);
-	int* back = calloc(SLOTS, sizeof *back);
-	int* from = calloc(SLOTS, sizeof *from); // of the contact that a slot has in the end
-	unsigned char* bytes = calloc(SLOTS, 256);
+	Int2* pairs;      // {-1, -1} in a free slot
+	int* constraints; // of each slot, -1 for none
+	int* from;        // slot in which the contact was that a slot has in the end
+	int alive;
+} Slots;
+
+// A third of the slots is in use. Those from the number of contacts on move into the free slots before it, in order.
+static Slots make_slots(void)
+{
+	Slots s = {calloc(SLOTS + 1, sizeof *s.pairs), calloc(SLOTS, sizeof *s.constraints), calloc(SLOTS, sizeof *s.from),
+	           0};
 	uint64_t seed = 11;
-	int alive = 0, next = 0;
+	int next = 0;
 	for (int k = 0; k < SLOTS; ++k)
 	{
 		bool used = random_below(&seed, 3) == 0;
-		pairs[k] = used ? make_int2(k, k + 1) : make_int2(-1, -1);
-		constraints[k] = used && k % 2 ? k : -1;
-		alive += used;
+		s.pairs[k] = used ? make_int2(k, k + 1) : make_int2(-1, -1);
+		s.constraints[k] = used && k % 2 ? k : -1;
+		s.alive += used;
 	}
-	for (int k = alive; k < SLOTS; ++k)
-		if (pairs[k].x >= 0)
+	for (int k = s.alive; k < SLOTS; ++k)
+		if (s.pairs[k].x >= 0)
 		{
-			while (pairs[next].x >= 0)
+			while (s.pairs[next].x >= 0)
 				++next;
-			from[next++] = k;
+			s.from[next++] = k;
 		}
-	for (int k = 0; k < alive; ++k)
-		from[k] = pairs[k].x >= 0 ? k : from[k];
+	for (int k = 0; k < s.alive; ++k)
+		s.from[k] = s.pairs[k].x >= 0 ? k : s.from[k];
+	return s;
+}
 
+static void put_contacts(Backend* b, const Slots* s, unsigned char* bytes)
+{
+	Counters counters = {.contacts = SLOTS, .alive = s->alive + 5, .released = 5};
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		size_t size = pool_info[pool].bytes;
+		if (!is_kept(pool))
+			continue;
+		for (size_t k = 0; k < SLOTS * size; ++k)
+			bytes[k] = byte_of(pool, (int)(k / size), k % size);
+		put(b, (PoolId)pool, SLOTS, bytes);
+	}
+	put(b, POOL_counters, 1, &counters);
+	put(b, POOL_pair, SLOTS, s->pairs);
+	put(b, POOL_contact_place, SLOTS, s->constraints);
+	put(b, POOL_contact_place_slot, SLOTS, s->constraints);
+}
+
+// All that outlives a step moved with its contact.
+static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
+{
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		size_t size = pool_info[pool].bytes;
+		if (!is_kept(pool) || pool == POOL_pair || pool == POOL_contact_place)
+			continue;
+		get(b, (PoolId)pool, SLOTS, bytes);
+		for (size_t k = 0; k < (size_t)s->alive * size; ++k)
+			if (bytes[k] != byte_of(pool, s->from[k / size], k % size))
+				fail_msg("pool %s: slot %d does not hold what slot %d had: contact_pack forgets it",
+				         pool_info[pool].name, (int)(k / size), s->from[k / size]);
+	}
+}
+
+// Contacts and constraints name each other.
+static void check_links(Backend* b, const Slots* s, unsigned char* bytes)
+{
+	int* back = calloc(SLOTS, sizeof *back);
+	Int2* moved = (Int2*)bytes;
+	get(b, POOL_pair, SLOTS, moved);
+	for (int k = 0; k < SLOTS; ++k)
+		assert_int_equal(moved[k].x, k < s->alive ? s->pairs[s->from[k]].x : -1);
+	get(b, POOL_contact_place, s->alive, bytes);
+	get(b, POOL_contact_place_slot, SLOTS, back);
+	for (int k = 0; k < s->alive; ++k)
+	{
+		int constraint = ((const int*)bytes)[k];
+		assert_int_equal(constraint, s->constraints[s->from[k]]);
+		assert_true(constraint < 0 || back[constraint] == k);
+	}
+	free(back);
+}
+
+static void contacts_move_together(void** state)
+{
+	(void)state;
+	Slots s = make_slots();
+	unsigned char* bytes = calloc(SLOTS, 256);
 	for (int n = 0; n < backend_count; ++n)
 	{
 		Backend* b = backends[n];
-		Counters counters = {.contacts = SLOTS, .alive = alive + 5, .released = 5};
-		for (int pool = 0; pool < POOL_COUNT; ++pool)
-		{
-			size_t size = pool_info[pool].bytes;
-			if (pool_info[pool].per != CONTACT || is_scratch(pool))
-				continue;
-			for (size_t k = 0; k < SLOTS * size; ++k)
-				bytes[k] = byte_of(pool, (int)(k / size), k % size);
-			put(b, (PoolId)pool, SLOTS, bytes);
-		}
-		put(b, POOL_counters, 1, &counters);
-		put(b, POOL_pair, SLOTS, pairs);
-		put(b, POOL_contact_place, SLOTS, constraints);
-		put(b, POOL_contact_place_slot, SLOTS, constraints);
+		Counters counters;
+		put_contacts(b, &s, bytes);
 		run_one(b, &(Step){0}, STAGE_contact_dead, SLOTS + 1, NO_COUNT, 0);
 		run_one(b, &(Step){0}, PRIMITIVE_SCAN, SLOTS + 1, NO_COUNT, 0);
 		run_one(b, &(Step){0}, STAGE_contact_free, SLOTS, NO_COUNT, 0);
 		run_one(b, &(Step){0}, STAGE_contact_pack, SLOTS, NO_COUNT, 0);
 		run_one(b, &(Step){0}, STAGE_contact_pack_end, 1, NO_COUNT, 0);
 		get(b, POOL_counters, 1, &counters);
-		assert_int_equal(counters.contacts, alive);
-		for (int pool = 0; pool < POOL_COUNT; ++pool)
-		{
-			size_t size = pool_info[pool].bytes;
-			if (pool_info[pool].per != CONTACT || is_scratch(pool) || pool == POOL_pair || pool == POOL_contact_place)
-				continue;
-			get(b, (PoolId)pool, SLOTS, bytes);
-			for (size_t k = 0; k < (size_t)alive * size; ++k)
-				if (bytes[k] != byte_of(pool, from[k / size], k % size))
-					fail_msg("pool %s: slot %d does not hold what slot %d had: contact_pack forgets it",
-					         pool_info[pool].name, (int)(k / size), from[k / size]);
-		}
-		Int2* moved = (Int2*)bytes;
-		get(b, POOL_pair, SLOTS, moved);
-		for (int k = 0; k < SLOTS; ++k)
-			assert_int_equal(moved[k].x, k < alive ? pairs[from[k]].x : -1);
-		get(b, POOL_contact_place, alive, bytes);
-		get(b, POOL_contact_place_slot, SLOTS, back);
-		for (int k = 0; k < alive; ++k)
-		{
-			int constraint = ((const int*)bytes)[k];
-			assert_int_equal(constraint, constraints[from[k]]);
-			assert_true(constraint < 0 || back[constraint] == k);
-		}
+		assert_int_equal(counters.contacts, s.alive);
+		check_pools(b, &s, bytes);
+		check_links(b, &s, bytes);
 	}
-	free(pairs);
-	free(constraints);
-	free(back);
-	free(from);
+	free(s.pairs);
+	free(s.constraints);
+	free(s.from);
 	free(bytes);
 }
 

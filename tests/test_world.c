@@ -269,10 +269,9 @@ static void damping_slows(void** state)
 	scree_world_destroy(world);
 }
 
-static void mass_follows_collidables(void** state)
+// A body without collidables has 1 kg and no inertia. With two boxes of 1 kg, 2 m apart, I = 2 (1 / 6 + 1) kg m^2.
+static scree_body make_pair(scree_world* world, scree_collidable parts[2])
 {
-	(void)state;
-	scree_world* world = make_world(0.0f);
 	scree_body_def def = scree_body_def_default();
 	def.pose = (scree_pose){{3.0f, 4.0f}, scree_rot_make(0.5f)};
 	scree_body body;
@@ -281,9 +280,7 @@ static void mass_follows_collidables(void** state)
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_true(mass.mass == 1.0f && mass.inertia == 0.0f && mass.center.x == 0.0f);
 
-	// two boxes of 1 kg, 2 m apart: I = 2 (1 / 6 + 1)
 	scree_collidable_def part = scree_collidable_def_default();
-	scree_collidable parts[3];
 	part.attribute = make_box(world, 0.5f, 0.5f);
 	part.body = body;
 	assert_ok(scree_collidable_create(world, &part, &parts[0]));
@@ -293,11 +290,20 @@ static void mass_follows_collidables(void** state)
 	assert_near(mass.mass, 2.0, 1e-6);
 	assert_near(mass.inertia, 2.0 * (1.0 / 6.0 + 1.0), 1e-5);
 	assert_near(mass.center.x, 1.0, 1e-6);
+	return body;
+}
+
+static void bodies_turn_about_their_center(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_collidable parts[2];
+	scree_body body = make_pair(world, parts);
 	scree_pose pose = pose_of(world, body);
 	assert_near(pose.position.x, 3.0, 1e-6);
 	assert_near(pose.position.y, 4.0, 1e-6);
 
-	// it turns about its center: the origin moves
+	// the origin moves around the center
 	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{0.0f, 0.0f}, 1.0f}));
 	step(world, 30);
 	scree_rot q = scree_rot_make(0.5f), turned = scree_rot_make(1.0f);
@@ -305,25 +311,39 @@ static void mass_follows_collidables(void** state)
 	assert_near(pose.position.x, 3.0 + q.c - turned.c, 1e-3);
 	assert_near(pose.position.y, 4.0 + q.s - turned.s, 1e-3);
 
-	// a teleport names the origin
+	// a new pose is that of the origin
 	assert_ok(scree_body_set_pose(world, body, (scree_pose){{-7.0f, 0.0f}, {0.0f, 1.0f}}));
 	pose = pose_of(world, body);
 	assert_near(pose.position.x, -7.0, 1e-6);
 	assert_near(pose.rotation.s, 1.0, 1e-6);
 
-	// taking a part away leaves the origin, and the other part's motion
+	// after one part is destroyed the origin stays, and the other part keeps its motion
+	assert_ok(scree_collidable_destroy(world, parts[1]));
+	assert_near(pose_of(world, body).position.x, -7.0, 1e-6);
+	assert_near(velocity_of(world, body).linear.x, 1.0, 1e-5);
+	scree_world_destroy(world);
+}
+
+static void mass_follows_collidables(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_mass mass;
+	scree_collidable parts[3];
+	scree_body body = make_pair(world, parts);
+	assert_ok(scree_body_set_pose(world, body, (scree_pose){{-7.0f, 0.0f}, {0.0f, 1.0f}}));
 	assert_ok(scree_collidable_destroy(world, parts[1]));
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_near(mass.mass, 1.0, 1e-6);
 	assert_near(mass.center.x, 0.0, 1e-6);
-	assert_near(pose_of(world, body).position.x, -7.0, 1e-6);
-	assert_near(velocity_of(world, body).linear.x, 1.0, 1e-5);
 
-	// set mass holds until then
+	// set mass holds until the collidables change
 	assert_ok(scree_body_set_mass(world, body, (scree_mass){5.0f, 2.0f, {0.0f, 1.0f}}));
 	assert_ok(scree_body_apply_impulse(world, body, (scree_vec){5.0f, 0.0f}));
 	assert_near(pose_of(world, body).position.x, -7.0, 1e-6);
-	part.pose.position.x = 0.0f;
+	scree_collidable_def part = scree_collidable_def_default();
+	part.attribute = make_box(world, 0.5f, 0.5f);
+	part.body = body;
 	assert_ok(scree_collidable_create(world, &part, &parts[2]));
 	assert_ok(scree_body_get_mass(world, body, &mass));
 	assert_near(mass.mass, 2.0, 1e-6);
@@ -360,73 +380,94 @@ static void changes_keep_their_order(void** state)
 	scree_world_destroy(world);
 }
 
-// One world is told of each change at once, the other only before its steps; a third is read all the time.
+typedef enum // what follows each call
+{
+	NOTHING,
+	FLUSH, // the changes go to the device at once
+	READ,
+} After;
+
+typedef struct
+{
+	scree_world* world;
+	After after;
+	scree_body bodies[60], compound;
+	scree_collidable parts[3]; // of compound
+} Caller;
+
+static void after_call(const Caller* c, scree_status status)
+{
+	assert_ok(status);
+	if (c->after == FLUSH)
+		assert_ok(world_flush(c->world));
+	if (c->after == READ)
+		hash_of(c->world);
+}
+
+static void create_bodies(Caller* c)
+{
+	for (int k = 0; k < 60; ++k)
+	{
+		scree_body_def def =
+		    box_def(c->world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
+		def.pose.rotation = scree_rot_make(0.1f * (float)k);
+		def.velocity.linear.x = (float)(k % 3);
+		after_call(c, scree_body_create(c->world, &def, &c->bodies[k]));
+	}
+	scree_body_def empty = scree_body_def_default();
+	empty.pose = (scree_pose){{-3.0f, 2.0f}, scree_rot_make(1.0f)};
+	empty.velocity.angular = 2.0f;
+	after_call(c, scree_body_create(c->world, &empty, &c->compound));
+	for (int k = 0; k < 3; ++k)
+	{
+		scree_collidable_def part = scree_collidable_def_default();
+		part.attribute = make_box(c->world, 0.2f, 0.4f);
+		part.body = c->compound;
+		part.pose = (scree_pose){{0.3f * (float)k, 0.1f}, scree_rot_make(0.3f * (float)k)};
+		after_call(c, scree_collidable_create(c->world, &part, &c->parts[k]));
+	}
+}
+
+static void change_bodies(Caller* c, int round)
+{
+	scree_body* body = &c->bodies[7 * round % 60];
+	after_call(c, scree_body_apply_force_at(c->world, *body, (scree_vec){10.0f, 20.0f}, (scree_vec){1.0f, 1.0f}));
+	after_call(c, scree_body_set_locks(c->world, c->bodies[5], round % 8));
+	after_call(c, scree_body_set_type(c->world, c->bodies[11], round % 3));
+	after_call(c, scree_body_set_damping(c->world, c->bodies[3], 0.1f * (float)round, 0.2f));
+	after_call(c, scree_body_apply_impulse(c->world, c->compound, (scree_vec){0.3f, 0.7f}));
+	if (round % 4 == 0)
+	{
+		after_call(c, scree_body_destroy(c->world, *body));
+		scree_body_def def = box_def(c->world, SCREE_BODY_DYNAMIC, -5.0f, 3.0f);
+		after_call(c, scree_body_create(c->world, &def, body));
+		after_call(c, scree_body_set_velocity(c->world, *body, (scree_velocity){{1.0f, 0.0f}, 5.0f}));
+	}
+	if (round == 10)
+		after_call(c, scree_collidable_destroy(c->world, c->parts[1]));
+	after_call(c, scree_collidable_set_filter(c->world, c->parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
+}
+
+// Three worlds get the same calls. One applies all changes before its steps, one applies each at once, one is read after each.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;
-	scree_world* worlds[3];
 	uint64_t hashes[3];
-	for (int w = 0; w < 3; ++w)
+	for (After after = NOTHING; after <= READ; ++after)
 	{
-		scree_world* world = worlds[w] = make_world(-10.0f);
-		add_ground(world);
-		scree_body bodies[60], compound;
-		scree_collidable parts[3];
-#define CALL(expression)                   \
-	do                                     \
-	{                                      \
-		assert_ok(expression);             \
-		if (w == 1)                        \
-			assert_ok(world_flush(world)); \
-		if (w == 2)                        \
-			hash_of(world);                \
-	} while (0)
-		for (int k = 0; k < 60; ++k)
-		{
-			scree_body_def def =
-			    box_def(world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 10), 1.0f + 1.1f * (float)(k / 10));
-			def.pose.rotation = scree_rot_make(0.1f * (float)k);
-			def.velocity.linear.x = (float)(k % 3);
-			CALL(scree_body_create(world, &def, bodies + k));
-		}
-		scree_body_def empty = scree_body_def_default();
-		empty.pose = (scree_pose){{-3.0f, 2.0f}, scree_rot_make(1.0f)};
-		empty.velocity.angular = 2.0f;
-		CALL(scree_body_create(world, &empty, &compound));
-		for (int k = 0; k < 3; ++k)
-		{
-			scree_collidable_def part = scree_collidable_def_default();
-			part.attribute = make_box(world, 0.2f, 0.4f);
-			part.body = compound;
-			part.pose = (scree_pose){{0.3f * (float)k, 0.1f}, scree_rot_make(0.3f * (float)k)};
-			CALL(scree_collidable_create(world, &part, parts + k));
-		}
+		Caller caller = {.world = make_world(-10.0f), .after = after};
+		add_ground(caller.world);
+		create_bodies(&caller);
 		for (int round = 0; round < 20; ++round)
 		{
-			scree_body body = bodies[7 * round % 60];
-			CALL(scree_body_apply_force_at(world, body, (scree_vec){10.0f, 20.0f}, (scree_vec){1.0f, 1.0f}));
-			CALL(scree_body_set_locks(world, bodies[5], round % 8));
-			CALL(scree_body_set_type(world, bodies[11], round % 3));
-			CALL(scree_body_set_damping(world, bodies[3], 0.1f * (float)round, 0.2f));
-			CALL(scree_body_apply_impulse(world, compound, (scree_vec){0.3f, 0.7f}));
-			if (round % 4 == 0)
-			{
-				CALL(scree_body_destroy(world, body));
-				scree_body_def def = box_def(world, SCREE_BODY_DYNAMIC, -5.0f, 3.0f);
-				CALL(scree_body_create(world, &def, &bodies[7 * round % 60]));
-				CALL(scree_body_set_velocity(world, bodies[7 * round % 60], (scree_velocity){{1.0f, 0.0f}, 5.0f}));
-			}
-			if (round == 10)
-				CALL(scree_collidable_destroy(world, parts[1]));
-			CALL(scree_collidable_set_filter(world, parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
-			step(world, 1);
+			change_bodies(&caller, round);
+			step(caller.world, 1);
 		}
-#undef CALL
-		hashes[w] = hash_of(world);
-		scree_world_destroy(world);
+		hashes[after] = hash_of(caller.world);
+		scree_world_destroy(caller.world);
 	}
-	assert_int_equal(hashes[0], hashes[1]);
-	assert_int_equal(hashes[0], hashes[2]);
+	assert_int_equal(hashes[NOTHING], hashes[FLUSH]);
+	assert_int_equal(hashes[NOTHING], hashes[READ]);
 }
 
 int main(void)
@@ -439,6 +480,7 @@ int main(void)
 	    cmocka_unit_test(forces_follow_newton),
 	    cmocka_unit_test(bodies_fall),
 	    cmocka_unit_test(damping_slows),
+	    cmocka_unit_test(bodies_turn_about_their_center),
 	    cmocka_unit_test(mass_follows_collidables),
 	    cmocka_unit_test(changes_keep_their_order),
 	    cmocka_unit_test(reading_changes_nothing),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // bounce.c -- balls of restitution 1 keep their energy, and others rise to the height that they should.
 //
-// Both engines move bodies by v += g h, y += v h in substeps of h seconds. In free flight y + v^2 / 2g - v h / 2 does not
-// change then, and is the height at which the ball turns; so it can be read from any step.
+// Both engines integrate with v += g h, y += v h in substeps of h seconds. Then y + v^2 / 2g - v h / 2 is constant in free
+// flight. It is the height of the apex, so that any step gives it.
 #include "props.h"
 #include <math.h>
 
@@ -15,7 +15,7 @@ typedef struct
 {
 	Lab* lab;
 	int first;
-	double high[BALLS];              // m, of its lowest point, at first
+	double high[BALLS];              // m: first height of the lowest point
 	double apex[BALLS][BOUNCES + 1]; // of each bounce
 	int bounces[BALLS];
 	bool down[BALLS];
@@ -27,7 +27,7 @@ static double apex_of(const Lab* lab, int body)
 	return (double)lab->poses[body].position.y - RADIUS + v * v / (2.0 * GRAVITY) - 0.5 * v * h;
 }
 
-// Balls side by side whose heights differ a little, so that they meet the floor at other moments of a step.
+// Drops balls side by side. Their heights differ a little, so that they hit the floor at different times within a step.
 static Balls drop(Validation* v, double height, double restitution, int substeps)
 {
 	LabDef def = lab_def();
@@ -45,7 +45,7 @@ static Balls drop(Validation* v, double height, double restitution, int substeps
 	return balls;
 }
 
-// Steps until each ball has turned downwards again after so many bounces, or two times as long as that may take.
+// Takes steps until each ball moves downwards again after this many bounces, but at most twice the expected time.
 static void bounce(Balls* balls, int bounces, double height)
 {
 	int most = (int)(120.0 * (2.0 * bounces + 1.0) * sqrt(2.0 * (height + 0.3) / GRAVITY));
@@ -61,7 +61,7 @@ static void bounce(Balls* balls, int bounces, double height)
 			bool down = balls->lab->velocities[balls->first + k].linear.y < 0.0f;
 			if (balls->down[k] && !down && n < BOUNCES)
 				n = ++balls->bounces[k];
-			if (!down && n > 0) // it may still be pushed out of the floor
+			if (!down && n > 0) // the floor may still push it up
 				balls->apex[k][n] = fmax(balls->apex[k][n], apex_of(balls->lab, balls->first + k));
 			balls->down[k] = down;
 			done = done && (n > bounces || (n == bounces && down));
@@ -69,7 +69,7 @@ static void bounce(Balls* balls, int bounces, double height)
 	}
 }
 
-// Shares of the energy after so many bounces: mean, and most.
+// Prints the mean and the largest share of the energy after this many bounces.
 static void print_energy(Validation* v, const Balls* balls, int bounces, double wanted)
 {
 	double sum = 0.0, least = INFINITY, most = 0.0;

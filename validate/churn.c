@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // churn.c -- bodies that jump across the world or are created anew in every step cost little, and a burst's memory returns.
 //
-// Times are of this machine at this moment; what must hold is their ratio to the same world without churn.
+// Times depend on the machine. The limit is on their ratio to the time of the same world without churn.
 #include "props.h"
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
 
-#define WARM_UP 3 // steps whose time does not count
+#define WARM_UP 3 // steps that are not timed
 
 typedef enum
 {
@@ -25,11 +25,11 @@ static double seconds(void)
 
 typedef struct // ms
 {
-	double churned, after; // while some jump in every step; when none does any more
+	double churned, after; // with and after churn
 } Medians;
 
-// Circles that drift in a square where each has 2 m, of which some jump to random places in every step. Then they are left
-// alone for as many: jumps leave them close together, and so with contacts.
+// Circles drift in a square of 2 m x 2 m for each. In every step some jump to random places. After that as many steps follow
+// without jumps: jumps leave circles close together, so that there are contacts.
 static Medians median_steps(Validation* v, int count, Churn churn, int moved, int steps)
 {
 	LabDef def = lab_def();
@@ -42,9 +42,9 @@ static Medians median_steps(Validation* v, int count, Churn churn, int moved, in
 		lab_throw(
 		    lab, &circle, 2.0f * (float)(k % side), 2.0f * (float)(k / side), 0.0f,
 		    (scree_velocity){{(float)random_between(&seed, -1.0, 1.0), (float)random_between(&seed, -1.0, 1.0)}, 0.0f});
-	int* bodies = demand(malloc((size_t)moved * sizeof *bodies));
-	scree_pose* poses = demand(malloc((size_t)moved * sizeof *poses));
-	double* times = demand(malloc(2 * (size_t)steps * sizeof *times));
+	int* bodies = require_memory(malloc((size_t)moved * sizeof *bodies));
+	scree_pose* poses = require_memory(malloc((size_t)moved * sizeof *poses));
+	double* times = require_memory(malloc(2 * (size_t)steps * sizeof *times));
 	int next = 0;
 	for (int step = 0; step < WARM_UP + 2 * steps; ++step)
 	{
@@ -66,7 +66,7 @@ static Medians median_steps(Validation* v, int count, Churn churn, int moved, in
 		if (step >= WARM_UP)
 			times[step - WARM_UP] = seconds() - begin;
 	}
-	Medians medians = {1e3 * middle(times, steps), 1e3 * middle(times + steps, steps)};
+	Medians medians = {1e3 * median_of_values(times, steps), 1e3 * median_of_values(times + steps, steps)};
 	free(bodies);
 	free(poses);
 	free(times);
@@ -98,7 +98,7 @@ typedef struct
 	scree_pose *spread, *heaped;
 } Crowd;
 
-// Boxes without gravity that can be put to places of their own, or all to one.
+// Makes boxes without gravity that can be spread, or all moved to one place.
 static Crowd gather(Validation* v, int count)
 {
 	LabDef def = lab_def();
@@ -106,9 +106,9 @@ static Crowd gather(Validation* v, int count)
 	Crowd c = {.lab = lab_open(v, &def), .count = count};
 	scree_attribute_def box = box_of(0.5, 0.5);
 	size_t room = (size_t)count;
-	c.bodies = demand(malloc(room * sizeof *c.bodies));
-	c.spread = demand(malloc(room * sizeof *c.spread));
-	c.heaped = demand(malloc(room * sizeof *c.heaped));
+	c.bodies = require_memory(malloc(room * sizeof *c.bodies));
+	c.spread = require_memory(malloc(room * sizeof *c.spread));
+	c.heaped = require_memory(malloc(room * sizeof *c.heaped));
 	int side = (int)ceil(sqrt(count));
 	for (int k = 0; k < count; ++k)
 	{
@@ -135,7 +135,7 @@ static void dismiss(Crowd* c)
 	lab_close(c->lab);
 }
 
-// At one place for some steps, then spread out again: the memory returns.
+// Moves all boxes to one place for three steps, then spreads them again: the memory must be released.
 static void burst(Validation* v, int count)
 {
 	begin(v, "%d boxes at one place for three steps", count);
@@ -155,8 +155,8 @@ static void burst(Validation* v, int count)
 	dismiss(&c);
 }
 
-// More at one place than anyone wants: refused with a sentence or not, the memory stays, and the world goes on. Returns
-// whether the step was refused.
+// Moves too many boxes to one place. The step may fail with a sentence, but the memory stays below its limit and the next steps
+// succeed. Returns whether the step failed.
 static bool crowd(Validation* v, int count)
 {
 	begin(v, "%d boxes at one place", count);
@@ -182,7 +182,7 @@ void churn_experiment(Validation* v)
 	}
 	crowd_moves(v, 50000, 1000, 4000, 20);
 	burst(v, 1200);
-	// 242 million pairs: 24 GB and more where nothing refuses them
+	// 242 million pairs: 24 GB or more, unless the step fails
 	if (crowd(v, 2500))
 		crowd(v, 22000);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // columns.c -- columns, weights on light boxes, card house, arch and pyramid stand, and sink little.
 //
-// Limits of what sinks are what Box2D v3 (617d32a, sleep off) does here, or where Scree was better all the time, what it did.
+// The limits of how far bodies sink are the results of Box2D v3 (617d32a, sleep off), or where Scree was always better, those of
+// Scree.
 #include "props.h"
 #include <math.h>
 
@@ -9,7 +10,7 @@
 
 typedef struct
 {
-	double sank, leaned; // m: of the body that did most, down and sideways
+	double sank, leaned; // m: largest movement down and sideways
 	int body;            // that leaned most
 } Fall;
 
@@ -32,8 +33,8 @@ static Fall stand(Lab* lab, int first, int steps)
 	return fall;
 }
 
-// Sinks at most so far and leans at most half a box or as given; without limits it is only shown.
-static void judge(Validation* v, Lab* lab, int first, int steps, Limit limit, double sink, double lean)
+// Takes the steps and prints how far bodies sank and moved sideways.
+static void print_fall(Validation* v, Lab* lab, int first, int steps, Limit limit, double sink, double lean)
 {
 	Fall fall = stand(lab, first, steps);
 	row(v, "sank", fall.sank, "m", limit, sink);
@@ -58,7 +59,7 @@ static void column(Validation* v, int count, int substeps, double jitter, Limit 
 	begin(v, "%d boxes x %d substeps%s", count, substeps, jitter > 0.0 ? " set down unevenly" : "");
 	Lab* lab = open_with(v, substeps, &first);
 	add_column(lab, count, 0.0, jitter);
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, count < 100 ? 0.25 : 1.0);
+	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, count < 100 ? 0.25 : 1.0);
 }
 
 static void weight(Validation* v, double density, Limit limit, double sink)
@@ -70,10 +71,10 @@ static void weight(Validation* v, double density, Limit limit, double sink)
 	scree_attribute_def top = box_of(0.5, 0.5);
 	top.density = (float)density;
 	lab_put(lab, SCREE_BODY_DYNAMIC, &top, 0.0f, 10.5f, 0.0f);
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, 0.25);
+	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, 0.25);
 }
 
-// Boxes, rounded boxes, flat hexagons and lying capsules between boxes, all 1 m wide or less.
+// Boxes, rounded boxes, hexagons and lying capsules on each other, all at most 1 m wide.
 static void mixed(Validation* v, int count)
 {
 	int first;
@@ -85,7 +86,7 @@ static void mixed(Validation* v, int count)
 	                                capsule_of(0.25, 0.25)};
 	for (int k = 0; k < count; ++k)
 		lab_put(lab, SCREE_BODY_DYNAMIC, &kinds[k % 4], 0.0f, 0.25f + 0.5f * (float)k, 0.0f);
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.014, 0.01);
+	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.014, 0.01);
 }
 
 // After Erin Catto, Box2D v3, sample CardHouse: pairs of cards that lean on each other, and cards that lie on them.
@@ -110,7 +111,7 @@ static void card_house(Validation* v, int levels)
 			lab_put(lab, SCREE_BODY_DYNAMIC, &card, (float)(x + pitch), (float)y, angle);
 		}
 	}
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.033, 0.0075);
+	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.033, 0.0075);
 }
 
 // Wedge-shaped stones between two half circles, without mortar, the lowest two on the floor.
@@ -130,7 +131,7 @@ static void arch(Validation* v, int stones)
 		scree_attribute_def stone = polygon_of(corners, 4);
 		lab_put(lab, SCREE_BODY_DYNAMIC, &stone, 0.0f, 0.0f, 0.0f);
 	}
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.017, 0.01);
+	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.017, 0.01);
 }
 
 static void pyramid(Validation* v, int base, double sink, double lean)
@@ -145,7 +146,7 @@ static void pyramid(Validation* v, int base, double sink, double lean)
 			lab_put(lab, SCREE_BODY_DYNAMIC, &box, 0.55f * ((float)k - 0.5f * (float)(base - row - 1)),
 			        0.25f + 0.5f * (float)row, 0.0f);
 	}
-	judge(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, sink, lean);
+	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, sink, lean);
 }
 
 void columns_experiment(Validation* v)

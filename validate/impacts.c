@@ -14,7 +14,7 @@ static Lab* open_empty(Validation* v)
 	return lab_open(v, &def);
 }
 
-// Boxes and rods at all angles against a floor: energy of each after its impact, of what it had before.
+// Boxes and rods hit a floor at all angles. Prints the largest ratio of a body's energy after to before.
 static void against_floor(Validation* v, double friction)
 {
 	int runs = v->quick ? 200 : 1000;
@@ -32,7 +32,7 @@ static void against_floor(Validation* v, double friction)
 		scree_velocity velocity = {{(float)(slant * speed), (float)-speed}, (float)random_between(&seed, -5.0, 5.0)};
 		lab_throw(lab, &body, (float)(APART * (k - 0.5 * runs)), (float)random_between(&seed, 1.0, 2.0),
 		          (float)random_between(&seed, -3.0, 3.0), velocity);
-		lab->parts[lab->part_count - 1].filter.group = -1; // they do not meet each other
+		lab->parts[lab->part_count - 1].filter.group = -1; // they do not collide with each other
 	}
 	double most = 0.0;
 	for (int step = 0; step < 90; ++step)
@@ -55,12 +55,12 @@ static void against_floor(Validation* v, double friction)
 	lab_close(lab);
 }
 
-// The last body that was put meets those of the same run alone.
-static void alone(Lab* lab, int run) { lab->parts[lab->part_count - 1].filter = (scree_filter){1, 0, run + 1}; }
+// Lets the last body collide only with those of the same run.
+static void isolate(Lab* lab, int run) { lab->parts[lab->part_count - 1].filter = (scree_filter){1, 0, run + 1}; }
 
-// A heavy body strikes light ones at rest: they leave with its speed at most, as nothing turns. Runs must not meet: a light
-// circle that goes off to the side with 0.5 of the speed and is struck again, by the heavy one of the next run, rightly
-// leaves with up to 1.12 of it, for against that one it comes with 1.12 of it.
+// A heavy circle hits a light one at rest, without friction. The light one must not be faster afterwards than the heavy one was.
+// Runs are isolated: a light circle that flies to the side with 0.5 of the speed, and that the heavy circle of the next run
+// hits, may leave with 1.12 of it, because their relative speed is 1.12 of it.
 static void struck(Validation* v, double ratio)
 {
 	int runs = v->quick ? 100 : 400;
@@ -74,10 +74,10 @@ static void struck(Validation* v, double ratio)
 	{
 		float x = (float)(APART * (k - runs / 2));
 		lab_put(lab, SCREE_BODY_DYNAMIC, &light, x, (float)random_between(&seed, 1.0, 1.7), 0.0f);
-		alone(lab, k);
+		isolate(lab, k);
 		lab_throw(lab, &heavy, x + (float)random_between(&seed, -0.3, 0.3), 0.0f, 0.0f,
 		          (scree_velocity){{0.0f, 40.0f}, 0.0f});
-		alone(lab, k);
+		isolate(lab, k);
 	}
 	double most = 0.0;
 	for (int step = 0; step < 20; ++step)
@@ -90,7 +90,7 @@ static void struck(Validation* v, double ratio)
 	lab_close(lab);
 }
 
-// A surface of any kind, density and friction.
+// Makes a surface of one of five kinds and a random size.
 static scree_attribute_def any_of(uint64_t* seed, int kind, double density, double friction)
 {
 	double size = random_between(seed, 0.05, 0.5), thin = size * random_between(seed, 0.2, 1.0);
@@ -106,7 +106,7 @@ static scree_attribute_def any_of(uint64_t* seed, int kind, double density, doub
 	return surface;
 }
 
-// Two bodies of any shape, spin and ratio of masses meet: energy of both after their impact, of what it was before.
+// Two bodies of any shape, spin and ratio of masses collide. Prints the largest ratio of their energy after to before.
 static void pairs(Validation* v, double friction)
 {
 	int runs = v->quick ? 300 : 3000;
@@ -122,14 +122,14 @@ static void pairs(Validation* v, double friction)
 		scree_velocity turn = {{0.0f, 0.0f}, (float)random_between(&seed, -20.0, 20.0)};
 		lab_throw(lab, &light, (float)x, (float)random_between(&seed, 1.5, 3.0),
 		          (float)random_between(&seed, -3.0, 3.0), turn);
-		alone(lab, k);
+		isolate(lab, k);
 		scree_velocity velocity = {{0.0f, (float)speed}, (float)random_between(&seed, -20.0, 20.0)};
 		lab_throw(lab, &heavy, (float)(x + random_between(&seed, -0.4, 0.4)), 0.0f,
 		          (float)random_between(&seed, -3.0, 3.0), velocity);
-		alone(lab, k);
+		isolate(lab, k);
 	}
 	lab_read(lab);
-	double* before = demand(malloc((size_t)runs * sizeof *before));
+	double* before = require_memory(malloc((size_t)runs * sizeof *before));
 	for (int k = 0; k < runs; ++k)
 		before[k] = lab_kinetic(lab, 2 * k) + lab_kinetic(lab, 2 * k + 1);
 	double most = 0.0;
@@ -176,8 +176,8 @@ static Momentum momentum_of(Lab* lab)
 	return sum;
 }
 
-// Mixed bodies that rush together from all sides and turn about the middle; every second bounces if asked to. Within a step,
-// points of action stay where it found them and bodies move on: so angular momentum drifts less with shorter steps.
+// Mixed bodies move from all sides to the middle and turn around it; every second one has the restitution. Within a step the
+// points of contacts stay while bodies move. So angular momentum drifts less with shorter steps.
 static Lab* rush_of(Validation* v, int across, double rush, double restitution, int rate, uint64_t seed)
 {
 	LabDef def = lab_def();
@@ -200,7 +200,8 @@ static Lab* rush_of(Validation* v, int across, double rush, double restitution, 
 	return lab;
 }
 
-// How far momentum drifts is chance: of several such pile-ups the mean for angular momentum, else the worst.
+// The drift of momentum is random. Of several pile-ups the limits are on the mean drift of angular momentum and on the largest of
+// the other values.
 static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
 {
 	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,

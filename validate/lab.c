@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// lab.c -- a world in which an experiment is made, and the ruler that measures its overlaps.
-#include "validate.h"
+// lab.c -- the world of an experiment, and the measurement of its overlaps.
+#include "lab.h"
+#include "lab_scree.h"
+#include "support.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define MOMENT 1.0e-4f // s: nothing moves in it
+#define MOMENT 1.0e-4f // s: too short for bodies to move
 
 static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
 
@@ -12,7 +14,7 @@ LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400
 
 Lab* lab_open(Validation* v, const LabDef* def)
 {
-	Lab* lab = demand(calloc(1, sizeof(Lab)));
+	Lab* lab = require_memory(calloc(1, sizeof(Lab)));
 	lab->validation = v;
 	v->lab = lab;
 	lab->def = *def;
@@ -24,7 +26,7 @@ Lab* lab_open(Validation* v, const LabDef* def)
 	return lab;
 }
 
-// Makes bodies that were added since, and says whether there is something to work with.
+// Creates the bodies that were added since the last step. False if the validation has failed.
 static bool ready(Lab* lab)
 {
 	Validation* v = lab->validation;
@@ -44,10 +46,17 @@ uint64_t lab_hash(Lab* lab)
 	return hash;
 }
 
+uint64_t lab_case_hash(Validation* v)
+{
+	if (!v->lab)
+		return v->hash;
+	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // of a single world it is the hash of that world
+}
+
 void lab_close(Lab* lab)
 {
 	Validation* v = lab->validation;
-	v->hash = validate_hash(v);
+	v->hash = lab_case_hash(v);
 	v->lab = NULL;
 	if (lab->state)
 		v->engine->close(lab->state);
@@ -63,20 +72,20 @@ static void grow(Lab* lab, int parts)
 	if (lab->count == lab->capacity)
 	{
 		size_t capacity = lab->capacity ? 2 * (size_t)lab->capacity : 64;
-		lab->bodies = demand(realloc(lab->bodies, capacity * sizeof *lab->bodies));
-		lab->poses = demand(realloc(lab->poses, capacity * sizeof *lab->poses));
-		lab->velocities = demand(realloc(lab->velocities, capacity * sizeof *lab->velocities));
+		lab->bodies = require_memory(realloc(lab->bodies, capacity * sizeof *lab->bodies));
+		lab->poses = require_memory(realloc(lab->poses, capacity * sizeof *lab->poses));
+		lab->velocities = require_memory(realloc(lab->velocities, capacity * sizeof *lab->velocities));
 		lab->capacity = (int)capacity;
 	}
 	if (lab->part_count + parts > lab->part_capacity)
 	{
 		lab->part_capacity = 2 * lab->part_capacity + parts;
-		lab->parts = demand(realloc(lab->parts, (size_t)lab->part_capacity * sizeof *lab->parts));
+		lab->parts = require_memory(realloc(lab->parts, (size_t)lab->part_capacity * sizeof *lab->parts));
 	}
 }
 
 // Mass and inertia by the parallel axes theorem.
-static void weigh(LabBody* body, const LabPart* parts)
+static void compute_mass(LabBody* body, const LabPart* parts)
 {
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
 	for (int k = 0; k < body->count; ++k)
@@ -103,7 +112,7 @@ int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count
 	*body = (LabBody){.def = *def, .first = lab->part_count, .count = count};
 	for (int k = 0; k < count; ++k)
 		lab->parts[lab->part_count++] = parts[k];
-	weigh(body, parts);
+	compute_mass(body, parts);
 	lab->poses[lab->count] = def->pose;
 	lab->velocities[lab->count] = def->velocity;
 	return lab->count++;
@@ -204,7 +213,7 @@ double lab_fastest(const Lab* lab, int* body)
 	for (int k = 0; k < lab->count; ++k)
 	{
 		double speed = lab->bodies[k].def.type == SCREE_BODY_DYNAMIC ? lab_speed(lab, k) : 0.0;
-		if (speed <= most) // false for what is not a number
+		if (speed <= most) // false if speed is NaN
 			continue;
 		most = speed;
 		if (body)
@@ -225,10 +234,10 @@ double lab_overlap(Lab* lab, int* touching)
 	lab_read(lab);
 	if (lab->validation->broken)
 		return 0.0;
-	// the same bodies, where they are now
+	// the same bodies at their present poses
 	Lab still = *lab;
 	still.def.gravity = (scree_vec){0.0f, 0.0f};
-	still.bodies = demand(malloc(((size_t)lab->count + 1) * sizeof(LabBody)));
+	still.bodies = require_memory(malloc(((size_t)lab->count + 1) * sizeof(LabBody)));
 	for (int k = 0; k < lab->count; ++k)
 	{
 		still.bodies[k] = lab->bodies[k];

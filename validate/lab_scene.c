@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // lab_scene.c -- a scene file as a lab: built into a Scree world, and read back from there body by body.
 #include "lab_scene.h"
-#include "validate.h"
+#include "scene/build.h"
+#include "scene/find.h"
+#include "scene/load.h"
+#include "support.h"
 #include <stdlib.h>
 
 static bool report(scree_status status)
@@ -43,8 +46,8 @@ static bool add_body(Lab* lab, scree_world* model, scree_body body)
 	int count = 0;
 	if (!read_def(model, body, &def) || !report(scree_body_get_collidables(model, body, NULL, 0, &count)))
 		return false;
-	scree_collidable* collidables = demand(malloc(((size_t)count + 1) * sizeof *collidables));
-	LabPart* parts = demand(malloc(((size_t)count + 1) * sizeof *parts));
+	scree_collidable* collidables = require_memory(malloc(((size_t)count + 1) * sizeof *collidables));
+	LabPart* parts = require_memory(malloc(((size_t)count + 1) * sizeof *parts));
 	bool good = report(scree_body_get_collidables(model, body, collidables, count, &count));
 	for (int k = 0; k < count && good; ++k)
 		good = read_part(model, collidables[k], &parts[k]);
@@ -59,7 +62,7 @@ static bool add_bodies(Lab* lab, scree_world* model)
 {
 	int count = 0;
 	scree_world_get_bodies(model, NULL, 0, &count);
-	scree_body* bodies = demand(malloc(((size_t)count + 1) * sizeof *bodies));
+	scree_body* bodies = require_memory(malloc(((size_t)count + 1) * sizeof *bodies));
 	bool good = report(scree_world_get_bodies(model, bodies, count, &count));
 	for (int k = 0; k < count && good; ++k)
 		good = add_body(lab, model, bodies[k]);

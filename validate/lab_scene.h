@@ -5,8 +5,8 @@
 #include "lab.h"
 #include "scene/scene.h"
 
-// Never null; breaks the validation when there is no such scene. Its step and substeps are the scene's; setting is a parameter
-// that has another value, or null.
+// Never returns null. Ends the validation if there is no such scene. The lab has the step and the substeps of the scene; setting
+// gives a parameter another value, or is null.
 Lab* lab_scene(Validation* validation, const char* name, const SceneSetting* setting);
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // lab_scree.c -- Scree as the engine of a lab.
-#include "lab.h"
+#include "lab_scree.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct // of a body's first collidable, as a user would keep it
+typedef struct // of a body's first collidable
 {
 	scree_attribute attribute;
 	scree_filter filter;
@@ -58,7 +58,7 @@ static void close(void* context)
 	free(state);
 }
 
-// Room for a batch: handles, and definitions.
+// Allocates handles and definitions for a batch.
 static bool reserve(State* state, int count)
 {
 	if (count <= state->room)
@@ -81,7 +81,7 @@ static bool gather(State* state, const int* bodies, int count)
 	return true;
 }
 
-// The collidables of a body behind its first one. Its velocity is that of the center of mass, wherever that is then.
+// Creates the other collidables of a body. They move its center of mass, so that its velocity is set again.
 static bool add_others(State* state, const Lab* lab, int index)
 {
 	const LabBody* body = &lab->bodies[index];
@@ -98,7 +98,7 @@ static bool add_others(State* state, const Lab* lab, int index)
 	return body->count < 2 || report(scree_body_set_velocity(state->world, state->bodies[index], body->def.velocity));
 }
 
-// The attributes of bodies from first on, which are made for the first time. Whoever makes many alike looks theirs up once.
+// Finds the attributes of new bodies from first on. Consecutive equal attributes are looked up once.
 static bool find_firsts(State* state, const Lab* lab, int first, int count)
 {
 	const LabPart* last = NULL;
@@ -117,7 +117,7 @@ static bool find_firsts(State* state, const Lab* lab, int first, int count)
 	return true;
 }
 
-// Creates these bodies, or those from first on where bodies is null, in one batch.
+// Creates these bodies in one batch; if bodies is null, those from first on.
 static bool create_some(State* state, const Lab* lab, const int* bodies, int first, int count)
 {
 	if (!reserve(state, count))

@@ -13,7 +13,7 @@ static Lab* open_with(Validation* v, double gravity, double max_speed)
 	return lab_open(v, &def);
 }
 
-// Chips of 4 x 2 cm that fly at a wall.
+// Chips of 4 x 2 cm fly at a wall.
 static void chips(Validation* v, double speed, int count)
 {
 	begin(v, "%d chips against a wall at %g m/s", count, speed);
@@ -31,7 +31,7 @@ static void chips(Validation* v, double speed, int count)
 	lab_close(lab);
 }
 
-// A rod that spins in a heap of chips: as a dynamic body that was set spinning, and as one that nothing brakes.
+// A rod spins in a heap of chips: a dynamic one with an initial spin, or a kinematic one, which keeps its spin.
 static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 {
 	int frozen = 0, chips = 200;
@@ -71,7 +71,7 @@ typedef struct
 	int frozen, run;
 } Extremes;
 
-// Bodies of 0.1 to 1 m on top of each other in a small place, at rest; movers are kinematic and go to and fro.
+// Bodies of 0.1 to 1 m begin at rest, overlapping in a small place. Movers are kinematic and turn back every ten steps.
 static void burst(Validation* v, int count, double width, int movers, double max_speed, int run, Extremes* extremes)
 {
 	Lab* lab = open_with(v, 10.0, max_speed);
@@ -125,7 +125,7 @@ static void bursts(Validation* v, int count, double width, int movers, double ma
 	row(v, "bodies frozen", extremes.frozen, "", AT_MOST, 0.0);
 }
 
-// A force that no body can bear takes it to the limit, not to a halt.
+// A very large force accelerates a body to the limit and does not freeze it.
 static void force(Validation* v, double newton)
 {
 	begin(v, "force of %g N", newton);

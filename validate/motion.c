@@ -5,7 +5,7 @@
 
 #define GRAVITY 10.0
 
-// A rod and a triangle that nothing touches, for a minute.
+// Rods and triangles spin freely for a minute.
 static void free_flight(Validation* v)
 {
 	begin(v, "free spin for a minute");
@@ -37,7 +37,7 @@ static void free_flight(Validation* v)
 	lab_close(lab);
 }
 
-// A millimetre a second, where a step is a fraction of the last digit of a coordinate.
+// At 1 mm/s a step is less than the rounding of a coordinate at 1 km.
 static void drift(Validation* v)
 {
 	begin(v, "drifts for a minute at 1 mm/s, 1 km from the origin");
@@ -53,7 +53,7 @@ static void drift(Validation* v)
 	lab_close(lab);
 }
 
-// A body set on a slope, which is a floor turned by the angle.
+// Puts a body on a slope, which is a floor rotated by the angle.
 static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, double friction, double angle)
 {
 	LabDef def = lab_def();
@@ -66,7 +66,7 @@ static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, do
 	return lab;
 }
 
-// How far the second body went down the slope.
+// The distance that the second body moved down the slope, m.
 static double went(Lab* lab)
 {
 	lab_read(lab);
@@ -100,7 +100,7 @@ static void slope(Validation* v)
 	}
 }
 
-// A disk that does not slip has two thirds of the acceleration of one that slides.
+// A disk that rolls has two thirds of the acceleration of one that slides without friction.
 static void rolling(Validation* v)
 {
 	begin(v, "disk rolls down 20 degrees");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // overlaps.c -- the six scenes of the benchmarks: how deep bodies overlap, and how far stacks sink.
 //
-// Limits are what f723e87 did and some more, so that what was good stays: a twentieth where bodies hardly move, and as much
-// as the order of creation alone changed elsewhere, a seventh of the deepest overlap. The one of smash is what Box2D v3
-// (617d32a, sleep off) does, which was better there.
+// The limits are the results of commit f723e87 and a margin. The margin is 1/20 where bodies hardly move. Elsewhere it is 1/7 of
+// the deepest overlap, as much as the order of creation alone changed. The limit of smash is the result of Box2D v3 (617d32a,
+// sleep off), which was better there.
 #include "lab_scene.h"
 #include "validate.h"
 #include <math.h>
@@ -14,9 +14,9 @@
 typedef struct
 {
 	const char* name;
-	int every;            // steps from one look to the next; each costs as much as some steps
-	double deepest, mean; // mm, at most: of all looks, or 0, and mean of the deepest of each
-	double sank;          // mm, at most, the body that sank most; 0: not a stack
+	int every;            // steps between measurements, each of which costs as much as some steps
+	double deepest, mean; // limits, mm: deepest of all measurements (0: none), mean of the deepest of each
+	double sank;          // limit, mm, of the body that sank most; 0: no stack
 } Known;
 
 static const Known scenes[] = {
@@ -24,7 +24,7 @@ static const Known scenes[] = {
     {"tumbler", 1, 160.0, 64.0, 0.0},  {"smash", 1, 191.0, 52.0, 0.0},     {"washer", 1, 145.0, 35.0, 0.0},
 };
 
-typedef struct // of the looks at a run, m
+typedef struct // of the measurements of a run, m
 {
 	double deepest, mean;
 	int step; // of the deepest
@@ -64,13 +64,14 @@ static void watch(Validation* v, const Known* known, int steps)
 	lab_close(lab);
 }
 
-// One run is chance: a body more or less makes of a pile's 0.14 m 0.26, and of a drum's mean of 50 mm 65.
+// A single run is random: one body more or less changes the deepest overlap of a pile from 0.14 to 0.26 m, and the mean of a drum
+// from 50 to 65 mm. So these scenes run several times, with a parameter that differs a little.
 typedef struct
 {
 	const char *name, *scene, *parameter;
-	int first, apart;     // value of the parameter in the first run, and by how much it goes up
+	int first, apart;     // the parameter in the first run, and its increase from run to run
 	int steps;            // of a run
-	double deepest, mean; // mm, at most: medians of the runs
+	double deepest, mean; // limits, mm, of the medians of the runs
 } Several;
 
 static const Several repeated[] = {
@@ -94,8 +95,8 @@ static void watch_several(Validation* v, const Several* known)
 		lab_close(lab);
 	}
 	v->steps = known->steps;
-	row(v, "median of the deepest overlaps", 1e3 * middle(deepest, RUNS), "mm", AT_MOST, known->deepest);
-	row(v, "median of the means", 1e3 * middle(mean, RUNS), "mm", AT_MOST, known->mean);
+	row(v, "median of the deepest overlaps", 1e3 * median_of_values(deepest, RUNS), "mm", AT_MOST, known->deepest);
+	row(v, "median of the means", 1e3 * median_of_values(mean, RUNS), "mm", AT_MOST, known->mean);
 }
 
 void overlaps_experiment(Validation* v)

@@ -3,7 +3,7 @@
 #include "props.h"
 #include <math.h>
 
-// A shape that cannot be made leaves an empty one, which an engine refuses with a sentence.
+// If the shape is invalid, the surface has an empty one, which engines refuse with a sentence.
 static scree_attribute_def surface_of(scree_status status, const scree_shape* shape)
 {
 	scree_attribute_def def = scree_attribute_def_default();

@@ -12,17 +12,17 @@ scree_attribute_def capsule_of(double half_length, double radius); // lies; half
 scree_attribute_def polygon_of(const scree_vec* corners, int count);
 scree_attribute_def wall_of(double height); // an upright segment through the origin
 
-// A floor whose top lies at y = 0. Returns its index, as the others do that of their first body.
+// These add bodies and return the index of the first. The top of a floor is at y = 0.
 int add_floor(Lab* lab, double half_width);
 
-// Boxes of half a meter's half size, one on the other, from the floor.
+// Boxes of 1 m x 1 m on each other, from the floor up.
 int add_column(Lab* lab, int count, double x, double jitter);
 
-// Mixed bodies, or boxes and circles alone, of 0.4 to 0.7 m across in a bin with a floor and walls, in rows above it, at
-// random angles; x is the middle of the bin.
+// Mixed bodies, or only boxes and circles, 0.4 to 0.7 m wide, in rows in a bin of a floor and walls, at random angles; x: the
+// middle of the bin.
 int add_heap(Lab* lab, int count, bool mixed, double x);
 
-// Mixed bodies of some sizes at random places and angles of a rectangle, whatever else is there.
+// Mixed bodies at random places and angles in a rectangle. They may overlap.
 int add_jumble(Lab* lab, int count, double small, double large, scree_box place, uint64_t* seed);
 
 #endif

@@ -12,7 +12,7 @@
 #define SIZES  7
 #define STARTS 8
 
-// Bodies of one kind and seven sizes side by side, from one start position; adds to the worst of all so far.
+// the largest values of all bodies so far
 typedef struct
 {
 	double moved, speed; // mm, mm/s
@@ -30,6 +30,7 @@ static scree_attribute_def shape_of(int kind, float size)
 	                   : box_of((double)size, (double)size);
 }
 
+// Lets bodies of one kind and seven sizes lie side by side, from one start position.
 static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
 {
 	LabDef def = lab_def();
@@ -74,7 +75,7 @@ static void single(Validation* v, const char* name, int kind)
 
 typedef struct
 {
-	double energy, speed; // J a body, m/s: most of a second
+	double energy, speed; // J a body, m/s: largest values within a second
 	int fastest;
 } Calm;
 
@@ -106,10 +107,10 @@ static void point_at(const Lab* lab, int body)
 	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
 }
 
-// How far bodies went that stayed within a quarter of their size, the farthest of them, a minute.
+// Prints the largest distance that a body crept, mm a minute. Bodies that moved more than a quarter of their size are left out.
 static void creep(Validation* v, Lab* lab, int first, int steps)
 {
-	scree_pose* before = demand(malloc((size_t)lab->count * sizeof *before));
+	scree_pose* before = require_memory(malloc((size_t)lab->count * sizeof *before));
 	double most = 0.0;
 	int farthest = first;
 	for (int k = 0; k < lab->count; ++k)
@@ -130,8 +131,8 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 	row(v, "creep a minute", 1e3 * most * 3600.0 / steps, "mm", AT_MOST, CREEP);
 }
 
-// After so many steps: energy and the fastest body in the last second, and the way of the slow ones in the time behind.
-static void judge(Validation* v, Lab* lab, int first, const char* name, int until, int behind)
+// Prints energy and the fastest body in the second before step until, and creep in the steps after it.
+static void print_heap(Validation* v, Lab* lab, int first, const char* name, int until, int behind)
 {
 	begin(v, "heap of %d %s after %d steps", lab->count - first, name, until);
 	v->steps = until;
@@ -153,11 +154,11 @@ static void heap(Validation* v, int count, bool mixed, double x)
 	Lab* lab = lab_open(v, &def);
 	int first = add_heap(lab, count, mixed, x);
 	lab_step(lab, half - 60);
-	judge(v, lab, first, name, half, behind);
+	print_heap(v, lab, first, name, half, behind);
 	if (all > 0)
 	{
 		lab_step(lab, all - 60 - half - behind);
-		judge(v, lab, first, name, all, behind);
+		print_heap(v, lab, first, name, all, behind);
 	}
 	lab_close(lab);
 }

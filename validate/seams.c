@@ -4,7 +4,7 @@
 #include <math.h>
 
 #define PHASES 16
-#define TRACKS (2 * PHASES) // each phase settled first, and set down with its speed
+#define TRACKS (2 * PHASES) // each phase twice: settled first, or set down with its speed
 #define APART  8.0          // m between tracks, one above the other
 #define STEPS  120          // of sliding
 #define SETTLE 60           // steps before
@@ -54,12 +54,12 @@ static void watch(Lab* lab, const int* bodies, double half, double speed, double
 		}
 		slide->lost = fmax(slide->lost, lost);
 		slide->rise = fmax(slide->rise, rise);
-		// what falls through is disturbed as well
+		// a body that falls through is disturbed, too
 		bad[k] = bad[k] || !(lost < 0.01 && rise < 0.001 && rise > -0.02);
 	}
 }
 
-// All phases and both starts at once, each on a track of its own; each meets its first seam within the time.
+// Runs all phases and both starts at once, each on its own track. Each crosses at least one seam.
 static void slide_over(Validation* v, const Slider* slider, double speed, double tile, Slide* slide)
 {
 	LabDef def = lab_def();
@@ -78,7 +78,7 @@ static void slide_over(Validation* v, const Slider* slider, double speed, double
 	for (int k = 0; k < TRACKS; ++k)
 	{
 		double x = -slider->half - reach * (k % PHASES + 0.37) / PHASES, y = APART * (k - TRACKS / 2) + slider->half;
-		if (k == PHASES) // those behind are set down when the first have settled
+		if (k == PHASES) // the others are set down after the first have settled
 			lab_step(lab, SETTLE);
 		bodies[k] = k < PHASES ? lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f)
 		                       : lab_throw(lab, &surface, (float)x, (float)y, 0.0f, velocity);
@@ -97,7 +97,7 @@ static void slide_over(Validation* v, const Slider* slider, double speed, double
 	lab_close(lab);
 }
 
-static void all_over(Validation* v, const Slider* slider, int speed_count, int tile_count)
+static void slide_all(Validation* v, const Slider* slider, int speed_count, int tile_count)
 {
 	Slide slide = {0};
 	begin(v, "%s", slider->name);
@@ -112,7 +112,7 @@ static void all_over(Validation* v, const Slider* slider, int speed_count, int t
 	row(v, "most rise", 1e3 * slide.rise, "mm", AT_MOST, 1.0);
 }
 
-// A step up of a tenth of its height stops what slides: seams are forgiven, ledges are not. One down does not brake.
+// A ledge up of 1/10 of the body's height stops it, unlike a seam. A ledge down does not slow it.
 static void ledge(Validation* v, double height)
 {
 	LabDef def = lab_def();
@@ -138,7 +138,7 @@ static void ledge(Validation* v, double height)
 	lab_close(lab);
 }
 
-// Boxes piled across the seams of tiles, for a minute, with friction.
+// A pyramid of boxes stands across the seams of tiles for a minute, with friction.
 static void stack(Validation* v)
 {
 	LabDef def = lab_def();
@@ -166,7 +166,7 @@ void seams_experiment(Validation* v)
 	for (int k = 0; k < SLIDERS; ++k)
 	{
 		if (!v->quick || k == 2 || k == 4 || k == 9)
-			all_over(v, &sliders[k], v->quick ? 2 : 8, v->quick ? 1 : 5);
+			slide_all(v, &sliders[k], v->quick ? 2 : 8, v->quick ? 1 : 5);
 	}
 	ledge(v, 0.1);
 	ledge(v, -0.1);

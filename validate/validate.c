@@ -4,7 +4,6 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define X(name, shows) void name##_experiment(Validation* v);
@@ -42,7 +41,7 @@ bool validate_run(Validation* v, const Experiment* experiment)
 	return !v->broken && v->failures == before;
 }
 
-// A comma must not make a column.
+// Replaces commas, which would make columns.
 static void cell(char* text)
 {
 	for (; *text; ++text)
@@ -70,13 +69,6 @@ void where(Validation* v, const char* format, ...)
 	cell(v->where);
 }
 
-uint64_t validate_hash(Validation* v)
-{
-	if (!v->lab)
-		return v->hash;
-	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // of a single world its own
-}
-
 void row(Validation* v, const char* quantity, double value, const char* unit, Limit limit, double bound)
 {
 	if (v->broken)
@@ -89,36 +81,8 @@ void row(Validation* v, const char* quantity, double value, const char* unit, Li
 	        limit == SHOWN ? "shown"
 	        : good         ? "pass"
 	                       : "fail",
-	        v->steps, validate_hash(v), v->where);
+	        v->steps, lab_case_hash(v), v->where);
 	fflush(v->out);
 	v->failures += !good;
 	v->where[0] = 0;
-}
-
-static int rising(const void* a, const void* b)
-{
-	double x = *(const double*)a, y = *(const double*)b;
-	return (x > y) - (x < y);
-}
-
-double middle(double* values, int count)
-{
-	qsort(values, (size_t)count, sizeof *values, rising);
-	return values[count / 2];
-}
-
-void* demand(void* memory)
-{
-	if (memory)
-		return memory;
-	fprintf(stderr, "scree validate: out of memory\n");
-	exit(1);
-}
-
-double random_between(uint64_t* seed, double low, double high)
-{
-	uint64_t z = *seed += 0x9e3779b97f4a7c15u;
-	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-	z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-	return low + (high - low) * (double)((z ^ z >> 31) >> 11) * 0x1p-53;
 }

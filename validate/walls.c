@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // walls.c -- nothing crosses what is static, struck or thrown, and no wedge shoots anything out.
 //
-// Each run has a track of its own in one world without gravity. Walls are segments, which have no thickness, or boxes of
-// 2 cm.
+// Each run has its own track in one world without gravity. Walls are segments, which have no thickness, or boxes of 2 cm.
 #include "props.h"
 #include <math.h>
 
 #define APART  12.0 // m between tracks
-#define HEIGHT 14.0 // m, of a wall; so there is no gap between two
+#define HEIGHT 14.0 // m, of a wall; more than APART, so that there are no gaps
 
 typedef enum
 {
@@ -34,7 +33,7 @@ static scree_attribute_def body_of(Kind kind, double size)
 	}
 }
 
-// Its longest side.
+// The longest side of a body, m.
 static double length_of(Kind kind, double size) { return (kind == CAPSULE ? 3.0 : kind == ROD ? 8.0 : 2.0) * size; }
 
 static scree_attribute_def wall(bool thick) { return thick ? box_of(0.01, 0.5 * HEIGHT) : wall_of(HEIGHT); }
@@ -46,7 +45,7 @@ static Lab* open_empty(Validation* v)
 	return lab_open(v, &def);
 }
 
-// Walls above and below those of the tracks, so that nothing goes around.
+// Adds walls above and below those of the tracks, so that no body passes beside them.
 static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 {
 	for (int k = 1; k <= 20; ++k)
@@ -56,7 +55,7 @@ static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 	}
 }
 
-// How many bodies, one or two a track, are behind the wall, and which is the first.
+// Counts the bodies behind the wall, and names the first of them.
 static int crossed(Lab* lab, const int* bodies, int count, double speed)
 {
 	int through = 0;
@@ -86,7 +85,7 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 		float y = (float)(APART * (k - runs / 2));
 		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m, from its center to the wall
 		lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
-		bool plain = k % 2 == 0; // else aslant and off the middle
+		bool plain = k % 2 == 0; // else rotated and off center
 		double angle = plain ? 0.0 : random_between(&seed, -1.0, 1.0),
 		       off = plain ? 0.0 : random_between(&seed, -0.2, 0.2);
 		bodies[2 * k] = lab_put(lab, SCREE_BODY_DYNAMIC, &light, (float)-gap, y, (float)angle);
@@ -131,10 +130,10 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 	row(v, "through the wall", through, "", AT_MOST, 0.0);
 }
 
-// Half of the angle that the walls of a run enclose.
+// Half of the angle between the walls of a run, rad.
 static double opening(int run, int runs) { return 0.1 + 0.4 * run / runs; }
 
-// A box of 30 cm shot into the corner of two walls that close in on it, at rising angles.
+// A box of 30 cm is shot into the corner of two walls; the angle between them grows from run to run.
 static void wedge(Validation* v, bool thick, double speed, int runs)
 {
 	begin(v, "box of 30 cm shot at %g m/s into a wedge of %s", speed, thick ? "boxes of 2 cm" : "segments");
@@ -145,7 +144,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 	double fastest = 0.0;
 	for (int k = 0; k < runs; ++k)
 	{
-		// upright walls turned until they enclose an angle and meet at x = 0
+		// upright walls are rotated so that they meet at x = 0
 		double y = APART * (k - runs / 2), half = opening(k, runs);
 		for (int s = -1; s <= 1; s += 2)
 			lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
@@ -165,7 +164,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 			if (lab_speed(lab, bodies[k]) > fastest)
 				fastest_run = k;
 			fastest = fmax(fastest, lab_speed(lab, bodies[k]));
-			// in front of the wedge it may be anywhere, in it only between the walls
+			// in front of the wedge the box may be anywhere, inside only between the walls
 			crossed_once[k] = crossed_once[k] || (x < 4.0 * cos(half) - 0.3 && y > x * tan(half) + 0.01);
 		}
 	}

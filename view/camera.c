@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // camera.c -- which part of the world a picture shows.
 #include "view/camera.h"
-#include "scene/aim.h"
+#include "scene/viewport.h"
 
 #define LEAST_SCALE 1.0e-4f // px a metre: all of SCREE_HUGE in a thumbnail
 #define MOST_SCALE  1.0e5f  // px a metre: a picture of a few millimetres
 
 void camera_fit(Camera* camera, scree_box box, int width, int height)
 {
-	Aim aim = aim_at(box, width, height);
-	*camera = (Camera){.scale = (float)aim.scale, .width = width, .height = height};
-	camera->middle.x = (float)(aim.left + width / aim.scale / 2);
-	camera->middle.y = (float)(aim.bottom + (height / 2.0 - BAND) / aim.scale);
+	Viewport viewport = viewport_show(box, width, height);
+	*camera = (Camera){.scale = (float)viewport.scale, .width = width, .height = height};
+	camera->middle.x = (float)(viewport.left + width / viewport.scale / 2);
+	camera->middle.y = (float)(viewport.bottom + (height / 2.0 - BAND) / viewport.scale);
 }
 
 void camera_resize(Camera* camera, int width, int height)

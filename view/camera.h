@@ -11,22 +11,22 @@ typedef struct
 	int width, height; // px
 } Camera;
 
-// Shows the whole of a box above a caption, as the pictures of scree run do.
+// Shows a whole box above the caption, as the pictures of scree run do.
 void camera_fit(Camera* camera, scree_box box, int width, int height);
 
-// Another size: the middle stays.
+// Changes the size of the picture; the middle stays.
 void camera_resize(Camera* camera, int width, int height);
 
-// Follows the mouse by so many pixels; y grows downwards.
+// Moves the picture with the mouse by x and y pixels; y grows downwards.
 void camera_pan(Camera* camera, float x, float y);
 
-// Makes everything larger by a factor, around the point under pixel x, y.
+// Magnifies the picture by a factor around pixel x, y.
 void camera_zoom(Camera* camera, float x, float y, float factor);
 
 // The point of the world under a pixel.
 scree_vec camera_point(const Camera* camera, float x, float y);
 
-// What is to be seen, m.
+// The part of the world in the picture, m.
 scree_box camera_box(const Camera* camera);
 
 #endif

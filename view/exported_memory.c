@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// exported_memory.c -- memory of a device that OpenCL and OpenGL both import: neither can export, but Vulkan can.
+// exported_memory.c -- device memory that OpenCL and OpenGL both import, allocated through Vulkan.
 //
-// Vulkan is opened at run time, for this alone.
-#include "view/share.h"
+// OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing else.
+#include "view/exported_memory.h"
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 #include <dlfcn.h>
 #include <vulkan/vulkan.h>
 
-// of an instance, and of a device
+// functions of an instance, and of a device
 #define INSTANCE_FUNCTIONS(X)             \
 	X(EnumeratePhysicalDevices)           \
 	X(GetPhysicalDeviceProperties2)       \
@@ -41,7 +41,7 @@ typedef struct
 
 #define MAX_GPUS 16
 
-// where a driver's memory is of the device's own
+// The memory type that is local to the device, -1 for none.
 static int own_memory(const VkPhysicalDeviceMemoryProperties* types, uint32_t allowed)
 {
 	for (uint32_t k = 0; k < types->memoryTypeCount; ++k)
@@ -109,7 +109,7 @@ static const char* open_device(Vulkan* v)
 
 static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 {
-	// a buffer is made to learn what it needs; nothing is ever bound to it
+	// this buffer only tells the size and type of memory that it needs; no memory is bound to it
 	const VkExternalMemoryHandleTypeFlags kind = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 	VkExternalMemoryBufferCreateInfo external = {.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO,
 	                                             .handleTypes = kind};
@@ -147,8 +147,8 @@ static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 	return NULL;
 }
 
-// Vulkan stays open as long as the process: when it was closed, NVIDIA's driver (580) took the thread's context of OpenGL
-// away with it. One device is enough, as OpenGL draws on one.
+// Vulkan stays open until the process ends: closing it made NVIDIA's driver 580 drop the thread's OpenGL context. One
+// device is enough, because OpenGL draws on one.
 static Vulkan vulkan;
 
 static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])
@@ -156,25 +156,25 @@ static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])
 	void* library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
 	if (!library)
 		return "there is no Vulkan to allocate memory with: install libvulkan1 (Debian, Ubuntu)";
-	const char* trouble = open_instance(v, library);
-	if (!trouble)
-		trouble = choose_gpu(v, uuid);
-	return trouble ? trouble : open_device(v);
+	const char* error = open_instance(v, library);
+	if (!error)
+		error = choose_gpu(v, uuid);
+	return error ? error : open_device(v);
 }
 
 static const char* make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes)
 {
-	static const char* trouble;
+	static const char* error;
 	static uint8_t opened[16];
 	static bool open;
 	if (!open)
 	{
-		trouble = open_vulkan(&vulkan, uuid);
+		error = open_vulkan(&vulkan, uuid);
 		memcpy(opened, uuid, sizeof opened);
 		open = true;
 	}
-	if (trouble)
-		return trouble;
+	if (error)
+		return error;
 	if (memcmp(opened, uuid, sizeof opened) != 0)
 		return "Vulkan allocates memory on another device already";
 	return allocate(&vulkan, bytes, memory);
@@ -199,11 +199,11 @@ static void drop(ExportedMemory* memory) { (void)memory; }
 bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size)
 {
 	*memory = (ExportedMemory){.files = {-1, -1}};
-	const char* trouble = make(memory, uuid, bytes);
-	snprintf(sentence, size, "%s", trouble ? trouble : "");
-	if (trouble)
+	const char* error = make(memory, uuid, bytes);
+	snprintf(sentence, size, "%s", error ? error : "");
+	if (error)
 		exported_memory_drop(memory);
-	return !trouble;
+	return !error;
 }
 
 void exported_memory_drop(ExportedMemory* memory)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// marker.c -- contacts as strokes: points, normals, impulses.
+// marker.c -- draws contacts as strokes: points, normals, impulses.
 #include "view/marker.h"
 #include <math.h>
 
@@ -9,7 +9,7 @@
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, green = {30, 122, 84};
 
-// Dots are small: they want more than bodies do.
+// A dot is small and needs more contrast than a body.
 static Color darker(Color color)
 {
 	return (Color){(uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4), (uint8_t)(color.b * 3 / 4)};
@@ -55,7 +55,7 @@ void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, c
 				strokes_add(strokes, p->point, along(p->point, c->normal, NORMAL * pixel), 1.2f, slate, 220);
 			if (layers[LAYER_impulses])
 			{
-				// the square root, so that small ones are seen beside large ones
+				// the square root makes small impulses visible beside large ones
 				float length = IMPULSE * pixel * sqrtf(fmaxf(p->normal_impulse, 0.0f) / largest);
 				float slip =
 				    IMPULSE * pixel * copysignf(sqrtf(fabsf(p->tangent_impulse) / largest), p->tangent_impulse);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// marker.h -- contacts as strokes: points, normals, impulses.
+// marker.h -- draws contacts as strokes: points, normals, impulses.
 #ifndef MARKER_H
 #define MARKER_H
-#include "view/renderer.h"
+#include "view/stroke.h"
+#include "view/style.h"
 
 // Adds strokes for the contacts that are in view.
 void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera,

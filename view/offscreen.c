@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// offscreen.c -- OpenGL without a window: a context, and a picture to draw into.
+// offscreen.c -- OpenGL without a window: a context and a framebuffer.
 #include "view/offscreen.h"
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -8,7 +8,7 @@
 
 #define MAX_EGL_DEVICES 16
 
-// A display is one for the whole process, and others may draw on it: it is never terminated.
+// Opens a context. The whole process shares one display, so that it is never terminated.
 static EGLContext context_of(EGLDisplay display)
 {
 	if (!eglInitialize(display, NULL, NULL))
@@ -45,7 +45,7 @@ const char* offscreen_open(Offscreen* o, int width, int height)
 	if (!o->context)
 		return "no device of EGL has OpenGL 3.3";
 	snprintf(o->renderer, sizeof o->renderer, "%s", (const char*)glGetString(GL_RENDERER));
-	if (frame_open(&o->frame, width, height))
+	if (framebuffer_open(&o->framebuffer, width, height))
 		return NULL;
 	offscreen_close(o);
 	return "OpenGL cannot draw a picture of this size";
@@ -55,7 +55,7 @@ void offscreen_close(Offscreen* o)
 {
 	if (!o->context)
 		return;
-	frame_close(&o->frame);
+	framebuffer_close(&o->framebuffer);
 	eglMakeCurrent(o->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 	eglDestroyContext(o->display, o->context);
 	*o = (Offscreen){0};

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// offscreen.h -- OpenGL without a window: a context, and a picture to draw into.
+// offscreen.h -- OpenGL without a window: a context and a framebuffer.
 #ifndef OFFSCREEN_H
 #define OFFSCREEN_H
-#include "view/frame.h"
+#include "view/framebuffer.h"
 #include <stdint.h>
 
 typedef struct
 {
-	void *display, *context; // of EGL
-	Frame frame;
+	void *display, *context; // EGL
+	Framebuffer framebuffer;
 	int width, height;  // px
-	char renderer[128]; // what OpenGL says of itself
+	char renderer[128]; // GL_RENDERER
 } Offscreen;
 
-// Opens a context of OpenGL 3.3 and makes it current, on the first device of EGL that has one: GPUs come before
-// software. Returns null or why not.
+// Opens an OpenGL 3.3 context on the first EGL device that has one, and makes it current. EGL lists GPUs before software
+// renderers. Returns null, or an error message.
 const char* offscreen_open(Offscreen* offscreen, int width, int height);
 void offscreen_close(Offscreen* offscreen);
 
-// A hash of all pixels, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991); 0 when there is no memory. Waits
-// for what is drawn.
+// A hash of all pixels, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991); 0 when memory is short.
+// Waits until drawing is finished.
 uint64_t offscreen_hash(const Offscreen* offscreen);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// renderer.c -- draws a world from rows in a buffer of OpenGL: bodies, and what may lie over them.
+// renderer.c -- draws a world from rows in an OpenGL buffer: bodies, and layers over them.
 //
-// A body under Style.detail is a blot: one vertex, and the pixels that it covers. A larger one is a rectangle whose
-// fragments know their distance from the shape. A row drops out of the pass that is not its own.
+// A body smaller than Style.detail is a splat: one vertex, and the pixels that it covers. A larger one is a rectangle whose
+// fragments compute their signed distance from the shape. Each pass discards the rows of the other.
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
@@ -44,7 +44,7 @@ bool renderer_open(Renderer* r, char* sentence)
 	glGenVertexArrays(1, &r->one_each);
 	glGenVertexArrays(1, &r->four_each);
 	bool good = pass_open(&r->body, glsl_body_vert, glsl_body_frag, sentence) &&
-	            pass_open(&r->blot, glsl_blot_vert, glsl_blot_frag, sentence) &&
+	            pass_open(&r->splat, glsl_splat_vert, glsl_splat_frag, sentence) &&
 	            pass_open(&r->box, glsl_box_vert, glsl_box_frag, sentence) &&
 	            pass_open(&r->velocity, glsl_velocity_vert, glsl_stroke_frag, sentence) &&
 	            strokes_open(&r->strokes, sentence);
@@ -55,37 +55,38 @@ bool renderer_open(Renderer* r, char* sentence)
 
 void renderer_close(Renderer* r)
 {
-	Pass* passes[] = {&r->body, &r->blot, &r->box, &r->velocity};
+	Pass* passes[] = {&r->body, &r->splat, &r->box, &r->velocity};
 	for (int k = 0; k < 4; ++k)
 		glDeleteProgram(passes[k]->program);
 	glDeleteVertexArrays(1, &r->one_each);
 	glDeleteVertexArrays(1, &r->four_each);
 	strokes_close(&r->strokes);
-	look_close(&r->look);
+	render_tables_close(&r->tables);
 	free(r->contacts);
 	*r = (Renderer){0};
 }
 
-bool renderer_look(Renderer* r, scree_world* world)
+bool renderer_update_world(Renderer* r, scree_world* world)
 {
 	r->contact_count = 0;
-	r->split = (Split){0};
-	return look_take(&r->look, world);
+	r->lod = (Lod){0};
+	return render_tables_build(&r->tables, world);
 }
 
 static scree_status fetch_contacts(Renderer* r)
 {
-	scree_status status = scree_world_get_contacts(r->look.world, r->contacts, r->contact_room, &r->contact_count);
-	if (status != SCREE_OK || r->contact_count <= r->contact_room)
+	scree_status status =
+	    scree_world_get_contacts(r->tables.world, r->contacts, r->contact_capacity, &r->contact_count);
+	if (status != SCREE_OK || r->contact_count <= r->contact_capacity)
 		return status;
-	int room = r->contact_count + r->contact_count / 2;
-	scree_contact* contacts = realloc(r->contacts, (size_t)room * sizeof *contacts);
+	int capacity = r->contact_count + r->contact_count / 2;
+	scree_contact* contacts = realloc(r->contacts, (size_t)capacity * sizeof *contacts);
 	r->contact_count = 0;
 	if (!contacts)
-		return SCREE_OK; // the picture goes without them
+		return SCREE_OK; // the picture is drawn without contacts
 	r->contacts = contacts;
-	r->contact_room = room;
-	return scree_world_get_contacts(r->look.world, r->contacts, room, &r->contact_count);
+	r->contact_capacity = capacity;
+	return scree_world_get_contacts(r->tables.world, r->contacts, capacity, &r->contact_count);
 }
 
 scree_status renderer_fetch(Renderer* r, const Style* style)
@@ -93,16 +94,16 @@ scree_status renderer_fetch(Renderer* r, const Style* style)
 	scree_status status = SCREE_OK;
 	r->contact_count = 0;
 	if (style->paint == PAINT_SPEED || style->layers[LAYER_velocities])
-		status = look_velocities(&r->look);
+		status = render_tables_update_velocities(&r->tables);
 	if (status == SCREE_OK && (style->paint == PAINT_GRAPH || style->layers[LAYER_contacts] ||
 	                           style->layers[LAYER_normals] || style->layers[LAYER_impulses]))
 		status = fetch_contacts(r);
 	if (status == SCREE_OK && style->paint == PAINT_GRAPH)
-		look_graph(&r->look, r->contacts, r->contact_count);
+		render_tables_update_graph(&r->tables, r->contacts, r->contact_count);
 	return status;
 }
 
-// The rows from the first on, as vertices (divisor 0) or as instances (divisor 1).
+// Binds the rows from first on, as vertices (divisor 0) or as instances (divisor 1).
 static void bind_rows(unsigned vertices, const Share* share, int first, GLuint divisor)
 {
 	const GLsizei row = sizeof(scree_render_row);
@@ -133,10 +134,10 @@ static void use_pass(const Pass* pass, const Camera* camera, const Style* style)
 	glUniform1f(pass->line, line < 0.7f ? 0.7f : line > 1.4f ? 1.4f : line);
 }
 
-static void bind_tables(const Look* look)
+static void bind_tables(const RenderTables* tables)
 {
-	const unsigned textures[] = {look->attribute_table.texture, look->kinds.texture, look->velocities.texture,
-	                             look->graph.texture};
+	const unsigned textures[] = {tables->attribute_texture.texture, tables->kinds.texture, tables->velocities.texture,
+	                             tables->graph.texture};
 	for (int k = 0; k < 4; ++k)
 	{
 		glActiveTexture((GLenum)(GL_TEXTURE0 + k));
@@ -145,7 +146,7 @@ static void bind_tables(const Look* look)
 	glActiveTexture(GL_TEXTURE0);
 }
 
-// A layer that has something to say of every row.
+// Draws a layer that has one instance for every row.
 static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
 {
 	bind_rows(r->four_each, share, 0, 1);
@@ -155,7 +156,7 @@ static void draw_over(const Renderer* r, const Pass* pass, const Share* share, c
 
 void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const Style* style)
 {
-	Color paper = PAPER;
+	Color background = BACKGROUND_COLOR;
 	glViewport(0, 0, camera->width, camera->height);
 	glDisable(GL_DEPTH_TEST);
 	glDisable(GL_CULL_FACE);
@@ -164,21 +165,21 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	glBlendEquation(GL_FUNC_ADD);
 	glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	glEnable(GL_PROGRAM_POINT_SIZE);
-	glClearColor((float)paper.r / 255.0f, (float)paper.g / 255.0f, (float)paper.b / 255.0f, 1.0f);
+	glClearColor((float)background.r / 255.0f, (float)background.g / 255.0f, (float)background.b / 255.0f, 1.0f);
 	glClear(GL_COLOR_BUFFER_BIT);
 
-	bind_tables(&r->look);
-	split_rows(&r->split, &r->look, share->count, camera->scale, style->detail);
+	bind_tables(&r->tables);
+	lod_update(&r->lod, &r->tables, share->count, camera->scale, style->detail);
 	use_pass(&r->body, camera, style);
-	for (int k = 0; k < r->split.shape_runs; ++k)
+	for (int k = 0; k < r->lod.shape_runs; ++k)
 	{
-		bind_rows(r->four_each, share, r->split.shapes[k].first, 1);
-		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, r->split.shapes[k].count);
+		bind_rows(r->four_each, share, r->lod.shapes[k].first, 1);
+		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, r->lod.shapes[k].count);
 	}
-	if (r->split.blots)
+	if (r->lod.splats)
 	{
 		bind_rows(r->one_each, share, 0, 0);
-		use_pass(&r->blot, camera, style);
+		use_pass(&r->splat, camera, style);
 		glDrawArrays(GL_POINTS, 0, share->count);
 	}
 	if (style->layers[LAYER_boxes])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shader.c -- programs of OpenGL from the texts of glsl.h.
+// shader.c -- compiles and links OpenGL programs from the texts of glsl.h.
 #include "view/shader.h"
 #include <epoxy/gl.h>
 #include <stdio.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// shader.h -- programs of OpenGL from the texts of glsl.h.
+// shader.h -- compiles and links OpenGL programs from the texts of glsl.h.
 #ifndef SHADER_H
 #define SHADER_H
 #include <stddef.h>
 
-#define SENTENCE 512 // characters of what went wrong
+#define SENTENCE 512 // characters of an error message
 
-// The program of a vertex and a fragment shader; head (may be empty) stands before the vertex shader. Returns 0 and
-// writes what OpenGL says when it does not build.
+// Makes a program of a vertex and a fragment shader; head (may be empty) is put before the vertex shader. On failure
+// returns 0 and writes what OpenGL says.
 unsigned shader_link(const char* head, const char* vertex, const char* fragment, char* sentence);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// share.c -- the rows that a renderer draws, in a buffer of OpenGL: left there by the device, or copied.
+// share.c -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the host.
 #include "view/share.h"
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -15,7 +15,7 @@ bool share_context(scree_opengl* opengl)
 	return true;
 }
 
-// The device of a world, in the list of all; false when there is no memory.
+// Finds the device of a world in the list of all devices; false when memory is short.
 static bool find_device(const scree_world* world, scree_device* device)
 {
 	int count = 0;
@@ -46,7 +46,7 @@ static void drop_buffer(Share* share)
 		glDeleteMemoryObjectsEXT(1, &share->memory);
 	exported_memory_drop(&share->exported);
 	share->buffer = share->memory = 0;
-	share->room = 0;
+	share->capacity = 0;
 }
 
 void share_close(Share* share)
@@ -55,7 +55,7 @@ void share_close(Share* share)
 	*share = (Share){.exported.files = {-1, -1}};
 }
 
-// A buffer in memory that Vulkan allocated: OpenGL and OpenCL each import it.
+// Makes the buffer in memory that Vulkan allocates and that OpenGL and OpenCL import.
 static bool share_memory(Share* share, size_t bytes)
 {
 	char* sentence = share->sentence;
@@ -77,15 +77,15 @@ static bool share_memory(Share* share, size_t bytes)
 		snprintf(sentence, size, "%s", scree_error());
 		return false;
 	}
-	memory->files[0] = -1; // OpenCL's now
+	memory->files[0] = -1; // OpenCL owns it now
 	while (glGetError() != GL_NO_ERROR)
-		; // those of before are not ours
+		; // discards earlier errors
 	glCreateMemoryObjectsEXT(1, &share->memory);
 	glImportMemoryFdEXT(share->memory, memory->allocated, GL_HANDLE_TYPE_OPAQUE_FD_EXT, memory->files[1]);
 	GLenum error = glGetError();
 	if (!error)
 	{
-		memory->files[1] = -1; // OpenGL's now
+		memory->files[1] = -1; // OpenGL owns it now
 		glBufferStorageMemEXT(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, share->memory, 0);
 		error = glGetError();
 	}
@@ -97,18 +97,18 @@ static bool share_memory(Share* share, size_t bytes)
 static bool share_opengl(Share* share, size_t bytes)
 {
 	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
-	glFinish(); // OpenCL is to find it there
+	glFinish(); // the buffer exists before OpenCL uses it
 	if (scree_world_share_opengl(share->world, share->buffer, bytes) == SCREE_OK)
 		return true;
 	snprintf(share->sentence, sizeof share->sentence, "%s", scree_error());
 	return false;
 }
 
-// A new buffer with room for all rows and half as many more. What cannot be shared is copied from then on.
+// Makes a buffer for all rows and half as many more. If sharing fails, the rows are copied from then on.
 static void make_buffer(Share* share)
 {
-	int room = share->count + share->count / 2 + 1024;
-	size_t bytes = (size_t)room * sizeof(scree_render_row);
+	int capacity = share->count + share->count / 2 + 1024;
+	size_t bytes = (size_t)capacity * sizeof(scree_render_row);
 	for (;;)
 	{
 		drop_buffer(share);
@@ -121,10 +121,10 @@ static void make_buffer(Share* share)
 			break;
 		share->how = SCREE_SHARING_COPIED;
 	}
-	share->room = room;
+	share->capacity = capacity;
 }
 
-// From the device straight into the buffer as the host sees it.
+// Reads the rows from the device into the mapped buffer.
 static scree_status copy(Share* share)
 {
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
@@ -155,15 +155,15 @@ scree_status share_update(Share* share)
 		snprintf(share->device, sizeof share->device, "%s", device);
 		share->how = share->copy ? SCREE_SHARING_COPIED : scree_world_get_sharing(share->world);
 	}
-	if (moved || share->count > share->room)
+	if (moved || share->count > share->capacity)
 		make_buffer(share);
 	if (share->how == SCREE_SHARING_COPIED)
 		return copy(share);
-	glFinish(); // what was drawn from the rows is done before they change
+	glFinish(); // OpenGL finishes drawing the rows before they change
 	status = scree_world_write_render_rows(share->world, &share->count);
 	if (status == SCREE_ERROR_INVALID)
 	{
-		// the world was on another device and came back, and what it shared is forgotten
+		// the world moved to another device and back, which ended the sharing
 		make_buffer(share);
 		status = share->how == SCREE_SHARING_COPIED ? copy(share)
 		                                            : scree_world_write_render_rows(share->world, &share->count);
@@ -171,4 +171,4 @@ scree_status share_update(Share* share)
 	return status;
 }
 
-const char* share_trouble(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }
+const char* share_error(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }

@@ -1,49 +1,39 @@
 // SPDX-License-Identifier: MIT
-// share.h -- the rows that a renderer draws, in a buffer of OpenGL: left there by the device, or copied.
+// share.h -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the host.
 //
-// All of it wants a current context. docs/share.md tells which drivers take which way.
+// All functions need a current OpenGL context. docs/share.md says which drivers support which way.
 #ifndef SHARE_H
 #define SHARE_H
 #include "scree/scree.h"
-
-typedef struct // memory of a device, for two that import it
-{
-	int files[2];     // descriptors; -1 for one that is not ours any more
-	size_t allocated; // bytes
-	void* allocation; // of Vulkan
-} ExportedMemory;
+#include "view/exported_memory.h"
 
 typedef struct
 {
 	scree_world* world;
-	bool copy;          // is wanted, also where there is a better way
-	char device[160];   // of the world, when the way was chosen
-	scree_sharing how;  // now
-	char sentence[256]; // why not better, where the device offers better; else empty. Whoever has told may clear it
-	unsigned buffer;    // of OpenGL, holds a scree_render_row a row; another one after the world has grown
-	unsigned memory;    // object of OpenGL that the buffer lies in, 0 for none
+	bool copy;         // always copy, even where sharing works
+	char device[160];  // of the world, when how was chosen
+	scree_sharing how; // now
+	char sentence
+	    [256];       // why the rows are copied although the device can share them; else empty. The reader may clear it
+	unsigned buffer; // OpenGL buffer of scree_render_row; replaced when the world grows
+	unsigned memory; // OpenGL memory object of the buffer, 0 for none
 	ExportedMemory exported;
-	int room, count; // rows: there is room for, there are
+	int capacity, count; // rows: that fit into the buffer, that are drawn
 } Share;
 
-// The current context, for scree_world_def.opengl: false when it is not one of EGL.
+// Gets the current context for scree_world_def.opengl; false when it is not an EGL context.
 bool share_context(scree_opengl* opengl);
 
-// copy wants the copy even where there is a better way. Nothing is allocated yet.
+// copy: copy even where sharing works. Allocates nothing yet.
 void share_open(Share* share, scree_world* world, bool copy);
 
-// Brings the rows up to date, when everything that was drawn from them is done. Chooses the way anew when the world has
+// Updates the rows after OpenGL finished drawing the old ones. Chooses between sharing and copying again when the world has
 // moved to another device.
 scree_status share_update(Share* share);
 
-// What was wrong when share_update has failed.
-const char* share_trouble(const Share* share);
+// Why share_update failed.
+const char* share_error(const Share* share);
 
 void share_close(Share* share);
-
-// Allocates memory on the device with this uuid through Vulkan. From one thread. False leaves a sentence.
-bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size);
-// When those that imported it have let go.
-void exported_memory_drop(ExportedMemory* memory);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stroke.h -- lines and dots over a picture, collected and then drawn at once.
+// stroke.h -- lines and dots over a picture, collected and drawn with one call.
 #ifndef STROKE_H
 #define STROKE_H
 #include "scene/sprites.h"
@@ -16,17 +16,17 @@ typedef struct
 {
 	Stroke* list;
 	int count, capacity;
-	unsigned program, vertices, buffer; // of OpenGL
+	unsigned program, vertices, buffer; // OpenGL names
 	int view, scale;                    // uniforms
 } Strokes;
 
 bool strokes_open(Strokes* strokes, char* sentence);
 void strokes_close(Strokes* strokes);
 
-// One more; left out when memory is short. opacity is 0 to 255.
+// Adds a stroke, or nothing when memory is short. opacity is 0 to 255.
 void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity);
 
-// Draws all and forgets them.
+// Draws all strokes and removes them.
 void strokes_draw(Strokes* strokes, const Camera* camera);
 
 #endif

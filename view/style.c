@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// style.c -- how bodies are painted and what lies over them, read from words.
-#include "view/renderer.h"
+// style.c -- how bodies are colored and which layers are drawn over them.
+#include "view/style.h"
 #include "view/shader.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// engine.h -- what an engine must do to be measured: hold a scene, step, say where its bodies are.
+// engine.h -- the functions of an engine that is measured.
 #ifndef ENGINE_H
 #define ENGINE_H
 #include "scene/scene.h"
@@ -13,31 +13,20 @@ typedef struct
 {
 	int threads;
 	const char* device; // of Scree, as in scree_world_def
-	bool continuous;    // Box2D stops fast bodies at walls; Scree has no such stage yet
+	bool continuous;    // continuous collision of Box2D
 } EngineOptions;
 
-typedef struct // functions return false after printing what is wrong
+typedef struct // functions return false after printing a sentence
 {
 	const char* name;
-	void* (*open)(const Scene* scene, const EngineOptions* options); // null on failure; the scene at its first step
-	bool (*change)(void* state, int64_t step);                       // what the scene does to its bodies before a step
+	void* (*open)(const Scene* scene, const EngineOptions* options); // null on failure
+	bool (*change)(void* state, int64_t step); // changes the bodies as the scene does before a step
 	bool (*step)(void* state, float dt, int substeps);
-	bool (*wait)(void* state); // until all that was asked for is done
+	bool (*wait)(void* state); // until all work is done
 	// of all bodies, in the order of the scene
 	bool (*poses)(void* state, scree_pose* poses, int count);
-	bool (*hash)(void* state, uint64_t* hash); // the engine's own, of all simulated state
+	bool (*hash)(void* state, uint64_t* hash); // of all simulated state, by the engine
 	void (*close)(void* state);
 } Engine;
-
-extern const Engine scree_engine, box2d_engine;
-
-// A world with the scene in it, null after printing what is wrong. threads 0: one a core.
-scree_world* open_world(const Scene* scene, const char* device, int threads);
-
-// The handles of all bodies; the caller frees them. Null when there is no memory.
-scree_body* list_bodies(const scree_world* world, int* count);
-
-// Prints scree_error() unless the status is good; returns whether it is.
-bool report(scree_status status);
 
 #endif

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // engine_box2d.c -- Box2D v3 as an engine to be measured, through its public interface.
 //
-// The scene is built into a Scree world first and read back from there, body by body, so that both engines get the same
-// numbers. Contact stiffness and the like stay at each engine's defaults; sleep is off, because Scree has none.
+// The scene is built into a Scree world first and read from there body by body, so that both engines get the same numbers.
+// Contact stiffness and the like have each engine's defaults. Sleep is off, because Scree has none.
+#include "engine_box2d.h"
 #include "box2d_shape.h"
-#include "engine.h"
+#include "scene/churn.h"
+#include "scree_world.h"
 #include <stdlib.h>
 
 typedef struct
@@ -13,7 +15,7 @@ typedef struct
 	b2BodyId* bodies; // in the order of the scene
 	int count;
 	const Scene* scene;
-	scree_world* model; // never stepped: the bodies as the scene last put them
+	scree_world* model; // never stepped: the bodies as the scene last placed them
 	scree_body* parts;  // of the model
 } State;
 
@@ -76,7 +78,7 @@ static bool add_body(scree_world* model, scree_body body, b2WorldId world, b2Bod
 	*added = b2CreateBody(world, &def);
 	if (!add_collidables(model, body, *added))
 		return false;
-	// Box2D, too, means the velocity of the center of mass, but only once it knows where that is
+	// the velocity is that of the center of mass, which Box2D knows only now
 	b2Body_SetLinearVelocity(*added, def.linearVelocity);
 	return true;
 }
@@ -111,7 +113,7 @@ static bool place_body(scree_world* model, scree_body body, b2BodyId placed)
 	return true;
 }
 
-// The model is changed first, and says what became of the bodies.
+// Changes the model first, then the bodies of Box2D after it.
 static bool change(void* context, int64_t step)
 {
 	State* state = context;
@@ -181,7 +183,7 @@ static bool step(void* context, float dt, int substeps)
 
 static bool wait(void* context)
 {
-	(void)context; // a step returns when all is done
+	(void)context; // a step returns when all work is done
 	return true;
 }
 

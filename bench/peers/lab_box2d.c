@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lab_box2d.c -- Box2D v3 as the engine of a lab: its defaults, with continuous collision, but nobody asleep.
+// lab_box2d.c -- Box2D v3 as the engine of a lab: its defaults, with continuous collision, without sleep.
 #include "lab_box2d.h"
 #include "box2d_shape.h"
 #include <math.h>
@@ -15,7 +15,7 @@ typedef struct
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
 
-// Rows of results stand on standard output.
+// Logs go to standard error, because rows of results go to standard output.
 static void print_log(const char* message) { fprintf(stderr, "Box2D: %s\n", message); }
 
 static void* open(const LabOptions* options, const LabDef* lab)
@@ -67,7 +67,7 @@ static bool create_one(State* state, const Lab* lab, int index)
 			return false;
 	}
 	b2Body_ApplyMassFromShapes(state->bodies[index]);
-	// Box2D, too, means the velocity of the center of mass, but only once it knows where that is
+	// the velocity is that of the center of mass, which Box2D knows only now
 	b2Body_SetLinearVelocity(state->bodies[index], def.linearVelocity);
 	return true;
 }
@@ -125,7 +125,7 @@ static bool push(void* context, int body, scree_vec force)
 	return true;
 }
 
-// Box2D freezes nobody.
+// Box2D freezes no bodies.
 static bool step(void* context, float dt, int substeps, int* frozen)
 {
 	State* state = context;
@@ -150,7 +150,7 @@ static bool read(void* context, scree_pose* poses, scree_velocity* velocities)
 
 static bool wait(void* context)
 {
-	(void)context; // a step returns when all is done
+	(void)context; // a step returns when all work is done
 	return true;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // peers.c -- Scree and Box2D v3 side by side: the same scenes, steps, substeps and threads, sleep off.
 //
-// Each trial is a process of its own, so that neither engine meets the other's memory, threads or clock speed. They take
-// turns, A B A B, because a machine is not equally fast all the time: a ratio is that of two trials in a row, and the
-// median of these is printed. Overlaps, contacts and final states come from trials that are not timed; a timed one must
-// end in the same state.
+// Each trial is a process, so that the engines do not share memory, threads or clock speed. The trials alternate, A B A B,
+// because the speed of a machine changes: each ratio is that of two consecutive trials, and their median is printed.
+// Overlaps, contacts and final states come from trials that are not timed. A timed trial must end in the same state.
+#include "engine_box2d.h"
+#include "engine_scree.h"
 #include "process.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "trial.h"
 #include "validate.h"
 #include <getopt.h>
@@ -145,7 +148,7 @@ static Scene* load(const Options* options, const char* name)
 	return scene;
 }
 
-// the process of one trial
+// Runs one trial in this process.
 static int try_engine(const Options* options, const char* name)
 {
 	Scene* scene = load(options, name);
@@ -160,7 +163,7 @@ static int try_engine(const Options* options, const char* name)
 	return good ? EXIT_GOOD : EXIT_FAILED;
 }
 
-// starts the process of one trial
+// Starts one trial in a new process.
 static bool start_trial(const Options* options, const char* name, const Engine* engine, int threads, bool ruled,
                         Result* result)
 {
@@ -231,7 +234,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	printf("%s,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous,
 	       middle(mean[SCREE], options->repeats), middle(mean[BOX2D], options->repeats),
 	       middle(ratio, options->repeats));
-	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted by now: the least and the most
+	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted now: the least and the most
 	printf(",%.4f,%.4f", middle(median[SCREE], options->repeats), middle(median[BOX2D], options->repeats));
 	const Result *a = &ruled[SCREE], *b = &ruled[BOX2D];
 	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
@@ -243,7 +246,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 
 static bool compare_all(const Options* options, const char* name, int steps)
 {
-	// both engines promise a final state that threads do not change, so one ruled trial each serves all
+	// the final state of both engines does not depend on threads, so that one trial each is measured for all
 	Result ruled[ENGINES];
 	bool good = true;
 	int threads = options->threads[options->thread_count - 1];
@@ -273,7 +276,7 @@ int main(int count, char** arguments)
 		options.options.threads = options.threads[0];
 		return try_engine(&options, names[0]);
 	}
-	// a bad name among them is found before the first is measured
+	// loads all scenes before it measures the first, so that an error is found early
 	int steps[MAX_SCENES];
 	for (int k = 0; k < name_count; ++k)
 	{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// process.h -- this program again, as a process of its own.
+// process.h -- runs this program again in a new process.
 #ifndef PROCESS_H
 #define PROCESS_H
 #include <stdbool.h>

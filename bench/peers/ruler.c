@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// ruler.c -- overlaps and contacts of a set of poses, measured by one rule whichever engine they come from.
+// ruler.c -- measures overlaps and contacts of poses, in the same way for all engines.
 //
-// Engines differ in what they call a separation: Box2D keeps a manifold for a while without looking again. So neither
-// is asked. The poses are put into a Scree world of their own, at rest and without gravity, and one very short step says
-// what overlaps there.
+// Engines define separation differently: Box2D does not compute a manifold in every step. So the poses are copied into a Scree
+// world, at rest and without gravity, which takes one very short step and then has the overlaps.
 #include "ruler.h"
-#include "engine.h"
+#include "scree_world.h"
 #include <stdlib.h>
 
-#define MOMENT 1.0e-4f // s: nothing moves in it
+#define MOMENT 1.0e-4f // s: too short for bodies to move
 
 bool ruler_open(Ruler* ruler, const Scene* scene)
 {
@@ -22,7 +21,7 @@ bool ruler_open(Ruler* ruler, const Scene* scene)
 	return ruler->still && ruler->poses && report(scree_world_set_gravity(ruler->world, (scree_vec){0.0f, 0.0f}));
 }
 
-static bool note_heights(Ruler* ruler)
+static bool measure_heights(Ruler* ruler)
 {
 	bool first = !ruler->height;
 	if (first)
@@ -44,7 +43,7 @@ static bool note_heights(Ruler* ruler)
 bool ruler_measure(Ruler* ruler)
 {
 	scree_counters counters;
-	if (!note_heights(ruler) ||
+	if (!measure_heights(ruler) ||
 	    !report(scree_bodies_set_poses(ruler->world, ruler->bodies, ruler->poses, ruler->count)) ||
 	    !report(scree_bodies_set_velocities(ruler->world, ruler->bodies, ruler->still, ruler->count)) ||
 	    !report(scree_world_step(ruler->world, MOMENT, 1)) ||

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-// Steps at the start whose time does not count: buffers grow, contacts are found for the first time, threads wake up.
+// Steps at the start that are not timed: buffers grow, contacts are found for the first time, threads start.
 #define WARM_UP 2
 
 static double milliseconds(void)

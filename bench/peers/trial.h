@@ -8,24 +8,24 @@ typedef struct
 {
 	const Scene* scene;
 	int steps;
-	bool ruled; // not timed: every step is measured with the ruler instead
+	bool ruled; // every step is measured with the ruler and not timed
 	EngineOptions options;
 } Trial;
 
 typedef struct
 {
 	double mean, median; // ms a step, the first steps left out; zeros when ruled
-	float penetration;   // deepest of all steps, m; this and what follows but the hash are zero unless ruled
+	float penetration;   // deepest of all steps, m; zero unless ruled, as the next three
 	float depth;         // mean of the deepest of each step, m
-	float contacts;      // that touch, mean of all steps
-	float sunk;          // how far the body that sank most did, m
+	float contacts;      // touching ones, mean of all steps
+	float sunk;          // largest distance that a body sank, m
 	uint64_t hash;       // the engine's own, at the end
 } Result;
 
-// Runs a trial in this process. Returns false after printing what is wrong.
+// Runs a trial in this process. False after printing a sentence.
 bool trial_run(const Engine* engine, const Trial* trial, Result* result);
 
-// Results travel between processes as one line of text.
+// A process writes its result as one line of text, which another reads.
 void result_print(const Result* result);
 bool result_scan(const char* line, Result* result);
 

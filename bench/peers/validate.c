@@ -3,6 +3,7 @@
 #include "validate.h"
 #include "engine.h"
 #include "lab_box2d.h"
+#include "validate/lab_scree.h"
 #include "validate/validate.h"
 #include <getopt.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-// body.vert -- a rectangle around a shape; body.frag cuts the shape out of it.
-uniform float least; // px: shapes of less reach are blots
+// body.vert -- a rectangle around a shape; body.frag draws the shape in it.
+uniform float least; // px: shapes of less reach are splats
 
 flat out int texel; // first one of the attribute
 flat out vec3 color;

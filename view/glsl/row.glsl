@@ -1,4 +1,4 @@
-// row.glsl -- what every shader of rows begins with: a row of the world, and what look.h says of its attribute and body.
+// row.glsl -- the beginning of every shader of rows: a row of the world, and the tables of render_tables.h.
 layout(location = 0) in vec4 pose;   // x, y (m), cosine, sine
 layout(location = 1) in vec2 center; // from there to the center of mass, m
 layout(location = 2) in ivec2 name;  // attribute, -1 where there is no collidable; body, -1 for none
@@ -20,12 +20,12 @@ vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + po
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
 bool moves() { return name.y >= 0 && texelFetch(kinds, name.y).x == 2u; }
 
-// Outside of the picture by more than its reach (m).
+// Whether a shape of this reach (m) lies outside the picture.
 bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + reach * view.zw)); }
 
 vec3 graph_color(uint color) { return color == 255u ? vec3(0.86, 0.85, 0.82) : palette[min(color, 63u)]; }
 
-// Slow is blue, 3 m/s yellow, beyond red.
+// 0 m/s is blue, 3 m/s yellow, faster red.
 vec3 speed_color(float speed)
 {
 	float t = speed / (speed + 3.0) * 2.0;

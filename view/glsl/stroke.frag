@@ -1,4 +1,4 @@
-// stroke.frag -- by the distance from the middle line.
+// stroke.frag -- a stroke by the distance from its middle line.
 flat in vec2 stroke;
 flat in vec4 color;
 in vec2 local;

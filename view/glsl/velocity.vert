@@ -1,4 +1,4 @@
-// velocity.vert -- a line from the center of mass to where the body would be in a while.
+// velocity.vert -- a line from the center of mass to where it would be after 0.15 s.
 flat out vec2 stroke; // half a length, half a width, px
 flat out vec4 color;
 out vec2 local; // px, along the line from its middle and across

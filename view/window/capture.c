@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
-// capture.c -- what the window shows, into files: pictures, and videos frame by frame.
+// capture.c -- writes what the window shows to files: pictures, and videos frame by frame.
 #include "view/window/capture.h"
+#include "view/gl_picture.h"
 #include "view/shader.h"
-#include "view/shot.h"
 #include <epoxy/gl.h>
 #include <errno.h>
 #include <string.h>
 #include <unistd.h>
 
-#define MOST_FILES 10000 // scree-N of one kind in a folder
+#define MOST_FILES 10000 // files scree-N of one kind in a folder
 
 static void drop(Capture* c)
 {
-	frame_close(&c->frame);
+	framebuffer_close(&c->framebuffer);
 	canvas_close(&c->canvas);
 }
 
 bool capture_size(Capture* c, int width, int height, char* sentence)
 {
-	if (c->frame.frame && c->canvas.width == width && c->canvas.height == height)
+	if (c->framebuffer.framebuffer && c->canvas.width == width && c->canvas.height == height)
 		return true;
 	drop(c);
 	if (!canvas_open(&c->canvas, width, height, sentence))
 		return false;
-	bool good = frame_open(&c->frame, width, height);
+	bool good = framebuffer_open(&c->framebuffer, width, height);
 	glBindFramebuffer(GL_FRAMEBUFFER, 0);
 	if (!good)
 	{
@@ -36,8 +36,8 @@ bool capture_size(Capture* c, int width, int height, char* sentence)
 bool capture_fits(const Capture* c, int width, int height)
 {
 	const Canvas* canvas = &c->canvas;
-	return c->frame.frame && canvas->width == width && canvas->height == height && c->video.width == width &&
-	       c->video.height == height;
+	return c->framebuffer.framebuffer && canvas->width == width && canvas->height == height &&
+	       c->video.width == width && c->video.height == height;
 }
 
 void capture_close(Capture* c)
@@ -50,9 +50,9 @@ void capture_close(Capture* c)
 void capture_draw(Capture* c, Renderer* renderer, const Share* share, const Camera* camera, const Style* style,
                   const char* title, const char* caption)
 {
-	glBindFramebuffer(GL_FRAMEBUFFER, c->frame.frame);
+	glBindFramebuffer(GL_FRAMEBUFFER, c->framebuffer.framebuffer);
 	renderer_draw(renderer, share, camera, style);
-	shot_read(&c->canvas);
+	gl_picture_read(&c->canvas);
 	glBindFramebuffer(GL_FRAMEBUFFER, 0);
 	canvas_caption(&c->canvas, title, caption);
 }
@@ -60,10 +60,10 @@ void capture_draw(Capture* c, Renderer* renderer, const Share* share, const Came
 void capture_window(Capture* c)
 {
 	glReadBuffer(GL_BACK);
-	shot_read(&c->canvas);
+	gl_picture_read(&c->canvas);
 }
 
-// The first name scree-N with this ending that no file has.
+// Finds the first unused name scree-N with this ending.
 static bool free_name(char path[64], const char* ending, char* sentence)
 {
 	for (int k = 1; k < MOST_FILES; ++k)

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// capture.h -- what the window shows, into files: pictures, and videos frame by frame.
+// capture.h -- writes what the window shows to files: pictures, and videos frame by frame.
 #ifndef CAPTURE_H
 #define CAPTURE_H
 #include "scene/canvas.h"
 #include "scene/video.h"
-#include "view/frame.h"
+#include "view/framebuffer.h"
 #include "view/renderer.h"
 
 typedef struct
 {
-	Frame frame; // of the canvas' size
+	Framebuffer framebuffer; // as large as the canvas
 	Canvas canvas;
 	Video video;    // pipe: null when none is made
-	double seconds; // of the world, since the video began
+	double seconds; // of the world since the video began
 	char path[64];
 } Capture;
 
-// Makes room for a picture of this size. False leaves a sentence.
+// Allocates a picture of this size. False writes a sentence.
 bool capture_size(Capture* capture, int width, int height, char* sentence);
 
-// Whether a frame of this size can be added to the video.
+// Whether the picture and the video have this size.
 bool capture_fits(const Capture* capture, int width, int height);
 void capture_close(Capture* capture);
 
@@ -30,14 +30,15 @@ void capture_draw(Capture* capture, Renderer* renderer, const Share* share, cons
 // Reads the back buffer of the window.
 void capture_window(Capture* capture);
 
-// Writes the picture to a file; null for a new one scree-N.png in the current folder. The sentence says where it is, or why
-// it is not.
+// Writes the picture to a file; a null path makes a new file scree-N.png in the current folder. The sentence names the file or
+// the error.
 bool capture_save(Capture* capture, const char* path, char* sentence);
 
-// Begins a video in a new file scree-N.mp4, or ends it. The sentence says where it is, or why it is not.
+// Begins a video in a new file scree-N.mp4. Only a failure writes a sentence.
 bool capture_begin(Capture* capture, char* sentence);
-// Adds what was drawn, as often as the world's time wants it.
+// Adds the picture as the frames that are due at Capture.seconds: none, one or several.
 bool capture_frame(Capture* capture);
+// Ends the video. The sentence names the file or the error.
 bool capture_end(Capture* capture, char* sentence);
 
 #endif

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
-// grab.h -- what the cursor does to bodies: picks one, drags it, throws new ones in.
-#ifndef HAND_H
-#define HAND_H
-#include "view/look.h"
+// grab.h -- what the cursor does to bodies: picks one, drags it, throws new bodies in.
+#ifndef GRAB_H
+#define GRAB_H
+#include "view/render_tables.h"
 
 typedef struct
 {
 	scree_world* world;
-	scree_body body;           // that it holds; null for none
+	scree_body body;           // that the cursor holds; null for none
 	scree_mass mass;           // of the body
-	scree_vec anchor;          // where it holds it, in the body's frame, m
+	scree_vec anchor;          // where the cursor holds it, in the body's frame, m
 	scree_vec at;              // the cursor, m
 	scree_vec velocity;        // of the cursor, smoothed, m/s
 	int launched;              // bodies thrown in so far
-	scree_attribute thrown[3]; // what they are: made once for a size
+	scree_attribute thrown[3]; // ball, box, capsule: made once for a size
 	float thrown_size;         // m
-} Hand;
+} Grab;
 
-// Takes hold of the dynamic body under the cursor; false when there is none.
-bool hand_pick(Hand* hand, const Look* look);
-void hand_release(Hand* hand);
-bool hand_holds(const Hand* hand);
+// Picks the dynamic body under the cursor; false when there is none.
+bool grab_pick(Grab* grab, const RenderTables* tables);
+void grab_release(Grab* grab);
+bool grab_holds(const Grab* grab);
 
-// The cursor is at a point, so many seconds after it was at the last one.
-void hand_move(Hand* hand, scree_vec to, double seconds);
+// Moves the cursor to a point; seconds: since it was at the last one.
+void grab_move(Grab* grab, scree_vec to, double seconds);
 
 // Pulls the body towards the cursor during the next step.
-scree_status hand_pull(Hand* hand);
+scree_status grab_pull(Grab* grab);
 
 // Where the body is held, m.
-scree_status hand_anchor(Hand* hand, scree_vec* anchor);
+scree_status grab_anchor(Grab* grab, scree_vec* anchor);
 
-// Throws a body of about so many metres in at the cursor: a ball, a box or a capsule, as fast as the cursor moves.
-scree_status hand_launch(Hand* hand, float size);
+// Adds a body of about this size in metres at the cursor, with the cursor's velocity: a ball, a box and a capsule in turn.
+scree_status grab_launch(Grab* grab, float size);
 
 #endif

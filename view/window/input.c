@@ -1,124 +1,136 @@
 // SPDX-License-Identifier: MIT
-// input.c -- what keys and mouse do, wherever they come from.
+// input.c -- what keys and mouse do, whether the events come from the window, the panel or a script.
+#include "view/window/input.h"
+#include "view/window/export.h"
 #include "view/window/viewer.h"
 #include <math.h>
 #include <string.h>
 
-#define ZOOM        1.15f // a step of the wheel
-#define SLOWEST     (1.0f / 64.0f)
-#define STILL       6     // frames: a tenth of a second
-#define THROWN_SIZE 28.0f // px: bodies that are thrown in can be seen at any scale
+#define ZOOM        1.15f          // a step of the wheel
+#define SLOWEST     (1.0f / 64.0f) // s of the world a second of the clock
+#define STILL       6              // frames: a cursor that did not move for a tenth of a second has no velocity
+#define THROWN_SIZE 28.0f          // px: bodies that the user throws in are visible at any scale
 
-// Where the world is in the list of devices, behind which stands auto.
+// The index of the world's device in the list; the length of the list for "auto".
 static int find_device(const Viewer* v)
 {
-	const Play* play = &v->play;
-	const char* now = strcmp(play->device, "auto") == 0 ? play->device : scree_world_get_device(play->world);
+	const Session* session = &v->session;
+	const char* now = strcmp(session->device, "auto") == 0 ? session->device : scree_world_get_device(session->world);
 	int k = 0;
-	while (k < play->device_count && strcmp(play->devices[k].name, now) != 0)
+	while (k < session->device_count && strcmp(session->devices[k].name, now) != 0)
 		++k;
 	return k;
 }
 
-// A device that refuses does not hide those behind it.
-static void move_on(Viewer* v)
+// Each call tries the device after the one tried last, so that a device that fails does not block the others.
+static void move_to_next_device(Viewer* v)
 {
-	const Play* play = &v->play;
-	int next = v->next_device >= 0 ? v->next_device : (find_device(v) + 1) % (play->device_count + 1);
-	viewer_move(v, next < play->device_count ? play->devices[next].name : "auto");
-	v->next_device = (next + 1) % (play->device_count + 1);
+	const Session* session = &v->session;
+	int next = v->next_device >= 0 ? v->next_device : (find_device(v) + 1) % (session->device_count + 1);
+	viewer_move(v, next < session->device_count ? session->devices[next].name : "auto");
+	v->next_device = (next + 1) % (session->device_count + 1);
 }
 
 static void step_once(Viewer* v)
 {
-	v->play.paused = true;
-	v->play.owed = (double)v->play.scene->dt;
-}
-
-static void record(Viewer* v)
-{
-	char sentence[SENTENCE];
-	if (v->capture.video.pipe)
-		capture_end(&v->capture, sentence);
-	else if (capture_size(&v->capture, v->camera.width, v->camera.height, sentence) &&
-	         capture_begin(&v->capture, sentence))
-		snprintf(sentence, SENTENCE, "recording %s", v->capture.path);
-	viewer_note(v, sentence);
+	v->session.paused = true;
+	v->session.accumulator = (double)v->session.scene->dt;
 }
 
 // The cursor stays at its pixel while the picture moves under it.
-static void place_hand(Viewer* v) { v->hand.at = camera_point(&v->camera, v->x, v->y); }
+static void update_cursor(Viewer* v) { v->grab.at = camera_point(&v->camera, v->x, v->y); }
 
 static void launch(Viewer* v)
 {
-	place_hand(v);
-	if (hand_launch(&v->hand, THROWN_SIZE / v->camera.scale) != SCREE_OK)
-		viewer_note(v, scree_error());
+	update_cursor(v);
+	if (grab_launch(&v->grab, THROWN_SIZE / v->camera.scale) != SCREE_OK)
+		viewer_show(v, scree_error());
 	else
-		viewer_look(v);
+		viewer_update_world(v);
 }
 
 static void show_hash(Viewer* v)
 {
 	char sentence[SENTENCE];
-	if (!play_hash(&v->play, sentence))
-		viewer_note(v, sentence);
+	if (!session_hash(&v->session, sentence))
+		viewer_show(v, sentence);
 }
 
-void input_action(Viewer* v, Action action)
+// The world and its clock. False for any other action.
+static bool session_action(Viewer* v, Action action)
 {
-	Play* play = &v->play;
+	Session* session = &v->session;
 	switch (action)
 	{
 	case ACTION_pause:
-		play->paused = !play->paused;
-		play->owed = 0;
-		break;
+		session->paused = !session->paused;
+		session->accumulator = 0;
+		return true;
 	case ACTION_step:
 		step_once(v);
-		break;
+		return true;
 	case ACTION_restart:
-		viewer_begin(v, play->name, false);
-		break;
+		viewer_load(v, session->name, false);
+		return true;
 	case ACTION_slower:
-		play->rate = fmaxf(0.5f * play->rate, SLOWEST);
-		break;
+		session->rate = fmaxf(0.5f * session->rate, SLOWEST);
+		return true;
 	case ACTION_faster:
-		play->rate = fminf(2.0f * play->rate, 1.0f);
-		break;
+		session->rate = fminf(2.0f * session->rate, 1.0f);
+		return true;
 	case ACTION_device:
-		move_on(v);
-		break;
+		move_to_next_device(v);
+		return true;
 	case ACTION_hash:
 		show_hash(v);
-		break;
+		return true;
 	case ACTION_launch:
 		launch(v);
-		break;
+		return true;
+	default:
+		return false;
+	}
+}
+
+// How the world is drawn. False for any other action.
+static bool style_action(Viewer* v, Action action)
+{
+	switch (action)
+	{
 	case ACTION_fit:
 		viewer_fit(v);
-		break;
+		return true;
 	case ACTION_paint:
 		v->style.paint = (Paint)((v->style.paint + 1) % PAINTS);
-		break;
+		return true;
 #define X(name, help)                                                   \
 	case ACTION_##name:                                                 \
 		v->style.layers[LAYER_##name] = !v->style.layers[LAYER_##name]; \
-		break;
+		return true;
 #include "view/layers.def"
 #undef X
 	case ACTION_graph:
 		v->style.graph = !v->style.graph;
 		v->style.layers[LAYER_contacts] = v->style.layers[LAYER_contacts] || v->style.graph;
-		break;
+		return true;
+	default:
+		return false;
+	}
+}
+
+// Files and the window itself.
+static void window_action(Viewer* v, Action action)
+{
+	switch (action)
+	{
 	case ACTION_picture:
-		viewer_save(v, NULL);
+		export_picture(v, NULL);
 		break;
 	case ACTION_window:
 		v->save_window = true;
 		break;
 	case ACTION_video:
-		record(v);
+		export_video(v);
 		break;
 	case ACTION_panel:
 		v->panel = !v->panel;
@@ -126,11 +138,16 @@ void input_action(Viewer* v, Action action)
 	case ACTION_keys:
 		v->keys = !v->keys;
 		break;
-	case ACTION_quit:
-	case ACTIONS:
+	default: // ACTION_quit
 		v->done = true;
 		break;
 	}
+}
+
+void input_action(Viewer* v, Action action)
+{
+	if (!session_action(v, action) && !style_action(v, action))
+		window_action(v, action);
 }
 
 void input_cursor(Viewer* v, float x, float y, double seconds)
@@ -140,23 +157,23 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 	v->x = x;
 	v->y = y;
 	v->still = 0;
-	hand_move(&v->hand, camera_point(&v->camera, x, y), seconds);
+	grab_move(&v->grab, camera_point(&v->camera, x, y), seconds);
 }
 
 void input_button(Viewer* v, bool right, bool down)
 {
-	place_hand(v);
-	Look* look = &v->renderer.look;
-	v->panning = down && (right || look_handles(look) != SCREE_OK || !hand_pick(&v->hand, look));
+	update_cursor(v);
+	RenderTables* tables = &v->renderer.tables;
+	v->panning = down && (right || render_tables_update_bodies(tables) != SCREE_OK || !grab_pick(&v->grab, tables));
 	if (!right && !down)
-		hand_release(&v->hand);
+		grab_release(&v->grab);
 }
 
 void input_wheel(Viewer* v, float steps) { camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps)); }
 
-void input_rest(Viewer* v)
+void input_frame(Viewer* v)
 {
-	place_hand(v);
+	update_cursor(v);
 	if (v->still++ >= STILL)
-		v->hand.velocity = (scree_vec){0, 0};
+		v->grab.velocity = (scree_vec){0, 0};
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// panel.cpp -- what stands beside the picture: scenes, devices, times, switches; in C++, by Dear ImGui.
+// panel.cpp -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 extern "C" {
-#include "scene/aim.h"
+#include "scene/viewport.h"
 #include "scene/caption.h"
+#include "view/window/input.h"
 #include "view/window/viewer.h"
 }
 #include "view/window/panel.h"
@@ -15,7 +16,7 @@ extern "C" {
 #include <imgui.h>
 #include <unistd.h>
 
-// Sizes are written for a font of 14 pixels; displays of many pixels an inch want them larger.
+// Sizes are pixels at a font of 14 pixels; high-DPI displays scale them.
 static float scale = 1.0f;
 static float sized(float pixels) { return pixels * scale; }
 
@@ -34,7 +35,7 @@ static const struct
 #undef X
 };
 
-// of the layers, in their order
+// tooltips of the layers, in their order
 static const char* const layer_helps[] = {
 #define X(name, help) help,
 #include "view/layers.def"
@@ -52,7 +53,7 @@ static void choose_font()
 	ImGui::GetIO().Fonts->AddFontDefault();
 }
 
-// The colors of the pictures: paper, ink, one accent.
+// The colors of the pictures: background, text, one accent.
 static void choose_colors()
 {
 	ImGui::StyleColorsLight();
@@ -76,7 +77,7 @@ static void choose_colors()
 	style.Colors[ImGuiCol_CheckMark] = ImVec4(0.20f, 0.45f, 0.44f, 1.0f);
 }
 
-// Where the window's units are pixels, displays of many pixels want more of them.
+// The factor for a high-DPI display. It is 1 where the window system scales its units itself.
 static float find_scale(GLFWwindow* window)
 {
 	float wanted = 1.0f;
@@ -91,7 +92,7 @@ bool panel_open(GLFWwindow* window)
 {
 	IMGUI_CHECKVERSION();
 	ImGui::CreateContext();
-	ImGui::GetIO().IniFilename = nullptr; // nothing is left behind in the user's folder
+	ImGui::GetIO().IniFilename = nullptr; // no file is written to the user's folder
 	scale = find_scale(window);
 	choose_font();
 	choose_colors();
@@ -128,51 +129,51 @@ bool panel_wants_mouse() { return ImGui::GetIO().WantCaptureMouse; }
 
 static void draw_scene(Viewer* v)
 {
-	Play* play = &v->play;
+	Session* session = &v->session;
 	ImGui::SetNextItemWidth(-1.0f);
-	if (ImGui::BeginCombo("##scene", play->scene->name, ImGuiComboFlags_HeightLarge))
+	if (ImGui::BeginCombo("##scene", session->scene->name, ImGuiComboFlags_HeightLarge))
 	{
-		for (int k = 0; k < play->scene_count; ++k)
-			if (ImGui::Selectable(play->scenes[k], strcmp(play->scenes[k], play->scene->name) == 0))
-				viewer_begin(v, play->scenes[k], true);
+		for (int k = 0; k < session->scene_count; ++k)
+			if (ImGui::Selectable(session->scenes[k], strcmp(session->scenes[k], session->scene->name) == 0))
+				viewer_load(v, session->scenes[k], true);
 		ImGui::EndCombo();
 	}
 	bool begin = false;
-	ImGui::PushID("parameters"); // whose names are the scene's own
-	for (int k = 0; k < play->parameter_count; ++k)
+	ImGui::PushID("parameters"); // the scene chooses their names, which may equal other labels
+	for (int k = 0; k < session->parameter_count; ++k)
 	{
-		Parameter* p = &play->parameters[k];
+		Parameter* p = &session->parameters[k];
 		ImGui::SetNextItemWidth(FIELD);
 		begin = ImGui::InputText(p->name, p->value, sizeof p->value, ImGuiInputTextFlags_EnterReturnsTrue) || begin;
 	}
 	ImGui::PopID();
 	if (ImGui::Button("restart") || begin)
-		viewer_begin(v, play->name, false);
+		viewer_load(v, session->name, false);
 	ImGui::SameLine();
-	if (ImGui::Button(play->paused ? "go on" : "pause"))
+	if (ImGui::Button(session->paused ? "go on" : "pause"))
 		input_action(v, ACTION_pause);
 	ImGui::SameLine();
 	if (ImGui::Button("step"))
 		input_action(v, ACTION_step);
 	ImGui::SetNextItemWidth(FIELD);
-	ImGui::SliderFloat("speed", &play->rate, 1.0f / 64.0f, 1.0f, "%.3f", ImGuiSliderFlags_Logarithmic);
+	ImGui::SliderFloat("speed", &session->rate, 1.0f / 64.0f, 1.0f, "%.3f", ImGuiSliderFlags_Logarithmic);
 }
 
 static void draw_device(Viewer* v)
 {
-	Play* play = &v->play;
+	Session* session = &v->session;
 	ImGui::SetNextItemWidth(-1.0f);
-	if (ImGui::BeginCombo("##device", scree_world_get_device(play->world)))
+	if (ImGui::BeginCombo("##device", scree_world_get_device(session->world)))
 	{
-		for (int k = 0; k < play->device_count; ++k)
-			if (ImGui::Selectable(play->devices[k].name, strcmp(play->devices[k].name, play->device) == 0))
-				viewer_move(v, play->devices[k].name);
-		if (ImGui::Selectable("auto", strcmp(play->device, "auto") == 0))
+		for (int k = 0; k < session->device_count; ++k)
+			if (ImGui::Selectable(session->devices[k].name, strcmp(session->devices[k].name, session->device) == 0))
+				viewer_move(v, session->devices[k].name);
+		if (ImGui::Selectable("auto", strcmp(session->device, "auto") == 0))
 			viewer_move(v, "auto");
 		ImGui::EndCombo();
 	}
-	if (play->hashed)
-		ImGui::Text("hash %016" PRIx64, play->hash);
+	if (session->hashed)
+		ImGui::Text("hash %016" PRIx64, session->hash);
 	else if (ImGui::Button("hash"))
 		input_action(v, ACTION_hash);
 	ImGui::Text("rows %s", scree_sharing_name(v->share.how));
@@ -198,12 +199,12 @@ static void draw_bar(const char* name, float value, float whole)
 
 static void draw_times(const Viewer* v)
 {
-	const Play* play = &v->play;
+	const Session* session = &v->session;
 	for (int k = 0; k < STAGES; ++k)
-		draw_bar(play_stages[k], play->stages[k], play->step);
-	draw_bar("step", play->step, play->step);
+		draw_bar(session_stages[k], session->stages[k], session->step);
+	draw_bar("step", session->step, session->step);
 	draw_bar("frame", v->frame_ms, 1000.0f / 60.0f);
-	const scree_counters* c = &play->counters;
+	const scree_counters* c = &session->counters;
 	ImGui::Text("%d bodies, %d moving", c->bodies, c->dynamic_bodies);
 	ImGui::Text("%d contacts, %d touching", c->contacts, c->touching);
 	ImGui::Text("%d colors, %d contacts of hubs", c->colors, c->spokes);
@@ -252,11 +253,11 @@ static void draw_keys(const ImVec2& size)
 	ImGui::End();
 }
 
-// The caption of pictures, in the window: title on the left, the state on the right; or what was just done.
+// The caption band of the window: title or message on the left, time and counts on the right.
 static void draw_band(const Viewer* v, const ImVec2& size)
 {
 	char caption[256];
-	caption_text(v->play.scene, v->play.world, &v->play.counters, caption, sizeof caption);
+	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
 	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - CAPTION));
 	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
@@ -266,7 +267,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::PopStyleColor();
 	ImGui::PopStyleVar(2);
 	ImGui::SetCursorPos(ImVec2(EDGE, sized(10.0f)));
-	ImGui::Text("%s", *v->note ? v->note : v->play.scene->title);
+	ImGui::Text("%s", *v->message ? v->message : v->session.scene->title);
 	ImGui::SetCursorPos(ImVec2(size.x - EDGE - ImGui::CalcTextSize(caption).x, sized(10.0f)));
 	ImGui::Text("%s", caption);
 	ImGui::End();

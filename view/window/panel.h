@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// panel.h -- what stands beside the picture: scenes, devices, times, switches; in C++, by Dear ImGui.
+// panel.h -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 #ifndef PANEL_H
 #define PANEL_H
-#include "view/window/viewer.h"
+#include "view/window/state.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -11,14 +11,16 @@ extern "C" {
 bool panel_open(GLFWwindow* window);
 void panel_close(void);
 
-// Draws it over the picture, and does what the user clicks on.
+// Draws the panel over the picture and does what the user clicks on.
 void panel_draw(Viewer* viewer);
 
-// Events, and whether they are the panel's own.
+// Pass events to the panel.
 void panel_key(GLFWwindow* window, int key, int code, int event, int modifiers);
 void panel_letter(GLFWwindow* window, unsigned letter);
 void panel_button(GLFWwindow* window, int button, int event, int modifiers);
 void panel_wheel(GLFWwindow* window, double x, double y);
+
+// Whether the panel uses the events, so that the picture must not.
 bool panel_wants_keys(void);
 bool panel_wants_mouse(void);
 

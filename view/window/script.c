@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// script.c -- a file of what a user would do, for tests and for pictures of the window.
+// script.c -- a file of user actions, for tests and for pictures of the window.
 //
-// Lines are read as their time comes: all up to the next "frames N", which draws so many frames of one step each, or
-// "await STATE", which draws until a user has brought the state about.
+// Before a frame the script runs all lines up to the next "frames N", which draws N frames of one step each, or up to
+// "await STATE", which draws frames until the viewer is in that state.
 #include "view/window/script.h"
+#include "view/window/export.h"
+#include "view/window/input.h"
 #include "view/window/viewer.h"
 #include <GLFW/glfw3.h>
 #include <errno.h>
@@ -11,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#define PATIENCE   20.0   // s to await something
+#define PATIENCE   20.0   // s that "await" waits at most
 #define MOST_TURNS 100.0f // of the wheel
 
 static const char* const shown_keys[ACTIONS] = {
@@ -53,57 +55,57 @@ static bool press_key(Viewer* v, const char* shown)
 static void print_state(Viewer* v)
 {
 	char sentence[SENTENCE];
-	uint64_t hash = play_hash(&v->play, sentence) ? v->play.hash : 0;
+	uint64_t hash = session_hash(&v->session, sentence) ? v->session.hash : 0;
 	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64
 	       ", middle %.3f %.3f, scale %.3f, %s, painted by %s, %s rows, %.2f ms a frame\n",
-	       v->play.scene->name, v->play.counters.steps, v->play.counters.bodies, v->play.paused ? "paused" : "running",
-	       hash, (double)v->camera.middle.x, (double)v->camera.middle.y, (double)v->camera.scale,
-	       hand_holds(&v->hand) ? "holding" : "free", paint_names[v->style.paint], scree_sharing_name(v->share.how),
-	       (double)v->frame_ms);
-	fflush(stdout); // whoever sends events waits for it
+	       v->session.scene->name, v->session.counters.steps, v->session.counters.bodies,
+	       v->session.paused ? "paused" : "running", hash, (double)v->camera.middle.x, (double)v->camera.middle.y,
+	       (double)v->camera.scale, grab_holds(&v->grab) ? "holding" : "free", paint_names[v->style.paint],
+	       scree_sharing_name(v->share.how), (double)v->frame_ms);
+	fflush(stdout); // the program that sends events waits for the line
 }
 
-// Whether the viewer is in a state; -1 for a word that names none.
-static int is_so(const Viewer* v, const char* state)
+// Whether the viewer is in a state; -1 for an unknown state.
+static int in_state(const Viewer* v, const char* state)
 {
 	const struct
 	{
 		const char* name;
-		bool so;
-	} states[] = {{"paused", v->play.paused},
-	              {"running", !v->play.paused},
-	              {"holding", hand_holds(&v->hand)},
-	              {"free", !hand_holds(&v->hand)},
+		bool current;
+	} states[] = {{"paused", v->session.paused},
+	              {"running", !v->session.paused},
+	              {"holding", grab_holds(&v->grab)},
+	              {"free", !grab_holds(&v->grab)},
 	              {"minimized", glfwGetWindowAttrib(v->window, GLFW_ICONIFIED)},
 	              {"restored", !glfwGetWindowAttrib(v->window, GLFW_ICONIFIED)}};
 	for (size_t k = 0; k < sizeof states / sizeof *states; ++k)
 		if (strcmp(states[k].name, state) == 0)
-			return states[k].so;
+			return states[k].current;
 	return -1;
 }
 
-// Ends the viewer. Returns true: the line is dealt with.
-static bool give_up(Viewer* v, const char* what, const char* why, int code)
+// Ends the viewer with an error of the current line. Returns true: the line needs no other error.
+static bool fail_line(const Script* script, Viewer* v, const char* what, const char* why, int code)
 {
-	fprintf(stderr, "scree view: %s:%d: \"%.100s\" %s%s%s\n", v->script.path, v->script.line, what, why,
-	        *v->note ? ": " : "", v->note);
+	fprintf(stderr, "scree view: %s:%d: \"%.100s\" %s%s%s\n", script->path, script->line, what, why,
+	        *v->message ? ": " : "", v->message);
 	v->done = true;
 	v->code = code;
 	return true;
 }
 
-// One line; false when it is not understood.
-static bool obey(Viewer* v, const char* line)
+// Runs one line; false when it is unknown or failed.
+static bool run_line(Script* script, Viewer* v, const char* line)
 {
 	char word[256], rest = 0;
 	float x, y;
 	int n, m;
 	if (sscanf(line, "frames %d %c", &n, &rest) == 1 && n > 0)
-		v->script.frames = n;
-	else if (sscanf(line, "await %15s %c", v->script.awaited, &rest) == 1)
+		script->frames = n;
+	else if (sscanf(line, "await %15s %c", script->awaited, &rest) == 1)
 	{
-		v->script.until = glfwGetTime() + PATIENCE;
-		return is_so(v, v->script.awaited) >= 0;
+		script->until = glfwGetTime() + PATIENCE;
+		return in_state(v, script->awaited) >= 0;
 	}
 	else if (sscanf(line, "key %255s %c", word, &rest) == 1)
 		return press_key(v, word);
@@ -121,9 +123,9 @@ static bool obey(Viewer* v, const char* line)
 	else if (strcmp(line, "restore") == 0)
 		glfwRestoreWindow(v->window);
 	else if (sscanf(line, "picture %255s %c", word, &rest) == 1)
-		return viewer_save(v, word) || give_up(v, line, "cannot be done", 1);
+		return export_picture(v, word) || fail_line(script, v, line, "cannot be done", 1);
 	else if (sscanf(line, "scene %255s %c", word, &rest) == 1)
-		return viewer_begin(v, word, true);
+		return viewer_load(v, word, true);
 	else if (sscanf(line, "device %255[^\n]", word) == 1)
 		return viewer_move(v, word);
 	else if (strcmp(line, "print") == 0)
@@ -133,17 +135,17 @@ static bool obey(Viewer* v, const char* line)
 	return true;
 }
 
-void script_go(Script* script, Viewer* v)
+void script_run(Script* script, Viewer* v)
 {
 	char line[512];
 	if (!script->file)
 		return;
 	while (!v->done)
 	{
-		if (*script->awaited && is_so(v, script->awaited))
+		if (*script->awaited && in_state(v, script->awaited))
 			*script->awaited = 0;
 		if (*script->awaited && glfwGetTime() > script->until)
-			give_up(v, script->awaited, "was awaited too long", 2);
+			fail_line(script, v, script->awaited, "was awaited too long", 2);
 		if (*script->awaited || script->frames-- > 0)
 			return;
 		script->frames = 0;
@@ -154,8 +156,8 @@ void script_go(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
-		*v->note = 0;
-		if (!obey(v, line))
-			give_up(v, line, "cannot be done", 2);
+		*v->message = 0;
+		if (!run_line(script, v, line))
+			fail_line(script, v, line, "cannot be done", 2);
 	}
 }

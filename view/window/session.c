@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// session.c -- the scene that is on view: begun, stepped, paused, moved to another device.
+// session.c -- the scene in the viewer: loaded, stepped, paused, moved to another device.
 #include "view/window/session.h"
+#include "scene/build.h"
+#include "scene/churn.h"
+#include "scene/find.h"
+#include "scene/load.h"
 #include "view/shader.h"
 #include <stdlib.h>
 #include <string.h>
 
-#define SMOOTH 0.1f // share of the last step in what is shown
+#define SMOOTH 0.1f // weight of the last step in the average that is shown
 
-const char* const play_stages[STAGES] = {"transform", "broad phase", "narrow phase", "color", "solve", "finalize"};
+const char* const session_stages[STAGES] = {"transform", "broad phase", "narrow phase", "color", "solve", "finalize"};
 
 static bool failed(char* sentence)
 {
@@ -15,68 +19,68 @@ static bool failed(char* sentence)
 	return false;
 }
 
-// A copy that is whole, or none.
-static bool fits(const char* text, char* room, size_t size, const char* what, char* sentence)
+// Copies text that fits; else writes a sentence.
+static bool copy_text(const char* text, char* copy, size_t size, const char* what, char* sentence)
 {
 	if (strlen(text) < size)
-		return strcpy(room, text);
+		return strcpy(copy, text);
 	snprintf(sentence, SENTENCE, "%s %.60s... has more than %zu characters, which the panel cannot hold", what, text,
 	         size - 1);
 	return false;
 }
 
-// Takes the parameters of a scene file, "rows=100 columns=20", and what the options set.
-static bool read_parameters(Play* play, const char* path, bool set, char* sentence)
+// Reads the parameters of a scene file, "rows=100 columns=20". set: with the values of the options.
+static bool read_parameters(Session* session, const char* path, bool set, char* sentence)
 {
 	char title[160], text[MAX_PARAMETERS * 128];
 	if (!scene_heading(path, title, sizeof title, text, sizeof text, sentence))
 		return false;
-	play->parameter_count = 0;
+	session->parameter_count = 0;
 	char* rest = NULL;
 	for (char* word = strtok_r(text, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
 	{
 		char* equals = strchr(word, '=');
 		if (!equals)
 			continue;
-		if (play->parameter_count == MAX_PARAMETERS)
+		if (session->parameter_count == MAX_PARAMETERS)
 		{
 			snprintf(sentence, SENTENCE, "%.400s has more than %d parameters, which the panel cannot hold", path,
 			         MAX_PARAMETERS);
 			return false;
 		}
 		*equals = 0;
-		Parameter* p = &play->parameters[play->parameter_count++];
+		Parameter* p = &session->parameters[session->parameter_count++];
 		const char* value = equals + 1;
-		for (int k = 0; k < play->options->setting_count && set; ++k)
-			if (strcmp(play->options->settings[k].name, word) == 0)
-				value = play->options->settings[k].value;
-		if (!fits(word, p->name, sizeof p->name, "the parameter", sentence) ||
-		    !fits(value, p->value, sizeof p->value, "the value", sentence))
+		for (int k = 0; k < session->options->setting_count && set; ++k)
+			if (strcmp(session->options->settings[k].name, word) == 0)
+				value = session->options->settings[k].value;
+		if (!copy_text(word, p->name, sizeof p->name, "the parameter", sentence) ||
+		    !copy_text(value, p->value, sizeof p->value, "the value", sentence))
 			return false;
 	}
 	return true;
 }
 
-static Scene* load(Play* play, const char* path, bool fresh, char* sentence)
+static Scene* load(Session* session, const char* path, bool fresh, char* sentence)
 {
 	SceneSetting settings[MAX_PARAMETERS];
-	const ViewOptions* options = play->options;
-	if (fresh && strcmp(play->name, options->scene) == 0)
+	const ViewOptions* options = session->options;
+	if (fresh && strcmp(session->name, options->scene) == 0)
 		return scene_load(path, options->settings, options->setting_count, sentence);
-	for (int k = 0; k < play->parameter_count; ++k)
-		settings[k] = (SceneSetting){play->parameters[k].name, play->parameters[k].value};
-	return scene_load(path, settings, play->parameter_count, sentence);
+	for (int k = 0; k < session->parameter_count; ++k)
+		settings[k] = (SceneSetting){session->parameters[k].name, session->parameters[k].value};
+	return scene_load(path, settings, session->parameter_count, sentence);
 }
 
-static bool build(const Play* play, const Scene* scene, scree_world** world, char* sentence)
+static bool build(const Session* session, const Scene* scene, scree_world** world, char* sentence)
 {
 	scree_world_def def = scene->world;
-	def.device = play->device;
-	def.threads = play->options->threads;
-	def.lanes = play->options->lanes;
-	def.allow_unequal_bits = play->options->allow_unequal_bits;
+	def.device = session->device;
+	def.threads = session->options->threads;
+	def.lanes = session->options->lanes;
+	def.allow_unequal_bits = session->options->allow_unequal_bits;
 	def.timings = true;
-	def.opengl = play->opengl;
+	def.opengl = session->opengl;
 	scree_status status = scree_world_create(&def, world);
 	if (status == SCREE_OK)
 		status = scene_build(scene, *world);
@@ -88,96 +92,96 @@ static bool build(const Play* play, const Scene* scene, scree_world** world, cha
 	return false;
 }
 
-bool play_begin(Play* play, const char* name, bool fresh, char* sentence)
+bool session_load(Session* session, const char* name, bool fresh, char* sentence)
 {
-	Play kept = *play;
+	Session old = *session;
 	char path[SCENE_PATH];
 	scree_world* world = NULL;
 	scree_counters counters;
-	if (name != play->name)
-		snprintf(play->name, sizeof play->name, "%s", name);
-	bool set = strcmp(play->name, play->options->scene) == 0;
-	bool good = scene_find(play->name, play->options->executable, path, sentence) &&
-	            (!fresh || read_parameters(play, path, set, sentence));
-	Scene* scene = good ? load(play, path, fresh, sentence) : NULL;
-	good = scene && build(play, scene, &world, sentence) &&
+	if (name != session->name)
+		snprintf(session->name, sizeof session->name, "%s", name);
+	bool set = strcmp(session->name, session->options->scene) == 0;
+	bool good = scene_find(session->name, session->options->executable, path, sentence) &&
+	            (!fresh || read_parameters(session, path, set, sentence));
+	Scene* scene = good ? load(session, path, fresh, sentence) : NULL;
+	good = scene && build(session, scene, &world, sentence) &&
 	       (scree_world_get_counters(world, &counters) == SCREE_OK || failed(sentence));
 	if (!good)
 	{
 		scree_world_destroy(world);
 		scene_free(scene);
-		*play = kept;
+		*session = old;
 		return false;
 	}
-	scene_free(play->scene);
-	scree_world_destroy(play->world);
-	play->scene = scene;
-	play->world = world;
-	play->counters = counters;
-	play->owed = 0;
-	play->steps = 0;
-	play->hashed = false;
-	play->step = 0;
-	memset(play->stages, 0, sizeof play->stages);
+	scene_free(session->scene);
+	scree_world_destroy(session->world);
+	session->scene = scene;
+	session->world = world;
+	session->counters = counters;
+	session->accumulator = 0;
+	session->steps = 0;
+	session->hashed = false;
+	session->step = 0;
+	memset(session->stages, 0, sizeof session->stages);
 	return true;
 }
 
-bool play_open(Play* play, const ViewOptions* options, const scree_opengl* opengl, char* sentence)
+bool session_open(Session* session, const ViewOptions* options, const scree_opengl* opengl, char* sentence)
 {
-	*play = (Play){.options = options, .opengl = opengl, .rate = 1.0f};
-	snprintf(play->device, sizeof play->device, "%s", options->device);
-	play->scene_count = scene_list(options->executable, &play->scenes, sentence);
+	*session = (Session){.options = options, .opengl = opengl, .rate = 1.0f};
+	snprintf(session->device, sizeof session->device, "%s", options->device);
+	session->scene_count = scene_list(options->executable, &session->scenes, sentence);
 	int count = 0;
 	scree_devices_get(NULL, 0, &count);
-	play->devices = calloc((size_t)count + 1, sizeof *play->devices);
-	if (!play->devices || scree_devices_get(play->devices, count, &play->device_count) != SCREE_OK)
-		play->device_count = 0;
-	return play_begin(play, options->scene, true, sentence);
+	session->devices = calloc((size_t)count + 1, sizeof *session->devices);
+	if (!session->devices || scree_devices_get(session->devices, count, &session->device_count) != SCREE_OK)
+		session->device_count = 0;
+	return session_load(session, options->scene, true, sentence);
 }
 
-void play_close(Play* play)
+void session_close(Session* session)
 {
-	scree_world_destroy(play->world);
-	scene_free(play->scene);
-	for (int k = 0; k < play->scene_count; ++k)
-		free(play->scenes[k]);
-	free(play->scenes);
-	free(play->devices);
-	*play = (Play){0};
+	scree_world_destroy(session->world);
+	scene_free(session->scene);
+	for (int k = 0; k < session->scene_count; ++k)
+		free(session->scenes[k]);
+	free(session->scenes);
+	free(session->devices);
+	*session = (Session){0};
 }
 
-bool play_move(Play* play, const char* device, char* sentence)
+bool session_move(Session* session, const char* device, char* sentence)
 {
-	if (scree_world_move(play->world, device) != SCREE_OK)
+	if (scree_world_move(session->world, device) != SCREE_OK)
 		return failed(sentence);
-	snprintf(play->device, sizeof play->device, "%s", device);
-	play->step = 0;
-	memset(play->stages, 0, sizeof play->stages);
+	snprintf(session->device, sizeof session->device, "%s", device);
+	session->step = 0;
+	memset(session->stages, 0, sizeof session->stages);
 	return true;
 }
 
 static void smooth(float* shown, float now) { *shown = *shown == 0.0f ? now : *shown + SMOOTH * (now - *shown); }
 
-bool play_step(Play* play, char* sentence)
+bool session_step(Session* session, char* sentence)
 {
 	scree_timings t;
-	if (scene_churn(play->scene, play->world, play->steps++) != SCREE_OK ||
-	    scree_world_step(play->world, play->scene->dt, play->scene->substeps) != SCREE_OK ||
-	    scree_world_get_counters(play->world, &play->counters) != SCREE_OK ||
-	    scree_world_get_timings(play->world, &t) != SCREE_OK)
+	if (scene_churn(session->scene, session->world, session->steps++) != SCREE_OK ||
+	    scree_world_step(session->world, session->scene->dt, session->scene->substeps) != SCREE_OK ||
+	    scree_world_get_counters(session->world, &session->counters) != SCREE_OK ||
+	    scree_world_get_timings(session->world, &t) != SCREE_OK)
 		return failed(sentence);
 	const float stages[STAGES] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
 	for (int k = 0; k < STAGES; ++k)
-		smooth(&play->stages[k], stages[k]);
-	smooth(&play->step, t.step);
-	play->hashed = false;
+		smooth(&session->stages[k], stages[k]);
+	smooth(&session->step, t.step);
+	session->hashed = false;
 	return true;
 }
 
-bool play_hash(Play* play, char* sentence)
+bool session_hash(Session* session, char* sentence)
 {
-	if (scree_world_get_hash(play->world, &play->hash) != SCREE_OK)
+	if (scree_world_get_hash(session->world, &session->hash) != SCREE_OK)
 		return failed(sentence);
-	play->hashed = true;
+	session->hashed = true;
 	return true;
 }

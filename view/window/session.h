@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// session.h -- the scene that is on view: begun, stepped, paused, moved to another device.
-#ifndef PLAY_H
-#define PLAY_H
-#include "view/window/view.h"
+// session.h -- the scene in the viewer: loaded, stepped, paused, moved to another device.
+#ifndef SESSION_H
+#define SESSION_H
+#include "view/window/options.h"
 
 #define MAX_PARAMETERS 32
 #define STAGES         6
@@ -25,36 +25,36 @@ typedef struct
 	int parameter_count;
 	scree_device* devices;
 	int device_count;
-	char device[160]; // asked for
+	char device[160]; // that the user chose
 	bool paused;
-	float rate;    // seconds of the world a second of the clock, at most 1
-	int64_t steps; // of the world, taken
-	double owed;   // s: of the world, that the clock is ahead
-	bool hashed;   // since the last step
-	uint64_t hash; // of the world
+	float rate;         // seconds of the world a second of the clock, at most 1
+	int64_t steps;      // of the world, so far
+	double accumulator; // s of the world that the steps are behind the clock
+	bool hashed;        // hash is of the current state
+	uint64_t hash;      // of the world
 	scree_counters counters;
 	float step;           // ms, smoothed
 	float stages[STAGES]; // ms, smoothed
-} Play;
+} Session;
 
-extern const char* const play_stages[STAGES];
+extern const char* const session_stages[STAGES];
 
-// All but play_close return false after writing a sentence (SENTENCE of shader.h), and leave what there was.
+// On failure all but session_close write a sentence (SENTENCE of shader.h), return false and change nothing else.
 
-// Lists scenes and devices, and begins the scene of the options.
-bool play_open(Play* play, const ViewOptions* options, const scree_opengl* opengl, char* sentence);
-void play_close(Play* play);
+// Lists scenes and devices, and loads the scene of the options.
+bool session_open(Session* session, const ViewOptions* options, const scree_opengl* opengl, char* sentence);
+void session_close(Session* session);
 
-// Begins a scene: its parameters are those of the options if fresh, else those in parameters.
-bool play_begin(Play* play, const char* name, bool fresh, char* sentence);
+// Loads a scene and makes its world. fresh: with the parameters of the options, else with those in parameters.
+bool session_load(Session* session, const char* name, bool fresh, char* sentence);
 
 // Moves the world to another device.
-bool play_move(Play* play, const char* device, char* sentence);
+bool session_move(Session* session, const char* device, char* sentence);
 
 // Takes one step.
-bool play_step(Play* play, char* sentence);
+bool session_step(Session* session, char* sentence);
 
-// The hash of the world as it is, into hash.
-bool play_hash(Play* play, char* sentence);
+// Computes the hash of the current state.
+bool session_hash(Session* session, char* sentence);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// window.c -- the window of GLFW: its context of OpenGL, and its events on their way to input.c and the panel.
+// window.c -- the GLFW window: its OpenGL context, and its events, which go to input.c and the panel.
 #include "view/window/window.h"
+#include "view/window/input.h"
 #include "view/window/panel.h"
 #include <epoxy/gl.h>
 #include <string.h>
@@ -13,13 +14,13 @@
 
 #define LEAST_SIDE 64 // px, as of pictures
 
-static char trouble[256]; // what GLFW said first; its callback has no place of ours
+static char error[256]; // the first error of GLFW, whose callback has no user pointer
 
 static void on_error(int code, const char* sentence)
 {
 	(void)code;
-	if (!*trouble)
-		snprintf(trouble, sizeof trouble, "%s", sentence);
+	if (!*error)
+		snprintf(error, sizeof error, "%s", sentence);
 }
 
 static Viewer* viewer_of(GLFWwindow* window) { return glfwGetWindowUserPointer(window); }
@@ -44,7 +45,7 @@ static void on_key(GLFWwindow* window, int key, int code, int event, int modifie
 
 static void on_letter(GLFWwindow* window, unsigned letter) { panel_letter(window, letter); }
 
-// The window's units are not always pixels.
+// GLFW gives window units, which are not always pixels.
 static void on_cursor(GLFWwindow* window, double x, double y)
 {
 	Viewer* v = viewer_of(window);
@@ -52,8 +53,9 @@ static void on_cursor(GLFWwindow* window, double x, double y)
 	glfwGetWindowSize(window, &width, &height);
 	double now = glfwGetTime();
 	if (width > 0 && height > 0)
-		input_cursor(v, (float)(x * v->camera.width / width), (float)(y * v->camera.height / height), now - v->moved);
-	v->moved = now;
+		input_cursor(v, (float)(x * v->camera.width / width), (float)(y * v->camera.height / height),
+		             now - v->cursor_time);
+	v->cursor_time = now;
 }
 
 static void on_button(GLFWwindow* window, int button, int event, int modifiers)
@@ -70,7 +72,7 @@ static void on_wheel(GLFWwindow* window, double x, double y)
 		input_wheel(viewer_of(window), (float)y);
 }
 
-// As the display's own system has it, else by EGL.
+// Tries the native context API (GLX on X11) first, then EGL.
 static GLFWwindow* create(const Viewer* v, const char* title)
 {
 	const int ways[] = {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API};
@@ -88,7 +90,7 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 	return window;
 }
 
-// Of a window whose context is none of EGL: on Linux it is one of GLX.
+// The context of a window that does not use EGL: on Linux it is GLX.
 static bool glx_context(scree_opengl* opengl)
 {
 #ifdef __linux__
@@ -111,14 +113,13 @@ bool window_open(Viewer* v, char* sentence)
 	if (!glfwInit())
 	{
 		snprintf(sentence, SENTENCE,
-		         "there is no display to open a window on (%s); scree run SCENE --picture FILE.png needs none",
-		         trouble);
+		         "there is no display to open a window on (%s); scree run SCENE --picture FILE.png needs none", error);
 		return false;
 	}
 	v->window = create(v, "scree");
 	if (!v->window)
 	{
-		snprintf(sentence, SENTENCE, "there is no OpenGL 3.3 on this display (%s)", trouble);
+		snprintf(sentence, SENTENCE, "there is no OpenGL 3.3 on this display (%s)", error);
 		glfwTerminate();
 		return false;
 	}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// pipeline_paper.h -- the pipeline of the paper, reference/paper.h.
+#ifndef PIPELINE_PAPER_H
+#define PIPELINE_PAPER_H
+#include "pipeline.h"
+
+extern const Pipeline paper_pipeline;
+
+#endif

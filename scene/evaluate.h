@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// evaluate.h -- computes the items of a block: bodies and collidables as scree.h defines them.
+#ifndef EVALUATE_H
+#define EVALUATE_H
+#include "scene/block.h"
+
+#define BATCH_SIZE 65536 // items or collidables of a batch, at most; not less than MAX_PARTS
+
+typedef struct // consecutive items; their attributes are positions in Scene.attributes, with generation 0
+{
+	int count, capacity;         // items
+	scree_body_def* bodies;      // count, or null
+	scree_collidable_def* parts; // count * Block.parts.count, or null
+	const Block* block;
+	bool (*full)(void* context, const void* batch); // receives the items; null to drop them
+	void* context;
+} Batch;
+
+// Counts the items into block->count. Fails when there are more than limit.
+bool evaluate_count(Reader* reader, const Location* location, Block* block, int64_t limit);
+
+// Computes all items, batch by batch. Fails when a number of an item is out of range (only the first time, because the
+// results are always the same), when memory is short, or when full returns false.
+bool evaluate_block(Reader* reader, const Block* block, bool (*full)(void* context, const void* batch), void* context);
+
+// Computes the pose and the velocity that churn gives a body. serial counts the bodies that churn has changed.
+bool evaluate_churn(Reader* reader, const Block* block, uint64_t serial, scree_body_def* body);
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// instruction.h -- the operations of compiled expressions, on a stack of doubles.
+#ifndef INSTRUCTION_H
+#define INSTRUCTION_H
+#include "scene/item.h"
+
+typedef enum
+{
+	OP_CONSTANT,
+	OP_INDEX,
+	OP_NEGATE,
+	OP_ADD,
+	OP_SUBTRACT,
+	OP_MULTIPLY,
+	OP_DIVIDE,
+	OP_ABS,
+	OP_FLOOR,
+	OP_CEIL,
+	OP_SQRT,
+	OP_SIN,
+	OP_COS,
+	OP_MIN,
+	OP_MAX,
+	OP_MOD,
+	OP_RANDOM,
+} Op;
+
+typedef struct
+{
+	Op op;
+	uint32_t argument; // slot of OP_INDEX, site of OP_RANDOM
+	double value;      // of OP_CONSTANT
+} Instruction;
+
+// How many values an operation takes from the stack: 0, 1 or 2. It puts one back.
+int instruction_operands(Op op);
+
+// Runs one instruction on a stack whose last value is **top. Returns null, or what went wrong.
+const char* instruction_run(const Instruction* instruction, double** top, const Item* item);
+
+#endif

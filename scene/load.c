@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// load.c -- reads a scene file and checks all of it.
+#include "scene/load.h"
+#include "scene/attributes.h"
+#include "scene/evaluate.h"
+#include "scene/parameters.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const char* const scene_keys[] = {
+    "$schema", "name", "title",      "description", "seed",        "parameters",        "constants", "world",
+    "steps",   "view", "attributes", "bodies",      "collidables", "penetration_limit", NULL};
+
+static const struct
+{
+	const char* key;
+	size_t offset;
+	Range range;
+} world_numbers[] = {
+    {"contact_hertz", offsetof(scree_world_def, contact_hertz), {0.001, 1e6, false, false}},
+    {"contact_damping_ratio", offsetof(scree_world_def, contact_damping_ratio), {0, 1e6, false, false}},
+    {"contact_push_speed", offsetof(scree_world_def, contact_push_speed), {0, 1e6, false, false}},
+    {"restitution_threshold", offsetof(scree_world_def, restitution_threshold), {0, 1e6, false, false}},
+    {"max_speed", offsetof(scree_world_def, max_speed), {0.001, 1e6, false, false}},
+};
+static const char* const world_keys[] = {"gravity",
+                                         "dt",
+                                         "substeps",
+                                         "contact_hertz",
+                                         "contact_damping_ratio",
+                                         "contact_push_speed",
+                                         "restitution_threshold",
+                                         "max_speed",
+                                         NULL};
+
+static bool read_optional(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
+                          double* number)
+{
+	const json_t* value = json_object_get(object, key);
+	return !value || reader_constant(reader, KEY(location, key), value, range, number);
+}
+
+static bool read_world(Reader* reader, const json_t* root, Scene* scene)
+{
+	const json_t* world = json_object_get(root, "world");
+	const Location* location = KEY(NULL, "world");
+	double dt = 1.0 / 60, substeps = 4;
+	if (!world)
+		return true;
+	if (!reader_object(reader, location, world, world_keys))
+		return false;
+	const json_t* gravity = json_object_get(world, "gravity");
+	if (gravity && !reader_vec(reader, KEY(location, "gravity"), gravity, any_speed, &scene->world.gravity))
+		return false;
+	if (!read_optional(reader, location, world, "dt", (Range){1e-5, 1, false, false}, &dt) ||
+	    !read_optional(reader, location, world, "substeps", (Range){1, 64, true, false}, &substeps))
+		return false;
+	scene->dt = (float)dt;
+	scene->substeps = (int)substeps;
+	for (size_t k = 0; k < sizeof world_numbers / sizeof world_numbers[0]; ++k)
+	{
+		float* member = (float*)((char*)&scene->world + world_numbers[k].offset);
+		double number = *member;
+		if (!read_optional(reader, location, world, world_numbers[k].key, world_numbers[k].range, &number))
+			return false;
+		*member = (float)number;
+	}
+	return true;
+}
+
+static bool read_view(Reader* reader, const json_t* root, Scene* scene)
+{
+	const json_t* view = json_object_get(root, "view");
+	const Location* location = KEY(NULL, "view");
+	scene->has_view = view != NULL;
+	if (!view)
+		return true;
+	if (!json_is_array(view) || json_array_size(view) != 4)
+		return reader_fail_value(reader, location, view, "must be a list of 4 numbers: left, bottom, right, top");
+	double side[4];
+	for (int k = 0; k < 4; ++k)
+	{
+		const json_t* value = json_array_get(view, (size_t)k);
+		if (!reader_constant(reader, ELEMENT(location, k), value, any_coordinate, &side[k]))
+			return false;
+	}
+	if (side[0] >= side[2] || side[1] >= side[3])
+		return reader_fail_value(reader, location, view, "is empty: left and bottom must be less than right and top");
+	scene->view.lower = (scree_vec){(float)side[0], (float)side[1]};
+	scene->view.upper = (scree_vec){(float)side[2], (float)side[3]};
+	return true;
+}
+
+static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
+{
+	const char* name;
+	const char* title;
+	if (!reader_object(reader, NULL, root, scene_keys) ||
+	    !reader_string(reader, KEY(NULL, "name"), json_object_get(root, "name"), &name) ||
+	    !reader_string(reader, KEY(NULL, "title"), json_object_get(root, "title"), &title))
+		return false;
+	snprintf(scene->name, sizeof scene->name, "%s", name);
+	snprintf(scene->title, sizeof scene->title, "%s", title);
+	return true;
+}
+
+static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
+{
+	double seed = 1, steps = 300, limit = 0.05;
+	if (!read_optional(reader, NULL, root, "seed", (Range){0, 1e9, true, false}, &seed) ||
+	    !read_optional(reader, NULL, root, "steps", (Range){1, 1e9, true, false}, &steps) ||
+	    !read_optional(reader, NULL, root, "penetration_limit", (Range){0, 1e6, false, false}, &limit))
+		return false;
+	reader->seed = scene->seed = (uint64_t)seed;
+	scene->steps = (int)steps;
+	scene->penetration_limit = (float)limit;
+	return true;
+}
+
+// Appends a batch to Churn.items.
+static bool keep_items(void* context, const void* items)
+{
+	const Batch* batch = items;
+	Churn* churn = context;
+	memcpy(churn->items, batch->bodies, (size_t)batch->count * sizeof *batch->bodies);
+	churn->items += batch->count;
+	return true;
+}
+
+// Checks the churn of a block that has been counted, and keeps the definitions of its bodies if some are replaced.
+static bool check_churn(Reader* reader, const Location* location, Block* block)
+{
+	Churn* churn = &block->churn;
+	int64_t wanted = (int64_t)churn->moved + churn->replaced;
+	if (wanted > block->count)
+		return reader_fail(reader, KEY(location, "churn"),
+		                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
+		                   (double)block->count);
+	if (churn->replaced == 0)
+		return true;
+	churn->items = malloc((size_t)block->count * sizeof *churn->items);
+	if (!churn->items)
+		return reader_fail(reader, location, "out of memory");
+	Churn filling = *churn;
+	return evaluate_block(reader, block, keep_items, &filling);
+}
+
+// Reads, counts and evaluates one list of blocks. The evaluation finds bad numbers before a world is made.
+static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* scene)
+{
+	const char* key = bodies ? "bodies" : "collidables";
+	const json_t* list = json_object_get(root, key);
+	const Location* location = KEY(NULL, key);
+	if (list && !json_is_array(list))
+		return reader_fail_value(reader, location, list, "must be a list, [ ... ]");
+	for (int k = 0; k < (int)json_array_size(list); ++k)
+	{
+		const Location* at = ELEMENT(location, k);
+		Block* block = &scene->blocks[scene->block_count++];
+		if (!block_read(reader, at, json_array_get(list, (size_t)k), scene, bodies, block))
+			return false;
+		int64_t room = SCENE_MAX_BODIES - (bodies ? scene->body_count : scene->collidable_count);
+		if (!evaluate_count(reader, at, block, room))
+			return false;
+		int64_t collidables = block->count * block->parts.count;
+		if (collidables > SCENE_MAX_BODIES - scene->collidable_count)
+			return reader_fail(reader, at, "%.9g collidables; a scene has at most %d", (double)collidables,
+			                   SCENE_MAX_BODIES);
+		scene->body_count += bodies ? (int)block->count : 0;
+		scene->collidable_count += (int)collidables;
+		if (!evaluate_block(reader, block, NULL, NULL) || !check_churn(reader, at, block))
+			return false;
+	}
+	return true;
+}
+
+static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* settings, int count, Scene* scene)
+{
+	if (!read_heading(reader, root, scene) || !parameters_read(reader, root, settings, count) ||
+	    !constants_read(reader, root) || !read_numbers(reader, root, scene) || !read_world(reader, root, scene) ||
+	    !read_view(reader, root, scene))
+		return false;
+	if (!attributes_read(reader, KEY(NULL, "attributes"), json_object_get(root, "attributes"), scene))
+		return false;
+	size_t blocks = json_array_size(json_object_get(root, "bodies"));
+	blocks += json_array_size(json_object_get(root, "collidables"));
+	scene->blocks = calloc(blocks + 1, sizeof(Block));
+	if (!scene->blocks)
+		return reader_fail(reader, NULL, "out of memory");
+	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene))
+		return false;
+	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
+}
+
+static json_t* load_json(const char* path, char* sentence)
+{
+	json_error_t error;
+	json_t* root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+	if (root)
+		return root;
+	if (error.line > 0)
+		snprintf(sentence, SCENE_SENTENCE, "%.200s: line %d, column %d: %.200s", path, error.line, error.column,
+		         error.text);
+	else
+		snprintf(sentence, SCENE_SENTENCE, "%.200s: %.200s", path, error.text);
+	return NULL;
+}
+
+Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence)
+{
+	json_t* root = load_json(path, sentence);
+	if (!root)
+		return NULL;
+	Scene* scene = calloc(1, sizeof(Scene));
+	Reader* reader = calloc(1, sizeof(Reader));
+	bool good = scene && reader;
+	snprintf(sentence, SCENE_SENTENCE, "%.200s: out of memory", path);
+	if (good)
+	{
+		reader->file = path;
+		reader->sentence = sentence;
+		scene->world = scree_world_def_default();
+		scene->dt = 1.0f / 60.0f;
+		scene->substeps = 4;
+		good = read_scene(reader, root, settings, count, scene);
+	}
+	if (good)
+	{
+		scene->world.body_capacity = scene->body_count + 1;
+		sentence[0] = 0;
+	}
+	else
+	{
+		scene_free(scene);
+		scene = NULL;
+	}
+	free(reader);
+	json_decref(root);
+	return scene;
+}
+
+void scene_free(Scene* scene)
+{
+	if (!scene)
+		return;
+	for (int k = 0; k < scene->block_count; ++k)
+		block_free(&scene->blocks[k]);
+	free(scene->blocks);
+	free(scene->attributes);
+	free(scene);
+}
+
+// Copies an expression without its blanks, because blanks separate parameters.
+static void append_tight(char* text, size_t size, const char* expression)
+{
+	for (; *expression && size > 1; ++expression)
+		if (*expression != ' ' && *expression != '\t')
+		{
+			*text++ = *expression;
+			--size;
+		}
+	*text = 0;
+}
+
+bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
+                   char* sentence)
+{
+	json_t* root = load_json(path, sentence);
+	if (!root)
+		return false;
+	const char* text = json_string_value(json_object_get(root, "title"));
+	snprintf(title, title_size, "%s", text ? text : "");
+	parameters[0] = 0;
+	json_t* entry;
+	json_object_foreach(json_object_get(root, "parameters"), text, entry)
+	{
+		size_t length = strlen(parameters);
+		const json_t* value = json_object_get(entry, "default");
+		snprintf(parameters + length, parameters_size - length, "%s%s=", length ? " " : "", text);
+		length = strlen(parameters);
+		if (json_is_string(value))
+			append_tight(parameters + length, parameters_size - length, json_string_value(value));
+		else
+			snprintf(parameters + length, parameters_size - length, "%.9g", json_number_value(value));
+	}
+	json_decref(root);
+	return true;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// loop.c -- the repeat loops of a block: an index that runs over a range of whole numbers.
+#include "scene/loop.h"
+#include <string.h>
+
+static const Range any_index = {-1e9, 1e9, true, false};
+static const char* const loop_keys[] = {"index", "from", "to", NULL};
+
+bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop)
+{
+	const char* index;
+	if (!reader_object(reader, location, value, loop_keys))
+		return false;
+	if (!json_object_get(value, "to"))
+		return reader_fail(reader, location, "to is missing");
+	if (!reader_string(reader, KEY(location, "index"), json_object_get(value, "index"), &index))
+		return false;
+	if (!name_is_allowed(index) || scope_find(&reader->scope, index))
+		return reader_fail(reader, KEY(location, "index"), "\"%.40s\" is taken or is no name in small letters", index);
+	strcpy(loop->index, index);
+	return reader_member(reader, location, value, "from", any_index, 0, &loop->first) &&
+	       reader_member(reader, location, value, "to", any_index, 0, &loop->end);
+}
+
+bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value)
+{
+	if (reader->scope.count == MAX_NAMES)
+		return reader_fail(reader, location, "more than %d names", MAX_NAMES);
+	Name* name = &reader->scope.names[reader->scope.count++];
+	*name = (Name){.slot = slot, .value = value};
+	strcpy(name->text, loop->index);
+	return true;
+}
+
+bool loops_read(Reader* reader, const Location* location, const json_t* value, Loop loops[MAX_LOOPS], int* loop_count)
+{
+	bool list = json_is_array(value);
+	size_t count = list ? json_array_size(value) : 1;
+	if (count > MAX_LOOPS)
+		return reader_fail(reader, location, "%zu nested ranges, at most %d are allowed", count, MAX_LOOPS);
+	for (int k = 0; k < (int)count; ++k)
+	{
+		const json_t* entry = list ? json_array_get(value, (size_t)k) : value;
+		const Location* at = list ? ELEMENT(location, k) : location;
+		++*loop_count;
+		if (!loop_read(reader, at, entry, &loops[k]) || !loop_add_index(reader, at, &loops[k], k, 0))
+			return false;
+	}
+	return true;
+}
+
+void loop_free(Loop* loop)
+{
+	number_free(&loop->first);
+	number_free(&loop->end);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// loop.h -- the repeat loops of a block: an index that runs over a range of whole numbers.
+#ifndef LOOP_H
+#define LOOP_H
+#include "scene/reader.h"
+
+#define MAX_LOOPS 4 // nested
+
+typedef struct // index runs over the whole numbers from first up to, not including, end
+{
+	char index[NAME_SIZE];
+	Number first, end;
+} Loop;
+
+// Reads one loop. The caller frees it, also on failure.
+bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop);
+void loop_free(Loop* loop);
+
+// Lets expressions use the index: by slot when it differs from item to item, else (slot -1) with a constant value.
+bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
+
+// Reads nested loops. Each index is known in the loops inside it.
+bool loops_read(Reader* reader, const Location* location, const json_t* value, Loop loops[MAX_LOOPS], int* loop_count);
+
+#endif

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// part.c -- the collidables of a block's items: attribute, pose in the body, filter.
+#include "scene/part.h"
+#include "scene/attributes.h"
+#include "scene/loop.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const char* const part_keys[] = {"attribute", "choose", "position", "angle", "category",
+                                        "mask",      "group",  "repeat",   NULL};
+
+// Reads a list of bit numbers, because a JSON number cannot hold 64 bits.
+static bool read_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
+{
+	const json_t* value = json_object_get(object, key);
+	if (!value)
+		return true;
+	const Location* at = KEY(location, key);
+	if (!json_is_array(value))
+		return reader_fail_value(reader, at, value, "must be a list of bits, 0 to 63");
+	*bits = 0;
+	for (int k = 0; k < (int)json_array_size(value); ++k)
+	{
+		double bit;
+		if (!reader_constant(reader, ELEMENT(at, k), json_array_get(value, (size_t)k), (Range){0, 63, true, false},
+		                     &bit))
+			return false;
+		*bits |= (uint64_t)1 << (int)bit;
+	}
+	return true;
+}
+
+static bool read_filter(Reader* reader, const Location* location, const json_t* object, scree_filter* filter)
+{
+	*filter = scree_filter_default();
+	const json_t* group = json_object_get(object, "group");
+	double number = 0;
+	if (group && !reader_constant(reader, KEY(location, "group"), group, (Range){-1e9, 1e9, true, false}, &number))
+		return false;
+	filter->group = (int32_t)number;
+	return read_bits(reader, location, object, "category", &filter->category) &&
+	       read_bits(reader, location, object, "mask", &filter->mask);
+}
+
+static bool read_attribute_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
+                                int* found)
+{
+	const char* name;
+	if (!reader_string(reader, location, value, &name))
+		return false;
+	*found = attributes_find(scene, name);
+	return *found >= 0 || reader_fail(reader, location, "\"%.60s\" is not among the attributes", name);
+}
+
+static bool read_choice(Reader* reader, const Location* location, const json_t* object, const Scene* scene,
+                        Choice* choice)
+{
+	const json_t* value = json_object_get(object, "attribute");
+	const json_t* choose = json_object_get(object, "choose");
+	const Location* at = KEY(location, "attribute");
+	if (!value)
+		return reader_fail(reader, location, "attribute is missing");
+	bool list = json_is_array(value);
+	choice->count = list ? (int)json_array_size(value) : 1;
+	if (choice->count == 0)
+		return reader_fail(reader, at, "an empty list");
+	choice->attributes = calloc((size_t)choice->count, sizeof(int));
+	if (!choice->attributes)
+		return reader_fail(reader, at, "out of memory");
+	for (int k = 0; k < choice->count; ++k)
+	{
+		const json_t* name = list ? json_array_get(value, (size_t)k) : value;
+		if (!read_attribute_name(reader, list ? ELEMENT(at, k) : at, name, scene, &choice->attributes[k]))
+			return false;
+	}
+	if (choice->count == 1 && choose)
+		return reader_fail(reader, location, "choose needs a list of attributes to choose from");
+	if (choice->count > 1 && !choose)
+		return reader_fail(reader, location,
+		                   "a list of attributes needs choose, an expression that picks one by position");
+	// only the whole part is used, so that random(0, 3) chooses evenly from 3
+	Range range = {0, choice->count - 1, false, true};
+	return reader_member(reader, location, object, "choose", range, 0, &choice->choose);
+}
+
+static bool read_part(Reader* reader, const Location* location, const json_t* value, const Scene* scene, Part* part)
+{
+	return read_choice(reader, location, value, scene, &part->choice) &&
+	       reader_pair(reader, location, value, "position", any_coordinate, part->position) &&
+	       reader_member(reader, location, value, "angle", any_angle, 0, &part->angle) &&
+	       read_filter(reader, location, value, &part->filter);
+}
+
+// Adds parts and returns the first of them.
+static Part* add_parts(Parts* parts, int count)
+{
+	Part* list = realloc(parts->list, (size_t)(parts->count + count) * sizeof(Part));
+	if (!list)
+		return NULL;
+	parts->list = list;
+	memset(list + parts->count, 0, (size_t)count * sizeof(Part));
+	parts->count += count;
+	return list + parts->count - count;
+}
+
+// Reads one entry of a body's collidables. With a repeat it is read once for each value of the index, which is a constant
+// there, so that all items of a block have equally many collidables.
+static bool read_part_entry(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
+                            Parts* parts)
+{
+	if (!reader_object(reader, location, value, part_keys))
+		return false;
+	const json_t* repeat = json_object_get(value, "repeat");
+	Loop loop = {0};
+	int first = 0, count = 1;
+	if (repeat)
+	{
+		const Location* at = KEY(location, "repeat");
+		if (!loop_read(reader, at, repeat, &loop))
+		{
+			loop_free(&loop);
+			return false;
+		}
+		bool varies = loop.first.code || loop.end.code;
+		first = (int)loop.first.constant;
+		double span = loop.end.constant - loop.first.constant;
+		loop_free(&loop);
+		if (varies || span < 0 || span > MAX_PARTS - parts->count)
+			return reader_fail(reader, at, "must give the same 0 to %d collidables to each body", MAX_PARTS);
+		count = (int)span;
+	}
+	Part* part = add_parts(parts, count);
+	if (!part)
+		return reader_fail(reader, location, "out of memory");
+	for (int k = 0; k < count; ++k)
+	{
+		int names = reader->scope.count;
+		if (repeat && !loop_add_index(reader, location, &loop, -1, first + k))
+			return false;
+		if (!read_part(reader, location, value, scene, &part[k]))
+			return false;
+		reader->scope.count = names;
+	}
+	return true;
+}
+
+bool parts_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
+                Parts* parts)
+{
+	static const char* const of_parts[] = {"attribute", "choose", "category", "mask", "group", NULL};
+	const json_t* list = json_object_get(value, "collidables");
+	parts->simple = !list;
+	if (!list)
+	{
+		Part* part = add_parts(parts, 1);
+		if (!part)
+			return reader_fail(reader, location, "out of memory");
+		if (!read_choice(reader, location, value, scene, &part->choice) ||
+		    !read_filter(reader, location, value, &part->filter))
+			return false;
+		return bodies || (reader_pair(reader, location, value, "position", any_coordinate, part->position) &&
+		                  reader_member(reader, location, value, "angle", any_angle, 0, &part->angle));
+	}
+	if (!json_is_array(list))
+		return reader_fail_value(reader, KEY(location, "collidables"), list, "must be a list, [ ... ]");
+	for (const char* const* key = of_parts; *key; ++key)
+	{
+		if (json_object_get(value, *key))
+			return reader_fail(reader, location, "%s belongs into each of the collidables", *key);
+	}
+	for (int k = 0; k < (int)json_array_size(list); ++k)
+	{
+		const Location* at = ELEMENT(KEY(location, "collidables"), k);
+		if (!read_part_entry(reader, at, json_array_get(list, (size_t)k), scene, parts))
+			return false;
+	}
+	return parts->count > 0 || reader_fail(reader, KEY(location, "collidables"), "an empty list");
+}
+
+void parts_free(Parts* parts)
+{
+	for (int k = 0; k < parts->count; ++k)
+	{
+		Part* part = &parts->list[k];
+		free(part->choice.attributes);
+		number_free(&part->choice.choose);
+		number_free(&part->position[0]);
+		number_free(&part->position[1]);
+		number_free(&part->angle);
+	}
+	free(parts->list);
+}

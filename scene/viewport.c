@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// viewport.c -- the part of a world that a picture of some size shows.
+#include "scene/viewport.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define SHOWN_SHARE 0.995f // share of the points that lie inside the box
+
+Viewport viewport_show(scree_box view, int width, int height)
+{
+	double across = view.upper.x - view.lower.x, up = view.upper.y - view.lower.y;
+	double room_across = fmax(width - 2 * MARGIN, 1), room_up = fmax(height - BAND - 2 * MARGIN, 1);
+	double scale = fmin(room_across / across, room_up / up);
+	return (Viewport){scale, view.lower.x + across / 2 - width / scale / 2,
+	                  view.lower.y + up / 2 - (height - BAND) / scale / 2};
+}
+
+static int compare_floats(const void* a, const void* b)
+{
+	float x = *(const float*)a, y = *(const float*)b;
+	return (x > y) - (x < y);
+}
+
+static void robust_range(float* values, int count, float* low, float* high)
+{
+	qsort(values, (size_t)count, sizeof(float), compare_floats);
+	int outside = (int)((float)count * (1 - SHOWN_SHARE) / 2);
+	*low = values[outside];
+	*high = values[count - 1 - outside];
+}
+
+bool viewport_fit(const scree_vec* points, int count, float reach, scree_box* view)
+{
+	*view = (scree_box){{-1, -1}, {1, 1}};
+	float* x = malloc((size_t)(count + 1) * 2 * sizeof(float));
+	if (!x)
+		return false;
+	float* y = x + count;
+	for (int k = 0; k < count; ++k)
+	{
+		x[k] = points[k].x;
+		y[k] = points[k].y;
+	}
+	if (count > 0)
+	{
+		robust_range(x, count, &view->lower.x, &view->upper.x);
+		robust_range(y, count, &view->lower.y, &view->upper.y);
+		*view = (scree_box){{view->lower.x - 2 * reach, view->lower.y - 2 * reach},
+		                    {view->upper.x + 2 * reach, view->upper.y + 2 * reach}};
+	}
+	free(x);
+	return true;
+}

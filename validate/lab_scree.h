@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// lab_scree.h -- Scree as the engine of a lab.
+#ifndef LAB_SCREE_H
+#define LAB_SCREE_H
+#include "validation.h"
+
+extern const LabEngine scree_lab;
+
+// The counters of Scree's last step; state is that of scree_lab.
+bool scree_lab_counters(void* state, scree_counters* counters);
+
+#endif

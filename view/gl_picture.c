@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// gl_picture.c -- pictures of a world, drawn with OpenGL into the pixels of a canvas.
+#include "view/gl_picture.h"
+#include "view/shader.h"
+#include <epoxy/gl.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct GlPicture
+{
+	Offscreen offscreen;
+	Renderer renderer;
+	Share share;
+	Canvas canvas;
+	Camera camera;
+	scree_opengl opengl;
+	bool has_opengl;
+	char title[160];
+};
+
+// Rows of OpenGL begin at the bottom, those of a canvas at the top.
+void gl_picture_read(Canvas* canvas)
+{
+	size_t stride = canvas->stride;
+	glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)(stride / 4));
+	glPixelStorei(GL_PACK_ALIGNMENT, 4);
+	glReadPixels(0, 0, canvas->width, canvas->height, GL_BGRA, GL_UNSIGNED_BYTE, canvas->pixels);
+	glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+	for (int low = 0, high = canvas->height - 1; low < high; ++low, --high)
+	{
+		uint8_t *a = canvas->pixels + stride * (size_t)low, *b = canvas->pixels + stride * (size_t)high;
+		for (size_t k = 0; k < stride; ++k)
+		{
+			uint8_t kept = a[k];
+			a[k] = b[k];
+			b[k] = kept;
+		}
+	}
+}
+
+GlPicture* gl_picture_open(int width, int height, char* sentence)
+{
+	GlPicture* picture = calloc(1, sizeof *picture);
+	if (!picture)
+	{
+		snprintf(sentence, SENTENCE, "out of memory for the picture");
+		return NULL;
+	}
+	if (!canvas_open(&picture->canvas, width, height, sentence))
+	{
+		free(picture);
+		return NULL;
+	}
+	const char* error = offscreen_open(&picture->offscreen, width, height);
+	if (error)
+		snprintf(sentence, SENTENCE, "%s", error);
+	if (error || !renderer_open(&picture->renderer, sentence))
+	{
+		offscreen_close(&picture->offscreen);
+		canvas_close(&picture->canvas);
+		free(picture);
+		return NULL;
+	}
+	picture->has_opengl = share_context(&picture->opengl);
+	return picture;
+}
+
+void gl_picture_close(GlPicture* picture)
+{
+	if (!picture)
+		return;
+	if (picture->share.world)
+		share_close(&picture->share);
+	renderer_close(&picture->renderer);
+	offscreen_close(&picture->offscreen);
+	canvas_close(&picture->canvas);
+	free(picture);
+}
+
+const scree_opengl* gl_picture_opengl(const GlPicture* picture)
+{
+	return picture->has_opengl ? &picture->opengl : NULL;
+}
+
+bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* world, char* sentence)
+{
+	if (!renderer_update_world(&picture->renderer, world))
+	{
+		snprintf(sentence, SENTENCE, "out of memory for the picture");
+		return false;
+	}
+	share_open(&picture->share, world, false);
+	snprintf(picture->title, sizeof picture->title, "%s", scene->title);
+	camera_fit(&picture->camera, render_tables_view(&picture->renderer.tables, scene), picture->canvas.width,
+	           picture->canvas.height);
+	return true;
+}
+
+scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char* caption)
+{
+	scree_status status = share_update(&picture->share);
+	if (*picture->share.sentence)
+		fprintf(stderr, "scree: the rows are copied: %s\n", picture->share.sentence);
+	*picture->share.sentence = 0;
+	if (status == SCREE_OK)
+		status = renderer_fetch(&picture->renderer, style);
+	if (status != SCREE_OK)
+		return status;
+	renderer_draw(&picture->renderer, &picture->share, &picture->camera, style);
+	gl_picture_read(&picture->canvas);
+	canvas_caption(&picture->canvas, picture->title, caption);
+	return SCREE_OK;
+}
+
+Canvas* gl_picture_canvas(GlPicture* picture) { return &picture->canvas; }

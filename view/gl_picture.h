@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// gl_picture.h -- pictures of a world, drawn with OpenGL into the pixels of a canvas.
+#ifndef GL_PICTURE_H
+#define GL_PICTURE_H
+#include "scene/canvas.h"
+#include "view/offscreen.h"
+#include "view/renderer.h"
+
+// Reads the current framebuffer into the canvas; both have the same size.
+void gl_picture_read(Canvas* canvas);
+
+typedef struct GlPicture GlPicture; // drawn without a window
+
+// Opens an OpenGL context. On failure returns null and writes a sentence.
+GlPicture* gl_picture_open(int width, int height, char* sentence);
+void gl_picture_close(GlPicture* picture);
+
+// The context for scree_world_def.opengl; null when worlds cannot share memory with it.
+const scree_opengl* gl_picture_opengl(const GlPicture* picture);
+
+// Chooses the world to draw, with the title and the view of its scene. False writes a sentence.
+bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* world, char* sentence);
+
+// Draws the world as it is now.
+scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char* caption);
+
+Canvas* gl_picture_canvas(GlPicture* picture);
+
+#endif

@@ -1,0 +1,24 @@
+// splat.vert -- a small shape as a point with the square of the shape's area.
+uniform bool coarse; // cover whole pixels only
+uniform float least; // px: shapes of more reach are no splats
+uniform vec2 size;   // px of the picture
+
+flat out vec3 color;
+flat out vec3 square; // middle and half a side, px
+
+void main()
+{
+	int texel = 7 * max(name.x, 0);
+	vec4 around = texelFetch(table, texel), sizes = texelFetch(table, texel + 1);
+	float side = sizes.w * scale;
+	gl_PointSize = coarse ? max(side, 1.0) : ceil(side) + 2.0;
+	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+	color = vec3(0.0);
+	square = vec3(0.0);
+	if (name.x < 0 || sizes.z * scale >= least || side == 0.0)
+		return;
+	vec2 at = clip_of(pose.xy + turned(around.xy));
+	gl_Position = vec4(at, 0.0, 1.0);
+	square = vec3((at * 0.5 + 0.5) * size, 0.5 * side);
+	color = row_color(texelFetch(table, texel + 2).rgb);
+}

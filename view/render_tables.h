@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// render_tables.h -- tables that shaders read besides the rows: shapes and colors of attributes, kinds of bodies.
+#ifndef RENDER_TABLES_H
+#define RENDER_TABLES_H
+#include "scene/scene.h"
+#include "scene/sprites.h"
+
+typedef struct // an OpenGL texture that a shader reads as an array
+{
+	unsigned texture, buffer;
+} BufferTexture;
+
+typedef struct
+{
+	scree_world* world;
+	scree_attribute_def* attributes; // by the index of their handles; shape.count 0: not used
+	int* color_of;                   // palette entry of an attribute, -1 for none
+	int attribute_count;
+	int* row_attributes; // of the rows; -1 for none
+	int row_count;
+	scree_body* bodies; // that were alive when the tables were built
+	int body_count;
+	int body_capacity; // one more than the highest index
+	scree_box box;     // around the bodies that move, m; for scenes without a view
+	BufferTexture attribute_texture, kinds, velocities, graph;
+} RenderTables;
+
+// Reads a world; to be repeated after bodies were added or removed. False when memory is short; close the tables also then.
+bool render_tables_build(RenderTables* tables, scree_world* world);
+
+// Reads the handles of the bodies again: a scene may replace bodies between steps, each by one of the same index.
+scree_status render_tables_update_bodies(RenderTables* tables);
+
+// Reads the velocities of all bodies into their table.
+scree_status render_tables_update_velocities(RenderTables* tables);
+
+// Fills the table of graph colors with the lowest color of each body's contacts. False when memory is short.
+bool render_tables_update_graph(RenderTables* tables, const scree_contact* contacts, int count);
+
+// What a picture of the whole scene shows, m: the view of the scene file, else the bodies that move.
+scree_box render_tables_view(const RenderTables* tables, const Scene* scene);
+
+void render_tables_close(RenderTables* tables);
+
+#endif

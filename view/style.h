@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// style.h -- how bodies are colored and which layers are drawn over them.
+#ifndef STYLE_H
+#define STYLE_H
+#include "scene/sprites.h"
+
+typedef enum // what colors a body; row.glsl has the same numbers
+{
+	PAINT_ATTRIBUTE,
+	PAINT_SPEED,
+	PAINT_GRAPH, // the lowest color of its contacts
+	PAINTS,
+} Paint;
+
+// "attribute", "speed", "graph"
+extern const char* const paint_names[PAINTS];
+
+#define GRAPH_COLORS 64 // of scree_contact.color
+
+// The hues are a golden angle apart, so that consecutive colors differ; contacts of hubs are dark.
+Color graph_color(int color);
+
+typedef enum
+{
+#define X(name, help) LAYER_##name,
+#include "view/layers.def"
+#undef X
+	LAYERS,
+} Layer;
+
+extern const char* const layer_names[LAYERS];
+
+typedef struct
+{
+	Paint paint;
+	bool layers[LAYERS];
+	bool graph;   // contact points have the color of the solver's graph
+	float detail; // px: bodies of less reach are splats; 1 is fine, 4 makes a software renderer faster
+} Style;
+
+// Reads the name of a paint and a list of layers with commas between them; null: the default. False writes a sentence
+// (SENTENCE of shader.h) that begins with the option.
+bool style_read(Style* style, const char* paint, const char* layers, char* sentence);
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// export.c -- the viewer's pictures and videos: drawn without the panel, or the window as it is.
+#include "view/window/export.h"
+#include "scene/caption.h"
+#include "view/window/viewer.h"
+
+static bool resize_capture(Viewer* v)
+{
+	return capture_size(&v->capture, v->camera.width, v->camera.height, v->message);
+}
+
+// Draws without the panel and without splats larger than a pixel, as scree run does.
+static void draw_picture(Viewer* v, const Style* style)
+{
+	char caption[256];
+	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
+	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, style, v->session.scene->title, caption);
+}
+
+bool export_picture(Viewer* v, const char* path)
+{
+	Style fine = v->style;
+	fine.detail = 1.0f;
+	bool good = resize_capture(v);
+	if (good && !viewer_fetch(v, &fine))
+		return false;
+	if (good)
+	{
+		draw_picture(v, &fine);
+		good = capture_save(&v->capture, path, v->message);
+	}
+	viewer_show(v, v->message);
+	return good;
+}
+
+void export_window(Viewer* v)
+{
+	if (resize_capture(v))
+	{
+		capture_window(&v->capture);
+		capture_save(&v->capture, NULL, v->message);
+	}
+	viewer_show(v, v->message);
+}
+
+void export_video(Viewer* v)
+{
+	char sentence[SENTENCE];
+	if (v->capture.video.pipe)
+		capture_end(&v->capture, sentence);
+	else if (capture_size(&v->capture, v->camera.width, v->camera.height, sentence) &&
+	         capture_begin(&v->capture, sentence))
+		snprintf(sentence, SENTENCE, "recording %s", v->capture.path);
+	viewer_show(v, sentence);
+}
+
+void export_video_frame(Viewer* v)
+{
+	if (!v->capture.video.pipe || video_due(&v->capture.video, v->capture.seconds) == 0)
+		return;
+	Style fine = v->style;
+	fine.detail = 1.0f;
+	bool same_size = capture_fits(&v->capture, v->camera.width, v->camera.height);
+	if (same_size)
+		draw_picture(v, &fine);
+	if (same_size && capture_frame(&v->capture))
+		return;
+	capture_end(&v->capture, v->message);
+	viewer_show(v, v->message);
+}

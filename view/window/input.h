@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// input.h -- what keys and mouse do, whether the events come from the window, the panel or a script.
+#ifndef INPUT_H
+#define INPUT_H
+#include "view/window/state.h"
+
+typedef enum // a key's action
+{
+#define X(name, key, shown, help) ACTION_##name,
+#include "view/window/keys.def"
+#undef X
+	ACTIONS,
+} Action;
+
+void input_action(Viewer* viewer, Action action);
+
+// Positions are pixels of the picture; y grows downwards. seconds: since the cursor moved last.
+void input_cursor(Viewer* viewer, float x, float y, double seconds);
+void input_button(Viewer* viewer, bool right, bool down);
+void input_wheel(Viewer* viewer, float steps);
+
+// Once a frame: the cursor stays at its pixel while the picture moves under it.
+void input_frame(Viewer* viewer);
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// state.h -- the state of the viewer, which the files of the window share: the world, how it is drawn, the user's input.
+#ifndef VIEW_STATE_H
+#define VIEW_STATE_H
+#include "view/renderer.h"
+#include "view/shader.h"
+#include "view/share.h"
+#include "view/window/capture.h"
+#include "view/window/grab.h"
+#include "view/window/session.h"
+
+typedef struct GLFWwindow GLFWwindow;
+
+typedef struct
+{
+	const ViewOptions* options;
+	GLFWwindow* window;
+	scree_opengl opengl; // that worlds may share with
+	Renderer renderer;
+	Share share;
+	Camera camera;
+	Style style;
+	Session session;
+	Grab grab;
+	Capture capture;
+	float x, y;             // px: the cursor
+	bool panning;           // the right button is down, or the left one beside all bodies
+	bool panel, keys;       // shown
+	bool save_window;       // after this frame is drawn
+	double cursor_time;     // s: when the cursor moved last
+	int still;              // frames since then
+	int next_device;        // index of the device that the key moves to; -1: the one after the world's
+	double frame_time;      // s: when the last frame began
+	float frame_ms;         // from frame to frame, smoothed
+	char message[SENTENCE]; // shown to the user; empty for none
+	double message_time;    // s: when it was set
+	bool done;              // the viewer ends after this frame
+	int code;               // exit code
+} Viewer;
+
+#endif
