@@ -42,12 +42,12 @@ static int reset_log(void** state)
 static int run_to_trial(scree_world* world)
 {
 	int steps = 0;
-	while (!world->automatic.trial && steps < 100)
+	while (!world->auto_device.trial && steps < 100)
 	{
 		run_steps(world, 1);
 		++steps;
 	}
-	assert_true(world->automatic.trial);
+	assert_true(world->auto_device.trial);
 	assert_string_equal(scree_world_get_device(world), other);
 	return steps;
 }
@@ -60,29 +60,29 @@ static void trial_decides(void** state)
 	setenv("SCREE_AUTO", other, 1);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
-	world->automatic.meters[0].step = 1e6;
+	world->auto_device.meters[0].step = 1e6;
 	run_steps(world, 30);
 	assert_string_equal(scree_world_get_device(world), other);
-	assert_false(world->automatic.trial);
+	assert_false(world->auto_device.trial);
 	assert_true(was_said("the world moves to opencl:") && was_said("ms a step, and 1000000.0000 ms on cpu"));
 
 	// the CPU is tried again when the world has worked for long enough
-	world->automatic.spent = 1e9;
+	world->auto_device.spent = 1e9;
 	run_steps(world, 1);
 	assert_string_equal(scree_world_get_device(world), "cpu");
-	assert_true(world->automatic.trial);
-	world->automatic.meters[1].step = 0.0;
+	assert_true(world->auto_device.trial);
+	world->auto_device.meters[1].step = 0.0;
 	run_steps(world, 10);
 	assert_string_equal(scree_world_get_device(world), other);
 	assert_true(was_said("the world does not stay on cpu"));
-	assert_int_equal(world->automatic.failures, 1);
+	assert_int_equal(world->auto_device.failures, 1);
 
-	world->automatic.spent = 1e9;
+	world->auto_device.spent = 1e9;
 	run_steps(world, 1);
-	world->automatic.meters[1].step = 1e6;
+	world->auto_device.meters[1].step = 1e6;
 	run_steps(world, 10);
 	assert_string_equal(scree_world_get_device(world), "cpu");
-	assert_int_equal(world->automatic.failures, 0);
+	assert_int_equal(world->auto_device.failures, 0);
 	assert_true(hash_of(world) == hash_after(steps + 52));
 	scree_world_destroy(world);
 }
@@ -94,15 +94,15 @@ static void world_goes_back(void** state)
 	setenv("SCREE_AUTO", other, 1);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
-	world->automatic.meters[0].step = 0.0;
+	world->auto_device.meters[0].step = 0.0;
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_said("the world does not stay on opencl:"));
 
 	// the next one waits for many times what this one cost
-	assert_true(world->automatic.cost > 0.0);
-	assert_true(world->automatic.failures == 1);
-	assert_false(world->automatic.trial);
+	assert_true(world->auto_device.cost > 0.0);
+	assert_true(world->auto_device.failures == 1);
+	assert_false(world->auto_device.trial);
 	assert_true(hash_of(world) == hash_after(steps + 20));
 	scree_world_destroy(world);
 }
@@ -114,8 +114,8 @@ static void small_world_stays(void** state)
 	scree_world* world = open_pile("auto", false);
 	run_steps(world, 60);
 	assert_string_equal(scree_world_get_device(world), "cpu");
-	assert_null(world->automatic.opening);
-	assert_null(world->automatic.other);
+	assert_null(world->auto_device.opening);
+	assert_null(world->auto_device.other);
 	assert_int_equal(said_count, 0);
 	assert_true(hash_of(world) == hash_after(60));
 	scree_world_destroy(world);
@@ -153,11 +153,11 @@ static void other_falls(void** state)
 	to->distant = true;
 	call_status = SCREE_ERROR_OUT_OF_MEMORY;
 	calls_left = 20;
-	snprintf(world->automatic.named, sizeof world->automatic.named, "%s", "opencl:X");
-	world->automatic.other = to;
+	snprintf(world->auto_device.named, sizeof world->auto_device.named, "%s", "opencl:X");
+	world->auto_device.other = to;
 	run_steps(world, 10);
 	assert_string_equal(scree_world_get_device(world), "cpu");
-	assert_true(world->automatic.alone && !world->automatic.trial && !world->automatic.other);
+	assert_true(world->auto_device.alone && !world->auto_device.trial && !world->auto_device.other);
 	assert_true(was_said("scree_world_step: the world stays on cpu: the device has fallen"));
 	assert_true(hash_of(world) == hash_after(20));
 	scree_world_destroy(world);
@@ -172,26 +172,26 @@ static void user_decides(void** state)
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	OK(scree_world_move(world, "cpu"));
-	assert_false(world->automatic.on);
-	assert_null(world->automatic.other);
+	assert_false(world->auto_device.on);
+	assert_null(world->auto_device.other);
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	OK(scree_world_move(world, "auto"));
 	OK(scree_world_move(world, "auto"));
 	steps += run_to_trial(world);
 	OK(scree_world_move(world, other));
-	assert_false(world->automatic.on);
+	assert_false(world->auto_device.on);
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), other);
 
 	// from there the way back is open as well
 	OK(scree_world_move(world, "auto"));
-	while (!world->automatic.trial && steps < 1000)
+	while (!world->auto_device.trial && steps < 1000)
 	{
 		run_steps(world, 1);
 		++steps;
 	}
-	world->automatic.meters[1].step = 1e6;
+	world->auto_device.meters[1].step = 1e6;
 	run_steps(world, 10);
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(hash_of(world) == hash_after(steps + 50));
@@ -206,8 +206,8 @@ static void opening_is_waited_for(void** state)
 	for (int moved = 0; moved < 2; ++moved)
 	{
 		scree_world* world = open_pile("auto", false);
-		world->automatic.opening = opening_begin(&world->def, other);
-		assert_non_null(world->automatic.opening);
+		world->auto_device.opening = async_open_begin(&world->def, other);
+		assert_non_null(world->auto_device.opening);
 		if (moved)
 			OK(scree_world_move(world, "cpu"));
 		scree_world_destroy(world);

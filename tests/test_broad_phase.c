@@ -59,7 +59,7 @@ static void* read_pool(scree_world* world, PoolId pool, int count)
 }
 
 // A corner of the shape and what is within its radius, in doubles.
-static void check_box(scree_world* world, const Item* item, const Placed* placed, int index)
+static void check_box(scree_world* world, const Item* item, const WorldShape* placed, int index)
 {
 	scree_attribute attribute;
 	scree_attribute_def def;
@@ -79,7 +79,7 @@ static Item* list_items(scree_world* world, int count)
 {
 	Item* items = calloc((size_t)count + 1, sizeof *items);
 	Float4* boxes = read_pool(world, POOL_box, count);
-	Placed* placed = read_pool(world, POOL_placed, count);
+	WorldShape* placed = read_pool(world, POOL_world_shape, count);
 	for (int k = 0; k < count; ++k)
 	{
 		Item* item = items + k;

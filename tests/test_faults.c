@@ -563,7 +563,7 @@ static void poke_velocity(scree_world* world, scree_body body, float vx, float w
 {
 	Backend* b = world->backend;
 	BodyState row;
-	OK(world_flush(world));
+	OK(world_upload(world));
 	OK(b->f->read(b, POOL_body, (int)body.index, 1, &row));
 	row.vx = vx;
 	row.w = w;

@@ -58,11 +58,11 @@ static void equal_attributes_are_one(void** state)
 	def.restitution = -0.0f;
 	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_equal(&first, &again, sizeof first);
-	assert_false(world->pipeline.extras);
+	assert_false(world->pipeline.rare);
 	def.restitution = 0.5f;
 	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_not_equal(&first, &again, sizeof first);
-	assert_true(world->pipeline.extras);
+	assert_true(world->pipeline.rare);
 	scree_world_destroy(world);
 }
 
@@ -154,23 +154,23 @@ static void rows_travel_together(void** state)
 
 	writes = 0;
 	assert_ok(scree_bodies_create(world, defs, COUNT_OF, bodies));
-	assert_ok(world_flush(world));
+	assert_ok(world_upload(world));
 	assert_true(writes <= 20);
 
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; ++k)
 		assert_ok(scree_body_create(world, defs + k, NULL));
-	assert_ok(world_flush(world));
+	assert_ok(world_upload(world));
 	assert_true(writes <= 20);
 
 	// scattered rows are commands
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; k += 5)
 		assert_ok(scree_body_destroy(world, bodies[k]));
-	assert_ok(world_flush(world));
+	assert_ok(world_upload(world));
 	assert_true(writes <= 2);
 	writes = 0;
-	assert_ok(world_flush(world));
+	assert_ok(world_upload(world));
 	assert_int_equal(writes, 0);
 	world->backend->f = true_functions;
 	free(defs);
@@ -399,7 +399,7 @@ static void after_call(const Caller* c, scree_status status)
 {
 	assert_ok(status);
 	if (c->after == FLUSH)
-		assert_ok(world_flush(c->world));
+		assert_ok(world_upload(c->world));
 	if (c->after == READ)
 		hash_of(c->world);
 }

@@ -93,7 +93,7 @@ static void forget(scree_world* world, int* entry)
 static scree_status reserve(scree_world* world, const char* function)
 {
 	Slots* slots = &world->attribute_slots;
-	Pending* p = &world->pending;
+	Edits* p = &world->edits;
 	if (slots->alive >= MAX_ITEMS)
 		return fail(SCREE_ERROR_INVALID, "%s: a world holds at most %d attributes", function, MAX_ITEMS);
 	if (!slots_reserve(slots, 1))
@@ -120,7 +120,7 @@ static scree_status reserve(scree_world* world, const char* function)
 // A new attribute in a slot of its own; the device hears of it with the next batch.
 static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
 {
-	Pending* p = &world->pending;
+	Edits* p = &world->edits;
 	int index = slots_take(&world->attribute_slots);
 	HostAttribute* host = world->host_attributes + index;
 	if (!host->waiting)
@@ -128,7 +128,7 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 	world->attributes[index] = *plain;
 	*host = (HostAttribute){.name = name, .waiting = true};
 	if (plain->restitution != 0.0f || plain->rolling_resistance != 0.0f || plain->tangent_speed != 0.0f)
-		world->pipeline.extras = true;
+		world->pipeline.rare = true;
 	if (plain->restitution != 0.0f)
 		world->pipeline.bounces = true;
 	if (plain->shape.radius != 0.0f)

@@ -115,17 +115,17 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 
 	scree_pose pose = def->pose;
 	check_pose(at, ".pose", &pose); // takes rounding out
-	pending_body(world, (BodyRow){.index = index,
-	                              .pose = pose,
-	                              .center = host->mass.center,
-	                              .velocity = body_velocity_allowed(host, def->velocity),
-	                              .inv_mass = mass_inverse(host),
-	                              .inv_inertia = mass_inverse_inertia(host),
-	                              .gravity_scale = moves ? def->gravity_scale : 0.0f,
-	                              .linear_damping = moves ? def->linear_damping : 0.0f,
-	                              .angular_damping = moves ? def->angular_damping : 0.0f,
-	                              .locks = def->locks,
-	                              .disabled = def->disabled});
+	edits_body(world, (BodyRow){.index = index,
+	                            .pose = pose,
+	                            .center = host->mass.center,
+	                            .velocity = body_velocity_allowed(host, def->velocity),
+	                            .inv_mass = mass_inverse(host),
+	                            .inv_inertia = mass_inverse_inertia(host),
+	                            .gravity_scale = moves ? def->gravity_scale : 0.0f,
+	                            .linear_damping = moves ? def->linear_damping : 0.0f,
+	                            .angular_damping = moves ? def->angular_damping : 0.0f,
+	                            .locks = def->locks,
+	                            .disabled = def->disabled});
 }
 
 static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
@@ -137,7 +137,7 @@ static scree_status reserve(scree_world* world, const char* function, int count,
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more bodies", function, count);
 	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
 	TRY(collidables_reserve(world, function, collidables));
-	return pending_reserve(world, function, count, collidables, 0);
+	return edits_reserve(world, function, count, collidables, 0);
 }
 
 static scree_status create(scree_world* world, const char* function, const char* argument, const scree_body_def* defs,
@@ -221,7 +221,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		}
 	}
 	if (status == SCREE_OK)
-		status = pending_reserve(world, function, count, collidables, 0);
+		status = edits_reserve(world, function, count, collidables, 0);
 	for (int k = 0; k < marked && status != SCREE_OK; ++k)
 		world->host_bodies[bodies[k].index].marked = false;
 	TRY(status);
@@ -242,7 +242,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		host->disabled = false;
 		target_drop(world, index);
 		slots_free(&world->bodies, index);
-		pending_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
+		edits_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}
 	return SCREE_OK;
 }

@@ -84,7 +84,7 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 	}
 	else if (host->type != SCREE_BODY_DYNAMIC)
 		return;
-	pending_command(world, kind, index, value, 0);
+	edits_command(world, kind, index, value, 0);
 }
 
 static scree_status change(scree_world* world, const Call* call, const scree_body* bodies, const Values* values,
@@ -102,7 +102,7 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 		TRY(check_body(world, (Where){call->function, call->bodies, call->alone ? ALONE : k}, "", bodies[k], &index));
 		TRY(value_at(call, values, k, &value));
 	}
-	TRY(pending_reserve(world, call->function, 0, 0, count));
+	TRY(edits_reserve(world, call->function, 0, 0, count));
 	for (int k = 0; k < count; ++k)
 	{
 		value_at(call, values, k, &value);

@@ -75,7 +75,7 @@ static void list_changed(scree_world* world, int previous)
 	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)
 		return;
 	int next = world->host_collidables[previous].next;
-	pending_command(world, COMMAND_NEXT, previous, make_float4(0.0f, 0.0f, 0.0f, 0.0f), next + 1);
+	edits_command(world, COMMAND_NEXT, previous, make_float4(0.0f, 0.0f, 0.0f, 0.0f), next + 1);
 }
 
 void collidable_put(scree_world* world, int index, const HostCollidable* made)
@@ -99,7 +99,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 		++body->collidables;
 		list_changed(world, host->previous);
 	}
-	pending_collidable(world, index);
+	edits_collidable(world, index);
 }
 
 void collidable_remove(scree_world* world, int index)
@@ -124,7 +124,7 @@ void collidable_remove(scree_world* world, int index)
 		tree_leave(&world->pipeline, tree_of_kind(kind), index);
 	--world->host_attributes[host->attribute].collidables;
 	slots_free(&world->collidables, index);
-	pending_collidable(world, index);
+	edits_collidable(world, index);
 }
 
 // The handle of a pool's item 0 must not be null, which the generation sees to; that indices begin at 1 makes handles
@@ -201,7 +201,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	for (int k = 0; k < count; ++k)
 		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs, k, &made));
 	TRY(collidables_reserve(world, function, count));
-	TRY(pending_reserve(world, function, 0, count, count));
+	TRY(edits_reserve(world, function, 0, count, count));
 	int* slots = world_scratch(world, 2 * (size_t)count * sizeof *slots);
 	if (!slots)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
@@ -241,7 +241,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 {
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, collidables, count));
-	TRY(pending_reserve(world, function, 0, count, count));
+	TRY(edits_reserve(world, function, 0, count, count));
 	int* bodies = world_scratch(world, (size_t)count * sizeof *bodies);
 	if (!bodies)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
@@ -354,7 +354,7 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
 	if (host->attribute == now)
 		return SCREE_OK;
-	TRY(pending_reserve(world, function, 0, 1, 1));
+	TRY(edits_reserve(world, function, 0, 1, 1));
 
 	// shapes of attributes are canonical: equal values, equal bytes
 	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
@@ -366,13 +366,13 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 	host->attribute = now;
 	if (same)
 	{
-		pending_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
+		edits_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
 		world->pipeline.mixed = true;
 	}
 	else
 	{
 		host->born = world->pipeline.steps;
-		pending_collidable(world, index);
+		edits_collidable(world, index);
 	}
 	if ((!same || heavier) && host->body >= 0)
 		update_masses(world, &host->body, 1);
@@ -417,13 +417,13 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	TRY(world_check(world, function));
 	int index = 0;
 	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
-	TRY(pending_reserve(world, function, 0, 1, 0));
+	TRY(edits_reserve(world, function, 0, 1, 0));
 	// its leaf is there already; the tree has to hear that the box changes
 	int kind = collidable_kind(world, index);
 	if (kind != KIND_DEAD)
 		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
 	world->host_collidables[index].filter = filter;
-	pending_collidable(world, index);
+	edits_collidable(world, index);
 	return SCREE_OK;
 }
 
@@ -443,7 +443,7 @@ scree_status scree_collidables_set_poses(scree_world* world, const scree_collida
 			return refuse(SCREE_ERROR_INVALID, (Where){function, "collidables", k}, "", "belongs to a body: move that");
 		TRY(check_pose((Where){function, "poses", k}, "", &pose));
 	}
-	TRY(pending_reserve(world, function, 0, 0, count));
+	TRY(edits_reserve(world, function, 0, 0, count));
 	for (int k = 0; k < count; ++k)
 	{
 		int index = (int)collidables[k].index - 1;
@@ -451,7 +451,7 @@ scree_status scree_collidables_set_poses(scree_world* world, const scree_collida
 		check_pose((Where){function, "poses", k}, "", &pose);
 		world->host_collidables[index].pose = pose;
 		Float4 value = make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
-		pending_command(world, COMMAND_PLACE, index, value, 0);
+		edits_command(world, COMMAND_PLACE, index, value, 0);
 	}
 	return SCREE_OK;
 }

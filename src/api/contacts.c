@@ -10,11 +10,11 @@ typedef struct // the pools of contacts, and where their collidables were
 	Word* flags;
 	Int2* pair;
 	Int2* feature;
-	Found* found;
+	LocalManifold* found;
 	int* color;
 	int* place;
 	ContactRows* blocks;
-	Placed* placed;
+	WorldShape* placed;
 } Rows;
 
 static scree_status read_pool(scree_world* world, const char* function, PoolId pool, int count, void** rows)
@@ -91,7 +91,7 @@ static scree_contact contact_at(const scree_world* world, const Listed* row)
 	gather_rows8((const float*)&row->found, 0, found);
 	gather_rows8((const float*)&row->found, 1, found + 8);
 	ContactPoints at = contact_points_held(row_a, row_b, found);
-	if (row->flags & FOUND_ROLLS)
+	if (row->flags & MANIFOLD_ROLLS)
 	{
 		// the shapes are those of the last step, though the attributes may have changed since
 		Attribute shapes[2];
@@ -136,13 +136,13 @@ static scree_status list(scree_world* world, const char* function, Word detected
 	if (total > 0 && capacity > 0)
 	{
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
-		TRY(read_pool(world, function, POOL_contact_found, slots, (void**)&rows->found));
+		TRY(read_pool(world, function, POOL_contact_manifold, slots, (void**)&rows->found));
 		TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
 		TRY(read_pool(world, function, POOL_contact_place, slots, (void**)&rows->place));
 		int blocks = world->pipeline.counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
 		if (blocks > 0)
 			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
-		TRY(read_pool(world, function, POOL_placed, world->collidables.used, (void**)&rows->placed));
+		TRY(read_pool(world, function, POOL_world_shape, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{
 			if (!is_wanted(world, rows, k, detected))
@@ -161,7 +161,7 @@ static scree_status get(scree_world* world, const char* function, const char* ar
 {
 	TRY(world_check(world, function));
 	TRY(check_list(function, argument, contacts, capacity, count));
-	TRY(world_flush(world));
+	TRY(world_upload(world));
 	if (world->pipeline.counters.contacts == 0)
 	{
 		*count = 0;
@@ -217,7 +217,7 @@ scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, 
 	TRY(world_check(world, function));
 	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "contacts", contacts, capacity, count));
-	TRY(world_flush(world));
+	TRY(world_upload(world));
 	if (world->pipeline.counters.contacts > 0)
 		TRY(world_note(world, pipeline_list_contacts(&world->pipeline, index, &found)));
 	if (found > 0)

@@ -35,7 +35,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 	TRY(check_device((Where){function, "device", ALONE}, "", device));
 	if (strcmp(device, "auto") == 0)
 	{
-		automatic_open(world);
+		auto_open(world);
 		return SCREE_OK;
 	}
 	if (strcmp(device, world->device) != 0)
@@ -50,6 +50,6 @@ scree_status scree_world_move(scree_world* world, const char* device)
 		if (status != SCREE_OK)
 			return status;
 	}
-	automatic_close(world);
+	auto_close(world);
 	return SCREE_OK;
 }

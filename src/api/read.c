@@ -32,7 +32,7 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 		low = k == 0 || index < low ? index : low;
 		high = index > high ? index : high;
 	}
-	TRY(world_flush(world));
+	TRY(world_upload(world));
 
 	bool dense = (int64_t)high - low < (int64_t)SPARSE_ROWS * count;
 	*rows = (Rows){.bytes = pool_info[pool].bytes, .first = dense ? low : -1};
@@ -138,7 +138,7 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 	const char* function = "scree_world_get_states";
 	TRY(world_check(world, function));
 	TRY(check_list(function, "states", states, capacity, count));
-	TRY(world_flush(world));
+	TRY(world_upload(world));
 	int used = world->bodies.used, listed = 0;
 	size_t bytes = (size_t)used * (2 * sizeof(Float4) + sizeof(BodyState));
 	Float4* poses = world_scratch(world, bytes);

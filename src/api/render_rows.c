@@ -3,10 +3,10 @@
 #include "world/world.h"
 #include <limits.h>
 
-_Static_assert(sizeof(scree_render_row) == sizeof(Placed) &&
-                   offsetof(scree_render_row, center) == offsetof(Placed, center_x) &&
-                   offsetof(scree_render_row, attribute) == offsetof(Placed, attribute) &&
-                   offsetof(scree_render_row, body) == offsetof(Placed, body),
+_Static_assert(sizeof(scree_render_row) == sizeof(WorldShape) &&
+                   offsetof(scree_render_row, center) == offsetof(WorldShape, center_x) &&
+                   offsetof(scree_render_row, attribute) == offsetof(WorldShape, attribute) &&
+                   offsetof(scree_render_row, body) == offsetof(WorldShape, body),
                "users read the rows as the stage writes them");
 
 const char* scree_sharing_name(scree_sharing sharing)
@@ -33,12 +33,12 @@ scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* r
 	const char* function = "scree_world_get_render_rows";
 	TRY(world_check(world, function));
 	TRY(check_list(function, "rows", rows, capacity, count));
-	TRY(world_flush(world));
+	TRY(world_upload(world));
 	int used = world->collidables.used, wanted = used < capacity ? used : capacity;
 	if (wanted > 0)
 	{
 		TRY(world_note(world, pipeline_show(&world->pipeline, world->collidables.used, false)));
-		TRY(world_note(world, world->backend->f->read(world->backend, POOL_shown, 0, wanted, rows)));
+		TRY(world_note(world, world->backend->f->read(world->backend, POOL_render_row, 0, wanted, rows)));
 	}
 	*count = used;
 	return SCREE_OK;
@@ -94,7 +94,7 @@ scree_status scree_world_write_render_rows(scree_world* world, int* count)
 		return fail(SCREE_ERROR_INVALID,
 		            "%s: nothing is shared; scree_world_share_memory or scree_world_share_opengl comes first",
 		            function);
-	TRY(world_flush(world));
+	TRY(world_upload(world));
 	*count = world->collidables.used;
 	if (*count > world->shared_rows)
 		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and what is shared has room for %d", function, *count,

@@ -46,7 +46,7 @@ static scree_status lookup_to_set(scree_world* world, const char* function, scre
 {
 	TRY(world_check(world, function));
 	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, index));
-	return pending_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
+	return edits_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
 }
 
 // Gravity, damping and locks as they are now. What is not dynamic knows neither gravity nor damping.
@@ -56,7 +56,7 @@ static void send_motion(scree_world* world, int index)
 	Float4 value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	if (host->type == SCREE_BODY_DYNAMIC)
 		value = make_float4(host->gravity_scale, host->linear_damping, host->angular_damping, 0.0f);
-	pending_command(world, COMMAND_MOTION, index, value, (int)host->locks);
+	edits_command(world, COMMAND_MOTION, index, value, (int)host->locks);
 }
 
 scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type)
@@ -84,12 +84,12 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	host->type = type;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
-		pending_collidable(world, k);
+		edits_collidable(world, k);
 		if (old_tree != new_tree && !host->disabled)
 			tree_leave(&world->pipeline, old_tree, k);
 	}
 	if (type == SCREE_BODY_STATIC)
-		pending_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
+		edits_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	mass_set(world, index, mass_of_body(world, index));
 	send_motion(world, index);
 	return SCREE_OK;
@@ -218,9 +218,9 @@ static void enable(scree_world* world, int index, bool enabled)
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		world->host_collidables[k].born = world->pipeline.steps;
-		pending_collidable(world, k);
+		edits_collidable(world, k);
 	}
-	pending_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
+	edits_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
 	send_motion(world, index);
 }
 
@@ -236,7 +236,7 @@ static scree_status set_enabled(scree_world* world, const char* function, const 
 		TRY(check_body(world, (Where){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
 		collidables += world->host_bodies[index].collidables;
 	}
-	TRY(pending_reserve(world, function, 0, collidables, 2 * count));
+	TRY(edits_reserve(world, function, 0, collidables, 2 * count));
 	TRY(insert_batch(world, bodies, enabled, count));
 	for (int k = 0; k < count; ++k)
 		enable(world, (int)bodies[k].index, enabled[k]);

@@ -50,9 +50,9 @@ scree_status world_note(scree_world* world, scree_status status)
 scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items)
 {
 	Backend* b = world->backend;
-	double begin = automatic_clock();
+	double begin = auto_clock();
 	scree_status status = b->f->read(b, pool, first, count, items);
-	automatic_count(world, begin);
+	auto_count(world, begin);
 	return world_note(world, status);
 }
 
@@ -143,10 +143,10 @@ static scree_status add_ground(scree_world* world, const char* function)
 	if (!slots_reserve(&world->bodies, 1))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for bodies", function);
 	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
-	TRY(pending_reserve(world, function, 1, 0, 0));
+	TRY(edits_reserve(world, function, 1, 0, 0));
 	world->bodies.used = 1;
 	world->host_bodies[0] = (HostBody){.first_collidable = -1, .last_collidable = -1};
-	pending_body(world, (BodyRow){.index = 0, .pose.rotation.c = 1.0f});
+	edits_body(world, (BodyRow){.index = 0, .pose.rotation.c = 1.0f});
 	return SCREE_OK;
 }
 
@@ -197,7 +197,7 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	if (status != SCREE_OK)
 		backend->f->close(backend);
 	else if (strcmp(def->device, "auto") == 0)
-		automatic_open(*world);
+		auto_open(*world);
 	return status;
 }
 
@@ -205,11 +205,11 @@ void scree_world_destroy(scree_world* world)
 {
 	if (!world)
 		return;
-	automatic_close(world);
+	auto_close(world);
 	pipeline_close(&world->pipeline);
 	if (world->backend)
 		world->backend->f->close(world->backend);
-	pending_close(&world->pending);
+	edits_close(&world->edits);
 	slots_close(&world->bodies);
 	slots_close(&world->collidables);
 	slots_close(&world->attribute_slots);
@@ -238,10 +238,10 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
 	if (dt > 0.0f) // what only looks takes another time
-		TRY(automatic_choose(world));
+		TRY(auto_choose(world));
 	double start = processor_milliseconds();
-	TRY(world_flush(world));
-	double begin = automatic_clock();
+	TRY(world_upload(world));
+	double begin = auto_clock();
 	StepRequest request = {.dt = dt,
 	                       .substeps = substeps,
 	                       .gravity = world->def.gravity,
@@ -259,9 +259,9 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	if (status != SCREE_OK && world->pipeline.begun)
 		world->broken = status;
 	double milliseconds = processor_milliseconds() - start;
-	if (status == SCREE_OK && world->automatic.trial)
+	if (status == SCREE_OK && world->auto_device.trial)
 		status = world->backend->f->wait(world->backend);
-	automatic_count(world, begin);
+	auto_count(world, begin);
 	TRY(world_note(world, status));
 	world->pipeline.milliseconds = milliseconds;
 	const Counters* c = &world->pipeline.counters;
@@ -360,12 +360,12 @@ scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 	const char* function = "scree_world_get_hash";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "hash", hash));
-	TRY(world_flush(world));
-	double begin = automatic_clock();
+	TRY(world_upload(world));
+	double begin = auto_clock();
 	scree_status status = pipeline_hash(&world->pipeline, world->bodies.used, world->collidables.used, hash);
 	if (status == SCREE_OK)
 		*hash += hidden_hash(world);
-	automatic_count(world, begin);
+	auto_count(world, begin);
 	return world_note(world, status);
 }
 

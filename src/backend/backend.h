@@ -22,7 +22,7 @@ typedef enum // what a pool has an item for
 	EDGE,        // of any kind
 	SPOKE,       // contact of a hub
 	SPOKE_BLOCK, // of MAX_LANES of them
-	SHOWN,       // collidable, as a renderer sees it
+	RENDER_ROW,  // collidable, as a renderer sees it
 	LISTED,      // contact of a body that the user asks for
 	TREE,
 	LEAF,
@@ -118,8 +118,8 @@ typedef struct
 	const scree_opengl* opengl; // or null
 } BackendOptions;
 
-#define HELD_BYTES ((size_t)4096)
-_Static_assert(sizeof(Counters) <= HELD_BYTES, "the counters are read in halves");
+#define READ_ASYNC_BYTES ((size_t)4096)
+_Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in halves");
 
 typedef struct // that OpenGL draws from; who asked for it keeps it
 {
@@ -145,7 +145,7 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
 	// read in two halves: what is copied is what the runs before read_begin left, and read_end waits for the copy
-	// alone, not for the runs after it. One copy at a time, of HELD_BYTES at most.
+	// alone, not for the runs after it. One copy at a time, of READ_ASYNC_BYTES at most.
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
 	scree_status (*wait)(Backend* b);

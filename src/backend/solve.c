@@ -44,7 +44,7 @@ void solve_list(const Solve* solve, RunList* list)
 	{
 		int constraints = solve->counters->layout[kind].begin[COLORS + 1];
 		runs_add(list, kind_info[kind].prepare, 0, constraints, bound, 0);
-		if (solve->extras)
+		if (solve->rare)
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
 	}
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)

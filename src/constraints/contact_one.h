@@ -77,7 +77,7 @@ INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 INLINE int contact_hash_fields(const Pools* p, int slot, Word64* h)
 {
 	Int2 pair = p->pair[slot], feature = p->contact_feature[slot];
-	Found found = p->contact_found[slot];
+	LocalManifold found = p->contact_manifold[slot];
 	*h = hash_word(hash_word(hash_begin(3, slot), (Word)pair.x), (Word)pair.y);
 	*h = hash_word(hash_word(*h, p->contact_flags[slot]), (Word)p->contact_color[slot]);
 	*h = hash_word(hash_word(*h, (Word)feature.x), (Word)feature.y);

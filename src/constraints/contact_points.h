@@ -43,7 +43,7 @@ INLINE Vec contact_points_ahead(Vec turn, Vec arm)
 	return vec_sub(contact_points_swing(turn, arm), contact_points_swing(turn, vec_turn_back(turn, arm)));
 }
 
-// Of rows of the pools placed and contact_found; found has both rows of the contact, one behind the other.
+// Of rows of the pools placed and contact_manifold; found has both rows of the contact, one behind the other.
 //
 // The two places of a point were one when it was found. How far they have parted along the normal since is added to the
 // separation. The solver turns arms by what bodies turn in the step; where the poses are still to come, that much less

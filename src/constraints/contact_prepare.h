@@ -21,15 +21,15 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	load_int2(p->contact_place_pair, i, &ia, &ib);
 	slot = slot & ~(slot >> 31);
 	Real a[8], b[8], found[16];
-	gather_fixed_rows8((GLOBAL float*)p->placed, ia, a);
-	gather_fixed_rows8((GLOBAL float*)p->placed, ib, b);
-	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * slot, found);
-	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * slot + 1, found + 8);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, a);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot, found);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot + 1, found + 8);
 	Int flags = there & 0, rolls = flags;
 	if (p->step.round)
 	{
 		flags = gather_int((const GLOBAL int*)p->contact_flags, slot);
-		rolls = there & ((flags & (int)FOUND_ROLLS) != 0);
+		rolls = there & ((flags & (int)MANIFOLD_ROLLS) != 0);
 	}
 	ContactPoints points;
 	if (LANES > 1 || !lane_bits(rolls))
@@ -66,9 +66,9 @@ INLINE void contact_prepare_fetch(const Pools* p, int i)
 	{
 		int slot = p->contact_place_slot[k];
 		Int2 pair = p->contact_place_pair[k];
-		fetch_soon(p->contact_found + (slot & ~(slot >> 31)));
-		fetch_soon(p->placed + pair.x);
-		fetch_soon(p->placed + pair.y);
+		fetch_soon(p->contact_manifold + (slot & ~(slot >> 31)));
+		fetch_soon(p->world_shape + pair.x);
+		fetch_soon(p->world_shape + pair.y);
 	}
 }
 

@@ -78,14 +78,14 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	Rolling ra = rolling_of(zero, a, advance_a), rb = rolling_of(vec(b[0] - a[0], b[1] - a[1]), b, advance_b);
 	Vec normal = vec(found[0], found[1]), shift = vec(found[8], found[9]), turn = vec(found[10], found[11]);
-	Int corners = (flags & (int)FOUND_CORNERS) != 0, turns_b = (flags & (int)FOUND_TURNS_B) != 0;
+	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
 	points.normal = vec_choose(vec_turn(ra.turn, vec_turn(ra.axes, normal)),
 	                           vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
 	for (int k = 0; k < 2; ++k)
 	{
-		Int corner_a = (flags & (int)(k ? FOUND_CORNER2 : FOUND_CORNER1)) != 0, by_a = corner_a | corners;
+		Int corner_a = (flags & (int)(k ? MANIFOLD_CORNER2 : MANIFOLD_CORNER1)) != 0, by_a = corner_a | corners;
 		Int missing = found[2 + k] == splat(NO_POINT);
 		Real above = 0.5f * found[2 + k]; // the surface, m
 		Vec place = vec(found[4 + 2 * k], found[5 + 2 * k]);

@@ -85,7 +85,7 @@ typedef struct
 
 	// between read_begin and read_end
 	size_t held_count;
-	unsigned char held[HELD_BYTES];
+	unsigned char held[READ_ASYNC_BYTES];
 
 	// between copy_reserve and copy_release
 	char *copy_from, *copy_to;
@@ -346,7 +346,7 @@ static scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count
 {
 	Cpu* cpu = b->state;
 	cpu->held_count = (size_t)count * pool_info[pool].bytes;
-	ASSERT(cpu->held_count <= HELD_BYTES);
+	ASSERT(cpu->held_count <= READ_ASYNC_BYTES);
 	return cpu_read(b, pool, first, count, cpu->held);
 }
 

@@ -182,7 +182,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(pinned_open(d, HELD_BYTES, &d->held));
+	TRY(pinned_open(d, READ_ASYNC_BYTES, &d->held));
 	TRY(staging_open(d, options->timings));
 	solve_open(d);
 	d->together = persistent_wanted(d);

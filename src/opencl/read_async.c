@@ -39,7 +39,7 @@ scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
 	size_t bytes = pool_info[pool].bytes;
 	d->held_bytes = bytes * (size_t)count;
 	d->held_staged = d->staged;
-	ASSERT(d->held_bytes <= HELD_BYTES && !d->held_event);
+	ASSERT(d->held_bytes <= READ_ASYNC_BYTES && !d->held_event);
 	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_FALSE,
 	         pool_offset(d, pool) + bytes * (size_t)first, d->held_bytes, d->held.memory, 0, NULL, &d->held_event));
 	return CALL(Flush, d->queue);

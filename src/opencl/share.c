@@ -72,9 +72,9 @@ scree_status opencl_show(Backend* b, const Run* run)
 	Shared* shared = &d->shared;
 	const Kernel* kernel = &d->stages[run->stage];
 	TRY(opencl_check("handing over shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
-	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[SHOWN], sizeof(cl_mem), &shared->memory));
+	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[RENDER_ROW], sizeof(cl_mem), &shared->memory));
 	TRY(stage_run(d, run));
-	TRY(kernel_bind(d, SHOWN, kernel));
+	TRY(kernel_bind(d, RENDER_ROW, kernel));
 	TRY(opencl_check("handing back shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
 	return finish(d);
 }

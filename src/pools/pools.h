@@ -91,12 +91,12 @@
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
 // in the same word: what the manifold does while bodies move on
-#define FOUND_ROLLS    32   // it follows its corners; otherwise it is held as it was found
-#define FOUND_CORNER1  64   // point 1 is at a corner of a, otherwise of b
-#define FOUND_CORNER2  128  // the same of point 2
-#define FOUND_TURNS_B  256  // the normal turns with b, otherwise with a
-#define FOUND_CORNERS  512  // the normal goes from a corner to a corner
-#define FOUND_OVERLAPS 1024 // some point overlapped
+#define MANIFOLD_ROLLS    32   // it follows its corners; otherwise it is held as it was found
+#define MANIFOLD_CORNER1  64   // point 1 is at a corner of a, otherwise of b
+#define MANIFOLD_CORNER2  128  // the same of point 2
+#define MANIFOLD_TURNS_B  256  // the normal turns with b, otherwise with a
+#define MANIFOLD_CORNERS  512  // the normal goes from a corner to a corner
+#define MANIFOLD_OVERLAPS 1024 // some point overlapped
 
 typedef struct // 160 bytes
 {
@@ -132,14 +132,14 @@ typedef struct // 64 bytes: the points of a contact as they were found
 	Float4 relative; // pose of b in the frame of a then: x, y (m), cos, sin
 	Float4 then; // rotation of a in the world then: cos, sin; reach of a; for how far a shift it is kept, negative for
 	             // one of poses still to come, m
-} Found;
+} LocalManifold;
 
 typedef struct // 32 bytes: one sector
 {
 	float x, y, c, s;         // world pose
 	float center_x, center_y; // from here to the body's center of mass, world axes, m
 	int attribute, body;
-} Placed;
+} WorldShape;
 
 // The rows of constraints, of src/constraints/: blocks of MAX_LANES, one row a component, so that a wide pass reads rows of one
 // contiguous block, and a GPU finds all components of a constraint from one address. With an array a component there were
@@ -158,8 +158,8 @@ typedef struct // 176 bytes: what the user is told of a contact
 	Word flags;
 	int color, place, unused;
 	Float4 impulse; // normal 1, 2, tangent 1, 2, N s
-	Found found;
-	Placed a, b;
+	LocalManifold found;
+	WorldShape a, b;
 } Listed;
 
 typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
@@ -262,7 +262,7 @@ typedef struct // constants of one step, by value to every stage
 	float push_speed;          // m/s
 	float restitution_threshold;
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
-	int extras;           // some attribute has restitution, rolling resistance or tangent speed
+	int rare;             // some attribute has restitution, rolling resistance or tangent speed
 	int bounces;          // some attribute has restitution
 	int round;            // some attribute has a radius
 	float guard_way;      // m: no Guarded.way of the world is less

@@ -23,7 +23,7 @@ typedef struct // a manifold and the poses that it is of
 // A manifold pushes along its normal as if both shapes were flat. Where a pair passes by a corner it says that they will
 // overlap although they will not, and would stop what slides over a seam between two floors. Then the manifold of later
 // counts.
-INLINE Ahead ahead_past(const Pools* p, Placed a, Placed b, Closing closing, Ahead now)
+INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now)
 {
 	if (now.m.count == 0)
 		return now;
@@ -46,7 +46,7 @@ INLINE Ahead ahead_past(const Pools* p, Placed a, Placed b, Closing closing, Ahe
 
 // The manifold of a pair that may draw near by more than the speculative distance: as it will be where they meet, with
 // what may follow in the rest of the step; if they will not, as it is now.
-INLINE Ahead ahead_meeting(const Pools* p, Placed a, Placed b, Closing closing, Ahead start)
+INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead start)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;

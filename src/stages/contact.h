@@ -67,7 +67,7 @@ STAGE(contact_pack)
 	p->contact_flags[to] = p->contact_flags[i];
 	p->contact_color[to] = p->contact_color[i];
 	p->contact_feature[to] = p->contact_feature[i];
-	p->contact_found[to] = p->contact_found[i];
+	p->contact_manifold[to] = p->contact_manifold[i];
 	p->contact_kept[to] = p->contact_kept[i];
 	p->contact_rare_kept[to] = p->contact_rare_kept[i];
 	p->contact_surface[to] = p->contact_surface[i];

@@ -27,7 +27,7 @@
 #define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
 
 // How much of its way (1 is all) b makes until it is too deep in a, which is static.
-INLINE float guard_time(const Pools* p, Placed a, Placed b, Sweep way, float thickness)
+INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, float thickness)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -64,7 +64,7 @@ INLINE float guard_time(const Pools* p, Placed a, Placed b, Sweep way, float thi
 // How much of its way collidable i makes, with its body's displacement.
 INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 {
-	Placed placed = p->placed[i];
+	WorldShape placed = p->world_shape[i];
 	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
 	float thickness = p->thickness[placed.attribute];
 	Sweep way;
@@ -87,7 +87,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 		{
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
 			if (filter_accepts(p->filter[i], p->filter[j]))
-				least = minimum(least, guard_time(p, p->placed[j], placed, way, thickness));
+				least = minimum(least, guard_time(p, p->world_shape[j], placed, way, thickness));
 		}
 	return least;
 }

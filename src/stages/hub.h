@@ -245,7 +245,7 @@ INLINE int hub_what(const Step* step, int pass, int k)
 {
 	// friction first, as in relax_pass; rolling resistance last, by the load that is left
 	if (pass == PASS_WARM_START || pass == PASS_RELAX)
-		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->extras ? HUB_ROLL : -1;
+		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->rare ? HUB_ROLL : -1;
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
 }
 
@@ -258,7 +258,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
 		if (what >= 0)
 			hub_block(p, h, what, pass == PASS_WARM_START, bench);
 	}
-	if (pass == PASS_RELAX && p->step.extras)
+	if (pass == PASS_RELAX && p->step.rare)
 		HUB_EACH_COLUMN(c, h)
 	HUB_EACH_OF(i, c, h)
 	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));

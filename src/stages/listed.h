@@ -35,9 +35,9 @@ STAGE(contact_list)
 	if (c >= 0)
 		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
 		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
-	listed.found = p->contact_found[i];
-	listed.a = p->placed[listed.pair.x];
-	listed.b = p->placed[listed.pair.y];
+	listed.found = p->contact_manifold[i];
+	listed.a = p->world_shape[listed.pair.x];
+	listed.b = p->world_shape[listed.pair.y];
 	p->listed[row] = listed;
 }
 

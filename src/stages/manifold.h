@@ -95,7 +95,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Vec delta = vec_sub(frame_point(f, shape_corner(b, 0)), from);
 	Real distance = root(vec_dot(delta, delta));
 	m.normal = distance > NEAREST_TOLERANCE ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
-	m.made = FOUND_CORNERS;
+	m.made = MANIFOLD_CORNERS;
 	m.gap = distance - a->radius - b->radius;
 	manifold_add(&m, from, distance, a->radius, b->radius, 0, reach_along(reach, m.normal));
 	return m;
@@ -167,7 +167,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 			from = n.from;
 			height = distance;
 			int corner_a = n.from_feature < FEATURE_EDGE, corner_b = n.to_feature < FEATURE_EDGE;
-			m.made = corner_a && corner_b ? FOUND_CORNERS : corner_a ? FOUND_CORNER1 | FOUND_TURNS_B : 0;
+			m.made = corner_a && corner_b ? MANIFOLD_CORNERS : corner_a ? MANIFOLD_CORNER1 | MANIFOLD_TURNS_B : 0;
 		}
 		from = vec_add(origin, vec_add(vec_scale(from.x, right), vec_scale(from.y, up)));
 		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
@@ -177,14 +177,14 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 
 	int steep = facing > -FACING;
 	Real within = reach_along(reach, m.normal);
-	m.made = cut_high ? FOUND_CORNER1 : 0;
+	m.made = cut_high ? MANIFOLD_CORNER1 : 0;
 	manifold_add(&m, vec_add(origin, vec_scale(high.x, right)), high.y, a->radius, b->radius,
 	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j),
 	             within);
 	if (m.count == 0)
 		m.made = 0;
 	if (cut_low)
-		m.made |= m.count == 0 ? FOUND_CORNER1 : FOUND_CORNER2;
+		m.made |= m.count == 0 ? MANIFOLD_CORNER1 : MANIFOLD_CORNER2;
 	if (b->count > 1)
 		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
 		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
@@ -196,8 +196,8 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 INLINE Manifold manifold_swap(Manifold m, Frame f)
 {
 	m.normal = vec_neg(vec_turn(f.rotation, m.normal));
-	if (!(m.made & FOUND_CORNERS))
-		m.made ^= FOUND_TURNS_B | FOUND_CORNER1 | FOUND_CORNER2;
+	if (!(m.made & MANIFOLD_CORNERS))
+		m.made ^= MANIFOLD_TURNS_B | MANIFOLD_CORNER1 | MANIFOLD_CORNER2;
 	for (int k = 0; k < 2; ++k)
 	{
 		if (k >= m.count)

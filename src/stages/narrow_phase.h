@@ -88,7 +88,7 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 		return STAY_DISTANCE + maximum(gap - SPECULATIVE_DISTANCE, 0.0f);
 	if (flags & CONTACT_DETECTED)
 		return STAY_DISTANCE;
-	float distance = count == 2 || (flags & FOUND_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
+	float distance = count == 2 || (flags & MANIFOLD_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
@@ -115,7 +115,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	}
 
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
-	Placed a = p->placed[pair.x], b = p->placed[pair.y];
+	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -140,14 +140,14 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 				closing = sweep_closing(p, a, b);
 			found_at = ahead_past(p, a, b, closing, found_at);
 			if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
-				rolls = FOUND_ROLLS | (Word)found_at.m.made;
+				rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
 		}
 	}
 	Manifold m = found_at.m;
 
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
 	Int2 features = p->contact_feature[i];
-	Float4 on_a = p->contact_found[i].on_a;
+	Float4 on_a = p->contact_manifold[i].on_a;
 	int old_feature[2] = {features.x, features.y};
 	Vec old_point[2] = {vec(on_a.x, on_a.y), vec(on_a.z, on_a.w)};
 	float normal[2] = {0.0f, 0.0f}, tangent[2] = {0.0f, 0.0f};
@@ -174,18 +174,18 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	}
 
 	Word touching = m.count > 0 ? CONTACT_TOUCHING : 0u;
-	Word overlaps = minimum(m.separation[0], m.separation[1]) < 0.0f ? FOUND_OVERLAPS : 0u;
+	Word overlaps = minimum(m.separation[0], m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
 	Word now = (flags & CONTACT_DETECTED) | touching | (Word)m.count | rolls | overlaps;
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = make_int2(feature[0], feature[1]);
-	Found found;
+	LocalManifold found;
 	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
 	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
 	found.relative =
 	    make_float4(found_at.f.position.x, found_at.f.position.y, found_at.f.rotation.x, found_at.f.rotation.y);
 	found.then = make_float4(found_at.axes.x, found_at.axes.y, shape_a->reach,
 	                         found_at.ahead ? -1.0f : narrow_phase_distance(shape_a, shape_b, now, m.gap));
-	p->contact_found[i] = found;
+	p->contact_manifold[i] = found;
 	if (constraint >= 0)
 	{
 		contact_row(p, normal_impulse1, constraint) = along[0];
@@ -216,8 +216,8 @@ STAGE(narrow_phase)
 	    soon / HANDED_ITEMS == i / HANDED_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)
 	{
 		Int2 pair = p->pair[soon], bodies = p->contact_bodies[soon];
-		fetch_soon(p->placed + pair.x);
-		fetch_soon(p->placed + pair.y);
+		fetch_soon(p->world_shape + pair.x);
+		fetch_soon(p->world_shape + pair.y);
 		fetch_soon(p->box + pair.x);
 		fetch_soon(p->box + pair.y);
 		fetch_soon(p->old_box + pair.x);

@@ -66,8 +66,8 @@ WIDE_STAGE(narrow_phase_keep)
 	for (int k = i + KEEP_SOON; k < soon && k < live; ++k)
 	{
 		Int2 pair = p->pair[k], bodies = p->contact_bodies[k];
-		fetch_soon(p->placed + (pair.x & ~(pair.x >> 31)));
-		fetch_soon(p->placed + (pair.y & ~(pair.y >> 31)));
+		fetch_soon(p->world_shape + (pair.x & ~(pair.x >> 31)));
+		fetch_soon(p->world_shape + (pair.y & ~(pair.y >> 31)));
 		fetch_soon(p->body + bodies.x);
 		fetch_soon(p->body + bodies.y);
 	}
@@ -78,9 +78,9 @@ WIDE_STAGE(narrow_phase_keep)
 	ib = ib & ~(ib >> 31);
 	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
 	Real a[8], b[8], found[8];
-	gather_fixed_rows8((GLOBAL float*)p->placed, ia, a);
-	gather_fixed_rows8((GLOBAL float*)p->placed, ib, b);
-	gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * indices(i) + 1, found);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, a);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i) + 1, found);
 
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), then_a = vec(found[4], found[5]);
 	Vec turn = vec(found[2], found[3]), then_b = vec_turn(then_a, turn);
@@ -98,9 +98,9 @@ WIDE_STAGE(narrow_phase_keep)
 	if (wanders)
 	{
 		Real at[8];
-		gather_fixed_rows8((GLOBAL float*)p->contact_found, 2 * indices(i), at);
+		gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i), at);
 		Closing closing = narrow_phase_closing(p, i, a, b);
-		Int touches = ((flags & (int)FOUND_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
+		Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
 
 		// what cannot close the gap in the step is not pushed
 		Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
@@ -117,9 +117,9 @@ WIDE_STAGE(narrow_phase_keep)
 		{
 			if (!(along >> k & 1))
 				continue;
-			Placed now = p->placed[p->pair[i + k].x];
-			Float4 then = p->contact_found[i + k].then;
-			p->contact_found[i + k].then = make_float4(now.c, now.s, then.z, then.w);
+			WorldShape now = p->world_shape[p->pair[i + k].x];
+			Float4 then = p->contact_manifold[i + k].then;
+			p->contact_manifold[i + k].then = make_float4(now.c, now.s, then.z, then.w);
 		}
 	}
 	Word look = anew | (there & lane_bits((moved & MOVED_BOX) != 0));

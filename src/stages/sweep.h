@@ -28,18 +28,18 @@ INLINE Advance sweep_advance(const Pools* p, int index)
 	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
 }
 
-INLINE Sweep sweep_of(const Pools* p, Placed placed, const GLOBAL Attribute* attribute)
+INLINE Sweep sweep_of(const Pools* p, WorldShape placed, const GLOBAL Attribute* attribute)
 {
 	return sweep_with(sweep_advance(p, placed.body), vec(placed.center_x, placed.center_y),
 	                  attribute->reach - attribute->radius);
 }
 
-INLINE Closing sweep_between(Placed a, Sweep sa, Placed b, Sweep sb)
+INLINE Closing sweep_between(WorldShape a, Sweep sa, WorldShape b, Sweep sb)
 {
 	return sweep_apart(vec(b.x - a.x, b.y - a.y), sa, sb);
 }
 
-INLINE Closing sweep_closing(const Pools* p, Placed a, Placed b)
+INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b)
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	return sweep_between(a, sa, b, sb);
@@ -61,7 +61,7 @@ INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 }
 
 // Rotation of a since the step began, at a time; b in the frame of a then goes to f.
-INLINE Vec sweep_frame(Placed a, Placed b, Closing c, Real time, Frame* f)
+INLINE Vec sweep_frame(WorldShape a, WorldShape b, Closing c, Real time, Frame* f)
 {
 	Sweep sa = c.a, sb = c.b;
 	Vec turn_a = vec_rotation(time * sa.turn), turn_b = vec_rotation(time * sb.turn);

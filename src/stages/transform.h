@@ -48,9 +48,9 @@ STAGE(step_begin)
 }
 
 // Where collidable i is. Without a body its local pose is its world pose.
-INLINE Placed collidable_place(const Pools* p, int i)
+INLINE WorldShape collidable_place(const Pools* p, int i)
 {
-	Placed placed;
+	WorldShape placed;
 	Float4 own = p->collidable_pose[i];
 	int body = p->collidable_body[i];
 	placed.attribute = p->collidable_attribute[i];
@@ -76,14 +76,14 @@ INLINE Placed collidable_place(const Pools* p, int i)
 }
 
 // world vertex k of a placed attribute
-INLINE Vec world_vertex(Placed placed, const GLOBAL Attribute* attribute, int k)
+INLINE Vec world_vertex(WorldShape placed, const GLOBAL Attribute* attribute, int k)
 {
 	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
 	return vec_add(vec(placed.x, placed.y), vec_turn(vec(placed.c, placed.s), vertex));
 }
 
 // the box of a placed attribute and of all within extra metres of it
-INLINE Float4 world_box(Placed placed, const GLOBAL Attribute* attribute, float extra)
+INLINE Float4 world_box(WorldShape placed, const GLOBAL Attribute* attribute, float extra)
 {
 	Float4 box = box_empty();
 	for (int k = 0; k < attribute->count; ++k)
@@ -108,10 +108,10 @@ LIST_STAGE(transform, moved_list, moved)
 	}
 
 	// what has no body moves as little as body 0, the ground
-	Placed placed = collidable_place(p, i);
+	WorldShape placed = collidable_place(p, i);
 	int moves = placed.body >= 0;
 	placed.body = moves ? placed.body : 0;
-	p->placed[i] = placed;
+	p->world_shape[i] = placed;
 	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
 
 	// contacts begin at the speculative distance, so half of it on either side belongs to the tight box
@@ -166,10 +166,10 @@ STAGE(transform_undo)
 // Where a collidable is now, which the pool placed does not know: it is what the contacts of the last step go by.
 STAGE(show)
 {
-	Placed placed = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
+	WorldShape placed = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
 	if (p->collidable_kind[i] != KIND_DEAD)
 		placed = collidable_place(p, i);
-	p->shown[i] = placed;
+	p->render_row[i] = placed;
 }
 
 #endif

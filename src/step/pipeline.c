@@ -54,7 +54,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	Solve solve = {.bodies = request->bodies,
 	               .collidables = request->collidables,
 	               .substeps = request->substeps,
-	               .extras = step->extras,
+	               .rare = step->rare,
 	               .bounces = step->bounces,
 	               .counters = c,
 	               .bound = bound};
@@ -104,7 +104,7 @@ static Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .restitution_threshold = tuning->restitution_threshold,
 	    .soft = moves ? softness(hertz, tuning->contact_damping_ratio, h) : (Softness){0},
 	    .stiff = moves ? softness(2.0f * hertz, tuning->contact_damping_ratio, h) : (Softness){0},
-	    .extras = pipeline->extras,
+	    .rare = pipeline->rare,
 	    .bounces = pipeline->bounces,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,
@@ -211,7 +211,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 
 	// room for the longest list is made before the step begins, so that it cannot break off for want of it
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
-	TRY(tree_flush(pipeline));
+	TRY(tree_upload(pipeline));
 	Step step = step_constants(pipeline, request);
 	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
 	if (!status)
@@ -264,7 +264,7 @@ scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared)
 	Run run = {.stage = STAGE_show, .end = collidables, .count = NO_COUNT};
 	if (shared)
 		return b->f->show(b, &run);
-	TRY(pipeline_reserve(pipeline, SHOWN, run.end));
+	TRY(pipeline_reserve(pipeline, RENDER_ROW, run.end));
 	return b->f->run(b, &pipeline->step, &run, 1);
 }
 

@@ -55,7 +55,7 @@ typedef struct
 	bool jumps;                   // the user placed or made something since the last step: boxes may jump
 	bool mixed;                   // some collidable got another attribute of its shape since the last step
 	bool begun;                   // the step at work has changed something on the device
-	bool extras;                  // some attribute has restitution, rolling resistance or tangent speed
+	bool rare;                    // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
 	float guard_way, guard_reach; // as in Step: bounds of all bodies that there ever were

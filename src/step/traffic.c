@@ -30,15 +30,15 @@ typedef struct // of one constraint in a step
 	{                                                                          \
 		const struct                                                           \
 		{                                                                      \
-			int always, extras, bounces;                                       \
-		} on = {1, step->extras, step->bounces};                               \
+			int always, rare, bounces;                                         \
+		} on = {1, step->rare, step->bounces};                                 \
 		size_t bytes = pass == PREPARE ? 0 : ENDS_BYTES;                       \
 		KIND##_ROWS(COUNT_ROW) KIND##_RARE_ROWS(COUNT_ROW) return bytes;       \
 	}                                                                          \
 	static Bytes kind##_bytes(int substeps, const Step* step)                  \
 	{                                                                          \
 		/* its slot, once more for rare rows; what setup gathers */            \
-		Bytes count = {(step->extras ? 2 : 1) * sizeof(int), 0};               \
+		Bytes count = {(step->rare ? 2 : 1) * sizeof(int), 0};                 \
 		count.rows += KIND##_GATHERS(step);                                    \
 		count.rows += kind##_pass_bytes(PREPARE, step);                        \
 		if (step->bounces)                                                     \

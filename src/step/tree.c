@@ -125,7 +125,7 @@ void tree_leave(Pipeline* pipeline, int t, int collidable)
 		state->left[state->left_count++] = collidable;
 }
 
-scree_status tree_flush(Pipeline* pipeline)
+scree_status tree_upload(Pipeline* pipeline)
 {
 	Backend* b = pipeline->backend;
 	for (int t = 0; t < 2; ++t)

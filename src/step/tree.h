@@ -18,7 +18,7 @@ void tree_touch(Pipeline* pipeline, int t);
 void tree_leave(Pipeline* pipeline, int t, int collidable);
 
 // sends new leaves to the device
-scree_status tree_flush(Pipeline* pipeline);
+scree_status tree_upload(Pipeline* pipeline);
 
 // whether the leaves of a tree are so far out of order that sorting them pays
 bool tree_wants_order(const TreeState* state);

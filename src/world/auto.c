@@ -27,7 +27,7 @@
 // which are large beyond doubt have the GPU opened before their first step. (Pyramids on 16 threads: 5e-4.)
 #define BODY_STEP 4e-4
 
-// Opening a GPU before it has been measured, ms: an H200 with its program in the cache, 215 to 235 with nothing beside
+// AsyncOpen a GPU before it has been measured, ms: an H200 with its program in the cache, 215 to 235 with nothing beside
 // it. How long it really took replaces this for the worlds to come.
 #define OPENING 230
 
@@ -46,12 +46,12 @@
 #define LIKELY          0.8 // of the time now
 #define MOST_FAILURES   10
 
-// Opening again in this process is believed to take as long as it took last.
-static atomic_int opening_milliseconds = OPENING;
+// AsyncOpen again in this process is believed to take as long as it took last.
+static atomic_int async_open_milliseconds = OPENING;
 
-double automatic_clock(void) { return processor_milliseconds(); }
+double auto_clock(void) { return processor_milliseconds(); }
 
-void automatic_count(scree_world* world, double since) { world->automatic.current += processor_milliseconds() - since; }
+void auto_count(scree_world* world, double since) { world->auto_device.current += processor_milliseconds() - since; }
 
 static int work_of(const scree_world* world)
 {
@@ -90,7 +90,7 @@ static double meter_step(const Meter* m, double share)
 #define MEDIAN   0.5
 #define SHORTEST 0.0
 
-static Meter* meter_of(scree_world* world, const Backend* b) { return &world->automatic.meters[b->distant]; }
+static Meter* meter_of(scree_world* world, const Backend* b) { return &world->auto_device.meters[b->distant]; }
 
 // A step of a device that has not been measured: less than it will take.
 static double least_step(const scree_world* world, const Backend* b)
@@ -101,7 +101,7 @@ static double least_step(const scree_world* world, const Backend* b)
 // What a step would take on the other device. A CPU's time follows the work, a GPU's hardly does.
 static double predicted_step(scree_world* world)
 {
-	const Backend* other = world->automatic.other;
+	const Backend* other = world->auto_device.other;
 	const Meter* m = meter_of(world, other);
 	if (m->step <= 0.0)
 		return least_step(world, other);
@@ -124,7 +124,7 @@ static bool opening_pays(scree_world* world)
 	if (m->count % RECENT_STEPS != 0)
 		return false;
 	double step = m->count > 0 ? meter_step(m, SHORTEST) : least_step(world, world->backend);
-	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&opening_milliseconds);
+	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&async_open_milliseconds);
 }
 
 static void spare_core(scree_world* world, bool core)
@@ -136,14 +136,14 @@ static void spare_core(scree_world* world, bool core)
 
 static void take_opened(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	double milliseconds;
 	spare_core(world, false);
-	scree_status status = opening_end(a->opening, &a->other, &milliseconds);
+	scree_status status = async_open_end(a->opening, &a->other, &milliseconds);
 	a->opening = NULL;
 	if (status == SCREE_OK)
 	{
-		atomic_store(&opening_milliseconds, (int)milliseconds + 1);
+		atomic_store(&async_open_milliseconds, (int)milliseconds + 1);
 		return;
 	}
 	a->alone = true;
@@ -157,7 +157,7 @@ static void take_opened(scree_world* world)
 
 static bool trial_pays(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	const Backend *here = world->backend, *there = a->other;
 	const Meter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
@@ -177,7 +177,7 @@ static bool trial_pays(scree_world* world)
 // The world goes to the other device. Whether it could.
 static bool change_over(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	Backend* from = world->backend;
 	scree_status status = world_move(world, a->other);
 	if (status == SCREE_OK)
@@ -195,17 +195,17 @@ static bool change_over(scree_world* world)
 
 static void begin_trial(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	Meter* m = meter_of(world, world->backend);
 	m->step = meter_step(m, MEDIAN);
 	m->work = work_of(world);
-	a->begun = automatic_clock();
+	a->begun = auto_clock();
 	a->trial = change_over(world);
 }
 
 static void end_trial(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
 	here->step = meter_step(here, MEDIAN);
 	here->work = work_of(world);
@@ -218,27 +218,27 @@ static void end_trial(scree_world* world)
 	a->failures_work = here->work;
 	if (!faster)
 		change_over(world);
-	a->cost = automatic_clock() - a->begun;
+	a->cost = auto_clock() - a->begun;
 	a->spent = 0.0;
 }
 
 static bool trial_is_over(scree_world* world)
 {
-	const Automatic* a = &world->automatic;
+	const AutoDevice* a = &world->auto_device;
 	const Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
-	return here->count >= TRIAL_STEPS || (here->count > 0 && automatic_clock() - a->begun > TRIAL_LIMIT * before->step);
+	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->begun > TRIAL_LIMIT * before->step);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
 // for the world
 // ---------------------------------------------------------------------------------------------------------------
 
-void automatic_open(scree_world* world)
+void auto_open(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	if (a->on)
 		return;
-	*a = (Automatic){.on = true};
+	*a = (AutoDevice){.on = true};
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
@@ -250,23 +250,23 @@ void automatic_open(scree_world* world)
 	a->alone = device_open(&def, &a->other) != SCREE_OK;
 }
 
-void automatic_close(scree_world* world)
+void auto_close(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	double milliseconds;
 	if (a->opening)
 	{
 		spare_core(world, false);
-		opening_end(a->opening, &a->other, &milliseconds);
+		async_open_end(a->opening, &a->other, &milliseconds);
 	}
 	if (a->other)
 		a->other->f->close(a->other);
-	*a = (Automatic){0};
+	*a = (AutoDevice){0};
 }
 
-scree_status automatic_choose(scree_world* world)
+scree_status auto_choose(scree_world* world)
 {
-	Automatic* a = &world->automatic;
+	AutoDevice* a = &world->auto_device;
 	if (!a->on || a->alone)
 		return SCREE_OK;
 	if (world->pipeline.steps > 0)
@@ -276,11 +276,11 @@ scree_status automatic_choose(scree_world* world)
 
 	if (!a->other && !a->opening && (a->named[0] || opening_pays(world)))
 	{
-		a->opening = opening_begin(&world->def, a->named[0] ? a->named : NULL);
+		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL);
 		a->alone = !a->opening;
 		spare_core(world, !a->alone);
 	}
-	if (a->opening && (a->named[0] || opening_done(a->opening)))
+	if (a->opening && (a->named[0] || async_open_done(a->opening)))
 		take_opened(world);
 	if (a->trial && trial_is_over(world))
 		end_trial(world);

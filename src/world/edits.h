@@ -31,7 +31,7 @@ typedef struct // the row of a collidable, the same
 typedef struct // kept with a body or a collidable; 0 for none
 {
 	int row;   // 1 + its place among the rows
-	int group; // 1 + its group of commands, within world_flush
+	int group; // 1 + its group of commands, within world_upload
 } Waiting;
 
 typedef struct
@@ -45,20 +45,20 @@ typedef struct
 	int* attributes; // slots that the device has to hear of, each once
 	int attribute_count, attribute_capacity;
 	int attribute_rows; // of the device, that have ever been written
-} Pending;
+} Edits;
 
 // Room for so many more, after which the functions below cannot fail.
-scree_status pending_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);
-void pending_close(Pending* pending);
+scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);
+void edits_close(Edits* pending);
 
 // A body was made or destroyed. Its row's index and what it is are given; since is filled in.
-void pending_body(scree_world* world, BodyRow row);
+void edits_body(scree_world* world, BodyRow row);
 
 // A collidable was made, destroyed, or has to start anew.
-void pending_collidable(scree_world* world, int index);
+void edits_collidable(scree_world* world, int index);
 
 // A change; whole is Command.whole[0].
-void pending_command(scree_world* world, int kind, int index, Float4 value, int whole);
-void pending_whole(scree_world* world, Command command);
+void edits_command(scree_world* world, int kind, int index, Float4 value, int whole);
+void edits_whole(scree_world* world, Command command);
 
 #endif

@@ -95,8 +95,8 @@ void mass_set(scree_world* world, int body, scree_mass mass)
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
 	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
-	pending_command(world, COMMAND_MASS, body, value, 0);
-	pending_whole(world, guarded_command(world, body));
+	edits_command(world, COMMAND_MASS, body, value, 0);
+	edits_whole(world, guarded_command(world, body));
 }
 
 scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
@@ -128,7 +128,7 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 	const char* function = "scree_body_set_mass";
 	TRY(world_check(world, function));
 	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
-	TRY(pending_reserve(world, function, 0, 0, 2));
+	TRY(edits_reserve(world, function, 0, 0, 2));
 	mass_set(world, (int)body.index, mass);
 	return SCREE_OK;
 }
@@ -141,7 +141,7 @@ scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodie
 	TRY(check_batch(function, "masses", masses, count));
 	for (int k = 0; k < count; ++k)
 		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
-	TRY(pending_reserve(world, function, 0, 0, 2 * count));
+	TRY(edits_reserve(world, function, 0, 0, 2 * count));
 	for (int k = 0; k < count; ++k)
 		mass_set(world, (int)bodies[k].index, masses[k]);
 	return SCREE_OK;

@@ -20,7 +20,7 @@ static int lasting_items(const scree_world* world, Per per)
 	switch (per)
 	{
 	case ATTRIBUTE:
-		return world->pending.attribute_rows;
+		return world->edits.attribute_rows;
 	case COLLIDABLE:
 		return smaller(world->collidables.used, b->capacity[per]);
 	case BODY:

@@ -16,7 +16,7 @@
 #define SIDE  7  // the sample has this many bodies squared
 #define STEPS 32 // of it: the lowest bodies have landed
 
-struct Opening
+struct AsyncOpen
 {
 	Thread thread;
 	scree_world_def def;
@@ -121,7 +121,7 @@ static scree_status compare_bits(Backend* b)
 	return clear(b);
 }
 
-static scree_status open_and_compare(Opening* o)
+static scree_status open_and_compare(AsyncOpen* o)
 {
 	TRY(o->name[0] ? device_open(&o->def, &o->backend) : device_open_gpu(&o->def, &o->backend));
 	o->milliseconds = processor_milliseconds() - o->begin;
@@ -133,9 +133,9 @@ static scree_status open_and_compare(Opening* o)
 	return status;
 }
 
-static THREAD_RESULT opening_main(void* argument)
+static THREAD_RESULT async_open_main(void* argument)
 {
-	Opening* o = argument;
+	AsyncOpen* o = argument;
 	o->status = open_and_compare(o);
 	if (o->status != SCREE_OK)
 		snprintf(o->sentence, sizeof o->sentence, "%s", scree_error());
@@ -143,9 +143,9 @@ static THREAD_RESULT opening_main(void* argument)
 	return THREAD_END;
 }
 
-Opening* opening_begin(const scree_world_def* def, const char* device)
+AsyncOpen* async_open_begin(const scree_world_def* def, const char* device)
 {
-	Opening* o = scree_allocate(sizeof *o);
+	AsyncOpen* o = scree_allocate(sizeof *o);
 	if (!o)
 		return NULL;
 	o->def = *def;
@@ -153,15 +153,15 @@ Opening* opening_begin(const scree_world_def* def, const char* device)
 	o->def.device = o->name;
 	o->def.allow_unequal_bits = false;
 	o->begin = processor_milliseconds();
-	if (thread_start(&o->thread, opening_main, o))
+	if (thread_start(&o->thread, async_open_main, o))
 		return o;
 	scree_release(o);
 	return NULL;
 }
 
-bool opening_done(const Opening* opening) { return atomic_load(&opening->done); }
+bool async_open_done(const AsyncOpen* opening) { return atomic_load(&opening->done); }
 
-scree_status opening_end(Opening* opening, Backend** backend, double* milliseconds)
+scree_status async_open_end(AsyncOpen* opening, Backend** backend, double* milliseconds)
 {
 	thread_join(opening->thread);
 	scree_status status = opening->status;

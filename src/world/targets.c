@@ -29,7 +29,7 @@ static scree_status set(scree_world* world, Where body, Where value, const scree
 		TRY(check_target(world, body, value, bodies[k], &pose));
 	}
 	TRY(GROW(function, world->targets, world->target_capacity, world->target_count + count));
-	TRY(pending_reserve(world, function, 0, 0, count));
+	TRY(edits_reserve(world, function, 0, 0, count));
 	for (int k = 0; k < count; ++k)
 	{
 		Target target = {(int)bodies[k].index, poses[k]};
@@ -38,7 +38,7 @@ static scree_status set(scree_world* world, Where body, Where value, const scree
 		if (host->target == 0)
 		{
 			host->target = ++world->target_count;
-			pending_command(world, COMMAND_VELOCITY, target.body, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
+			edits_command(world, COMMAND_VELOCITY, target.body, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 		}
 		world->targets[host->target - 1] = target;
 	}

@@ -95,7 +95,7 @@ static void sort_rows(void* rows, int count, size_t bytes, char* memory)
 // Both lists of rows.
 static scree_status sort_pending(scree_world* world)
 {
-	Pending* p = &world->pending;
+	Edits* p = &world->edits;
 	size_t bodies = sort_bytes(p->bodies, p->body_count, sizeof *p->bodies),
 	       collidables = sort_bytes(p->collidables, p->collidable_count, sizeof *p->collidables);
 	size_t bytes = 1 + (bodies > collidables ? bodies : collidables);
@@ -112,7 +112,7 @@ static scree_status sort_pending(scree_world* world)
 }
 
 // The ends of the runs of neighboring slots that begin at row k.
-static int body_run(const Pending* p, int k)
+static int body_run(const Edits* p, int k)
 {
 	int end = k + 1;
 	while (end < p->body_count && p->bodies[end].index == p->bodies[end - 1].index + 1)
@@ -124,12 +124,12 @@ static int body_run(const Pending* p, int k)
 // its box become empty.
 static bool is_dead(const scree_world* world, int k)
 {
-	return collidable_kind(world, world->pending.collidables[k].index) == KIND_DEAD;
+	return collidable_kind(world, world->edits.collidables[k].index) == KIND_DEAD;
 }
 
 static int collidable_run(const scree_world* world, int k)
 {
-	const Pending* p = &world->pending;
+	const Edits* p = &world->edits;
 	int end = k + 1;
 	while (end < p->collidable_count && p->collidables[end].index == p->collidables[end - 1].index + 1 &&
 	       is_dead(world, end) == is_dead(world, k))
@@ -240,14 +240,14 @@ static bool some_have_kept(const scree_world* world, int begin, int end)
 {
 	bool some = false;
 	for (int k = begin; k < end && !some; ++k)
-		some = has_kept(world, world->pending.bodies + k);
+		some = has_kept(world, world->edits.bodies + k);
 	return some;
 }
 
 static scree_status write_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
-	const BodyRow* rows = world->pending.bodies;
+	const BodyRow* rows = world->edits.bodies;
 	for (size_t p = 0; p < sizeof body_pools / sizeof *body_pools; ++p)
 	{
 		PoolId pool = body_pools[p];
@@ -263,7 +263,7 @@ static scree_status write_bodies(scree_world* world, int begin, int end, char* s
 static scree_status write_collidables(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
-	const CollidableRow* rows = world->pending.collidables;
+	const CollidableRow* rows = world->edits.collidables;
 	size_t pools = is_dead(world, begin) ? 1 : sizeof collidable_pools / sizeof *collidable_pools;
 	for (size_t p = 0; p < pools; ++p)
 	{
@@ -291,7 +291,7 @@ static int compare_slots(const void* a, const void* b) { return *(const int*)a -
 // Those that wait, by runs of neighboring slots. One that is gone again is written as it was.
 static scree_status write_waiting_attributes(scree_world* world, char* stage)
 {
-	Pending* p = &world->pending;
+	Edits* p = &world->edits;
 	if (p->attribute_count > 1)
 		qsort(p->attributes, (size_t)p->attribute_count, sizeof *p->attributes, compare_slots);
 	for (int k = 0, end; k < p->attribute_count; k = end)
@@ -330,7 +330,7 @@ static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 
 static int collidable_commands(const scree_world* world, int k, Command* to)
 {
-	int index = world->pending.collidables[k].index, count = 0;
+	int index = world->edits.collidables[k].index, count = 0;
 	const HostCollidable* host = world->host_collidables + index;
 	if (!is_dead(world, k))
 	{
@@ -359,14 +359,14 @@ static Waiting* command_waiting(scree_world* world, const Command* c)
 // Does a command belong to what its slot held before it was made anew?
 static bool is_void(scree_world* world, int k)
 {
-	const Pending* p = &world->pending;
+	const Edits* p = &world->edits;
 	const Command* c = p->commands + k;
 	int row = command_waiting(world, c)->row;
 	return row > 0 && k < (c->kind >= COMMAND_PLACE ? p->collidables[row - 1].since : p->bodies[row - 1].since);
 }
 
 // Does anything that waits place or make a collidable, so that its box may jump?
-static bool places(const Pending* p)
+static bool places(const Edits* p)
 {
 	bool found = p->body_count + p->collidable_count > 0;
 	for (int k = 0; k < p->command_count && !found; ++k)
@@ -398,7 +398,7 @@ static void add_row(Groups* g, const Waiting* waiting, int count)
 // are groups at once.
 static void collect_commands(scree_world* world, Groups* g)
 {
-	const Pending* p = &world->pending;
+	const Edits* p = &world->edits;
 	for (int k = 0; k < p->command_count; ++k)
 		command_waiting(world, p->commands + k)->group = !is_void(world, k);
 	for (int k = 0, end; k < p->body_count; k = end)
@@ -481,7 +481,7 @@ static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
 static scree_status flush(scree_world* world)
 {
-	Pending* p = &world->pending;
+	Edits* p = &world->edits;
 	TRY(sort_pending(world));
 	int body_rows = 0, collidable_rows = 0, commands = p->command_count;
 	for (int k = 0, end; k < p->body_count; k = end)
@@ -544,13 +544,13 @@ static scree_status flush(scree_world* world)
 	return SCREE_OK;
 }
 
-scree_status world_flush(scree_world* world)
+scree_status world_upload(scree_world* world)
 {
-	const Pending* p = &world->pending;
+	const Edits* p = &world->edits;
 	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count == 0)
 		return SCREE_OK;
-	double begin = automatic_clock();
+	double begin = auto_clock();
 	scree_status status = world_note(world, flush(world));
-	automatic_count(world, begin);
+	auto_count(world, begin);
 	return status;
 }

@@ -66,10 +66,10 @@ struct scree_world
 	int dynamic_bodies, disabled_bodies;
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
-	Pending pending;
+	Edits edits;
 	Pipeline pipeline;
 	int shared_rows; // room in the memory that OpenGL draws from; 0 while there is none
-	Automatic automatic;
+	AutoDevice auto_device;
 	char device[160]; // the name of backend
 	void* scratch;    // for a call to work in
 	size_t scratch_bytes;
@@ -83,7 +83,7 @@ scree_status world_read(scree_world* world, PoolId pool, int first, int count, v
 
 // src/world/upload.c: sends everything the user changed since the last call to the device. Called before a step and before
 // anything is read back.
-scree_status world_flush(scree_world* world);
+scree_status world_upload(scree_world* world);
 
 // Refuses a world that is null or broken.
 scree_status world_check(const scree_world* world, const char* function);
@@ -128,7 +128,7 @@ scree_status check_locks(Where at, const char* member, uint32_t locks);
 scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity velocity);
 
 // src/api/collidable.c
-// Room for so many more, after which putting one cannot fail. pending_reserve is the caller's.
+// Room for so many more, after which putting one cannot fail. edits_reserve is the caller's.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
 // Takes count slots, with leaves in the trees but for KIND_DEAD. slots holds the kinds (KIND_*) and gets the slots; on
 // failure none is taken.

@@ -25,12 +25,12 @@ static const Named named[] = {
     {POOL_collidable_pose, {"x", "y", "cos", "sin"}},
     {POOL_collidable_kind, {"kind"}},
     {POOL_box, {"lower_x", "lower_y", "upper_x", "upper_y"}},
-    {POOL_placed, {"x", "y", "c", "s", "center_x", "center_y", "attribute", "body"}},
+    {POOL_world_shape, {"x", "y", "c", "s", "center_x", "center_y", "attribute", "body"}},
     {POOL_pair, {"a", "b"}},
     {POOL_contact_flags, {"flags"}},
     {POOL_contact_color, {"color"}},
     {POOL_contact_feature, {"first", "second"}},
-    {POOL_contact_found,
+    {POOL_contact_manifold,
      {"normal_x", "normal_y", "separation1", "separation2", "on_a1_x", "on_a1_y", "on_a2_x", "on_a2_y", "relative_x",
       "relative_y", "relative_cos", "relative_sin", "then_cos", "then_sin", "reach", "distance"}},
     {POOL_contact_surface, {"friction", "restitution", "rolling", "tangent_speed"}},
@@ -188,13 +188,13 @@ bool state_finite(scree_world* world, char sentence[256])
 	// those that are alive
 	int* kinds = read_items(world, POOL_collidable_kind, world->collidables.used);
 	Float4* boxes = read_items(world, POOL_box, world->collidables.used);
-	Placed* placed = read_items(world, POOL_placed, world->collidables.used);
+	WorldShape* placed = read_items(world, POOL_world_shape, world->collidables.used);
 	for (int k = 0; k < world->collidables.used && finite; ++k)
 		if (kinds[k] != KIND_DEAD)
 			finite = words_finite("box", &boxes[k].x, 1, 4, sentence) &&
 			         words_finite("placed", &placed[k].x, 1, 6, sentence);
 	Int2* pairs = read_items(world, POOL_pair, c.contacts);
-	Found* found = read_items(world, POOL_contact_found, c.contacts);
+	LocalManifold* found = read_items(world, POOL_contact_manifold, c.contacts);
 	int* places = read_items(world, POOL_contact_place, c.contacts);
 	int blocks = (c.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
 	ContactRows* constraints = read_items(world, POOL_contact_rows, blocks);
@@ -203,7 +203,7 @@ bool state_finite(scree_world* world, char sentence[256])
 	{
 		if (pairs[k].x < 0)
 			continue;
-		finite = words_finite("contact_found", &found[k].normal.x, 1, 16, sentence);
+		finite = words_finite("contact_manifold", &found[k].normal.x, 1, 16, sentence);
 		if (places[k] < 0 || !finite)
 			continue;
 		const ContactRows* block = constraints + places[k] / MAX_LANES;

@@ -31,7 +31,7 @@ void solve_open(OpenCl* d)
 		d->solver = FORM_TILES;
 }
 
-bool solve_plain(const OpenCl* d) { return !d->step.extras && !d->step.bounces && !d->step.round; }
+bool solve_plain(const OpenCl* d) { return !d->step.rare && !d->step.bounces && !d->step.round; }
 
 // Room for a solve as a relay or in tiles. Launches by color need none: they follow where there is no room.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)

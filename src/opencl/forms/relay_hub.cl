@@ -195,7 +195,7 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 			HUB_EACH_OF(i, c, &h)
 			{
 				contact_prepare_item(p, i);
-				if (p->step.round || p->step.extras)
+				if (p->step.round || p->step.rare)
 					contact_prepare_rare_item(p, i);
 			}
 		}
