@@ -255,6 +255,64 @@ static void contacts_of_one_body(void** state)
 	scree_world_destroy(world);
 }
 
+// Bullets of 0.1 kg and 100 m/s stop at a wall in the course of a step, by one substep's impulse or another's: each tells of it,
+// with the momentum that it lost and the speed at which it came.
+static void details_tell_of_every_blow(void** state)
+{
+	(void)state;
+	enum
+	{
+		BULLETS = 200
+	};
+	scree_world_def world_def = scree_world_def_default();
+	world_def.gravity.y = 0.0f;
+	world_def.contact_details = true;
+	world_def.device = device;
+	scree_world* world;
+	assert_ok(scree_world_create(&world_def, &world));
+	scree_attribute_def round = scree_attribute_def_default();
+	scree_body_def def = scree_body_def_default();
+	scree_body wall, bullets[BULLETS];
+	assert_ok(scree_shape_make_box(0.5f, 300.0f, &round.shape));
+	assert_ok(scree_attribute_create(world, &round, &def.attribute));
+	def.type = SCREE_BODY_STATIC;
+	assert_ok(scree_body_create(world, &def, &wall));
+	assert_ok(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.1f, &round.shape));
+	round.density = 0.1f / (3.14159265f * 0.01f);
+	assert_ok(scree_attribute_create(world, &round, &def.attribute));
+	def.type = SCREE_BODY_DYNAMIC;
+	def.velocity.linear.x = -100.0f;
+	for (int k = 0; k < BULLETS; ++k)
+	{
+		def.pose.position = (scree_vec){2.0f + 0.05f * (float)k, 2.0f * (float)(k - BULLETS / 2)};
+		assert_ok(scree_body_create(world, &def, &bullets[k]));
+	}
+	float total[BULLETS] = {0}, speed[BULLETS] = {0};
+	bool touched[BULLETS] = {0};
+	for (int k = 0; k < 12; ++k)
+	{
+		step(world, 1);
+		for (int n = 0; n < BULLETS; ++n)
+		{
+			scree_contact contact;
+			int count;
+			assert_ok(scree_body_get_contacts(world, bullets[n], &contact, 1, &count));
+			if (count == 0)
+				continue;
+			total[n] += contact.details[0].total_impulse;
+			speed[n] = speed[n] > 0.0f ? speed[n] : contact.details[0].approach_speed;
+			touched[n] = touched[n] || contact.details[0].touched == 1;
+		}
+	}
+	for (int k = 0; k < BULLETS; ++k)
+	{
+		assert_true(touched[k]);
+		assert_near(total[k], 10.0, 0.2);
+		assert_near(speed[k], 100.0, 0.01);
+	}
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -265,6 +323,7 @@ int main(void)
 	    cmocka_unit_test(free_collidables_only_detect),
 	    cmocka_unit_test(settings_are_kept),
 	    cmocka_unit_test(contacts_of_one_body),
+	    cmocka_unit_test(details_tell_of_every_blow),
 	};
 	return RUN_ON_DEVICES(tests);
 }

@@ -64,7 +64,7 @@ static void boxes_follow_bodies(void** state)
 		Float4 old = p.box[item];
 		p.pose[body] = make_float4(10.0f, 20.0f, (float)c, (float)s);
 		int listed = transform_item(&p, item);
-		WorldShape placed = p.placed[item];
+		WorldShape placed = p.world_shape[item];
 		NEAR(placed.x, 10.0 + 2.0 * c, 1e-5);
 		NEAR(placed.y, 20.0 + 2.0 * s, 1e-5);
 		NEAR(placed.x + placed.center_x, 10.0, 1e-5);

@@ -58,11 +58,11 @@ static void equal_attributes_are_one(void** state)
 	def.restitution = -0.0f;
 	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_equal(&first, &again, sizeof first);
-	assert_false(world->pipeline.rare);
+	assert_false(world->pipeline.rolls);
 	def.restitution = 0.5f;
 	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_not_equal(&first, &again, sizeof first);
-	assert_true(world->pipeline.rare);
+	assert_true(world->pipeline.rolls);
 	scree_world_destroy(world);
 }
 

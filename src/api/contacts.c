@@ -14,6 +14,7 @@ typedef struct // the pools of contacts, and where their collidables were
 	int* color;
 	int* place;
 	ContactRows* blocks;
+	ContactRareRows* rare; // null unless the world keeps details
 	WorldShape* placed;
 } Rows;
 
@@ -34,6 +35,7 @@ static void release(Rows* rows)
 	scree_release(rows->color);
 	scree_release(rows->place);
 	scree_release(rows->blocks);
+	scree_release(rows->rare);
 	scree_release(rows->placed);
 }
 
@@ -78,7 +80,19 @@ static Listed listed_at(const Rows* rows, int k)
 		row.impulse = make_float4(block->normal_impulse1[c % MAX_LANES], block->normal_impulse2[c % MAX_LANES],
 		                          block->tangent_impulse1[c % MAX_LANES], block->tangent_impulse2[c % MAX_LANES]);
 	}
+	if (c >= 0 && rows->rare)
+	{
+		const ContactRareRows* rare = rows->rare + c / MAX_LANES;
+		row.detail = make_float4(rare->total_impulse1[c % MAX_LANES], rare->total_impulse2[c % MAX_LANES],
+		                         rare->approach1[c % MAX_LANES], rare->approach2[c % MAX_LANES]);
+	}
 	return row;
+}
+
+// A point touched when it was pushed, or overlapped from the start.
+static scree_contact_detail detail_of(float total_impulse, float approach_speed, float separation)
+{
+	return (scree_contact_detail){total_impulse, approach_speed, total_impulse > 0.0f || separation <= 0.0f};
 }
 
 static scree_contact contact_at(const scree_world* world, const Listed* row)
@@ -116,6 +130,10 @@ static scree_contact contact_at(const scree_world* world, const Listed* row)
 	                                          row->impulse.x,
 	                                          row->impulse.z,
 	                                          (uint32_t)row->feature.x};
+	if (world->def.contact_details)
+		contact.details[0] = detail_of(row->detail.x, row->detail.z, at.separation[0]);
+	if (world->def.contact_details && contact.count == 2)
+		contact.details[1] = detail_of(row->detail.y, row->detail.w, at.separation[1]);
 	if (contact.count == 2)
 		contact.points[1] = (scree_contact_point){{row->a.x + at.point[1].x, row->a.y + at.point[1].y},
 		                                          at.separation[1],
@@ -142,6 +160,8 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		int blocks = world->pipeline.counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
 		if (blocks > 0)
 			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
+		if (blocks > 0 && world->def.contact_details)
+			TRY(read_pool(world, function, POOL_contact_rare_rows, blocks, (void**)&rows->rare));
 		TRY(read_pool(world, function, POOL_world_shape, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{

@@ -249,7 +249,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .bodies = world->bodies.used,
 	                       .collidables = world->collidables.used,
 	                       .contact_limit = world->def.contact_limit,
-	                       .timings = world->def.timings};
+	                       .timings = world->def.timings,
+	                       .details = world->def.contact_details};
 	if (dt > 0.0f)
 		TRY(targets_commands(world, &request.commands));
 	scree_status status = pipeline_step(&world->pipeline, &request);

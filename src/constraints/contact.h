@@ -42,10 +42,10 @@
 #define CONTACT_RARE_ROWS(X)                                                                         \
 	/* 1, m, m/s */                                                                                  \
 	X(restitution, bounces, PLACED, 0.0f, IN_PREPARE_BOUNCE, IN_NONE)                                \
-	X(rolling, rare, PLACED, 0.0f, IN_RELAX, IN_NONE)                                                \
-	X(tangent_speed, rare, PLACED, 0.0f, IN_RELAX, IN_NONE)                                          \
+	X(rolling, rolls, PLACED, 0.0f, IN_RELAX, IN_NONE)                                               \
+	X(tangent_speed, rolls, PLACED, 0.0f, IN_RELAX, IN_NONE)                                         \
 	/* N m s */                                                                                      \
-	X(rolling_impulse, rare, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                                      \
+	X(rolling_impulse, rolls, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                                     \
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
 	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                      \
@@ -53,7 +53,10 @@
 	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	/* N s: normal impulses of all substeps */                                                       \
 	X(total_impulse1, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
-	X(total_impulse2, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE)
+	X(total_impulse2, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
+	/* m/s: at which the points drew near when the step began */                                     \
+	X(approach1, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)                                       \
+	X(approach2, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)
 
 // Columns of a stream (src/opencl/forms/registers.cl), for who does not hold contacts in registers: QUAD(k, four numbers), where
 // the first of all is not the contact's own; PAIR(k, passes that read and write it, two numbers). What was read by the last
@@ -227,7 +230,7 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 {
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_add(vec_scale(normal1, c->n), vec_scale(tangent1, c->t)));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_add(vec_scale(normal2, c->n), vec_scale(tangent2, c->t)));
-	if (p->step.rare)
+	if (p->step.rolls)
 	{
 		Real rolling = load(&contact_rare(p, rolling_impulse, i), 0);
 		c->a.w = c->a.w - c->a.inv_inertia * rolling;
@@ -325,7 +328,7 @@ INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
 INLINE void pair_relax(const Pools* p, int i, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound1 = splat(0.0f), rebound2 = splat(0.0f);
-	if (p->step.rare)
+	if (p->step.rolls)
 		speed = load(&contact_rare(p, tangent_speed, i), 0);
 	if (p->step.bounces)
 	{
@@ -340,11 +343,10 @@ INLINE void pair_relax(const Pools* p, int i, ContactArms* c, Contact* u)
 	    pair_tangent(c, 1, u->tangent_mass2, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
 	u->normal_impulse1 = pair_normal(c, 0, u->gap1, u->normal_mass1, u->normal_impulse1, &p->step, 0, rebound1);
 	u->normal_impulse2 = pair_normal(c, 1, u->gap2, u->normal_mass2, u->normal_impulse2, &p->step, 0, rebound2);
-	if (p->step.rare)
-	{
+	if (p->step.rolls)
 		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
+	if (p->step.rare)
 		pair_total(p, i, u->normal_impulse1, u->normal_impulse2);
-	}
 }
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -64,11 +64,23 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 	contact_rare(p, rebound2, i) = rebound2;
 }
 
+// m/s: how fast the points draw near before anything pushes them.
+INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
+{
+	Body a = prepare_body(p, contact_row(p, body_a, i)), b = prepare_body(p, contact_row(p, body_b, i));
+	ContactArms c = pair_of(u, &a, &b);
+	float speed1 = -pair_approach(c, 0, c.n), speed2 = -pair_approach(c, 1, c.n);
+	contact_rare(p, approach1, i) = speed1 > 0.0f && speed1 <= MOST_FLOAT ? speed1 : 0.0f;
+	contact_rare(p, approach2, i) = speed2 > 0.0f && speed2 <= MOST_FLOAT ? speed2 : 0.0f;
+}
+
 // The rare rows that are prepared.
 INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 {
 	contact_rare(p, total_impulse1, i) = 0.0f;
 	contact_rare(p, total_impulse2, i) = 0.0f;
+	if (p->step.details)
+		prepare_approach(p, i, u);
 	if (p->step.bounces)
 		prepare_bounce(p, i, u);
 }

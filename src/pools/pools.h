@@ -152,12 +152,13 @@ typedef struct // 32 bytes: one sector
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-typedef struct // 176 bytes: what the user is told of a contact
+typedef struct // 192 bytes: what the user is told of a contact
 {
 	Int2 pair, feature;
 	Word flags;
 	int color, place, unused;
 	Float4 impulse; // normal 1, 2, tangent 1, 2, N s
+	Float4 detail;  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
 	LocalManifold found;
 	WorldShape a, b;
 } Listed;
@@ -262,7 +263,9 @@ typedef struct // constants of one step, by value to every stage
 	float push_speed;          // m/s
 	float restitution_threshold;
 	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
-	int rare;             // some attribute has restitution, rolling resistance or tangent speed
+	int rare;             // rare rows are used: rolls, bounces or details
+	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
+	int details;          // the user wants to know what contacts did in the step
 	int bounces;          // some attribute has restitution
 	int round;            // some attribute has a radius
 	float guard_way;      // m: no Guarded.way of the world is less

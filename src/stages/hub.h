@@ -245,7 +245,7 @@ INLINE int hub_what(const Step* step, int pass, int k)
 {
 	// friction first, as in relax_pass; rolling resistance last, by the load that is left
 	if (pass == PASS_WARM_START || pass == PASS_RELAX)
-		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->rare ? HUB_ROLL : -1;
+		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->rolls ? HUB_ROLL : -1;
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
 }
 

@@ -35,6 +35,10 @@ STAGE(contact_list)
 	if (c >= 0)
 		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
 		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
+	listed.detail = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	if (c >= 0 && p->step.details)
+		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),
+		                            contact_rare(p, approach1, c), contact_rare(p, approach2, c));
 	listed.found = p->contact_manifold[i];
 	listed.a = p->world_shape[listed.pair.x];
 	listed.b = p->world_shape[listed.pair.y];

@@ -104,7 +104,9 @@ static Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .restitution_threshold = tuning->restitution_threshold,
 	    .soft = moves ? softness(hertz, tuning->contact_damping_ratio, h) : (Softness){0},
 	    .stiff = moves ? softness(2.0f * hertz, tuning->contact_damping_ratio, h) : (Softness){0},
-	    .rare = pipeline->rare,
+	    .rare = pipeline->rolls || request->details,
+	    .rolls = pipeline->rolls,
+	    .details = request->details,
 	    .bounces = pipeline->bounces,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,
@@ -183,7 +185,12 @@ static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 		TRY(split(pipeline, step, bodies));
 	runs_add_single(list, STAGE_solve_begin); // its first item clears what the last finalize counted
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		runs_add(list, kind_info[kind].prepare, 0, c->layout[kind].begin[COLORS + 1], NO_COUNT, 0);
+	{
+		int constraints = c->layout[kind].begin[COLORS + 1];
+		runs_add(list, kind_info[kind].prepare, 0, constraints, NO_COUNT, 0);
+		if (step->details)
+			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, NO_COUNT, 0);
+	}
 	return pipeline_run(pipeline, step);
 }
 

@@ -37,6 +37,7 @@ typedef struct // what a step is asked for
 	int contact_limit;       // 0 for the default
 	StepCommands commands;
 	bool timings;
+	bool details; // contacts tell what they did in the step
 } StepRequest;
 
 typedef struct
@@ -55,7 +56,7 @@ typedef struct
 	bool jumps;                   // the user placed or made something since the last step: boxes may jump
 	bool mixed;                   // some collidable got another attribute of its shape since the last step
 	bool begun;                   // the step at work has changed something on the device
-	bool rare;                    // some attribute has restitution, rolling resistance or tangent speed
+	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
 	float guard_way, guard_reach; // as in Step: bounds of all bodies that there ever were

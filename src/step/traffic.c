@@ -30,8 +30,8 @@ typedef struct // of one constraint in a step
 	{                                                                          \
 		const struct                                                           \
 		{                                                                      \
-			int always, rare, bounces;                                         \
-		} on = {1, step->rare, step->bounces};                                 \
+			int always, rare, rolls, details, bounces;                         \
+		} on = {1, step->rare, step->rolls, step->details, step->bounces};     \
 		size_t bytes = pass == PREPARE ? 0 : ENDS_BYTES;                       \
 		KIND##_ROWS(COUNT_ROW) KIND##_RARE_ROWS(COUNT_ROW) return bytes;       \
 	}                                                                          \

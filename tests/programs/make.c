@@ -524,6 +524,7 @@ static void put_world(Maker* m)
 	if (chance(m, 0.3))
 		call_set(&call, "contacts", PICK(m, 1.0f, 3000.0f));
 	m->extras = chance(m, 0.6);
+	call_set(&call, "details", chance(m, 0.3));
 	put(m, call);
 }
 

@@ -381,6 +381,7 @@ static scree_status run_read(const Turn* t)
 	for (int k = 0; k < counts[0] && k < MOST_READ && status == SCREE_OK; ++k)
 	{
 		contacts[k].points[1] = contacts[k].count > 1 ? contacts[k].points[1] : (scree_contact_point){.feature = 0};
+		contacts[k].details[1] = contacts[k].count > 1 ? contacts[k].details[1] : (scree_contact_detail){.touched = 0};
 		word = mixed(word, &contacts[k], sizeof contacts[k]);
 	}
 	if (status == SCREE_OK)
@@ -518,5 +519,6 @@ scree_status run_world(const Place* place, const Call* call, scree_world** world
 	def.max_speed = real(&t, "max_speed");
 	def.body_capacity = whole(&t, "bodies");
 	def.contact_capacity = whole(&t, "contacts");
+	def.contact_details = whole(&t, "details") != 0;
 	return scree_world_create(&def, world);
 }
