@@ -23,6 +23,7 @@ struct Block
 	Number position[2], velocity[2]; // m, m/s
 	Number angle, angular_velocity;  // rad, rad/s
 	Number gravity_scale, linear_damping, angular_damping;
+	bool disabled;
 	Parts parts;
 	int64_t count; // items
 	Churn churn;

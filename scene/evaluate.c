@@ -90,6 +90,7 @@ static bool body_of(Evaluation* e, scree_body_def* body)
 	*body = scree_body_def_default();
 	body->type = b->type;
 	body->locks = b->locks;
+	body->disabled = b->disabled;
 	return pose_of(e, b->position, &b->angle, &body->pose) && float_of(e, &b->velocity[0], &body->velocity.linear.x) &&
 	       float_of(e, &b->velocity[1], &body->velocity.linear.y) &&
 	       float_of(e, &b->angular_velocity, &body->velocity.angular) &&

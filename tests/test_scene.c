@@ -241,6 +241,7 @@ static void test_bad_keys(void** state)
 	    {BODY("\"attribute\": \"a\", \"position\": [3, null]"), "bodies[1].position[1]: null must be a number"},
 	    {BODY("\"attribute\": \"a\", \"angle\": true"), "bodies[1].angle: true must be a number"},
 	    {BODY("\"attribute\": \"a\", \"type\": \"solid\""), "bodies[1].type: \"solid\" must be \"static\""},
+	    {BODY("\"attribute\": \"a\", \"disabled\": 3"), "bodies[1].disabled: 3 must be true or false"},
 	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be \"x\""},
 	    {BODY("\"attribute\": \"a\", \"category\": [64]"), "bodies[1].category[0]: 64 must be at most 63"},
 	};
@@ -606,6 +607,38 @@ static void test_churn(void** state)
 	scene_free(scene);
 }
 
+// Of two bodies one is disabled, and does not fall.
+static void test_disabled(void** state)
+{
+	(void)state;
+	const char* text =
+	    HEAD "\"attributes\": {\"a\": {\"circle\": 1}}, \"bodies\": [{\"attribute\": \"a\", \"disabled\": true},"
+	         "{\"attribute\": \"a\", \"position\": [9, 0], \"disabled\": false}]}";
+	char sentence[SCENE_SENTENCE] = "";
+	Scene* scene = load_text(text, NULL, 0, sentence);
+	if (!scene)
+		fail_msg("%s", sentence);
+	scree_world* world;
+	scree_world_def def = scene->world;
+	def.device = "cpu";
+	def.threads = 1;
+	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
+	assert_int_equal(scene_build(scene, world), SCREE_OK);
+	assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
+	scree_body bodies[2];
+	int count;
+	assert_int_equal(scree_world_get_bodies(world, bodies, 2, &count), SCREE_OK);
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_pose pose;
+		assert_int_equal(scree_body_is_enabled(world, bodies[k]), k == 1);
+		assert_int_equal(scree_body_get_pose(world, bodies[k], &pose), SCREE_OK);
+		assert_int_equal(pose.position.y < 0, k == 1);
+	}
+	scree_world_destroy(world);
+	scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -617,7 +650,7 @@ int main(void)
 	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_missing_file),
 	    cmocka_unit_test(test_settings),        cmocka_unit_test(test_shipped),
 	    cmocka_unit_test(test_ten_million),     cmocka_unit_test(test_build),
-	    cmocka_unit_test(test_churn),
+	    cmocka_unit_test(test_churn),           cmocka_unit_test(test_disabled),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
