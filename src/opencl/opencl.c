@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: MIT
 // opencl.c -- the OpenCL backend: one buffer a kind of pool, one kernel a stage, one queue in order.
-#include "opencl/opencl.h"
+#include "opencl/buffer.h"
+#include "opencl/copy.h"
+#include "opencl/forms/form.h"
+#include "opencl/forms/relay.h"
+#include "opencl/forms/tiles.h"
+#include "opencl/launch.h"
+#include "opencl/persistent.h"
+#include "opencl/primitives.h"
 #include "opencl/program.h"
+#include "opencl/queue.h"
+#include "opencl/read.h"
+#include "opencl/runs.h"
+#include "opencl/share.h"
 #include "platform/error.h"
 #include <limits.h>
 #include <stdio.h>
 
-// written by cmake/embed.cmake
-// every pool begins at a multiple of so many items of its own, and so at 256 bytes
+// Room of a pool is a multiple of so many items, so that every pool begins at a multiple of 256 bytes.
 #define ROOM_ITEMS 64
 
+// written by cmake/embed.cmake
 extern const char opencl_program[];
 extern const size_t opencl_program_length;
 
@@ -27,8 +38,8 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < STAGE_COUNT; ++i)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
-		held_close(d);
-		pinned_close(d, &d->staging);
+		read_close(d);
+		pinned_close(d, &d->staging.pinned);
 		shared_close(d);
 		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
@@ -40,7 +51,7 @@ static void opencl_close(Backend* b)
 			opencl.ReleaseCommandQueue(d->queue);
 		if (d->context)
 			opencl.ReleaseContext(d->context);
-		scree_release(d->laps);
+		scree_release(d->timing.laps);
 		scree_release(d);
 	}
 	scree_release(b);
@@ -92,6 +103,33 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
+// Sets the buffer of a kind, after it has been replaced, in all kernels.
+static scree_status kernels_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < STAGE_COUNT; ++k)
+		TRY(kernel_bind(d, per, &d->stages[k]));
+	if (d->together)
+	{
+		TRY(kernel_bind(d, per, &d->persistent.kernel));
+		TRY(kernel_bind(d, per, &d->relay.colors));
+		TRY(kernel_bind(d, per, &d->relay.plain));
+		TRY(kernel_bind(d, per, &d->relay.hubs));
+		TRY(kernel_bind(d, per, &d->solve_end));
+		TRY(tiles_bind(d, per));
+	}
+	return primitives_bind(d);
+}
+
+// Releases all scratch buffers of the solve. The next solve reserves them again.
+static scree_status solve_drop(OpenCl* d)
+{
+	Scratch* scratch[TILE_BUFFERS + 3] = {&d->relay.mailboxes, &d->relay.stream, &d->relay.parts};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		scratch[k + 3] = &d->tiles.buffers[k];
+	d->tiles.stale = true;
+	return scratch_drop(d, scratch, TILE_BUFFERS + 3);
+}
+
 static scree_status opencl_resize(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
@@ -102,7 +140,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 	}
 	// what the solver has beside the constraints is made anew, as large as it must be
 	if (per == EDGE && capacity < b->capacity[per])
-		TRY(scratch_drop(d));
+		TRY(solve_drop(d));
 	b->capacity[per] = capacity;
 	return SCREE_OK;
 }
@@ -137,31 +175,6 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	              bytes * (size_t)count);
 }
 
-scree_status opencl_note(Backend* b, const Counters* counters)
-{
-	OpenCl* d = b->state;
-	d->last = *counters;
-	// where the layout changed, a solve that was listed ahead has laid out nothing
-	d->tiles.stale |= counters->changed || !counters->kept;
-	if (!counters->fault)
-		return SCREE_OK;
-	return fail(SCREE_ERROR_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).",
-	            b->name);
-}
-
-static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
-{
-	OpenCl* d = b->state;
-	size_t bytes = pool_info[pool].bytes;
-	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
-	if (count == 0)
-		return SCREE_OK;
-	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
-	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
-	d->staged = 0;
-	return pool == POOL_counters ? opencl_note(b, items) : SCREE_OK;
-}
-
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
 static scree_status open_device(Backend* b, const BackendOptions* options)
@@ -170,7 +183,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
-	d->step_version = 1; // a step of zeros, which no kernel holds yet
+	d->constants.version = 1; // a step of zeros, which no kernel holds yet
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
@@ -182,9 +195,11 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(pinned_open(d, READ_ASYNC_BYTES, &d->held));
-	TRY(staging_open(d, options->timings));
-	solve_open(d);
+	TRY(read_open(d));
+	TRY(pinned_open(d, STAGING_BYTES, &d->staging.pinned));
+	if (options->timings)
+		TRY(timing_open(d));
+	form_open(d);
 	d->together = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	const char* together = cpu ? " -DTOGETHER -DONE_GROUP" : " -DTOGETHER";
@@ -195,10 +210,10 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
 	if (d->together)
 	{
-		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
-		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
-		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay_plain));
-		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay_hubs));
+		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
+		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
+		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay.plain));
+		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay.hubs));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}

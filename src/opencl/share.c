@@ -5,7 +5,9 @@
 // for that; cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. Both want it handed over
 // before a kernel touches it, and handed back after. So the memory is an argument of one kernel, for one launch; the
 // others keep the pool.
-#include "opencl/opencl.h"
+#include "opencl/share.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 
 // of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not know

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// runs.c -- works through lists of runs: each run is a launch, or many runs are one (persistent.c).
+#include "opencl/runs.h"
+#include "opencl/launch.h"
+#include "opencl/persistent.h"
+#include "opencl/primitives.h"
+#include "platform/error.h"
+
+static scree_status one_run(OpenCl* d, const Run* run)
+{
+	if (run->begin >= run->end)
+		return SCREE_OK;
+	return run->stage < STAGE_COUNT ? stage_run(d, run) : primitive_run(d, run);
+}
+
+scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	OpenCl* d = b->state;
+	step_set(d, step);
+	// the user's changes may give a body another mass, and leaves of a new order make better tiles
+	for (int i = 0; i < count; ++i)
+		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
+	for (int i = 0; i < count;)
+	{
+		int together = persistent_length(d, runs + i, count - i);
+		TRY(together ? persistent_run(d, runs + i, together) : one_run(d, runs + i));
+		i += together ? together : 1;
+	}
+	return CALL(Flush, d->queue);
+}
