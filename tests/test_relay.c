@@ -127,7 +127,7 @@ static void rows_must_be_cleared(void** state)
 		run_steps(emulated, 10);
 		for (int k = 0; k < 2; ++k)
 			if (words >> k & 1)
-				form_spoil(body, displacement + k, (uint64_t)(relay_turns * pass + 1) << 16);
+				form_spoil(body, displacement + k, (uint64_t)(relay_tickets * pass + 1) << 16);
 		run_steps(plain, 1);
 		run_steps(emulated, 1);
 		assert_int_equal(hash_of(plain) == hash_of(emulated), words < 3);
@@ -150,7 +150,7 @@ static void probe_tells(void** state)
 		assert_int_equal(probe_run(3, 32, 16, 1 << 16, &(Turns){.seed = seed, .late = true, .pieces = 8}), 0);
 		assert_int_equal(probe_run(4, 32, 16, 1 << 16, &(Turns){.seed = seed, .late = true, .pieces = 4}), fault_stale);
 		for (int group = 1; group <= 4; ++group)
-			assert_int_equal(probe_run(4, 32, 16, 1000, &(Turns){.seed = seed, .shunned = group}), fault_blown);
+			assert_int_equal(probe_run(4, 32, 16, 1000, &(Turns){.seed = seed, .shunned = group}), fault_timeout);
 	}
 	items_close();
 }

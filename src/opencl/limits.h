@@ -45,10 +45,10 @@
 // work-items of a group of the relay, which go in step: COLOR_PADDING, so that no two of them share a body
 #define RELAY_GROUP 32
 // 64-bit words of a body in the relay, and turns of a pass: one a color, one a turn of hubs, and one more
-#define RELAY_WORDS 4
-#define RELAY_TURNS 68
+#define MAILBOX_WORDS 4
+#define RELAY_TICKETS 68
 // bound of a wait, in looks at a word of half a microsecond or so: 2 s
-#define RELAY_SPINS_MOST (1 << 22)
+#define RELAY_MAX_SPINS (1 << 22)
 // columns of float4 and float2 in the stream of constraints that do not stay in registers, and float4s in all; each kind of
 // constraint leaves the last of both to its edge
 #define STREAM_QUADS   4
@@ -65,7 +65,7 @@
 #define TILE_COLUMNS (COLORS * CONSTRAINT_KINDS + 1)
 
 // Counters.fault
-#define FAULT_BLOWN 1 // groups did not meet within the bound
+#define FAULT_TIMEOUT 1 // groups did not meet within the bound
 #define FAULT_STALE 2 // a group did not see what another had written before they met
 
 #endif

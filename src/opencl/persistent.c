@@ -65,7 +65,7 @@ static scree_status probe(OpenCl* d, bool* meets)
 	if (*meets)
 		return SCREE_OK;
 	log_sentence(SCREE_LOG_INFO, "%s: %s; each run is a launch.", d->device.about.name,
-	             fault == FAULT_BLOWN ? "work-groups do not run together" : "work-groups see stale memory");
+	             fault == FAULT_TIMEOUT ? "work-groups do not run together" : "work-groups see stale memory");
 	fault = 0;
 	return upload(d, counters, at, &fault, sizeof fault);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// persistent.cl -- one launch that works through a whole list of runs: all groups meet after each that has items.
+// persistent.cl -- one launch that works through a whole list of runs: all groups device_barrier after each that has items.
 //
 // A run may change the counter that bounds a later one of the list: bounds are read after each meeting.
 //
@@ -32,10 +32,10 @@ typedef struct // of all groups
 	volatile BENCH int* healthy;
 	int arrivals; // when the last meeting was over
 	int spins;
-} Meeting;
+} DeviceBarrier;
 
 // Waits until all groups have arrived. False when that took more than so many spins, here or elsewhere.
-INLINE bool meet(Meeting* m)
+INLINE bool device_barrier(DeviceBarrier* m)
 {
 	m->arrivals = (int)((uint)m->arrivals + (uint)get_num_groups(0));
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
@@ -47,7 +47,7 @@ INLINE bool meet(Meeting* m)
 		while ((int)((uint)*m->arrived - (uint)m->arrivals) < 0 && spins > 0)
 			--spins;
 		if (spins <= 0)
-			*m->fault = FAULT_BLOWN;
+			*m->fault = FAULT_TIMEOUT;
 		DEVICE_FENCE();
 		*m->healthy = *m->fault == 0;
 	}
@@ -55,8 +55,8 @@ INLINE bool meet(Meeting* m)
 	return *m->healthy;
 }
 
-// The first group waits here until all others have arrived at the next meeting. False as in meet.
-INLINE bool meet_others(const Meeting* m)
+// The first group waits here until all others have arrived at the next meeting. False as in device_barrier.
+INLINE bool device_barrier_await(const DeviceBarrier* m)
 {
 	if (get_local_id(0) == 0)
 	{
@@ -65,7 +65,7 @@ INLINE bool meet_others(const Meeting* m)
 		while ((int)((uint)*m->arrived - others) < 0 && spins > 0)
 			--spins;
 		if (spins <= 0)
-			*m->fault = FAULT_BLOWN;
+			*m->fault = FAULT_TIMEOUT;
 		DEVICE_FENCE();
 		*m->healthy = *m->fault == 0;
 	}
@@ -73,7 +73,7 @@ INLINE bool meet_others(const Meeting* m)
 	return *m->healthy;
 }
 
-// Meeting number k of the probe: writes k for a work-item of another group, and looks for the k - 1 that a third wrote.
+// DeviceBarrier number k of the probe: writes k for a work-item of another group, and looks for the k - 1 that a third wrote.
 // The reads are plain and come back to the same places, so that a stale cache shows.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
@@ -86,16 +86,16 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 }
 
 // A meeting, of the group that is alone with its run where it is.
-INLINE bool meet_or_wait(Meeting* m, bool alone)
+INLINE bool run_barrier(DeviceBarrier* m, bool alone)
 {
 	if (!SEVERAL || !alone)
-		return meet(m);
+		return device_barrier(m);
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	return true;
 }
 
 // As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
-INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, Meeting* m, bool alone)
+INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, DeviceBarrier* m, bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
@@ -105,7 +105,7 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH B
 	{
 		// a pass takes two meetings, and there are up to eight
 		sort_few(key, other, n, from, end, bench);
-		if (!meet(m))
+		if (!device_barrier(m))
 			return false;
 		key = other;
 		end = from;
@@ -115,11 +115,11 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH B
 		uint mask = (1u << min(SORT_DIGIT_BITS, end - shift)) - 1;
 		for (uint block = first; block < blocks; block += groups)
 			sort_count_part(key, n, table, block, shift, mask, bench->sum);
-		if (!meet_or_wait(m, alone))
+		if (!run_barrier(m, alone))
 			return false;
 		for (uint block = first; block < blocks; block += groups)
 			sort_place_part(key, other, n, table, block, shift, mask, bench);
-		if (!meet_or_wait(m, alone))
+		if (!run_barrier(m, alone))
 			return false;
 		__global Word64* swapped = key;
 		key = other;
@@ -131,12 +131,12 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH B
 	return true;
 }
 
-INLINE bool scan_together(const Pools* p, Run run, __global uint* table, BENCH uint* sum, Meeting* m)
+INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH uint* sum, DeviceBarrier* m)
 {
 	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
 	for (uint block = first; block < SCAN_BLOCKS; block += groups)
 		scan_sum_part(p->scan, n, table, block, sum);
-	if (!meet(m))
+	if (!device_barrier(m))
 		return false;
 	for (uint block = first; block < SCAN_BLOCKS; block += groups)
 		scan_place_part(p->scan, n, table, block, sum);
@@ -183,7 +183,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 	if (lane < count)
 		mine = ((__global const Run*)(list + PERSISTENT_HEADER))[lane];
 	volatile __global int* met = list;
-	Meeting m = {met, &pools.counters->fault, &healthy, met[1], spins};
+	DeviceBarrier m = {met, &pools.counters->fault, &healthy, met[1], spins};
 	bool single = SEVERAL && get_num_groups(0) == 1, alone = single;
 	for (int next = 0;;)
 	{
@@ -205,7 +205,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 			if (lane == 0)
 				met[2] = next;
 			alone = false;
-			if (!meet(&m))
+			if (!device_barrier(&m))
 				return;
 		}
 		if (next == count)
@@ -213,7 +213,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		if (SEVERAL && !alone && !shares)
 		{
 			alone = get_group_id(0) == 0;
-			if (!(alone ? meet_others(&m) : meet(&m)))
+			if (!(alone ? device_barrier_await(&m) : device_barrier(&m)))
 				return;
 			if (!alone)
 			{
@@ -224,27 +224,27 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		++next;
 		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
-		bool well = true;
+		bool ok = true;
 		switch (run.stage)
 		{
 #define X(name, width, box) CASE_##width(name)
 #include "stages/stages.def"
 #undef X
 		case PRIMITIVE_SORT:
-			well = sort_together(&pools, run, table, &bench, &m, alone);
+			ok = persistent_sort(&pools, run, table, &bench, &m, alone);
 			break;
 		case PRIMITIVE_SCAN:
-			well = scan_together(&pools, run, table, bench.sum, &m);
+			ok = persistent_scan(&pools, run, table, bench.sum, &m);
 			break;
 		case PERSISTENT_PROBE:
 			probe(probes, m.fault, run.argument);
 			break;
 		}
-		if (!well)
+		if (!ok)
 			return;
 		if (!alone && next == count)
 			break;
-		if (!meet_or_wait(&m, alone))
+		if (!run_barrier(&m, alone))
 			return;
 	}
 	// after a meeting all have read where it began

@@ -7,7 +7,7 @@
 #include "platform/error.h"
 
 // bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe
-#define SPINS        RELAY_SPINS_MOST
+#define SPINS        RELAY_MAX_SPINS
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
@@ -29,7 +29,7 @@ enum
 
 scree_status mailboxes_reserve(OpenCl* d, const Solve* solve)
 {
-	return scratch_reserve(d, &d->relay.mailboxes, (size_t)solve->bodies * RELAY_WORDS * sizeof(cl_ulong));
+	return scratch_reserve(d, &d->relay.mailboxes, (size_t)solve->bodies * MAILBOX_WORDS * sizeof(cl_ulong));
 }
 
 // groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
@@ -96,7 +96,7 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault
 	*runs = found == 0;
 	if (found)
 		log_sentence(SCREE_LOG_INFO, "%s: %s; the solver does without the relay.", d->device.about.name,
-		             found == FAULT_BLOWN ? "work-items do not run together" : "words arrive in pieces");
+		             found == FAULT_TIMEOUT ? "work-items do not run together" : "words arrive in pieces");
 	return SCREE_OK;
 }
 

@@ -22,10 +22,10 @@ INLINE Side relay_side(const Pools* p, int body, int turn)
 }
 
 // The body as pass q finds it. False when it never came.
-INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* b)
+INLINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body* b)
 {
 	float row[8];
-	volatile __global ulong* words = r->rows + RELAY_WORDS * (ulong)side.body;
+	volatile __global ulong* words = r->mailboxes + MAILBOX_WORDS * (ulong)side.body;
 	bool waits = side.moves && (q > 0 || side.before > 0);
 	if (waits)
 		body_row(p, side.body, row);
@@ -37,14 +37,14 @@ INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* 
 	b->d = vec(row[4], row[5]);
 	b->da = row[6];
 	b->inv_inertia = row[7];
-	bool well = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_turn(schedule_moved(q), 0), &b->d, &b->da, waits, words,
-	                       relay_turn(q, side.before), &b->v, &b->w);
+	bool ok = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_ticket(schedule_moved(q), 0), &b->d, &b->da, waits, words,
+	                       relay_ticket(q, side.before), &b->v, &b->w);
 	body_turn(b);
-	return well;
+	return ok;
 }
 
 // A body goes on from a hub of pass q with another velocity, to the next hub, to its first color or to the next pass.
-INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
+INLINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
 {
 	Body b;
 	float row[8], m[8], base[4];
@@ -60,22 +60,22 @@ INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, floa
 	if (side.last && schedule_moved(q) > 0)
 	{
 		// it came with the velocity, before
-		volatile __global const ulong* moved = r->rows + RELAY_WORDS * (ulong)side.body + 2;
-		relay_open(RELAY_LOOK(moved), relay_turn(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
+		volatile __global const ulong* moved = r->mailboxes + MAILBOX_WORDS * (ulong)side.body + 2;
+		mailbox_unpack(MAILBOX_READ(moved), relay_ticket(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
 	}
-	relay_bring(p, r, side, q, m, base);
-	relay_pass_to(r, side, q, b);
-	relay_pass_on(p, r, side, q, b, m, base);
+	relay_load_motion(p, r, side, q, m, base);
+	relay_send_next(r, side, q, b);
+	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
 // Velocity of a part of a body, for the work-item that puts the parts together. Tags rise from pass to pass and begin
 // below where they ended, so that nothing needs to be cleared.
-INLINE void relay_leave_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
+INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
-	relay_give(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
+	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
 }
 
-INLINE bool relay_take_part(const Pools* p, const Relay* r, volatile __global ulong* parts, int k, int q, Vec* v, float* w)
+INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global ulong* parts, int k, int q, Vec* v, float* w)
 {
 	Vec none;
 	float no;
@@ -90,17 +90,17 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	Body b;
 	int turn = hub_turn(n);
 	Side own = relay_side(p, hub_span_of(p, n).body, turn);
-	bool well = relay_fetch(p, r, own, q, &b);
+	bool ok = relay_receive(p, r, own, q, &b);
 	float row[8] = {b.v.x, b.v.y, b.w, b.inv_mass, b.d.x, b.d.y, b.da, b.inv_inertia};
 	Hub h = hub_begin(p, n, row);
 	HUB_EACH_COLUMN(c, &h)
 	HUB_EACH_OF(i, c, &h)
 	{
 		Body light;
-		well = relay_fetch(p, r, relay_side(p, spoke_light(p, &h, i), turn), q, &light) && well;
+		ok = relay_receive(p, r, relay_side(p, spoke_light(p, &h, i), turn), q, &light) && ok;
 		spoke_begin(p, &h, i, light);
 	}
-	if (!well)
+	if (!ok)
 		*fault = 1;
 	group_meet();
 	if (*fault)
@@ -115,9 +115,9 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		float vx = hub ? h.now[0] : spoke_at(p, vx, m), vy = hub ? h.now[1] : spoke_at(p, vy, m),
 		      w = hub ? h.now[2] : spoke_at(p, w, m), count = hub ? spoke_at(p, hub_parts, m) : spoke_at(p, parts, m);
 		if (count == 1.0f)
-			relay_hand_on(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k), turn), q, vx, vy, w);
+			relay_send_from_hub(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k), turn), q, vx, vy, w);
 		else
-			relay_leave_part(parts, hub ? spoke_places(p) + n : m, q, vx, vy, w);
+			relay_send_part(parts, hub ? spoke_places(p) + n : m, q, vx, vy, w);
 	}
 }
 
@@ -133,11 +133,11 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 	Body b;
 	Vec part, sum = vec(0.0f, 0.0f);
 	float spin, w = 0.0f;
-	if (!relay_fetch(p, r, side, q, &b))
+	if (!relay_receive(p, r, side, q, &b))
 		return false;
 	if (n >= 0)
 	{
-		if (!relay_take_part(p, r, parts, spoke_places(p) + n, q, &part, &spin))
+		if (!relay_receive_part(p, r, parts, spoke_places(p) + n, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, n).first));
 		sum = vec((part.x - b.v.x) / count, (part.y - b.v.y) / count);
@@ -145,26 +145,26 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
-		if (!relay_take_part(p, r, parts, p->spoke_order[k] / HUB_TURNS, q, &part, &spin))
+		if (!relay_receive_part(p, r, parts, p->spoke_order[k] / HUB_TURNS, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, parts, p->spoke_order[k] / HUB_TURNS);
 		sum = vec_add(sum, vec((part.x - b.v.x) / count, (part.y - b.v.y) / count));
 		w = w + (spin - b.w) / count;
 	}
-	relay_hand_on(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
+	relay_send_from_hub(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
 	return true;
 }
 
 // As relay. The first hub_groups groups take hubs; the others take constraints, or all of it is left to one group. parts has
 // room for spokes and hubs.
-__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* stream, int substeps, int passes,
+__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps, int passes,
                          int bound, int spins, int spread, __global ulong* parts, int hub_groups)
 {
 	volatile __local int fault;
 	__local float bench[GROUP_FLOATS];
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	Relay r = {rows, substeps, passes, spins};
+	Relay r = {mailboxes, substeps, passes, spins};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
 	int group = (int)get_group_id(0), groups = (int)get_num_groups(0), lane = group_lane(), width = group_width();
@@ -204,11 +204,11 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 		{
 			u = registers_prepare(p, i, true);
 			if (constraints > stride)
-				registers_leave(&u, stream, constraints, i);
+				registers_store(&u, stream, constraints, i);
 		}
 	for (int q = 0; q < passes; ++q)
 	{
-		bool well = true;
+		bool ok = true;
 		if (for_hubs)
 		{
 			for (int turn = 0; turn < HUB_TURNS && turn < hubs; ++turn)
@@ -217,29 +217,29 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 					if (hub_turn(n) == turn)
 						relay_hub(p, &r, parts, n, q, bench, &fault);
 				if (p->counters->split > 0)
-					for (int i = group * width + lane; i < spokes && well; i += hub_groups * width)
-						well = relay_merge(p, &r, parts, i, q, turn);
+					for (int i = group * width + lane; i < spokes && ok; i += hub_groups * width)
+						ok = relay_merge(p, &r, parts, i, q, turn);
 				group_meet();
 			}
-			if (!well)
+			if (!ok)
 				fault = 1;
 			group_meet();
 			if (fault)
 			{
 				// those who wait elsewhere look at it now and then
-				*(volatile __global int*)&p->counters->fault = FAULT_BLOWN;
+				*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
 				return;
 			}
 		}
-		for (int i = for_colors ? begin : constraints; i < constraints && well; i += stride)
+		for (int i = for_colors ? begin : constraints; i < constraints && ok; i += stride)
 		{
 			if (constraints > stride)
-				u = registers_return(p, i, stream, constraints, i);
-			well = relay_task(p, &r, q, &u, false, &fault);
+				u = registers_load(p, i, stream, constraints, i);
+			ok = relay_task(p, &r, q, &u, false, &fault);
 			if (constraints > stride && !u.inert)
 				registers_update(&u, schedule_pass(substeps, q), stream, constraints, i);
 		}
-		if (!well && !for_hubs)
+		if (!ok && !for_hubs)
 			return;
 	}
 	if (!for_colors)
@@ -247,7 +247,7 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __globa
 	for (int i = begin; i < constraints; i += stride)
 	{
 		if (constraints > stride)
-			u = registers_return(p, i, stream, constraints, i);
+			u = registers_load(p, i, stream, constraints, i);
 		if (!u.inert)
 			registers_stow(p, &u);
 	}

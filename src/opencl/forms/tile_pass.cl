@@ -73,7 +73,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 	{                                                                                                            \
 		Kind u;                                                                                                  \
 		Body a, b;                                                                                               \
-		uint places = as_uint(kind##_return(&u, 1 << pass, t->stream, t->stride, j));                            \
+		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                            \
 		tile_gather(tile, places & 0xffffu, &a);                                                                 \
 		tile_gather(tile, places >> 16, &b);                                                                     \
 		kind##_ready(&a, &b, &u);                                                                                \
@@ -85,7 +85,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 		if (ends)                                                                                                \
 			kind##_stow(p, i, &u);                                                                               \
 		else                                                                                                     \
-			kind##_update(&u, 1 << pass, t->stream, t->stride, j);                                               \
+			kind##_stream_update(&u, 1 << pass, t->stream, t->stride, j);                                               \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -201,9 +201,9 @@ TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
 TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
 // Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
-INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
+INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
 {
-	Registers u = registers_return(p, t->order[j], t->stream, t->stride, j);
+	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
 	if (!u.inert)
 	{
 		Body* bodies[2] = {&u.a, &u.b};
@@ -231,16 +231,16 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 		}
 		registers_ready(&u);
 		Side sa = u.side[0], sb = u.side[1];
-		volatile __global ulong* row_a = r->rows + RELAY_WORDS * (ulong)sa.body;
-		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
-		if (!relay_wait(p, r, sa.moves && sa.before > 0, row_a, relay_turn(q, sa.before), &u.a.v, &u.a.w,
-		                sb.moves && sb.before > 0, row_b, relay_turn(q, sb.before), &u.b.v, &u.b.w))
+		volatile __global ulong* mailbox_a = r->mailboxes + MAILBOX_WORDS * (ulong)sa.body;
+		volatile __global ulong* mailbox_b = r->mailboxes + MAILBOX_WORDS * (ulong)sb.body;
+		if (!relay_wait(p, r, sa.moves && sa.before > 0, mailbox_a, relay_ticket(q, sa.before), &u.a.v, &u.a.w,
+		                sb.moves && sb.before > 0, mailbox_b, relay_ticket(q, sb.before), &u.b.v, &u.b.w))
 			*fault = 1;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (*fault)
 	{
-		*(volatile __global int*)&p->counters->fault = FAULT_BLOWN;
+		*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
 		return false;
 	}
 	if (u.inert)
@@ -250,12 +250,12 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 	{
 		Side side = u.side[k];
 		Body b = k ? u.b : u.a;
-		relay_pass_to(r, side, q, b);
+		relay_send_next(r, side, q, b);
 		if (!side.moves || !side.last)
 			continue;
 		*(__global float4*)&p->body[side.body] = make_float4(b.v.x, b.v.y, b.w, b.inv_mass);
 		if (q + 1 == r->passes)
-			relay_clear(r->rows + RELAY_WORDS * (ulong)side.body);
+			mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
 	}
 	if (q + 1 == r->passes)
 		registers_stow(p, &u);
@@ -264,14 +264,14 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 	return true;
 }
 
-__kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_words, __global const int* table,
+__kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global const int* table,
                           __global const int* order, __global float4* stream, int stride, int rows, int substeps,
                           int passes, int q, int bound, int spins)
 {
 	volatile __local int fault;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	Relay r = {rows_of_words, substeps, passes, spins};
+	Relay r = {mailboxes, substeps, passes, spins};
 	Tiles t = {0, 0, 0, table, order, stream, stride, rows};
 	if (!tile_wanted(p, bound))
 		return;
@@ -280,6 +280,6 @@ __kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_word
 	barrier(CLK_LOCAL_MEM_FENCE);
 	int begin = table[rows * TILE_COLUMNS], end = table[(rows + 1) * TILE_COLUMNS];
 	for (int j = begin + (int)get_global_id(0); j < end; j += (int)get_global_size(0))
-		if (!tile_hand(p, &r, &t, j, q, &fault))
+		if (!tile_border_task(p, &r, &t, j, q, &fault))
 			return;
 }

@@ -196,7 +196,7 @@ bool tiles_pay(OpenCl* d, const Solve* solve)
 scree_status tiles_run(OpenCl* d, const Solve* solve)
 {
 	TileState* t = &d->tiles;
-	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_SPINS_MOST;
+	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_MAX_SPINS;
 	if (t->stale)
 		TRY(lay_out(d, solve, rows, places));
 

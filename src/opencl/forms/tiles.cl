@@ -247,11 +247,7 @@ INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 {
 	if (j == 0)
-	{
-		p->counters->nonfinite = 0;
-		p->counters->held = 0;
-		p->counters->first_nonfinite = 0x7fffffff;
-	}
+		counters_clear(p);
 	if (j >= t->table[(t->rows + 1) * TILE_COLUMNS])
 		return;
 	int i = t->order[j];
@@ -260,7 +256,7 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 	u.inert = i < 0;
 	if (u.inert)
 	{
-		registers_leave(&u, t->stream, t->stride, j);
+		registers_store(&u, t->stream, t->stride, j);
 		return;
 	}
 	KindPlace at = task_at(p, i);
@@ -270,14 +266,14 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 	{
 		u.side[0] = tile_side(p, t, u.side[0].body, color);
 		u.side[1] = tile_side(p, t, u.side[1].body, color);
-		registers_leave(&u, t->stream, t->stride, j);
+		registers_store(&u, t->stream, t->stride, j);
 	}
 	else
 	{
 		uint places = tile_place(p, t, u.side[0].body) | tile_place(p, t, u.side[1].body) << 16;
 #define CONSTRAINT_KIND(name, Name, NAME)                                     \
 		if (at.kind == CONSTRAINT_##NAME)                                     \
-			name##_leave(&u.name, as_float(places), t->stream, t->stride, j);
+			name##_stream_store(&u.name, as_float(places), t->stream, t->stride, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	}
