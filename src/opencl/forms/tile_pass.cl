@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// tile_pass.cl -- one pass of the solve over all tiles, and over what is on their borders.
+// tile_pass.cl -- one pass of the solve over all tiles, and over the border constraints.
 #include "opencl/forms/tiles.cl"
 
 typedef struct // the bodies of a tile
 {
 	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular, inverse mass
-	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the turn
+	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the rotation
 	float inv_inertia[TILE_BODIES + 1];
 } Tile;
 
-// A body into local memory, moved on to pass q.
+// Loads a body into local memory, integrated up to pass q.
 INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
@@ -66,7 +66,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 		tile->motion[place] = make_float4(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// Pass q of the constraint at place j; pass is what kind of pass that is.
+// Pass q of the constraint at place j; pass is the kind of pass q.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
 	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, \
 	                             int pass)                                                                       \
@@ -92,7 +92,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// the next place from which a group takes constraints: the same column's, or the next column's that has any
+// the place of the next constraints of a work-group: in the same column, or in the next column that is not empty
 INLINE int tile_next(BENCH const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -103,7 +103,7 @@ INLINE int tile_next(BENCH const int* range, int at, int* column)
 	return range[*column];
 }
 
-// Brings a line of memory near, where it is known how.
+// Prefetches a cache line, where the compiler has a way to.
 #ifdef __NV_CL_C_VERSION
 #define FETCH_AHEAD(place) asm volatile("prefetch.global.L2 [%0];" ::"l"(place))
 #else
@@ -117,8 +117,8 @@ INLINE int tile_next(BENCH const int* range, int at, int* column)
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
-// What a group will take next of the stream, one work-item a line. The pass is bound by memory: on an H200 this is 6 % faster
-// than to hold them in registers ahead of time, and nothing is gained by more groups at work.
+// Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on an H200
+// this is 6 % faster than loading them into registers ahead of time, and a higher occupancy gains nothing.
 INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
@@ -135,7 +135,7 @@ INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass
 #undef CONSTRAINT_KIND
 }
 
-// A group takes a tile.
+// A pass over a tile, by a work-group.
 INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, BENCH int* range, int q,
                       int pass)
 {
@@ -200,7 +200,7 @@ TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
 TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
 TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
-// Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
+// Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its mailbox.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
