@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// copy.c -- copies within the device, to learn how fast its memory is.
+// copy.c -- copies within the device, to measure the bandwidth of its memory.
 #include "opencl/copy.h"
 #include "opencl/buffer.h"
 #include "opencl/queue.h"
@@ -25,7 +25,7 @@ scree_status opencl_copy_reserve(Backend* b, size_t bytes)
 	d->copy.bytes = bytes;
 	for (int k = 0; k < 2; ++k)
 		TRY(buffer_create(d, bytes, &d->copy.buffers[k]));
-	return finish(d); // drivers that allocate late say so by now
+	return finish(d); // drivers that allocate on first use fail here
 }
 
 scree_status opencl_copy(Backend* b, int times)

@@ -5,7 +5,8 @@
 #include "platform/error.h"
 #include <string.h>
 
-// A launch is given at most this many groups a compute unit, which fills any device; its items stride over the rest.
+// Work-groups per compute unit in a launch, at most. They occupy any device; each work-item then processes several
+// items.
 #define GROUPS_A_UNIT 64
 
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl.c -- the OpenCL backend: one buffer a kind of pool, one kernel a stage, one queue in order.
+// opencl.c -- the OpenCL backend: one buffer per kind of item, one kernel per stage, one in-order queue.
 #include "opencl/buffer.h"
 #include "opencl/copy.h"
 #include "opencl/forms/form.h"
@@ -30,7 +30,7 @@ static void opencl_close(Backend* b)
 	if (d)
 	{
 		if (d->queue)
-			finish(d); // a failure changes nothing now
+			finish(d); // errors are ignored here
 		tiles_close(d);
 		relay_close(d);
 		persistent_close(d);
@@ -57,7 +57,7 @@ static void opencl_close(Backend* b)
 	scree_release(b);
 }
 
-// Makes a copy of the pools of a kind with another room, zero behind what they held, and lets the old go.
+// Replaces the buffer of a kind by one with another room. Copies the items; new ones are zero.
 static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 {
 	cl_mem copied;
@@ -68,7 +68,7 @@ static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 			status = CALL(EnqueueCopyBuffer, d->queue, d->buffers[per], copied, pool_offset(d, (PoolId)i),
 			              d->before[i] * (size_t)room, pool_info[i].bytes * (size_t)items, 0, NULL, NULL);
 	if (status == SCREE_OK)
-		status = finish(d); // drivers that allocate late say so by now
+		status = finish(d); // drivers that allocate on first use fail here
 	cl_mem dropped = copied;
 	if (status == SCREE_OK)
 	{
@@ -81,7 +81,7 @@ static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 	return status;
 }
 
-// Gives a kind room for capacity items, and a few more.
+// Gives a kind room for capacity items, rounded up.
 static scree_status make_room(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
@@ -90,8 +90,8 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 		if (pool_info[i].per == per)
 			item_bytes += pool_info[i].bytes;
 
-	// while they are copied, both sizes are held
-	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, held = (uint64_t)item_bytes * (uint64_t)d->room[per];
+	// both buffers exist during the copy
+	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, old = (uint64_t)item_bytes * (uint64_t)d->room[per];
 	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY,
 		            "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.", b->name,
@@ -99,7 +99,7 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 		            (unsigned long long)(wanted >> 20));
 	int room = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
 	TRY(buffer_copy(d, per, room, item_bytes));
-	b->bytes += (uint64_t)item_bytes * (uint64_t)room - held;
+	b->bytes += (uint64_t)item_bytes * (uint64_t)room - old;
 	return SCREE_OK;
 }
 
@@ -138,14 +138,14 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 		TRY(make_room(b, per, capacity));
 		TRY(kernels_bind(d, per));
 	}
-	// what the solver has beside the constraints is made anew, as large as it must be
+	// the scratch buffers of the solve shrink with the constraints
 	if (per == EDGE && capacity < b->capacity[per])
 		TRY(solve_drop(d));
 	b->capacity[per] = capacity;
 	return SCREE_OK;
 }
 
-// Where pools lie in the buffers of their kinds, and each kind among a kernel's arguments.
+// Computes the offset of each pool in the buffer of its kind, and the argument index of each kind.
 static void lay_out(OpenCl* d)
 {
 	size_t item_bytes[PER_COUNT] = {0};
@@ -168,7 +168,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	// a world that comes from another device
+	// a world may come from another device
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == CONTACT || per == CONTACT_PLACE || per == BODY;
 	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
@@ -183,7 +183,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
-	d->constants.version = 1; // a step of zeros, which no kernel holds yet
+	d->constants.version = 1; // constants.step is zero; kernels begin with version 0, so that they take it
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
@@ -219,7 +219,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	}
 	TRY(primitives_open(d));
 
-	// pools without items have room all the same: kernels need something to point at
+	// pools without items have room too: a kernel argument needs a buffer
 	lay_out(d);
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(make_room(b, (Per)i, 1));

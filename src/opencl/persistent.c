@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// persistent.c -- launches many runs at once (persistent.cl), where the device can.
+// persistent.c -- runs many runs in one launch (persistent.cl), on devices that can.
 #include "opencl/persistent.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
@@ -8,20 +8,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Beyond this many items in a run, launches are faster: the time is memory's then, and a launch fills the device better
-// than the few groups that can meet. Measured on an H200, pyramids, solve of 88 runs, persistent and launched: 10k bodies
-// 0.29 and 0.51 ms, 100k 0.40 and 0.49, 300k 1.10 and 0.86. What comes before the solve is short: 1M mixed bodies in
-// motion, 3M contacts: 1.37 and 1.14 ms.
+// Beyond this many items in a run, launches are faster: memory bandwidth then limits the time, and a launch has a
+// higher occupancy than work-groups that must all be resident at once. Measured on an H200, pyramids, solve of 88
+// runs, persistent and launched: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs
+// before the solve are short: 1M mixed bodies in motion, 3M contacts: 1.37 and 1.14 ms.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-// Bounds of the wait at a meeting, in looks at the counter of half a microsecond or so: 2 s, and 30 ms for the probe. A
-// launch of the solver must never reach the bound, the probe may: then launches are used.
+// Limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe. A step must never reach its limit.
+// The probe may: the device then uses launches.
 #define SPINS       (1 << 22)
 #define PROBE_SPINS (1 << 16)
 #define PROBE_RUNS  64
 
-// own arguments of the kernel
+// arguments after the step
 enum
 {
 	ARGUMENT_LIST = ARGUMENT_FIRST,
@@ -31,25 +31,26 @@ enum
 	ARGUMENT_SPINS
 };
 
-// Launches runs. A settled world's are the same in every step, and are sent once.
+// Launches runs. They are uploaded only if they changed: those of a settled world are the same in every step.
 static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
-	cl_kernel kernel = d->persistent.kernel.kernel;
+	Persistent* own = &d->persistent;
+	cl_kernel kernel = own->kernel.kernel;
 	size_t bytes = (size_t)count * sizeof(Run);
-	if (count != d->persistent.listed_count || memcmp(d->persistent.listed, runs, bytes) != 0)
+	if (count != own->listed_count || memcmp(own->listed, runs, bytes) != 0)
 	{
-		TRY(upload(d, d->persistent.list, PERSISTENT_HEADER * sizeof(cl_int), runs, bytes));
-		memcpy(d->persistent.listed, runs, bytes);
-		d->persistent.listed_count = count;
+		TRY(upload(d, own->list, PERSISTENT_HEADER * sizeof(cl_int), runs, bytes));
+		memcpy(own->listed, runs, bytes);
+		own->listed_count = count;
 	}
-	TRY(kernel_step(d, &d->persistent.kernel));
+	TRY(kernel_step(d, &own->kernel));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_COUNT, sizeof count, &count));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_SPINS, sizeof spins, &spins));
-	return launch(d, kernel, (size_t)groups * d->persistent.kernel.group, d->persistent.kernel.group);
+	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
-// Whether the groups really meet, and see what the others wrote before.
-static scree_status probe(OpenCl* d, bool* meets)
+// Tests whether the work-groups are resident at once and see what others wrote before a barrier.
+static scree_status probe(OpenCl* d, bool* works)
 {
 	Run runs[PROBE_RUNS];
 	for (int k = 0; k < PROBE_RUNS; ++k)
@@ -61,8 +62,8 @@ static scree_status probe(OpenCl* d, bool* meets)
 	size_t at = pool_offset(d, POOL_counters) + offsetof(Counters, fault);
 	cl_mem counters = d->buffers[ONE];
 	TRY(CALL(EnqueueReadBuffer, d->queue, counters, CL_TRUE, at, sizeof fault, &fault, 0, NULL, NULL));
-	*meets = fault == 0;
-	if (*meets)
+	*works = fault == 0;
+	if (*works)
 		return SCREE_OK;
 	log_sentence(SCREE_LOG_INFO, "%s: %s; each run is a launch.", d->device.about.name,
 	             fault == FAULT_TIMEOUT ? "work-groups do not run together" : "work-groups see stale memory");
@@ -79,51 +80,50 @@ bool persistent_wanted(OpenCl* d)
 
 scree_status persistent_open(OpenCl* d)
 {
+	Persistent* own = &d->persistent;
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	// groups that are on the device together for certain: those that could be one group, on each compute unit. A CPU
-	// runs groups to their end one after the other: only one meets, which serves tests.
+	// work-groups that are certainly resident at once: as many per compute unit as could form one largest group; a
+	// CPU runs groups one after the other, so it gets one; that suffices for tests.
 	size_t most = 0;
-	TRY(CALL(GetKernelWorkGroupInfo, d->persistent.kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most,
-	         &most, NULL));
-	if (d->persistent.kernel.group != PERSISTENT_GROUP)
+	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	         NULL));
+	if (own->kernel.group != PERSISTENT_GROUP)
 		return SCREE_OK;
-	d->persistent.groups = cpu ? 1 : d->device.about.units * (int)(most / d->persistent.kernel.group);
-	d->persistent.listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
-	if (!d->persistent.listed)
+	own->groups = cpu ? 1 : d->device.about.units * (int)(most / own->kernel.group);
+	own->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
+	if (!own->listed)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
-	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &d->persistent.list));
-	TRY(buffer_create(d, 2 * (size_t)d->persistent.groups * d->persistent.kernel.group * sizeof(cl_int),
-	                  &d->persistent.probes));
-	TRY(CALL(SetKernelArg, d->persistent.kernel.kernel, ARGUMENT_LIST, sizeof d->persistent.list, &d->persistent.list));
-	TRY(CALL(SetKernelArg, d->persistent.kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table,
-	         &d->primitives.table));
-	TRY(CALL(SetKernelArg, d->persistent.kernel.kernel, ARGUMENT_PROBES, sizeof d->persistent.probes,
-	         &d->persistent.probes));
+	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &own->list));
+	TRY(buffer_create(d, 2 * (size_t)own->groups * own->kernel.group * sizeof(cl_int), &own->probes));
+	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_LIST, sizeof own->list, &own->list));
+	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
+	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
-	d->constants.version = 1; // the probe needs a step, whatever it holds
-	bool meets;
-	TRY(probe(d, &meets));
-	if (!meets)
-		d->persistent.groups = 0;
+	d->constants.version = 1; // the probe needs a step, of any contents
+	bool works;
+	TRY(probe(d, &works));
+	if (!works)
+		own->groups = 0;
 	return SCREE_OK;
 }
 
 void persistent_close(OpenCl* d)
 {
-	if (d->persistent.kernel.kernel)
-		opencl.ReleaseKernel(d->persistent.kernel.kernel);
-	if (d->persistent.list)
-		opencl.ReleaseMemObject(d->persistent.list);
-	if (d->persistent.probes)
-		opencl.ReleaseMemObject(d->persistent.probes);
-	scree_release(d->persistent.listed);
+	Persistent* own = &d->persistent;
+	if (own->kernel.kernel)
+		opencl.ReleaseKernel(own->kernel.kernel);
+	if (own->list)
+		opencl.ReleaseMemObject(own->list);
+	if (own->probes)
+		opencl.ReleaseMemObject(own->probes);
+	scree_release(own->listed);
 }
 
-static int items(const Run* run) { return run->end - run->begin; }
+static int item_count(const Run* run) { return run->end - run->begin; }
 
 static bool takes_group(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] == WIDTH_GROUP; }
 
-// how many items a run will have, if counters are what they were
+// how many items a run will have if the counters do not change
 static int likely_items(const OpenCl* d, const Run* run)
 {
 	int end = run->end;
@@ -135,7 +135,7 @@ static int likely_items(const OpenCl* d, const Run* run)
 	return end - run->begin;
 }
 
-// a primitive counts to the box of the run before it
+// the time of a primitive counts to the box of the run before it
 static Box box_of(const Run* run, Box before) { return run->stage < STAGE_COUNT ? stage_boxes[run->stage] : before; }
 
 int persistent_length(const OpenCl* d, const Run* runs, int count)
@@ -158,7 +158,7 @@ scree_status persistent_run(OpenCl* d, const Run* runs, int count)
 {
 	int largest = 1, group = (int)d->persistent.kernel.group;
 	for (int k = 0; k < count; ++k)
-		largest = items(&runs[k]) > largest ? items(&runs[k]) : largest;
+		largest = item_count(&runs[k]) > largest ? item_count(&runs[k]) : largest;
 	int groups = (largest - 1) / group + 1;
 	d->timing.box = box_of(runs, d->timing.box);
 	return launch_list(d, runs, count, groups < d->persistent.groups ? groups : d->persistent.groups, SPINS);

@@ -3,8 +3,8 @@
 //
 // A run may change the counter that bounds a later run of the list, so bounds are read after each barrier.
 //
-// The barrier costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not guarantee. The
-// host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
+// The barrier costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not
+// guarantee. The host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
@@ -18,7 +18,8 @@ enum
 	PRIMITIVE_SCAN
 };
 
-// Whether there may be several work-groups. Not on a CPU: its compiler takes many minutes for barriers under a condition.
+// Whether there may be several work-groups. Not on a CPU: its compiler takes many minutes for barriers under a
+// condition.
 #ifdef ONE_GROUP
 #define SEVERAL false
 #else
@@ -73,8 +74,8 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Run k of the probe: writes k for a work-item of another work-group, and checks the k - 1 that a third group wrote. The reads
-// are not volatile and use the same addresses again, so a stale cache is detected.
+// Run k of the probe: writes k for a work-item of another work-group, and checks the k - 1 that a third group wrote.
+// The reads are not volatile and use the same addresses again, so a stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -143,8 +144,8 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 	return true;
 }
 
-// Items of a run, one per work-item. Stages of one work-group per item are launched by themselves: with them compilation
-// for a CPU takes twice as long.
+// Items of a run, one per work-item. Stages of one work-group per item are launched by themselves: with them
+// compilation for a CPU takes twice as long.
 #define CASE_ONE(name)                                        \
 	case STAGE_##name:                                        \
 		for (int i = run.begin + from; i < end; i += by)      \
@@ -175,7 +176,8 @@ INLINE Run run_at(__global const int* list, int count, int i)
 	return run;
 }
 
-// The first run from next on that has items, or count. chosen becomes that run. mine is the run that this work-item holds.
+// The first run from next on that has items, or count. chosen becomes that run. mine is the run that this work-item
+// holds.
 INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile BENCH int* found, BENCH Run* chosen)
 {
 	int lane = (int)get_local_id(0);
@@ -204,12 +206,13 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
-// list has PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of the last launch, and the next run of the
-// first work-group. count runs follow, at most one per work-item of a group. Each work-item holds a run and reads its
-// bound after every barrier: all bounds together cost one memory access, and runs without items cost nothing.
+// list has PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of the last launch, and the next run
+// of the first work-group. count runs follow, at most one per work-item of a group. Each work-item holds a run and
+// reads its bound after every barrier: all bounds together cost one memory access, and runs without items cost
+// nothing.
 //
-// The first work-group does consecutive short runs alone, while the others wait at the next device-wide barrier. It begins
-// when all others have arrived there, because its runs change bounds that the others read.
+// The first work-group does consecutive short runs alone, while the others wait at the next device-wide barrier. It
+// begins when all others have arrived there, because its runs change bounds that the others read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {

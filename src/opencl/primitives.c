@@ -6,7 +6,7 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// most groups of a part each that so many items can use
+// work-groups for so many items: one per grain, at most most
 static size_t groups_for(int items, int grain, int most)
 {
 	int groups = (items - 1) / grain + 1;
@@ -70,7 +70,7 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// One pass: orders the keys that begin at one offset by bits shift to shift + bits - 1, into the place of the others.
+// One pass: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to offset to.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;
@@ -104,7 +104,7 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 	if (passes % 2 == 0)
 		return SCREE_OK;
 
-	// a copy is cheaper than a pass more
+	// a copy costs less than another pass
 	TRY(CALL(SetKernelArg, d->primitives.sort_return, 2, sizeof *run, run));
 	return launch(d, d->primitives.sort_return,
 	              PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS), PRIMITIVE_GROUP);

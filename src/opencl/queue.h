@@ -4,7 +4,8 @@
 #define OPENCL_QUEUE_H
 #include "opencl/state.h"
 
-// bytes of Staging.pinned. A step that replaces 4,000 bodies uploads 1 MB. If uploads do not fit, the host waits for the queue.
+// bytes of Staging.pinned. A step that replaces 4,000 bodies uploads 1 MB. If uploads do not fit, the host waits for
+// the queue.
 #define STAGING_BYTES ((size_t)8 << 20)
 
 // Allocates the laps.

@@ -20,7 +20,7 @@ static scree_status counters_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->persistent.last = *counters;
-	// where the layout changed, a solve that was listed ahead has laid out nothing
+	// if the constraint layout changed, a solve that was enqueued ahead did not build tiles
 	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
@@ -60,7 +60,7 @@ scree_status opencl_read_end(Backend* b, void* items)
 	TRY(CALL(WaitForEvents, 1, &d->read.event));
 	opencl.ReleaseEvent(d->read.event);
 	d->read.event = NULL;
-	// uploads before the copy are done
+	// uploads before the read are done
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);

@@ -17,7 +17,7 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 {
 	OpenCl* d = b->state;
 	step_set(d, step);
-	// the user's changes may give a body another mass, and leaves of a new order make better tiles
+	// commands may change the mass of a body; after a new order of the leaves, new tiles are better
 	for (int i = 0; i < count; ++i)
 		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
 	for (int i = 0; i < count;)

@@ -23,7 +23,8 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
 	}
 CALL(relay, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
 CALL(relay_plain, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
-CALL(relay_hubs, t->mailboxes, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts, t->hub_groups)
+CALL(relay_hubs, t->mailboxes, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts,
+     t->hub_groups)
 CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
 CALL(tile_settle, t->place, t->border, t->places, t->bound)
 CALL(tile_list, t->place, t->resident, t->places, t->bound)

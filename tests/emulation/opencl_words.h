@@ -62,7 +62,7 @@ typedef Words ulong2;
 #define group_meet()  barrier(0)
 #define bench_meet()  barrier(0)
 
-#define MAILBOX_READ(row)               items_look(row)
+#define MAILBOX_READ(row)                 items_look(row)
 #define MAILBOX_WRITE(row, first, second) items_put(row, (Words){(first), (second)})
 
 // the pools come as one struct; POOL_NAMES is made of src/pools/pools.def by tests/CMakeLists.txt

@@ -13,10 +13,10 @@
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
 
-// groups of guard a compute unit: its items are few as a rule, and more groups would only find that out
+// Work-groups of guard per compute unit. It usually has few items, so more groups would find none.
 #define GUARD_GROUPS 4
 
-// arguments of solve_end behind the step
+// arguments of solve_end after the step
 enum
 {
 	END_BODIES = ARGUMENT_STEP + 1,
@@ -35,13 +35,13 @@ void form_open(OpenCl* d)
 		d->form = FORM_TILES;
 }
 
-// Room for a solve as a relay or in tiles. Launches by color need none: they follow where there is no room.
+// Reserves memory for a solve by relay or tiles. If that fails, launches by color are used; they need none.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
 	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
 }
 
-// The form in which a solve is fastest, as far as this device can.
+// The fastest form that the device supports.
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
 	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES)
@@ -49,12 +49,12 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
-	// a hub's spokes lie in many tiles
+	// the spokes of a hub are in many tiles
 	bool tiles = solve->counters->hubs == 0 && (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
-// Moves what no constraint pushes, and finalizes all bodies; then those that go far.
+// Integrates bodies without constraints and finalizes all bodies; then runs guard for fast ones.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;

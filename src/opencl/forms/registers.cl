@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// registers.cl -- what relay and tiles share: constraints in registers and in the stream, and bodies without constraints.
+// registers.cl -- what relay and tiles share: constraints in registers and in the stream, and bodies without
+// constraints.
 //
 // A pass over registers calls the same functions as a pass over pools (solve.h), so the bits are the same.
 #include "opencl/limits.h"
@@ -64,11 +65,11 @@ INLINE bool all_zero(const float* values, int count)
 	return bits == 0;
 }
 
-// The state of a body without constraints at pass q. Each reader computes it: state in memory could only be replaced after
-// its last reader.
+// The state of a body without constraints at pass q. Each reader computes it: state in memory could only be replaced
+// after its last reader.
 //
-// Most such bodies rest and need only the first substep. If body_accelerate maps rest to rest, it does so again, because the
-// same function gets the same bits; body_move then adds nothing.
+// Most such bodies rest and need only the first substep. If body_accelerate maps rest to rest, it does so again,
+// because the same function gets the same bits; body_move then adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];

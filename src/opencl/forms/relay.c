@@ -6,19 +6,20 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe
+// limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe
 #define SPINS        RELAY_MAX_SPINS
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Work-items a constraint, at most. A warp goes on when all of its constraints can: the fewer it has, the sooner. On an H200 the
-// solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32.
-#define MOST_SPREAD 8
+// Work-items per constraint, at most. A warp continues when all its constraints can, so fewer per warp wait less. On
+// an H200 the solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4,
+// 8, 16 and 32.
+#define MAX_SPREAD 8
 
-// arguments behind the step, of relay and of relay_hubs: the same but for those of one alone
+// arguments after the step, of relay (RELAY_) and of relay_hubs (HUBS_); the first two are the same
 enum
 {
-	RELAY_ROWS = ARGUMENT_STEP + 1,
+	RELAY_MAILBOXES = ARGUMENT_STEP + 1,
 	RELAY_STREAM,
 	RELAY_COUNT,
 	RELAY_SUBSTEPS,
@@ -32,7 +33,7 @@ scree_status mailboxes_reserve(OpenCl* d, const Solve* solve)
 	return scratch_reserve(d, &d->relay.mailboxes, (size_t)solve->bodies * MAILBOX_WORDS * sizeof(cl_ulong));
 }
 
-// groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
+// work-groups for hubs, at least one; other_groups are for the other constraints; if only one is resident, it does both
 static size_t hub_groups(const OpenCl* d, const Solve* solve)
 {
 	size_t most = d->relay.hubs.groups > 1 ? (size_t)d->relay.hubs.groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
@@ -44,11 +45,11 @@ static size_t other_most(const OpenCl* d, const Solve* solve)
 	return (size_t)d->relay.hubs.groups - hub_groups(d, solve);
 }
 
-// How many work-items a constraint has, of which one works, where the device has room for them.
+// Work-items per constraint, as the device has room. One of them works.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
-	while (spread < MOST_SPREAD && 2 * (size_t)spread * (size_t)constraints <= places)
+	while (spread < MAX_SPREAD && 2 * (size_t)spread * (size_t)constraints <= places)
 		spread *= 2;
 	return spread;
 }
@@ -83,11 +84,11 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 	                       registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
-// Whether work-items really run together, each on its own.
-static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault, bool* runs)
+// Tests whether work-items are resident at once and make progress independently.
+static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem fault, bool* runs)
 {
 	cl_int rounds = PROBE_ROUNDS, spins = PROBE_SPINS, found = 0;
-	TRY(CALL(SetKernelArg, kernel, 0, sizeof rows, &rows));
+	TRY(CALL(SetKernelArg, kernel, 0, sizeof mailboxes, &mailboxes));
 	TRY(CALL(SetKernelArg, kernel, 1, sizeof fault, &fault));
 	TRY(CALL(SetKernelArg, kernel, 2, sizeof rounds, &rounds));
 	TRY(CALL(SetKernelArg, kernel, 3, sizeof spins, &spins));
@@ -100,8 +101,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault
 	return SCREE_OK;
 }
 
-// How many groups run together. A CPU runs work-items to their end one after the other: only one is sure to run, which serves
-// tests.
+// Counts the work-groups that are resident at once. A CPU runs work-items one after the other, so it gets one of
+// each; that suffices for tests.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;
@@ -122,20 +123,21 @@ scree_status relay_open(OpenCl* d)
 	TRY(count_groups(d, &d->relay.hubs));
 
 	cl_int error;
-	cl_mem rows = NULL, fault = NULL;
+	cl_mem mailboxes = NULL, fault = NULL;
 	bool runs = false;
 	cl_kernel kernel = opencl.CreateKernel(d->program, "relay_probe", &error);
 	scree_status status = opencl_check("clCreateKernel", error);
 	if (!status)
-		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.colors.groups * d->relay.colors.group, &rows);
+		status =
+		    buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.colors.groups * d->relay.colors.group, &mailboxes);
 	if (!status)
 		status = buffer_create(d, sizeof(cl_int), &fault);
 	if (!status)
-		status = probe(d, kernel, rows, fault, &runs);
+		status = probe(d, kernel, mailboxes, fault, &runs);
 	if (!runs)
 		d->relay.colors.groups = 0;
-	if (rows)
-		opencl.ReleaseMemObject(rows);
+	if (mailboxes)
+		opencl.ReleaseMemObject(mailboxes);
 	if (fault)
 		opencl.ReleaseMemObject(fault);
 	if (kernel)
@@ -154,11 +156,11 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->relay.parts);
 }
 
-// What both kernels take; the five from substeps on follow each other.
+// Sets the arguments that both kernels have. The five from substeps on are consecutive.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;
-	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->relay.mailboxes.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_MAILBOXES, sizeof(cl_mem), &d->relay.mailboxes.buffer));
 	TRY(CALL(SetKernelArg, kernel, RELAY_STREAM, sizeof(cl_mem), &d->relay.stream.buffer));
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	const cl_int* values[] = {&solve->substeps, &passes, &solve->bound, &spins, &spread};

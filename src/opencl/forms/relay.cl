@@ -157,8 +157,8 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	return true;
 }
 
-// Pass q of a constraint. False if its ticket did not come. With in_step the whole work-group does the pass at once and fails
-// as a whole; no two constraints of the group share a body.
+// Pass q of a constraint. False if its ticket did not come. With in_step the whole work-group does the pass at once
+// and fails as a whole; no two constraints of the group share a body.
 INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile BENCH int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
@@ -265,8 +265,8 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 RELAY_KERNEL(relay, 0)
 RELAY_KERNEL(relay_plain, 1)
 
-// Tests whether work-items make progress independently and whether words arrive whole. In round k each work-item waits for
-// round k of its neighbor's words; one in four waits for round k - 1 of another group's words instead.
+// Tests whether work-items make progress independently and whether words arrive whole. In round k each work-item
+// waits for round k of its neighbor's words; one in four waits for round k - 1 of another group's words instead.
 __kernel void relay_probe(volatile __global ulong* mailboxes, volatile __global int* fault, int rounds, int spins)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0);

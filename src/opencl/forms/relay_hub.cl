@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// relay_hub.cl -- the relay of a world with hubs: some work-groups solve the hubs, the others the constraints with colors.
+// relay_hub.cl -- the relay of a world with hubs: some work-groups solve the hubs, the others the constraints with
+// colors.
 //
-// In each pass the hubs of a body come before its colors. The work-group of a hub waits for the mailboxes of the hub and of
-// all its light ends, solves them together (hub.h), and sends each body to its next hub or its first color. If a body is
-// split into parts, one work-item collects the parts and sends the body on.
+// In each pass the hubs of a body come before its colors. The work-group of a hub waits for the mailboxes of the hub
+// and of all its light ends, solves them together (hub.h), and sends each body to its next hub or its first color. If
+// a body is split into parts, one work-item collects the parts and sends the body on.
 //
-// Tasks are done in the order of passes; within a pass, the rounds of hubs come before the colors; within a round, the hubs
-// come before the split bodies. The first task that is not done never waits.
+// Tasks are done in the order of passes; within a pass, the rounds of hubs come before the colors; within a round,
+// the hubs come before the split bodies. The first task that is not done never waits.
 #include "opencl/forms/relay.cl"
 
 // The side of a body in a round of hubs (HUB_TURNS).
@@ -68,8 +69,8 @@ INLINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part of a body to the work-item that collects the parts. The tickets rise from pass to pass, and
-// the first of a step is lower than the last of the step before, so parts need not be cleared.
+// Sends the velocity of a part of a body to the work-item that collects the parts. The tickets rise from pass to
+// pass, and the first of a step is lower than the last of the step before, so parts need not be cleared.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -82,8 +83,8 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Pass q of hub n, by a work-group. Sets fault if a ticket did not come, and then does nothing. The index of a part is the
-// spoke for light ends; the parts of hubs come after those.
+// Pass q of hub n, by a work-group. Sets fault if a ticket did not come, and then does nothing. The index of a part
+// is the spoke for light ends; the parts of hubs come after those.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       BENCH float* bench, volatile BENCH int* fault)
 {
@@ -260,8 +261,8 @@ INLINE void hub_tasks_stow_colors(const Pools* p, const HubTasks* t, Registers* 
 	}
 }
 
-// As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does both.
-// parts has two words per spoke and per hub.
+// As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does
+// both. parts has two words per spoke and per hub.
 __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps, int passes,
                          int bound, int spins, int spread, __global ulong* parts, int hub_groups)
 {

@@ -117,8 +117,8 @@ INLINE int tile_next(BENCH const int* range, int at, int* column)
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
-// Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on an H200
-// this is 6 % faster than loading them into registers ahead of time, and a higher occupancy gains nothing.
+// Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
+// an H200 this is 6 % faster than loading them into registers ahead of time, and a higher occupancy gains nothing.
 INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
@@ -200,7 +200,8 @@ TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
 TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
 TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
-// Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its mailbox.
+// Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
+// mailbox.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);

@@ -7,15 +7,15 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Tiles that must be laid out first pay up to this share of constraints on the border. What that share is, is looked up
-// again after so many solves without tiles.
+// Stale tiles are rebuilt if at most BORDER_SHARE of the constraints were border constraints. After BORDER_AGE solves
+// without tiles they are rebuilt in any case, to measure the share again.
 #define BORDER_SHARE 0.1
 #define BORDER_AGE   64
 
-// border constraints a group of the relay takes when few are on the border: the more groups, the longer the launch
+// Border constraints per work-group of the relay if the border is short. More groups make the launch longer.
 #define BORDER_GRAIN 64
 
-// work-items of a group, at most
+// name, and work-items per work-group, at most
 static const struct
 {
 	const char* name;
@@ -73,10 +73,10 @@ scree_status tiles_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-// no tree has more leaves than there are collidables
+// a tree has at most one leaf per collidable
 static cl_int row_count(const OpenCl* d) { return (d->constants.step.collidables - 1) / TILE_BODIES + 1; }
 
-// places of constraints: all, and what pads the colors of the border
+// places of constraints: all constraints, and the padding of the border's colors
 static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLUMNS * RELAY_GROUP; }
 
 scree_status tiles_reserve(OpenCl* d, const Solve* solve)
@@ -114,7 +114,7 @@ typedef struct // the value of an argument
 	}
 #define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
 
-// Launches a kernel over so many items, with these values for its arguments from the first on.
+// Launches a kernel over so many items, with values for its arguments from first on.
 static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
                               int count)
 {
@@ -123,7 +123,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
-// The same for a kernel that takes all pools: the values go behind the step.
+// The same for a kernel that takes all pools: the values come after the step.
 static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
 {
 	Kernel* kernel = &d->tiles.kernels[k];
@@ -131,7 +131,7 @@ static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, i
 	return plain_run(d, kernel->kernel, kernel->group, items, ARGUMENT_STEP + 1, values, count);
 }
 
-// Cuts the bodies into tiles, and sorts the constraints by tile and color.
+// Divides the bodies into tiles, and sorts the constraints by tile and color.
 static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int places)
 {
 	TileState* t = &d->tiles;
@@ -166,14 +166,14 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	t->age = 0;
 	if (t->edges_event)
 		return SCREE_OK;
-	// the first of either row: where the border begins, and where it ends
+	// the totals of the last two rows: where the border begins and ends
 	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
 	         NULL, &t->edges_event));
 	return SCREE_OK;
 }
 
-// Takes what lay_out asked for, once it has come.
-static void border_look(TileState* t)
+// Stores the size of the border if the read of lay_out is complete.
+static void border_poll(TileState* t)
 {
 	cl_int status = CL_QUEUED;
 	if (!t->edges_event ||
@@ -189,7 +189,7 @@ static void border_look(TileState* t)
 bool tiles_pay(OpenCl* d, const Solve* solve)
 {
 	TileState* t = &d->tiles;
-	border_look(t);
+	border_poll(t);
 	return !t->stale || t->border <= BORDER_SHARE * solve_constraints(solve) || ++t->age >= BORDER_AGE;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // tiles.cl -- the solve of a large world, one launch per pass: a work-group keeps a tile of bodies in local memory.
 //
-// A pass by colors reads and writes each body in global memory once per constraint. Here the bodies are divided into tiles
-// of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass and solves the
-// constraints inside it color by color, with barriers between the colors.
+// A pass by colors reads and writes each body in global memory once per constraint. Here the bodies are divided into
+// tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass and
+// solves the constraints inside it color by color, with barriers between the colors.
 //
 // Each body must still go through its constraints in the order of colors. A constraint between two tiles is a border
 // constraint, and so is each one that comes after a border constraint on either body. A second launch solves them as a
@@ -15,7 +15,8 @@
 
 // the place in local memory of all bodies that rest and cannot move
 #define TILE_RESTS TILE_BODIES
-// A resident is the index of its body, plus this bit if the constants of its motion have their usual values (tile_plain).
+// A resident is the index of its body, plus this bit if the constants of its motion have their usual values
+// (tile_plain).
 #define TILE_PLAIN 0x40000000
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -38,8 +39,8 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// TILE_PLAIN if a body has no force, damping or lock, and the world's gravity; such constants are not read in the passes. They
-// cannot change before the tiles are rebuilt, because changes by the user rebuild them.
+// TILE_PLAIN if a body has no force, damping or lock, and the world's gravity; such constants are not read in the
+// passes. They cannot change before the tiles are rebuilt, because changes by the user rebuild them.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -75,8 +76,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// The row of the table for constraints with a body that cannot move: any (-1), or the border's if the body is kinematic and in
-// motion, because its position then differs in every pass.
+// The row of the table for constraints with a body that cannot move: any (-1), or the border's if the body is
+// kinematic and in motion, because its position then differs in every pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -88,8 +89,8 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 // the column of the table for a constraint
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
-// The row of the table for a constraint: its tile's, or the last one for a border constraint. border holds, for each body,
-// its first color with a border constraint.
+// The row of the table for a constraint: its tile's, or the last one for a border constraint. border holds, for each
+// body, its first color with a border constraint.
 INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border, int rows)
 {
 	Int2 both = edge_bodies_at(p, at.kind, at.place);
@@ -106,8 +107,8 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, and finds the border constraints. One launch per color, because each color depends on
-// the colors before it. The count so far becomes the rank of the constraint; the order is arbitrary.
+// Counts the constraints of one color, and finds the border constraints. One launch per color, because each color
+// depends on the colors before it. The count so far becomes the rank of the constraint; the order is arbitrary.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
