@@ -3,7 +3,7 @@
 #include "stages/program.h"
 #include "opencl/primitives.cl"
 // Only for devices that keep several work-groups resident at once: these kernels take most of the compile time.
-#ifdef TOGETHER
+#ifdef RESIDENT
 #include "opencl/persistent.cl"
 #include "opencl/forms/registers.cl"
 #include "opencl/forms/relay.cl"

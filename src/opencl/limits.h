@@ -45,7 +45,7 @@
 // Work-items per work-group of the relay. They pass a barrier together, so it equals COLOR_PADDING: no two share a
 // body.
 #define RELAY_GROUP 32
-// 64-bit words of a mailbox; tickets of a pass: one per color, one per round of hubs, and one more.
+// 64-bit words of a mailbox; tickets of a pass: one per color, one per turn of hubs, and one more.
 #define MAILBOX_WORDS 4
 #define RELAY_TICKETS 68
 // Limit of a spin-wait, in reads of about 0.5 us: 2 s.

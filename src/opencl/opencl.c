@@ -108,7 +108,7 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 {
 	for (int k = 0; k < STAGE_COUNT; ++k)
 		TRY(kernel_bind(d, per, &d->stages[k]));
-	if (d->together)
+	if (d->resident)
 	{
 		TRY(kernel_bind(d, per, &d->persistent.kernel));
 		TRY(kernel_bind(d, per, &d->relay.colors));
@@ -200,15 +200,15 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (options->timings)
 		TRY(timing_open(d));
 	form_open(d);
-	d->together = persistent_wanted(d);
+	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	const char* together = cpu ? " -DTOGETHER -DONE_GROUP" : " -DTOGETHER";
-	TRY(program_build(d->context, &d->device, d->together ? together : "", opencl_program, opencl_program_length,
-	                  &d->program));
+	const char* resident_options = cpu ? " -DRESIDENT -DONE_GROUP" : " -DRESIDENT";
+	TRY(program_build(d->context, &d->device, d->resident ? resident_options : "", opencl_program,
+	                  opencl_program_length, &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
-	if (d->together)
+	if (d->resident)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
@@ -225,7 +225,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(make_room(b, (Per)i, 1));
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(kernels_bind(d, (Per)i));
-	if (d->together)
+	if (d->resident)
 	{
 		TRY(persistent_open(d));
 		TRY(relay_open(d));

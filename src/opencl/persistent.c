@@ -66,7 +66,7 @@ static scree_status probe(OpenCl* d, bool* works)
 	if (*works)
 		return SCREE_OK;
 	log_sentence(SCREE_LOG_INFO, "%s: %s; each run is a launch.", d->device.about.name,
-	             fault == FAULT_TIMEOUT ? "work-groups do not run together" : "work-groups see stale memory");
+	             fault == FAULT_TIMEOUT ? "work-groups are not resident at once" : "work-groups see stale memory");
 	fault = 0;
 	return upload(d, counters, at, &fault, sizeof fault);
 }

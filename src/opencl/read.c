@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// read.c -- reads pools: at once, or into pinned memory while the device goes on, with an event to wait for.
+// read.c -- reads pools: at once, or into pinned memory while the device continues, with an event to wait for.
 #include "opencl/read.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"

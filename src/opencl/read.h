@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// read.h -- reads pools, and waits for the read or lets the device go on; src/backend/backend.h.
+// read.h -- reads pools, and waits for the read or lets the device continue; src/backend/backend.h.
 #ifndef OPENCL_READ_H
 #define OPENCL_READ_H
 #include "opencl/state.h"

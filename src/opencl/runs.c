@@ -22,9 +22,9 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
 	for (int i = 0; i < count;)
 	{
-		int together = persistent_length(d, runs + i, count - i);
-		TRY(together ? persistent_run(d, runs + i, together) : one_run(d, runs + i));
-		i += together ? together : 1;
+		int length = persistent_length(d, runs + i, count - i);
+		TRY(length ? persistent_run(d, runs + i, length) : one_run(d, runs + i));
+		i += length ? length : 1;
 	}
 	return CALL(Flush, d->queue);
 }

@@ -46,8 +46,8 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory)
 	{
 		Extension extension = extension_of(memory->how);
 		void* create = opencl_find(d->device.platform, extension.create);
-		made.acquire = (Handover)opencl_find(d->device.platform, extension.acquire);
-		made.release = (Handover)opencl_find(d->device.platform, extension.release);
+		made.acquire = (ShareFunction)opencl_find(d->device.platform, extension.acquire);
+		made.release = (ShareFunction)opencl_find(d->device.platform, extension.release);
 		if (!create || !made.acquire || !made.release)
 			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s has no %s.", b->name,
 			            !create         ? extension.create
@@ -73,11 +73,11 @@ scree_status opencl_show(Backend* b, const Run* run)
 	OpenCl* d = b->state;
 	Shared* shared = &d->shared;
 	const Kernel* kernel = &d->stages[run->stage];
-	TRY(opencl_check("handing over shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[RENDER_ROW], sizeof(cl_mem), &shared->memory));
 	TRY(stage_run(d, run));
 	TRY(kernel_bind(d, RENDER_ROW, kernel));
-	TRY(opencl_check("handing back shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
 	return finish(d);
 }
 

@@ -140,12 +140,13 @@ typedef enum // of a solve
 } SolveForm;
 
 // type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory between OpenCL and others
-typedef cl_int(CL_API_CALL* Handover)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*, cl_event*);
+typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
+                                           cl_event*);
 
 typedef struct // memory that OpenGL draws from
 {
 	cl_mem memory; // or null
-	Handover acquire, release;
+	ShareFunction acquire, release;
 } Shared;
 
 typedef struct
@@ -166,7 +167,7 @@ typedef struct
 	Kernel stages[STAGE_COUNT];
 	Constants constants;
 	Primitives primitives;
-	bool together; // the program has the kernels whose work-groups must be resident at once
+	bool resident; // the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
 	// the solve

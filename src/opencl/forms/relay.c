@@ -97,7 +97,7 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	*runs = found == 0;
 	if (found)
 		log_sentence(SCREE_LOG_INFO, "%s: %s; the solver does without the relay.", d->device.about.name,
-		             found == FAULT_TIMEOUT ? "work-items do not run together" : "words arrive in pieces");
+		             found == FAULT_TIMEOUT ? "work-items are not resident at once" : "words arrive in pieces");
 	return SCREE_OK;
 }
 

@@ -6,11 +6,11 @@
 // and of all its light ends, solves them together (hub.h), and sends each body to its next hub or its first color. If
 // a body is split into parts, one work-item collects the parts and sends the body on.
 //
-// Tasks are done in the order of passes; within a pass, the rounds of hubs come before the colors; within a round,
+// Tasks are done in the order of passes; within a pass, the turns of hubs come before the colors; within a turn,
 // the hubs come before the split bodies. The first task that is not done never waits.
 #include "opencl/forms/relay.cl"
 
-// The side of a body in a round of hubs (HUB_TURNS).
+// The side of a body in a turn of hubs (HUB_TURNS).
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
@@ -122,7 +122,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	}
 }
 
-// Collects the parts of the body that sorted end i begins, if it is split, in a round of pass q; as hub_merge.
+// Collects the parts of the body that sorted end i begins, if it is split, in a turn of pass q; as hub_merge.
 INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -158,10 +158,11 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 
 typedef struct // what a work-group or a work-item takes of the tasks
 {
-	bool hubs, colors;                 // whether the group solves hubs, and constraints with colors
-	int group, hub_groups, hub_count;  // hubs group, group + hub_groups, ...
-	int begin, stride, constraints;    // constraints begin, begin + stride, ... of this work-item
-	bool streamed;                     // else the only constraint of the work-item stays in registers
+	bool hubs, colors;                // whether the group solves hubs, and constraints with colors
+	int group, hub_groups, hub_count; // hubs group, group + hub_groups, ...
+	int spokes;
+	int begin, stride, constraints; // constraints begin, begin + stride, ... of this work-item
+	bool streamed;                  // else the only constraint of the work-item stays in registers
 	__global float4* stream;
 } HubTasks;
 
@@ -175,6 +176,7 @@ INLINE HubTasks hub_tasks(const Pools* p, __global float4* stream, int spread, i
 	t.colors = groups == 1 || !t.hubs;
 	t.constraints = task_first(p->counters, COLORS);
 	t.hub_count = p->counters->hubs;
+	t.spokes = spoke_places(p);
 	int place = groups == 1 ? lane : (t.group - hub_groups) * width + lane;
 	t.stride = (groups == 1 ? width : (groups - hub_groups) * width) / spread;
 	t.begin = place % spread == 0 ? place / spread : t.constraints;
@@ -217,14 +219,14 @@ INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* 
                                 BENCH float* bench, volatile BENCH int* fault)
 {
 	bool ok = true;
-	int spokes = spoke_places(p), width = group_width();
+	int width = group_width();
 	for (int turn = 0; turn < HUB_TURNS && turn < t->hub_count; ++turn)
 	{
 		for (int n = t->group; n < t->hub_count; n += t->hub_groups)
 			if (hub_turn(n) == turn)
 				relay_hub(p, r, parts, n, q, bench, fault);
 		if (p->counters->split > 0)
-			for (int i = t->group * width + group_lane(); i < spokes && ok; i += t->hub_groups * width)
+			for (int i = t->group * width + group_lane(); i < t->spokes && ok; i += t->hub_groups * width)
 				ok = relay_merge(p, r, parts, i, q, turn);
 		group_meet();
 	}
@@ -263,8 +265,8 @@ INLINE void hub_tasks_stow_colors(const Pools* p, const HubTasks* t, Registers* 
 
 // As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does
 // both. parts has two words per spoke and per hub.
-__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps, int passes,
-                         int bound, int spins, int spread, __global ulong* parts, int hub_groups)
+__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps,
+                         int passes, int bound, int spins, int spread, __global ulong* parts, int hub_groups)
 {
 	volatile __local int fault;
 	__local float bench[GROUP_FLOATS];

@@ -113,7 +113,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
                          __global int* rank, int rows, int bound, int begin, int end)
 {
 	// the border has one counter per kind: a work-group adds its constraints with one atomic
-	__local int together[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
+	__local int border_count[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	int i = begin + (int)get_global_id(0), lane = (int)get_local_id(0);
@@ -121,7 +121,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	int slot = i < end && tile_wanted(p, bound) ? edge_slot_at(p, at.kind, at.place) : -1;
 	int color = 0, row = -1, mine = 0;
 	if (lane < CONSTRAINT_KINDS)
-		together[lane] = 0;
+		border_count[lane] = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (slot >= 0)
 	{
@@ -130,7 +130,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	}
 	if (row == rows)
 	{
-		mine = atomic_inc(&together[at.kind]);
+		mine = atomic_inc(&border_count[at.kind]);
 		found = color;
 		Int2 both = edge_bodies_at(p, at.kind, at.place);
 		int bodies[2] = {both.x, both.y};
@@ -141,8 +141,8 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	else if (row >= 0)
 		rank[i] = atomic_inc(&table[row * TILE_COLUMNS + tile_column(color, at.kind)]);
 	barrier(CLK_LOCAL_MEM_FENCE);
-	if (lane < CONSTRAINT_KINDS && together[lane] > 0)
-		first[lane] = atomic_add(&table[rows * TILE_COLUMNS + tile_column(found, lane)], together[lane]);
+	if (lane < CONSTRAINT_KINDS && border_count[lane] > 0)
+		first[lane] = atomic_add(&table[rows * TILE_COLUMNS + tile_column(found, lane)], border_count[lane]);
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (row == rows)
 		rank[i] = first[at.kind] + mine;
