@@ -109,9 +109,9 @@ static void lost_words_are_found(void** state)
 // words of another step
 // ---------------------------------------------------------------------------------------------------------------
 
-// A step begins its third pass with displacements, and nobody writes those before. Words of that turn that the last step left
-// would be taken for them, so that rows must be cleared; one word of the two is not.
-static void rows_must_be_cleared(void** state)
+// The third pass of a step is the first that reads displacements. If both words of a mailbox had the ticket of that pass when
+// the step begins, they would be read as its displacement, so mailboxes must be cleared. One word of the two is not read.
+static void mailboxes_must_be_cleared(void** state)
 {
 	(void)state;
 	const int body = 30, pass = 2, displacement = 2;
@@ -193,10 +193,10 @@ static void barriers_are_strict(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(barriers_are_strict),      cmocka_unit_test(probe_tells),
-	    cmocka_unit_test(relays_are_equal),         cmocka_unit_test(relays_with_hubs_are_equal),
-	    cmocka_unit_test(shunned_groups_are_found), cmocka_unit_test(lost_words_are_found),
-	    cmocka_unit_test(rows_must_be_cleared),
+	    cmocka_unit_test(barriers_are_strict),       cmocka_unit_test(probe_tells),
+	    cmocka_unit_test(relays_are_equal),          cmocka_unit_test(relays_with_hubs_are_equal),
+	    cmocka_unit_test(shunned_groups_are_found),  cmocka_unit_test(lost_words_are_found),
+	    cmocka_unit_test(mailboxes_must_be_cleared),
 	};
 	int refused = check_refused();
 	return refused ? refused : cmocka_run_group_tests(tests, NULL, NULL);

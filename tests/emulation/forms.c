@@ -9,7 +9,7 @@
 #include <string.h>
 
 #define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
-#define NEVER       (1 << 18) // looks: more than any turn takes to come
+#define NEVER       (1 << 18) // reads of a mailbox: more than any wait needs
 
 typedef struct // words that stay from solve to solve
 {
@@ -227,7 +227,7 @@ static scree_status solve_emulated(const Solve* solve)
 		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
 	for (int k = 0; k < solve->bodies * mailbox_words; ++k)
 		if (mailboxes.words[k])
-			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the row of body %d is not zero after the solve",
+			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the mailbox of body %d is not zero after the solve",
 			            k % mailbox_words, k / mailbox_words);
 	return SCREE_OK;
 }

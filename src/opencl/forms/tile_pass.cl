@@ -200,6 +200,17 @@ TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
 TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
 TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
+// Sends a body to its next border constraint in pass q, or writes it to the pool after the last one.
+INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, Body b)
+{
+	relay_send_next(r, side, q, b);
+	if (!side.moves || !side.last)
+		return;
+	*(__global float4*)&p->body[side.body] = make_float4(b.v.x, b.v.y, b.w, b.inv_mass);
+	if (q + 1 == r->passes)
+		mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
+}
+
 // Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
 // mailbox.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
@@ -248,16 +259,7 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 		return true;
 	registers_pass(p, schedule_pass(r->substeps, q), &u);
 	for (int k = 0; k < 2; ++k)
-	{
-		Side side = u.side[k];
-		Body b = k ? u.b : u.a;
-		relay_send_next(r, side, q, b);
-		if (!side.moves || !side.last)
-			continue;
-		*(__global float4*)&p->body[side.body] = make_float4(b.v.x, b.v.y, b.w, b.inv_mass);
-		if (q + 1 == r->passes)
-			mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
-	}
+		tile_border_send(p, r, u.side[k], q, k ? u.b : u.a);
 	if (q + 1 == r->passes)
 		registers_stow(p, &u);
 	else
