@@ -96,7 +96,8 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 }
 
 // As the launches of primitives.c. If there are fewer work-groups than parts, a group does several parts.
-INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, DeviceBarrier* b, bool alone)
+INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, DeviceBarrier* b,
+                            bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
@@ -134,7 +135,8 @@ INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH
 
 INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH uint* sum, DeviceBarrier* b)
 {
-	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
+	uint n = item_count(run, (__global const int*)p->counters);
+	uint first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
 	for (uint block = first; block < SCAN_BLOCKS; block += groups)
 		scan_sum_part(p->scan, n, table, block, sum);
 	if (!device_barrier(b))
@@ -146,10 +148,10 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 
 // Items of a run, one per work-item. Stages of one work-group per item are launched by themselves: with them
 // compilation for a CPU takes twice as long.
-#define CASE_ONE(name)                                        \
-	case STAGE_##name:                                        \
-		for (int i = run.begin + from; i < end; i += by)      \
-			name##_item(&pools, i);                           \
+#define CASE_ONE(name)                                   \
+	case STAGE_##name:                                   \
+		for (int i = run.begin + from; i < end; i += by) \
+			name##_item(&pools, i);                      \
 		break;
 #define CASE_WIDE(name) CASE_ONE(name)
 #define CASE_GROUP(name)

@@ -150,15 +150,15 @@ INLINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 	u.side[0].body = bodies.x;
 	u.side[1].body = bodies.y;
 	registers_bodies(p, &u);
-#define CONSTRAINT_KIND(name, Name, NAME)                        \
-	if (at.kind == CONSTRAINT_##NAME)                            \
-	{                                                            \
-		name##_setup(p, at.place, slot, &u.name);                \
-		if (p->step.rare)                                      \
-			name##_setup_rare(p, at.place, &u.name);             \
-		name##_take(p, at.place, &u.name);                       \
-		name##_derive(IN_PASSES, &u.a, &u.b, &u.name);           \
-		name##_start(&p->step, &u.name);                         \
+#define CONSTRAINT_KIND(name, Name, NAME)              \
+	if (at.kind == CONSTRAINT_##NAME)                  \
+	{                                                  \
+		name##_setup(p, at.place, slot, &u.name);      \
+		if (p->step.rare)                              \
+			name##_setup_rare(p, at.place, &u.name);   \
+		name##_take(p, at.place, &u.name);             \
+		name##_derive(IN_PASSES, &u.a, &u.b, &u.name); \
+		name##_start(&p->step, &u.name);               \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -184,8 +184,8 @@ INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 // Derives what a pass needs of the positions of the bodies.
 INLINE void registers_ready(Registers* u)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)         \
-	if (u->at.kind == CONSTRAINT_##NAME)          \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_ready(&u->a, &u->b, &u->name);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -194,8 +194,8 @@ INLINE void registers_ready(Registers* u)
 // A pass of solve.h over registers.
 INLINE void registers_pass(const Pools* p, int pass, Registers* u)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)         \
-	if (u->at.kind == CONSTRAINT_##NAME)          \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_pass(p, pass, u->at.place, &u->name, &u->a, &u->b);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -204,8 +204,8 @@ INLINE void registers_pass(const Pools* p, int pass, Registers* u)
 // Stores what the next step needs.
 INLINE void registers_stow(const Pools* p, const Registers* u)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)         \
-	if (u->at.kind == CONSTRAINT_##NAME)          \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_stow(p, u->at.place, &u->name);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -226,47 +226,47 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 
 // quads and pairs are the first float4 and float2 of constraint j; n is the length of a column.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
-#define STREAM_STORE_QUAD(k, c0, c1, c2, c3)      quads[k * n] = make_float4(c0, c1, c2, c3);
+#define STREAM_STORE_QUAD(k, c0, c1, c2, c3)        quads[k * n] = make_float4(c0, c1, c2, c3);
 #define STREAM_STORE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
-#define STREAM_LOAD_QUAD(k, c0, c1, c2, c3)                                                  \
-	{                                                                                        \
-		float4 quad = quads[k * n];                                                          \
-		c0 = quad.x;                                                                         \
-		c1 = quad.y;                                                                         \
-		c2 = quad.z;                                                                         \
-		c3 = quad.w;                                                                         \
+#define STREAM_LOAD_QUAD(k, c0, c1, c2, c3) \
+	{                                       \
+		float4 quad = quads[k * n];         \
+		c0 = quad.x;                        \
+		c1 = quad.y;                        \
+		c2 = quad.z;                        \
+		c3 = quad.w;                        \
 	}
-#define STREAM_LOAD_PAIR(k, read, written, c0, c1)                                           \
-	if ((read) & passes)                                                                     \
-	{                                                                                        \
-		float2 pair = pairs[k * n];                                                          \
-		c0 = pair.x;                                                                         \
-		c1 = pair.y;                                                                         \
+#define STREAM_LOAD_PAIR(k, read, written, c0, c1) \
+	if ((read) & passes)                           \
+	{                                              \
+		float2 pair = pairs[k * n];                \
+		c0 = pair.x;                               \
+		c1 = pair.y;                               \
 	}
-#define STREAM_UPDATE_PAIR(k, read, written, c0, c1)                                         \
-	if ((written) & passes)                                                                  \
+#define STREAM_UPDATE_PAIR(k, read, written, c0, c1) \
+	if ((written) & passes)                          \
 		pairs[k * n] = make_float2(c0, c1);
 
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                  \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                   \
 	/* Store constraint j and a number of the caller; load what some passes read; store what they write. */ \
-	INLINE void kind##_stream_store(const Kind* u, float name, __global float4* stream, int n, int j)   \
-	{                                                                                        \
-		__global float4* quads = stream + j;                                                 \
-		__global float2* pairs = stream_pairs(stream, n, j);                                 \
-		KIND##_STREAM(STREAM_STORE_QUAD, STREAM_STORE_PAIR)                                  \
-	}                                                                                        \
-	INLINE float kind##_stream_load(Kind* u, int passes, __global float4* stream, int n, int j)   \
-	{                                                                                        \
-		float name;                                                                          \
-		__global float4* quads = stream + j;                                                 \
-		__global float2* pairs = stream_pairs(stream, n, j);                                 \
-		KIND##_STREAM(STREAM_LOAD_QUAD, STREAM_LOAD_PAIR)                                    \
-		return name;                                                                         \
-	}                                                                                        \
-	INLINE void kind##_stream_update(const Kind* u, int passes, __global float4* stream, int n, int j) \
-	{                                                                                        \
-		__global float2* pairs = stream_pairs(stream, n, j);                                 \
-		KIND##_STREAM(STREAM_SKIP_QUAD, STREAM_UPDATE_PAIR)                                  \
+	INLINE void kind##_stream_store(const Kind* u, float name, __global float4* stream, int n, int j)       \
+	{                                                                                                       \
+		__global float4* quads = stream + j;                                                                \
+		__global float2* pairs = stream_pairs(stream, n, j);                                                \
+		KIND##_STREAM(STREAM_STORE_QUAD, STREAM_STORE_PAIR)                                                 \
+	}                                                                                                       \
+	INLINE float kind##_stream_load(Kind* u, int passes, __global float4* stream, int n, int j)             \
+	{                                                                                                       \
+		float name;                                                                                         \
+		__global float4* quads = stream + j;                                                                \
+		__global float2* pairs = stream_pairs(stream, n, j);                                                \
+		KIND##_STREAM(STREAM_LOAD_QUAD, STREAM_LOAD_PAIR)                                                   \
+		return name;                                                                                        \
+	}                                                                                                       \
+	INLINE void kind##_stream_update(const Kind* u, int passes, __global float4* stream, int n, int j)      \
+	{                                                                                                       \
+		__global float2* pairs = stream_pairs(stream, n, j);                                                \
+		KIND##_STREAM(STREAM_SKIP_QUAD, STREAM_UPDATE_PAIR)                                                 \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -282,8 +282,8 @@ INLINE void registers_store(const Registers* u, __global float4* stream, int n, 
 	int sides = 0;
 	for (int k = 0; k < 2; ++k)
 		sides |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-#define CONSTRAINT_KIND(name, Name, NAME)                                 \
-	if (u->at.kind == CONSTRAINT_##NAME)                                  \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_stream_store(&u->name, as_float(sides), stream, n, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -293,8 +293,8 @@ INLINE void registers_store(const Registers* u, __global float4* stream, int n, 
 
 INLINE void registers_update(const Registers* u, int pass, __global float4* stream, int n, int j)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)                                 \
-	if (u->at.kind == CONSTRAINT_##NAME)                                  \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_stream_update(&u->name, 1 << pass, stream, n, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -318,8 +318,8 @@ INLINE Registers registers_load(const Pools* p, int t, __global float4* stream, 
 	float2 bodies = stream_pairs(stream, n, j)[EDGE_PAIR * n];
 	float4 mass = stream[EDGE_QUAD * n + j];
 	u.at = task_at(p, t);
-#define CONSTRAINT_KIND(name, Name, NAME)                                 \
-	if (u.at.kind == CONSTRAINT_##NAME)                                   \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u.at.kind == CONSTRAINT_##NAME)   \
 		sides = as_int(name##_stream_load(&u.name, IN_PASSES, stream, n, j));
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

@@ -70,7 +70,8 @@ INLINE void mailbox_clear(volatile __global ulong* words)
 INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 {
 	if (side.moves && !side.last)
-		mailbox_write(r->mailboxes + MAILBOX_WORDS * (ulong)side.body, relay_ticket(q, side.before + 1), body.v.x, body.v.y, body.w);
+		mailbox_write(r->mailboxes + MAILBOX_WORDS * (ulong)side.body, relay_ticket(q, side.before + 1), body.v.x,
+		              body.v.y, body.w);
 }
 
 // After the last constraint of a body in pass q: integrates the body and sends it to the next pass, or writes it to the
@@ -141,7 +142,8 @@ INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body
 
 // Spin-waits for three components of two mailboxes. False if a wait reached its limit, here or elsewhere.
 INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __global ulong* mailbox_a, uint ticket_a,
-                       Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b, float* wb)
+                       Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b,
+                       float* wb)
 {
 	for (int spins = r->spins; wait_a || wait_b; --spins)
 	{
@@ -251,16 +253,16 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 			}
 }
 
-#define RELAY_KERNEL(name, plain)                                                                                       \
-	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int constraints,     \
-	                   int substeps, int passes, int bound, int spins, int spread)                                  \
-	{                                                                                                               \
-		volatile __local int fault;                                                                                 \
-		Pools pools = {POOL_NAMES step, 0};                                                                         \
-		Relay r = {mailboxes, substeps, passes, spins};                                                                  \
-		if (plain)                                                                                                  \
-			STEP_PLAIN(pools.step);                                                                                 \
-		relay_tasks(&pools, &r, stream, constraints, bound, spread, &fault);                                         \
+#define RELAY_KERNEL(name, plain)                                                                                     \
+	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int constraints, \
+	                   int substeps, int passes, int bound, int spins, int spread)                                    \
+	{                                                                                                                 \
+		volatile __local int fault;                                                                                   \
+		Pools pools = {POOL_NAMES step, 0};                                                                           \
+		Relay r = {mailboxes, substeps, passes, spins};                                                               \
+		if (plain)                                                                                                    \
+			STEP_PLAIN(pools.step);                                                                                   \
+		relay_tasks(&pools, &r, stream, constraints, bound, spread, &fault);                                          \
 	}
 RELAY_KERNEL(relay, 0)
 RELAY_KERNEL(relay_plain, 1)

@@ -38,8 +38,8 @@ INLINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body
 	b->d = vec(row[4], row[5]);
 	b->da = row[6];
 	b->inv_inertia = row[7];
-	bool ok = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_ticket(schedule_moved(q), 0), &b->d, &b->da, waits, words,
-	                       relay_ticket(q, side.before), &b->v, &b->w);
+	bool ok = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_ticket(schedule_moved(q), 0), &b->d,
+	                     &b->da, waits, words, relay_ticket(q, side.before), &b->v, &b->w);
 	body_turn(b);
 	return ok;
 }
@@ -76,7 +76,8 @@ INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float 
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
 }
 
-INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global ulong* parts, int k, int q, Vec* v, float* w)
+INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global ulong* parts, int k, int q, Vec* v,
+                               float* w)
 {
 	Vec none;
 	float no;

@@ -73,19 +73,19 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 	{                                                                                                            \
 		Kind u;                                                                                                  \
 		Body a, b;                                                                                               \
-		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                            \
+		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                       \
 		tile_gather(tile, places & 0xffffu, &a);                                                                 \
 		tile_gather(tile, places >> 16, &b);                                                                     \
 		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
-		int i = p->step.rare || ends ? task_at(p, t->order[j]).place : 0;                                      \
+		int i = p->step.rare || ends ? task_at(p, t->order[j]).place : 0;                                        \
 		kind##_pass(p, pass, i, &u, &a, &b);                                                                     \
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \
 		tile_scatter(tile, places >> 16, &b);                                                                    \
 		if (ends)                                                                                                \
 			kind##_stow(p, i, &u);                                                                               \
 		else                                                                                                     \
-			kind##_stream_update(&u, 1 << pass, t->stream, t->stride, j);                                               \
+			kind##_stream_update(&u, 1 << pass, t->stream, t->stride, j);                                        \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -122,14 +122,14 @@ INLINE int tile_next(BENCH const int* range, int at, int* column)
 INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
-#define CONSTRAINT_KIND(name, Name, NAME)                                                          \
-	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0)               \
-	{                                                                                              \
-		NAME##_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)                                         \
-	}                                                                                              \
-	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0)               \
-	{                                                                                              \
-		NAME##_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)                                         \
+#define CONSTRAINT_KIND(name, Name, NAME)                                            \
+	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0) \
+	{                                                                                \
+		NAME##_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)                           \
+	}                                                                                \
+	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0) \
+	{                                                                                \
+		NAME##_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)                           \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -164,8 +164,8 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 		int next_column = column, next = tile_next(range, at + TILE_GROUP, &next_column);
 		if (next_column < TILE_LAST_COLUMN && next + lane < range[next_column + 1])
 			tile_fetch_ahead(t, next_column % CONSTRAINT_KINDS, next + lane, lane, pass);
-#define CONSTRAINT_KIND(name, Name, NAME)                                                          \
-		if (column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && at + lane < range[column + 1])       \
+#define CONSTRAINT_KIND(name, Name, NAME)                                                    \
+		if (column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && at + lane < range[column + 1]) \
 			name##_tile_task(p, r, t, tile, at + lane, q, pass);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -182,18 +182,18 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	}
 }
 
-#define TILE_PASS_KERNEL(name, pass)                                                                                \
-	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                     \
+#define TILE_PASS_KERNEL(name, pass)                                                                                  \
+	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                       \
 	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
-	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                             \
-	{                                                                                                               \
-		__local Tile tile;                                                                                          \
-		__local int range[TILE_COLUMNS + 1];                                                                         \
-		Pools pools = {POOL_NAMES step, 0};                                                                         \
-		Relay r = {0, substeps, passes, 0};                                                                         \
-		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                 \
-		if (tile_wanted(&pools, bound))                                                                             \
-			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                       \
+	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                              \
+	{                                                                                                                 \
+		__local Tile tile;                                                                                            \
+		__local int range[TILE_COLUMNS + 1];                                                                          \
+		Pools pools = {POOL_NAMES step, 0};                                                                           \
+		Relay r = {0, substeps, passes, 0};                                                                           \
+		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
+		if (tile_wanted(&pools, bound))                                                                               \
+			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                         \
 	}
 TILE_PASS_KERNEL(tile_warm_start, PASS_WARM_START)
 TILE_PASS_KERNEL(tile_bias, PASS_BIAS)

@@ -91,7 +91,8 @@ INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + 
 
 // The row of the table for a constraint: its tile's, or the last one for a border constraint. border holds, for each
 // body, its first color with a border constraint.
-INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border, int rows)
+INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border,
+                    int rows)
 {
 	Int2 both = edge_bodies_at(p, at.kind, at.place);
 	int bodies[2] = {both.x, both.y}, row = -1;
@@ -273,25 +274,25 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 	else
 	{
 		uint places = tile_place(p, t, u.side[0].body) | tile_place(p, t, u.side[1].body) << 16;
-#define CONSTRAINT_KIND(name, Name, NAME)                                     \
-		if (at.kind == CONSTRAINT_##NAME)                                     \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+		if (at.kind == CONSTRAINT_##NAME) \
 			name##_stream_store(&u.name, as_float(places), t->stream, t->stride, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	}
 }
 
-#define TILE_PREPARE_KERNEL(name, plain)                                                                            \
-	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,             \
-	                   __global const int* table, __global const int* order, __global float4* stream, int stride,    \
-	                   int rows, int bound)                                                                         \
-	{                                                                                                               \
-		Pools pools = {POOL_NAMES step, 0};                                                                         \
-		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                            \
-		if (plain)                                                                                                  \
-			STEP_PLAIN(pools.step);                                                                                 \
-		if (tile_wanted(&pools, bound))                                                                             \
-			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                     \
+#define TILE_PREPARE_KERNEL(name, plain)                                                                          \
+	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,           \
+	                   __global const int* table, __global const int* order, __global float4* stream, int stride, \
+	                   int rows, int bound)                                                                       \
+	{                                                                                                             \
+		Pools pools = {POOL_NAMES step, 0};                                                                       \
+		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                         \
+		if (plain)                                                                                                \
+			STEP_PLAIN(pools.step);                                                                               \
+		if (tile_wanted(&pools, bound))                                                                           \
+			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                   \
 	}
 TILE_PREPARE_KERNEL(tile_prepare, 0)
 TILE_PREPARE_KERNEL(tile_prepare_plain, 1)
