@@ -109,9 +109,9 @@ static void lost_words_are_found(void** state)
 // words of another step
 // ---------------------------------------------------------------------------------------------------------------
 
-// A step begins its third pass with displacements, and nobody writes those before. Words of that turn that the last step left
-// would be taken for them, so that rows must be cleared; one word of the two is not.
-static void rows_must_be_cleared(void** state)
+// The third pass of a step is the first that reads displacements. If both words of a mailbox had the ticket of that pass when
+// the step begins, they would be read as its displacement, so mailboxes must be cleared. One word of the two is not read.
+static void mailboxes_must_be_cleared(void** state)
 {
 	(void)state;
 	const int body = 30, pass = 2, displacement = 2;
@@ -127,7 +127,7 @@ static void rows_must_be_cleared(void** state)
 		run_steps(emulated, 10);
 		for (int k = 0; k < 2; ++k)
 			if (words >> k & 1)
-				form_spoil(body, displacement + k, (uint64_t)(relay_turns * pass + 1) << 16);
+				form_spoil(body, displacement + k, (uint64_t)(relay_tickets * pass + 1) << 16);
 		run_steps(plain, 1);
 		run_steps(emulated, 1);
 		assert_int_equal(hash_of(plain) == hash_of(emulated), words < 3);
@@ -150,7 +150,7 @@ static void probe_tells(void** state)
 		assert_int_equal(probe_run(3, 32, 16, 1 << 16, &(Turns){.seed = seed, .late = true, .pieces = 8}), 0);
 		assert_int_equal(probe_run(4, 32, 16, 1 << 16, &(Turns){.seed = seed, .late = true, .pieces = 4}), fault_stale);
 		for (int group = 1; group <= 4; ++group)
-			assert_int_equal(probe_run(4, 32, 16, 1000, &(Turns){.seed = seed, .shunned = group}), fault_blown);
+			assert_int_equal(probe_run(4, 32, 16, 1000, &(Turns){.seed = seed, .shunned = group}), fault_timeout);
 	}
 	items_close();
 }
@@ -193,10 +193,10 @@ static void barriers_are_strict(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(barriers_are_strict),      cmocka_unit_test(probe_tells),
-	    cmocka_unit_test(relays_are_equal),         cmocka_unit_test(relays_with_hubs_are_equal),
-	    cmocka_unit_test(shunned_groups_are_found), cmocka_unit_test(lost_words_are_found),
-	    cmocka_unit_test(rows_must_be_cleared),
+	    cmocka_unit_test(barriers_are_strict),       cmocka_unit_test(probe_tells),
+	    cmocka_unit_test(relays_are_equal),          cmocka_unit_test(relays_with_hubs_are_equal),
+	    cmocka_unit_test(shunned_groups_are_found),  cmocka_unit_test(lost_words_are_found),
+	    cmocka_unit_test(mailboxes_must_be_cleared),
 	};
 	int refused = check_refused();
 	return refused ? refused : cmocka_run_group_tests(tests, NULL, NULL);

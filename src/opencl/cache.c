@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- built programs kept on disk: one file a key, checked when read, renamed into place when written.
+// cache.c -- compiled programs on disk: one file per key, checked when read, renamed into place when written.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -24,9 +24,9 @@
 #endif
 
 #define PATH_BYTES 1024
-#define MAX_BYTES  ((uint64_t)1 << 28) // a length beyond this is damage
+#define MAX_BYTES  ((uint64_t)1 << 28) // a file with a larger length is damaged
 
-typedef struct // what a file begins with
+typedef struct // the first bytes of a file
 {
 	char magic[8];
 	Digest key, content;
@@ -36,7 +36,8 @@ static const char magic[8] = "scree-1";
 
 Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
 
-// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another prime, and turned so that no two bytes commute.
+// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another prime and a rotation, so that the order of bytes
+// matters.
 void digest_add(Digest* digest, const void* bytes, size_t count)
 {
 	const unsigned char* byte = bytes;
@@ -121,7 +122,7 @@ unsigned char* cache_read(Digest key, size_t* count)
 
 void cache_write(Digest key, const unsigned char* bytes, size_t count)
 {
-	static atomic_int writers; // no two threads of a process share a temporary file
+	static atomic_int writers; // a temporary file per thread
 	char folder[PATH_BYTES], path[PATH_BYTES], temporary[PATH_BYTES + 32];
 	if (!cache_folder(folder))
 		return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// copy.c -- copies within the device, to learn how fast its memory is.
-#include "opencl/opencl.h"
+// copy.c -- copies within the device, to measure the bandwidth of its memory.
+#include "opencl/copy.h"
+#include "opencl/buffer.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 
 void opencl_copy_release(Backend* b)
@@ -8,9 +10,9 @@ void opencl_copy_release(Backend* b)
 	OpenCl* d = b->state;
 	for (int k = 0; k < 2; ++k)
 	{
-		if (d->copies[k])
-			opencl.ReleaseMemObject(d->copies[k]);
-		d->copies[k] = NULL;
+		if (d->copy.buffers[k])
+			opencl.ReleaseMemObject(d->copy.buffers[k]);
+		d->copy.buffers[k] = NULL;
 	}
 }
 
@@ -20,16 +22,17 @@ scree_status opencl_copy_reserve(Backend* b, size_t bytes)
 	opencl_copy_release(b);
 	if (b->bytes + 2 * (uint64_t)bytes > d->device.about.memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for two blocks of %zu bytes.", b->name, bytes);
-	d->copy_bytes = bytes;
+	d->copy.bytes = bytes;
 	for (int k = 0; k < 2; ++k)
-		TRY(buffer_create(d, bytes, &d->copies[k]));
-	return finish(d); // drivers that allocate late say so by now
+		TRY(buffer_create(d, bytes, &d->copy.buffers[k]));
+	return finish(d); // drivers that allocate on first use fail here
 }
 
 scree_status opencl_copy(Backend* b, int times)
 {
 	OpenCl* d = b->state;
 	for (int k = 0; k < times; ++k)
-		TRY(CALL(EnqueueCopyBuffer, d->queue, d->copies[0], d->copies[1], 0, 0, d->copy_bytes, 0, NULL, NULL));
+		TRY(CALL(EnqueueCopyBuffer, d->queue, d->copy.buffers[0], d->copy.buffers[1], 0, 0, d->copy.bytes, 0, NULL,
+		         NULL));
 	return finish(d);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.c -- lists OpenCL devices, judges and chooses them.
+// device.c -- lists OpenCL devices, checks what they support, and chooses one.
 #include "opencl/device.h"
 #include "opencl/limits.h"
 #include "platform/error.h"
@@ -9,7 +9,7 @@
 #define MAX_PLATFORMS 16
 #define MAX_DEVICES   64
 
-// of cl_khr_device_uuid, which headers of OpenCL 1.2 do not know
+// of cl_khr_device_uuid, which headers of OpenCL 1.2 do not have
 #define DEVICE_UUID 0x106a
 
 static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
@@ -27,7 +27,7 @@ static void device_text(cl_device_id device, cl_device_info what, char* text, si
 	snprintf(text, size, "%.*s", (int)size - 1, start);
 }
 
-// a device that does not know an answer leaves zero
+// 0 if the device does not support the query
 static cl_ulong device_number(cl_device_id device, cl_device_info what)
 {
 	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
@@ -35,7 +35,7 @@ static cl_ulong device_number(cl_device_id device, cl_device_info what)
 	return number;
 }
 
-// Ways to memory that OpenGL draws from.
+// Finds how the device can share memory with OpenGL.
 static void find_sharing(Device* d)
 {
 	char extensions[8192] = "";
@@ -49,8 +49,8 @@ static void find_sharing(Device* d)
 		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
 
-// Says in about.reason what keeps a device from equal bits, or from working at all.
-static void judge(Device* d)
+// Decides whether a device is usable and computes equal bits; about.reason says why not.
+static void check_support(Device* d)
 {
 	char* reason = d->about.reason;
 	size_t size = sizeof d->about.reason;
@@ -113,7 +113,7 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 	d->about.units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
 	d->about.memory = device_number(id, CL_DEVICE_GLOBAL_MEM_SIZE);
 	find_sharing(d);
-	judge(d);
+	check_support(d);
 }
 
 int device_list(Device* devices, int capacity)

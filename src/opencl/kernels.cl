@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// kernels.cl -- the OpenCL program: the stages, and what only a device needs; cmake/embed.cmake inlines it.
+// kernels.cl -- the OpenCL program: the stages, and the kernels that only a device has; cmake/embed.cmake inlines it.
 #include "stages/program.h"
 #include "opencl/primitives.cl"
-// only for devices whose groups run together: they are the larger part of what there is to compile
-#ifdef TOGETHER
+// Only for devices that keep several work-groups resident at once: these kernels take most of the compile time.
+#ifdef RESIDENT
 #include "opencl/persistent.cl"
 #include "opencl/forms/registers.cl"
 #include "opencl/forms/relay.cl"

@@ -18,8 +18,8 @@ static void* find(void* library, const char* name) { return (void*)GetProcAddres
 #include <stdlib.h>
 #include <unistd.h>
 
-// PoCL asks hwloc for the machine's memory, and ends the process when hwloc has found none, as it does where no sysfs is
-// mounted: in some containers. There hwloc is told what sysconf knows.
+// PoCL asks hwloc for the memory size, and ends the process if hwloc finds none, as in containers without sysfs.
+// HWLOC_SYNTHETIC then gives hwloc the numbers of sysconf.
 static void describe_machine(void)
 {
 	char text[96];
@@ -86,7 +86,7 @@ bool opencl_load(void)
 	if (atomic_compare_exchange_strong(&state, &seen, OPENING))
 		atomic_store(&state, fill_table() ? LOADED : MISSING);
 	while ((seen = atomic_load(&state)) == OPENING)
-		; // another thread is at it
+		; // another thread opens the library
 	return seen == LOADED;
 }
 

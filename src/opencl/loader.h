@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// loader.h -- OpenCL, opened at run time: a machine without it builds Scree, runs it on the CPU and is told the remedy.
+// loader.h -- opens OpenCL at run time, so that Scree builds and runs on the CPU where OpenCL is missing.
 #ifndef OPENCL_LOADER_H
 #define OPENCL_LOADER_H
 #include "scree/scree.h"
@@ -12,7 +12,7 @@
 #include <CL/cl.h>
 #endif
 
-// every function that Scree calls, without its "cl"
+// the functions that Scree calls, without "cl"
 #define OPENCL_FUNCTIONS(X)                   \
 	X(GetPlatformIDs)                         \
 	X(GetPlatformInfo)                        \
@@ -61,7 +61,7 @@ extern OpenClFunctions opencl; // filled by opencl_load
 // Opens the library once in a process, from any thread. False when there is none.
 bool opencl_load(void);
 
-// A function of an extension or of a newer OpenCL, by its whole name; null where there is none.
+// A function of an extension or of a newer OpenCL, by its full name; null if there is none.
 void* opencl_find(cl_platform_id platform, const char* name);
 
 // "CL_OUT_OF_RESOURCES", or "unknown error"

@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: MIT
-// opencl.c -- the OpenCL backend: one buffer a kind of pool, one kernel a stage, one queue in order.
-#include "opencl/opencl.h"
+// opencl.c -- the OpenCL backend: one buffer per kind of item, one kernel per stage, one in-order queue.
+#include "opencl/buffer.h"
+#include "opencl/copy.h"
+#include "opencl/forms/form.h"
+#include "opencl/forms/relay.h"
+#include "opencl/forms/tiles.h"
+#include "opencl/launch.h"
+#include "opencl/persistent.h"
+#include "opencl/primitives.h"
 #include "opencl/program.h"
+#include "opencl/queue.h"
+#include "opencl/read.h"
+#include "opencl/runs.h"
+#include "opencl/share.h"
 #include "platform/error.h"
 #include <limits.h>
 #include <stdio.h>
 
-// written by cmake/embed.cmake
-// every pool begins at a multiple of so many items of its own, and so at 256 bytes
+// Room of a pool is a multiple of so many items, so that every pool begins at a multiple of 256 bytes.
 #define ROOM_ITEMS 64
 
+// written by cmake/embed.cmake
 extern const char opencl_program[];
 extern const size_t opencl_program_length;
 
@@ -19,7 +30,7 @@ static void opencl_close(Backend* b)
 	if (d)
 	{
 		if (d->queue)
-			finish(d); // a failure changes nothing now
+			finish(d); // errors are ignored here
 		tiles_close(d);
 		relay_close(d);
 		persistent_close(d);
@@ -27,8 +38,8 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < STAGE_COUNT; ++i)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
-		held_close(d);
-		pinned_close(d, &d->staging);
+		read_close(d);
+		pinned_close(d, &d->staging.pinned);
 		shared_close(d);
 		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
@@ -40,13 +51,13 @@ static void opencl_close(Backend* b)
 			opencl.ReleaseCommandQueue(d->queue);
 		if (d->context)
 			opencl.ReleaseContext(d->context);
-		scree_release(d->laps);
+		scree_release(d->timing.laps);
 		scree_release(d);
 	}
 	scree_release(b);
 }
 
-// Makes a copy of the pools of a kind with another room, zero behind what they held, and lets the old go.
+// Replaces the buffer of a kind by one with another room. Copies the items; new ones are zero.
 static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 {
 	cl_mem copied;
@@ -57,7 +68,7 @@ static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 			status = CALL(EnqueueCopyBuffer, d->queue, d->buffers[per], copied, pool_offset(d, (PoolId)i),
 			              d->before[i] * (size_t)room, pool_info[i].bytes * (size_t)items, 0, NULL, NULL);
 	if (status == SCREE_OK)
-		status = finish(d); // drivers that allocate late say so by now
+		status = finish(d); // drivers that allocate on first use fail here
 	cl_mem dropped = copied;
 	if (status == SCREE_OK)
 	{
@@ -70,7 +81,7 @@ static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 	return status;
 }
 
-// Gives a kind room for capacity items, and a few more.
+// Gives a kind room for capacity items, rounded up.
 static scree_status make_room(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
@@ -79,8 +90,8 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 		if (pool_info[i].per == per)
 			item_bytes += pool_info[i].bytes;
 
-	// while they are copied, both sizes are held
-	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, held = (uint64_t)item_bytes * (uint64_t)d->room[per];
+	// both buffers exist during the copy
+	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, old = (uint64_t)item_bytes * (uint64_t)d->room[per];
 	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY,
 		            "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.", b->name,
@@ -88,8 +99,35 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 		            (unsigned long long)(wanted >> 20));
 	int room = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
 	TRY(buffer_copy(d, per, room, item_bytes));
-	b->bytes += (uint64_t)item_bytes * (uint64_t)room - held;
+	b->bytes += (uint64_t)item_bytes * (uint64_t)room - old;
 	return SCREE_OK;
+}
+
+// Sets the buffer of a kind, after it has been replaced, in all kernels.
+static scree_status kernels_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < STAGE_COUNT; ++k)
+		TRY(kernel_bind(d, per, &d->stages[k]));
+	if (d->resident)
+	{
+		TRY(kernel_bind(d, per, &d->persistent.kernel));
+		TRY(kernel_bind(d, per, &d->relay.colors));
+		TRY(kernel_bind(d, per, &d->relay.plain));
+		TRY(kernel_bind(d, per, &d->relay.hubs));
+		TRY(kernel_bind(d, per, &d->solve_end));
+		TRY(tiles_bind(d, per));
+	}
+	return primitives_bind(d);
+}
+
+// Releases all scratch buffers of the solve. The next solve reserves them again.
+static scree_status solve_drop(OpenCl* d)
+{
+	Scratch* scratch[TILE_BUFFERS + 3] = {&d->relay.mailboxes, &d->relay.stream, &d->relay.parts};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		scratch[k + 3] = &d->tiles.buffers[k];
+	d->tiles.stale = true;
+	return scratch_drop(d, scratch, TILE_BUFFERS + 3);
 }
 
 static scree_status opencl_resize(Backend* b, Per per, int capacity)
@@ -100,14 +138,14 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 		TRY(make_room(b, per, capacity));
 		TRY(kernels_bind(d, per));
 	}
-	// what the solver has beside the constraints is made anew, as large as it must be
+	// the scratch buffers of the solve shrink with the constraints
 	if (per == EDGE && capacity < b->capacity[per])
-		TRY(scratch_drop(d));
+		TRY(solve_drop(d));
 	b->capacity[per] = capacity;
 	return SCREE_OK;
 }
 
-// Where pools lie in the buffers of their kinds, and each kind among a kernel's arguments.
+// Computes the offset of each pool in the buffer of its kind, and the argument index of each kind.
 static void lay_out(OpenCl* d)
 {
 	size_t item_bytes[PER_COUNT] = {0};
@@ -130,36 +168,11 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	// a world that comes from another device
+	// a world may come from another device
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == CONTACT || per == CONTACT_PLACE || per == BODY;
 	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
 	              bytes * (size_t)count);
-}
-
-scree_status opencl_note(Backend* b, const Counters* counters)
-{
-	OpenCl* d = b->state;
-	d->last = *counters;
-	// where the layout changed, a solve that was listed ahead has laid out nothing
-	d->tiles.stale |= counters->changed || !counters->kept;
-	if (!counters->fault)
-		return SCREE_OK;
-	return fail(SCREE_ERROR_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).",
-	            b->name);
-}
-
-static scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
-{
-	OpenCl* d = b->state;
-	size_t bytes = pool_info[pool].bytes;
-	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
-	if (count == 0)
-		return SCREE_OK;
-	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
-	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
-	d->staged = 0;
-	return pool == POOL_counters ? opencl_note(b, items) : SCREE_OK;
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
@@ -170,7 +183,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
-	d->step_version = 1; // a step of zeros, which no kernel holds yet
+	d->constants.version = 1; // constants.step is zero; kernels begin with version 0, so that they take it
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
@@ -182,35 +195,37 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
 	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(pinned_open(d, READ_ASYNC_BYTES, &d->held));
-	TRY(staging_open(d, options->timings));
-	solve_open(d);
-	d->together = persistent_wanted(d);
+	TRY(read_open(d));
+	TRY(pinned_open(d, STAGING_BYTES, &d->staging.pinned));
+	if (options->timings)
+		TRY(timing_open(d));
+	form_open(d);
+	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	const char* together = cpu ? " -DTOGETHER -DONE_GROUP" : " -DTOGETHER";
-	TRY(program_build(d->context, &d->device, d->together ? together : "", opencl_program, opencl_program_length,
-	                  &d->program));
+	const char* resident_options = cpu ? " -DRESIDENT -DONE_GROUP" : " -DRESIDENT";
+	TRY(program_build(d->context, &d->device, d->resident ? resident_options : "", opencl_program,
+	                  opencl_program_length, &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
-	if (d->together)
+	if (d->resident)
 	{
-		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent));
-		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay));
-		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay_plain));
-		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay_hubs));
+		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
+		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
+		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay.plain));
+		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay.hubs));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}
 	TRY(primitives_open(d));
 
-	// pools without items have room all the same: kernels need something to point at
+	// pools without items have room too: a kernel argument needs a buffer
 	lay_out(d);
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(make_room(b, (Per)i, 1));
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(kernels_bind(d, (Per)i));
-	if (d->together)
+	if (d->resident)
 	{
 		TRY(persistent_open(d));
 		TRY(relay_open(d));

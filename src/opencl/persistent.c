@@ -1,58 +1,72 @@
 // SPDX-License-Identifier: MIT
-// persistent.c -- launches many runs at once (persistent.cl), where the device can.
-#include "opencl/opencl.h"
+// persistent.c -- runs many runs in one launch (persistent.cl), on devices that can.
+#include "opencl/persistent.h"
+#include "opencl/buffer.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 #include <stdlib.h>
 #include <string.h>
 
-// Beyond this many items in a run, launches are faster: the time is memory's then, and a launch fills the device better
-// than the few groups that can meet. Measured on an H200, pyramids, solve of 88 runs, persistent and launched: 10k bodies
-// 0.29 and 0.51 ms, 100k 0.40 and 0.49, 300k 1.10 and 0.86. What comes before the solve is short: 1M mixed bodies in
-// motion, 3M contacts: 1.37 and 1.14 ms.
+// Beyond this many items in a run, launches are faster: memory bandwidth then limits the time, and a launch has a
+// higher occupancy than work-groups that must all be resident at once. Measured on an H200, pyramids, solve of 88
+// runs, persistent and launched: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs
+// before the solve are short: 1M mixed bodies in motion, 3M contacts: 1.37 and 1.14 ms.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-// Bounds of the wait at a meeting, in looks at the counter of half a microsecond or so: 2 s, and 30 ms for the probe. A
-// launch of the solver must never reach the bound, the probe may: then launches are used.
+// Limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe. A step must never reach its limit.
+// The probe may: the device then uses launches.
 #define SPINS       (1 << 22)
 #define PROBE_SPINS (1 << 16)
 #define PROBE_RUNS  64
 
-// Launches runs. A settled world's are the same in every step, and are sent once.
+// arguments after the step
+enum
+{
+	ARGUMENT_LIST = ARGUMENT_FIRST,
+	ARGUMENT_COUNT,
+	ARGUMENT_TABLE,
+	ARGUMENT_PROBES,
+	ARGUMENT_SPINS
+};
+
+// Launches runs. They are uploaded only if they changed: those of a settled world are the same in every step.
 static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
-	cl_kernel kernel = d->persistent.kernel;
+	Persistent* own = &d->persistent;
+	cl_kernel kernel = own->kernel.kernel;
 	size_t bytes = (size_t)count * sizeof(Run);
-	if (count != d->listed_count || memcmp(d->listed, runs, bytes) != 0)
+	if (count != own->listed_count || memcmp(own->listed, runs, bytes) != 0)
 	{
-		TRY(upload(d, d->list, PERSISTENT_HEADER * sizeof(cl_int), runs, bytes));
-		memcpy(d->listed, runs, bytes);
-		d->listed_count = count;
+		TRY(upload(d, own->list, PERSISTENT_HEADER * sizeof(cl_int), runs, bytes));
+		memcpy(own->listed, runs, bytes);
+		own->listed_count = count;
 	}
-	TRY(kernel_step(d, &d->persistent));
+	TRY(kernel_step(d, &own->kernel));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_COUNT, sizeof count, &count));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_SPINS, sizeof spins, &spins));
-	return launch(d, kernel, (size_t)groups * d->persistent.group, d->persistent.group);
+	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
-// Whether the groups really meet, and see what the others wrote before.
-static scree_status probe(OpenCl* d, bool* meets)
+// Tests whether the work-groups are resident at once and see what others wrote before a barrier.
+static scree_status probe(OpenCl* d, bool* works)
 {
 	Run runs[PROBE_RUNS];
 	for (int k = 0; k < PROBE_RUNS; ++k)
-		runs[k] = (Run){PERSISTENT_PROBE, 0, d->most_groups * (int)d->persistent.group, NO_COUNT, k};
-	TRY(launch_list(d, runs, PROBE_RUNS, d->most_groups, PROBE_SPINS));
+		runs[k] = (Run){PERSISTENT_PROBE, 0, d->persistent.groups * (int)d->persistent.kernel.group, NO_COUNT, k};
+	TRY(launch_list(d, runs, PROBE_RUNS, d->persistent.groups, PROBE_SPINS));
 	TRY(finish(d));
 
 	cl_int fault;
 	size_t at = pool_offset(d, POOL_counters) + offsetof(Counters, fault);
 	cl_mem counters = d->buffers[ONE];
 	TRY(CALL(EnqueueReadBuffer, d->queue, counters, CL_TRUE, at, sizeof fault, &fault, 0, NULL, NULL));
-	*meets = fault == 0;
-	if (*meets)
+	*works = fault == 0;
+	if (*works)
 		return SCREE_OK;
 	log_sentence(SCREE_LOG_INFO, "%s: %s; each run is a launch.", d->device.about.name,
-	             fault == FAULT_BLOWN ? "work-groups do not run together" : "work-groups see stale memory");
+	             fault == FAULT_TIMEOUT ? "work-groups are not resident at once" : "work-groups see stale memory");
 	fault = 0;
 	return upload(d, counters, at, &fault, sizeof fault);
 }
@@ -60,79 +74,81 @@ static scree_status probe(OpenCl* d, bool* meets)
 bool persistent_wanted(OpenCl* d)
 {
 	const char* forced = getenv("SCREE_PERSISTENT");
-	d->any_size = forced && *forced && strcmp(forced, "0") != 0;
-	return forced && *forced ? d->any_size : !(d->device.type & CL_DEVICE_TYPE_CPU);
+	d->persistent.any_size = forced && *forced && strcmp(forced, "0") != 0;
+	return forced && *forced ? d->persistent.any_size : !(d->device.type & CL_DEVICE_TYPE_CPU);
 }
 
 scree_status persistent_open(OpenCl* d)
 {
+	Persistent* own = &d->persistent;
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	// groups that are on the device together for certain: those that could be one group, on each compute unit. A CPU
-	// runs groups to their end one after the other: only one meets, which serves tests.
+	// work-groups that are certainly resident at once: as many per compute unit as could form one largest group; a
+	// CPU runs groups one after the other, so it gets one; that suffices for tests.
 	size_t most = 0;
-	TRY(CALL(GetKernelWorkGroupInfo, d->persistent.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
+	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
-	if (d->persistent.group != PERSISTENT_GROUP)
+	if (own->kernel.group != PERSISTENT_GROUP)
 		return SCREE_OK;
-	d->most_groups = cpu ? 1 : d->device.about.units * (int)(most / d->persistent.group);
-	d->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
-	if (!d->listed)
+	own->groups = cpu ? 1 : d->device.about.units * (int)(most / own->kernel.group);
+	own->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
+	if (!own->listed)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
-	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &d->list));
-	TRY(buffer_create(d, 2 * (size_t)d->most_groups * d->persistent.group * sizeof(cl_int), &d->probes));
-	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_LIST, sizeof d->list, &d->list));
-	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_TABLE, sizeof d->table, &d->table));
-	TRY(CALL(SetKernelArg, d->persistent.kernel, ARGUMENT_PROBES, sizeof d->probes, &d->probes));
+	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &own->list));
+	TRY(buffer_create(d, 2 * (size_t)own->groups * own->kernel.group * sizeof(cl_int), &own->probes));
+	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_LIST, sizeof own->list, &own->list));
+	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
+	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
-	d->step_version = 1; // the probe needs a step, whatever it holds
-	bool meets;
-	TRY(probe(d, &meets));
-	if (!meets)
-		d->most_groups = 0;
+	d->constants.version = 1; // the probe needs a step, of any contents
+	bool works;
+	TRY(probe(d, &works));
+	if (!works)
+		own->groups = 0;
 	return SCREE_OK;
 }
 
 void persistent_close(OpenCl* d)
 {
-	if (d->persistent.kernel)
-		opencl.ReleaseKernel(d->persistent.kernel);
-	if (d->list)
-		opencl.ReleaseMemObject(d->list);
-	if (d->probes)
-		opencl.ReleaseMemObject(d->probes);
-	scree_release(d->listed);
+	Persistent* own = &d->persistent;
+	if (own->kernel.kernel)
+		opencl.ReleaseKernel(own->kernel.kernel);
+	if (own->list)
+		opencl.ReleaseMemObject(own->list);
+	if (own->probes)
+		opencl.ReleaseMemObject(own->probes);
+	scree_release(own->listed);
 }
 
-static int items(const Run* run) { return run->end - run->begin; }
+static int item_count(const Run* run) { return run->end - run->begin; }
 
 static bool takes_group(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] == WIDTH_GROUP; }
 
-// how many items a run will have, if counters are what they were
+// how many items a run will have if the counters do not change
 static int likely_items(const OpenCl* d, const Run* run)
 {
 	int end = run->end;
 	if (run->count >= 0)
 	{
-		int bound = ((const int*)&d->last)[run->count];
+		int bound = ((const int*)&d->persistent.last)[run->count];
 		end = bound < end ? bound : end;
 	}
 	return end - run->begin;
 }
 
-// a primitive counts to the box of the run before it
+// the time of a primitive counts to the box of the run before it
 static Box box_of(const Run* run, Box before) { return run->stage < STAGE_COUNT ? stage_boxes[run->stage] : before; }
 
 int persistent_length(const OpenCl* d, const Run* runs, int count)
 {
-	if (d->most_groups == 0)
+	if (d->persistent.groups == 0)
 		return 0;
-	Box box = box_of(runs, d->box);
+	Box box = box_of(runs, d->timing.box);
 	int k = 0;
 	for (; k < count && k < PERSISTENT_GROUP; ++k)
 	{
 		Box own = box_of(&runs[k], box);
 		bool long_one = likely_items(d, &runs[k]) > (own == BOX_solve ? PERSISTENT_SOLVE : PERSISTENT_ITEMS);
-		if ((long_one && !d->any_size) || (d->laps && own != box) || takes_group(&runs[k]))
+		if ((long_one && !d->persistent.any_size) || (d->timing.laps && own != box) || takes_group(&runs[k]))
 			break;
 	}
 	return k > 1 ? k : 0;
@@ -140,10 +156,10 @@ int persistent_length(const OpenCl* d, const Run* runs, int count)
 
 scree_status persistent_run(OpenCl* d, const Run* runs, int count)
 {
-	int largest = 1, group = (int)d->persistent.group;
+	int largest = 1, group = (int)d->persistent.kernel.group;
 	for (int k = 0; k < count; ++k)
-		largest = items(&runs[k]) > largest ? items(&runs[k]) : largest;
+		largest = item_count(&runs[k]) > largest ? item_count(&runs[k]) : largest;
 	int groups = (largest - 1) / group + 1;
-	d->box = box_of(runs, d->box);
-	return launch_list(d, runs, count, groups < d->most_groups ? groups : d->most_groups, SPINS);
+	d->timing.box = box_of(runs, d->timing.box);
+	return launch_list(d, runs, count, groups < d->persistent.groups ? groups : d->persistent.groups, SPINS);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// persistent.cl -- one launch that works through a whole list of runs: all groups meet after each that has items.
+// persistent.cl -- many runs in one launch: a device-wide barrier follows each run that has items.
 //
-// A run may change the counter that bounds a later one of the list: bounds are read after each meeting.
+// A run may change the counter that bounds a later run of the list, so bounds are read after each barrier.
 //
-// A meeting costs a quarter of a launch. It needs all groups on the device at once, which OpenCL does not promise: the
-// host tries it once when it opens a device (PERSISTENT_PROBE), and no wait here is without a bound.
+// The barrier costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not
+// guarantee. The host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
@@ -18,63 +18,64 @@ enum
 	PRIMITIVE_SCAN
 };
 
-// Whether there may be several groups: not on a CPU, whose compiler takes many minutes for meetings that depend on anything.
+// Whether there may be several work-groups. Not on a CPU: its compiler takes many minutes for barriers under a
+// condition.
 #ifdef ONE_GROUP
 #define SEVERAL false
 #else
 #define SEVERAL true
 #endif
 
-typedef struct // of all groups
+typedef struct // device-wide
 {
-	volatile __global int* arrived; // goes on from launch to launch
+	volatile __global int* arrived; // counter of arrivals; keeps rising from launch to launch
 	volatile __global int* fault;
 	volatile BENCH int* healthy;
-	int arrivals; // when the last meeting was over
-	int spins;
-} Meeting;
+	int arrivals; // value of the counter at the end of the last barrier
+	int spins;    // limit of a spin-wait
+} DeviceBarrier;
 
-// Waits until all groups have arrived. False when that took more than so many spins, here or elsewhere.
-INLINE bool meet(Meeting* m)
+// Waits until all work-groups have arrived. False if a spin-wait reached its limit, here or elsewhere.
+INLINE bool device_barrier(DeviceBarrier* b)
 {
-	m->arrivals = (int)((uint)m->arrivals + (uint)get_num_groups(0));
+	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	if (get_local_id(0) == 0)
 	{
 		DEVICE_FENCE();
-		atomic_inc(m->arrived);
-		int spins = m->spins;
-		while ((int)((uint)*m->arrived - (uint)m->arrivals) < 0 && spins > 0)
+		atomic_inc(b->arrived);
+		int spins = b->spins;
+		while ((int)((uint)*b->arrived - (uint)b->arrivals) < 0 && spins > 0)
 			--spins;
 		if (spins <= 0)
-			*m->fault = FAULT_BLOWN;
+			*b->fault = FAULT_TIMEOUT;
 		DEVICE_FENCE();
-		*m->healthy = *m->fault == 0;
+		*b->healthy = *b->fault == 0;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-	return *m->healthy;
+	return *b->healthy;
 }
 
-// The first group waits here until all others have arrived at the next meeting. False as in meet.
-INLINE bool meet_others(const Meeting* m)
+// The first work-group waits until all others have arrived at the next barrier. False as in device_barrier.
+INLINE bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
 	{
-		int spins = m->spins;
-		uint others = (uint)m->arrivals + (uint)get_num_groups(0) - 1u;
-		while ((int)((uint)*m->arrived - others) < 0 && spins > 0)
+		int spins = b->spins;
+		uint others = (uint)b->arrivals + (uint)get_num_groups(0) - 1u;
+		while ((int)((uint)*b->arrived - others) < 0 && spins > 0)
 			--spins;
 		if (spins <= 0)
-			*m->fault = FAULT_BLOWN;
+			*b->fault = FAULT_TIMEOUT;
 		DEVICE_FENCE();
-		*m->healthy = *m->fault == 0;
+		*b->healthy = *b->fault == 0;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-	return *m->healthy;
+	return *b->healthy;
 }
 
-// Meeting number k of the probe: writes k for a work-item of another group, and looks for the k - 1 that a third wrote.
-// The reads are plain and come back to the same places, so that a stale cache shows.
+// Run k of the probe: writes k for a work-item of another work-group, and checks the k - 1 that a third group wrote.
+// The reads are not volatile and use the same addresses again, so a stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -85,17 +86,18 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// A meeting, of the group that is alone with its run where it is.
-INLINE bool meet_or_wait(Meeting* m, bool alone)
+// The barrier after a run: of the work-group if it runs alone, else device-wide.
+INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!SEVERAL || !alone)
-		return meet(m);
+		return device_barrier(b);
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	return true;
 }
 
-// As the launches of primitives.c; the parts of groups that are not there are taken by those that are.
-INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, Meeting* m, bool alone)
+// As the launches of primitives.c. If there are fewer work-groups than parts, a group does several parts.
+INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, DeviceBarrier* b,
+                            bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
@@ -103,9 +105,9 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH B
 	__global Word64 *key = p->key, *other = p->key_other;
 	if (n <= SORT_FEW && !alone)
 	{
-		// a pass takes two meetings, and there are up to eight
+		// a pass takes two barriers, and there are up to eight passes
 		sort_few(key, other, n, from, end, bench);
-		if (!meet(m))
+		if (!device_barrier(b))
 			return false;
 		key = other;
 		end = from;
@@ -115,11 +117,11 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH B
 		uint mask = (1u << min(SORT_DIGIT_BITS, end - shift)) - 1;
 		for (uint block = first; block < blocks; block += groups)
 			sort_count_part(key, n, table, block, shift, mask, bench->sum);
-		if (!meet_or_wait(m, alone))
+		if (!run_barrier(b, alone))
 			return false;
 		for (uint block = first; block < blocks; block += groups)
 			sort_place_part(key, other, n, table, block, shift, mask, bench);
-		if (!meet_or_wait(m, alone))
+		if (!run_barrier(b, alone))
 			return false;
 		__global Word64* swapped = key;
 		key = other;
@@ -131,46 +133,88 @@ INLINE bool sort_together(const Pools* p, Run run, __global uint* table, BENCH B
 	return true;
 }
 
-INLINE bool scan_together(const Pools* p, Run run, __global uint* table, BENCH uint* sum, Meeting* m)
+INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH uint* sum, DeviceBarrier* b)
 {
-	uint n = item_count(run, (__global const int*)p->counters), first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
+	uint n = item_count(run, (__global const int*)p->counters);
+	uint first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
 	for (uint block = first; block < SCAN_BLOCKS; block += groups)
 		scan_sum_part(p->scan, n, table, block, sum);
-	if (!meet(m))
+	if (!device_barrier(b))
 		return false;
 	for (uint block = first; block < SCAN_BLOCKS; block += groups)
 		scan_place_part(p->scan, n, table, block, sum);
 	return true;
 }
 
-// Items of a run, each by one work-item. What takes a group is launched by itself: with it compilation for
-// a CPU takes twice as long.
-#define CASE_ONE(name)                                        \
-	case STAGE_##name:                                        \
-		for (int i = run.begin + from; i < end; i += by)      \
-			name##_item(&pools, i);                           \
+// Items of a run, one per work-item. Stages of one work-group per item are launched by themselves: with them
+// compilation for a CPU takes twice as long.
+#define CASE_ONE(name)                                   \
+	case STAGE_##name:                                   \
+		for (int i = run.begin + from; i < end; i += by) \
+			name##_item(&pools, i);                      \
 		break;
 #define CASE_WIDE(name) CASE_ONE(name)
 #define CASE_GROUP(name)
 
+// End of a run. Its bound may change until the next barrier.
 INLINE int run_end(Run run, const Pools* p)
 {
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
 }
 
-// Whether the first group is faster alone than all with a meeting behind.
+// Whether the first work-group alone is faster than all with a device-wide barrier.
 INLINE bool takes_one_group(Run run, int end)
 {
 	int most = run.stage == PRIMITIVE_SORT ? SORT_GRAIN : run.stage < STAGE_COUNT && run.stage >= 0 ? PERSISTENT_GROUP : 0;
 	return end - run.begin <= most;
 }
 
-// list holds PERSISTENT_HEADER ints, the first two for meetings and one for the first group to say where it has come to,
-// then count runs: one a work-item of a group at most. Each work-item keeps a run and reads its bound after every meeting,
-// so that all bounds together cost one look at memory, and runs without items cost nothing.
+// Run number i of the list; beyond count, a run without items.
+INLINE Run run_at(__global const int* list, int count, int i)
+{
+	Run run = {0, 0, 0, -1, 0};
+	if (i < count)
+		run = ((__global const Run*)(list + PERSISTENT_HEADER))[i];
+	return run;
+}
+
+// The first run from next on that has items, or count. chosen becomes that run. mine is the run that this work-item
+// holds.
+INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile BENCH int* found, BENCH Run* chosen)
+{
+	int lane = (int)get_local_id(0);
+	if (lane == 0)
+		*found = count;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	if (lane >= next && mine.begin < run_end(mine, pools))
+		atomic_min(found, lane);
+	barrier(CLK_LOCAL_MEM_FENCE);
+	if (*found == lane)
+		*chosen = mine;
+	barrier(CLK_LOCAL_MEM_FENCE);
+	return *found;
+}
+
+// A run that is no stage. False if a spin-wait reached its limit.
+INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, BENCH Bench* bench,
+                          DeviceBarrier* b, bool alone)
+{
+	if (run.stage == PRIMITIVE_SORT)
+		return persistent_sort(p, run, table, bench, b, alone);
+	if (run.stage == PRIMITIVE_SCAN)
+		return persistent_scan(p, run, table, bench->sum, b);
+	if (run.stage == PERSISTENT_PROBE)
+		probe(probes, b->fault, run.argument);
+	return true;
+}
+
+// list has PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of the last launch, and the next run
+// of the first work-group. count runs follow, at most one per work-item of a group. Each work-item holds a run and
+// reads its bound after every barrier: all bounds together cost one memory access, and runs without items cost
+// nothing.
 //
-// The first group does short runs alone as long as one follows the other, while the rest are at the meeting behind them. It
-// begins when they all are, for bounds change as soon as it does.
+// The first work-group does consecutive short runs alone, while the others wait at the next device-wide barrier. It
+// begins when all others have arrived there, because its runs change bounds that the others read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {
@@ -179,33 +223,22 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 	__local Bench bench;
 	Pools pools = {POOL_NAMES step, 0};
 	int lane = (int)get_local_id(0), begin = (int)get_global_id(0), stride = (int)get_global_size(0);
-	Run mine = {0, 0, 0, -1, 0};
-	if (lane < count)
-		mine = ((__global const Run*)(list + PERSISTENT_HEADER))[lane];
-	volatile __global int* met = list;
-	Meeting m = {met, &pools.counters->fault, &healthy, met[1], spins};
+	Run mine = run_at(list, count, lane);
+	volatile __global int* header = list;
+	DeviceBarrier b = {header, &pools.counters->fault, &healthy, header[1], spins};
 	bool single = SEVERAL && get_num_groups(0) == 1, alone = single;
 	for (int next = 0;;)
 	{
-		if (lane == 0)
-			found = count;
-		barrier(CLK_LOCAL_MEM_FENCE);
-		if (lane >= next && mine.begin < run_end(mine, &pools))
-			atomic_min(&found, lane);
-		barrier(CLK_LOCAL_MEM_FENCE);
-		if (found == lane)
-			chosen = mine;
-		barrier(CLK_LOCAL_MEM_FENCE);
-		next = found;
+		next = next_run(&pools, mine, next, count, &found, &chosen);
 		Run run = chosen;
 		int end = next < count ? run_end(run, &pools) : 0;
 		bool shares = next == count || !takes_one_group(run, end);
 		if (SEVERAL && alone && shares && !single)
 		{
 			if (lane == 0)
-				met[2] = next;
+				header[2] = next;
 			alone = false;
-			if (!meet(&m))
+			if (!device_barrier(&b))
 				return;
 		}
 		if (next == count)
@@ -213,41 +246,32 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		if (SEVERAL && !alone && !shares)
 		{
 			alone = get_group_id(0) == 0;
-			if (!(alone ? meet_others(&m) : meet(&m)))
+			if (!(alone ? device_barrier_await(&b) : device_barrier(&b)))
 				return;
 			if (!alone)
 			{
-				next = met[2];
+				next = header[2];
 				continue;
 			}
 		}
 		++next;
 		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
-		bool well = true;
 		switch (run.stage)
 		{
 #define X(name, width, box) CASE_##width(name)
 #include "stages/stages.def"
 #undef X
-		case PRIMITIVE_SORT:
-			well = sort_together(&pools, run, table, &bench, &m, alone);
-			break;
-		case PRIMITIVE_SCAN:
-			well = scan_together(&pools, run, table, bench.sum, &m);
-			break;
-		case PERSISTENT_PROBE:
-			probe(probes, m.fault, run.argument);
-			break;
+		default:
+			if (!run_primitive(&pools, run, table, probes, &bench, &b, alone))
+				return;
 		}
-		if (!well)
-			return;
 		if (!alone && next == count)
 			break;
-		if (!meet_or_wait(&m, alone))
+		if (!run_barrier(&b, alone))
 			return;
 	}
-	// after a meeting all have read where it began
+	// all work-groups have read header[1] before the last barrier
 	if (begin == 0)
-		met[1] = m.arrivals;
+		header[1] = b.arrivals;
 }

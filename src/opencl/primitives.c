@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // primitives.c -- launches sort and scan (primitives.cl).
-#include "opencl/opencl.h"
+#include "opencl/primitives.h"
+#include "opencl/buffer.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 
-// most groups of a part each that so many items can use
+// work-groups for so many items: one per grain, at most most
 static size_t groups_for(int items, int grain, int most)
 {
 	int groups = (items - 1) / grain + 1;
@@ -20,18 +23,18 @@ static scree_status set_buffers(cl_kernel kernel, const cl_mem* buffers, cl_uint
 scree_status primitives_bind(OpenCl* d)
 {
 	cl_ulong scan = pool_offset(d, POOL_scan);
-	cl_kernel scans[] = {d->scan_sum, d->scan_place};
+	cl_kernel scans[] = {d->primitives.scan_sum, d->primitives.scan_place};
 	for (int i = 0; i < 2; ++i)
 	{
-		TRY(set_buffers(scans[i], (cl_mem[]){d->buffers[CONTACT], d->buffers[ONE], d->table}, 3));
+		TRY(set_buffers(scans[i], (cl_mem[]){d->buffers[CONTACT], d->buffers[ONE], d->primitives.table}, 3));
 		TRY(CALL(SetKernelArg, scans[i], 4, sizeof scan, &scan));
 	}
 	cl_ulong from = pool_offset(d, POOL_key_other), to = pool_offset(d, POOL_key);
-	TRY(set_buffers(d->sort_count, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->table}, 3));
-	TRY(set_buffers(d->sort_place, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->table}, 3));
-	TRY(set_buffers(d->sort_return, (cl_mem[]){d->buffers[KEY], d->buffers[ONE]}, 2));
-	TRY(CALL(SetKernelArg, d->sort_return, 3, sizeof from, &from));
-	return CALL(SetKernelArg, d->sort_return, 4, sizeof to, &to);
+	TRY(set_buffers(d->primitives.sort_count, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->primitives.table}, 3));
+	TRY(set_buffers(d->primitives.sort_place, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->primitives.table}, 3));
+	TRY(set_buffers(d->primitives.sort_return, (cl_mem[]){d->buffers[KEY], d->buffers[ONE]}, 2));
+	TRY(CALL(SetKernelArg, d->primitives.sort_return, 3, sizeof from, &from));
+	return CALL(SetKernelArg, d->primitives.sort_return, 4, sizeof to, &to);
 }
 
 scree_status primitives_open(OpenCl* d)
@@ -41,8 +44,9 @@ scree_status primitives_open(OpenCl* d)
 		const char* name;
 		cl_kernel* kernel;
 	} kernels[] = {
-	    {"sort_count", &d->sort_count}, {"sort_place", &d->sort_place}, {"sort_return", &d->sort_return},
-	    {"scan_sum", &d->scan_sum},     {"scan_place", &d->scan_place},
+	    {"sort_count", &d->primitives.sort_count},   {"sort_place", &d->primitives.sort_place},
+	    {"sort_return", &d->primitives.sort_return}, {"scan_sum", &d->primitives.scan_sum},
+	    {"scan_place", &d->primitives.scan_place},
 	};
 	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)
 	{
@@ -52,35 +56,36 @@ scree_status primitives_open(OpenCl* d)
 			return fail(SCREE_ERROR_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", kernels[i].name,
 			            opencl_error_name(error), (int)error);
 	}
-	return buffer_create(d, (size_t)SORT_BLOCKS * SORT_DIGITS * sizeof(cl_uint), &d->table);
+	return buffer_create(d, (size_t)SORT_BLOCKS * SORT_DIGITS * sizeof(cl_uint), &d->primitives.table);
 }
 
 void primitives_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->sort_count, d->sort_place, d->sort_return, d->scan_sum, d->scan_place};
+	cl_kernel kernels[] = {d->primitives.sort_count, d->primitives.sort_place, d->primitives.sort_return,
+	                       d->primitives.scan_sum, d->primitives.scan_place};
 	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
-	if (d->table)
-		opencl.ReleaseMemObject(d->table);
+	if (d->primitives.table)
+		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// One pass: orders the keys that begin at one offset by bits shift to shift + bits - 1, into the place of the others.
+// One pass: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to offset to.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;
-	TRY(CALL(SetKernelArg, d->sort_count, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->sort_count, 4, sizeof from, &from));
-	TRY(CALL(SetKernelArg, d->sort_count, 5, sizeof shift, &shift));
-	TRY(CALL(SetKernelArg, d->sort_count, 6, sizeof mask, &mask));
-	TRY(CALL(SetKernelArg, d->sort_place, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->sort_place, 4, sizeof from, &from));
-	TRY(CALL(SetKernelArg, d->sort_place, 5, sizeof to, &to));
-	TRY(CALL(SetKernelArg, d->sort_place, 6, sizeof shift, &shift));
-	TRY(CALL(SetKernelArg, d->sort_place, 7, sizeof mask, &mask));
+	TRY(CALL(SetKernelArg, d->primitives.sort_count, 3, sizeof *run, run));
+	TRY(CALL(SetKernelArg, d->primitives.sort_count, 4, sizeof from, &from));
+	TRY(CALL(SetKernelArg, d->primitives.sort_count, 5, sizeof shift, &shift));
+	TRY(CALL(SetKernelArg, d->primitives.sort_count, 6, sizeof mask, &mask));
+	TRY(CALL(SetKernelArg, d->primitives.sort_place, 3, sizeof *run, run));
+	TRY(CALL(SetKernelArg, d->primitives.sort_place, 4, sizeof from, &from));
+	TRY(CALL(SetKernelArg, d->primitives.sort_place, 5, sizeof to, &to));
+	TRY(CALL(SetKernelArg, d->primitives.sort_place, 6, sizeof shift, &shift));
+	TRY(CALL(SetKernelArg, d->primitives.sort_place, 7, sizeof mask, &mask));
 	size_t items = PRIMITIVE_GROUP * groups_for(run->end, SORT_GRAIN, SORT_BLOCKS);
-	TRY(launch(d, d->sort_count, items, PRIMITIVE_GROUP));
-	return launch(d, d->sort_place, items, PRIMITIVE_GROUP);
+	TRY(launch(d, d->primitives.sort_count, items, PRIMITIVE_GROUP));
+	return launch(d, d->primitives.sort_place, items, PRIMITIVE_GROUP);
 }
 
 static scree_status sort_run(OpenCl* d, const Run* run)
@@ -99,19 +104,19 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 	if (passes % 2 == 0)
 		return SCREE_OK;
 
-	// a copy is cheaper than a pass more
-	TRY(CALL(SetKernelArg, d->sort_return, 2, sizeof *run, run));
-	return launch(d, d->sort_return, PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS),
-	              PRIMITIVE_GROUP);
+	// a copy costs less than another pass
+	TRY(CALL(SetKernelArg, d->primitives.sort_return, 2, sizeof *run, run));
+	return launch(d, d->primitives.sort_return,
+	              PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS), PRIMITIVE_GROUP);
 }
 
 static scree_status scan_run(OpenCl* d, const Run* run)
 {
 	size_t items = PRIMITIVE_GROUP * groups_for(run->end, SCAN_GRAIN, SCAN_BLOCKS);
-	TRY(CALL(SetKernelArg, d->scan_sum, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->scan_place, 3, sizeof *run, run));
-	TRY(launch(d, d->scan_sum, items, PRIMITIVE_GROUP));
-	return launch(d, d->scan_place, items, PRIMITIVE_GROUP);
+	TRY(CALL(SetKernelArg, d->primitives.scan_sum, 3, sizeof *run, run));
+	TRY(CALL(SetKernelArg, d->primitives.scan_place, 3, sizeof *run, run));
+	TRY(launch(d, d->primitives.scan_sum, items, PRIMITIVE_GROUP));
+	return launch(d, d->primitives.scan_place, items, PRIMITIVE_GROUP);
 }
 
 scree_status primitive_run(OpenCl* d, const Run* run)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// primitives.cl -- sort and scan, two launches a pass, which assume nothing about when groups run.
+// primitives.cl -- sort and scan: two launches per pass, which assume nothing about the order of work-groups.
 //
-// In the first launch each group counts (or sums) its own part of the items into a row of a table. In the second each
-// group adds up what lies before it in the table, and puts its items where they go. A launch to scan the table between
-// the two would cost more than reading it many times, for it is small and cached. The persistent kernel takes the same
-// parts, with a meeting where a launch would end.
+// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second,
+// each group adds up the rows before its own and writes its items to their places. A launch that scans the table
+// between the two would cost more than reading it many times: the table is small and cached. The persistent kernel
+// processes the same parts, with a device-wide barrier instead of the end of a launch.
 //
-// The number of items is read on the device: groups past it leave at once. Pools come as the buffer of their kind and
-// the place in it, in bytes; the counters are alone in theirs.
+// The item count is read on the device; work-groups beyond it return at once. Pools are passed as the buffer of their
+// kind and an offset in it, in bytes. The counters have a buffer of their own.
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
@@ -18,14 +18,14 @@ INLINE uint item_count(Run run, __global const int* counters)
 	return (uint)max(0, run.count < 0 ? run.end : min(run.end, counters[run.count]));
 }
 
-// items of each group, when so many groups share n items; a whole number of grains
+// items per work-group if so many groups share n items; a multiple of grain
 INLINE uint part_size(uint n, uint groups, uint grain)
 {
 	uint grains = (n + grain - 1) / grain;
 	return max(1u, (grains + groups - 1) / groups) * grain;
 }
 
-// The sum of x over the work-items before this one; the total is left in sum[PRIMITIVE_GROUP - 1].
+// The sum of x over the work-items before this one. sum[PRIMITIVE_GROUP - 1] becomes the total.
 INLINE uint group_scan(BENCH uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
@@ -43,14 +43,14 @@ INLINE uint group_scan(BENCH uint* sum, uint x)
 	return all - x;
 }
 
-typedef struct __attribute__((aligned(8))) // local memory of a group; member lies behind 1 KiB
+typedef struct __attribute__((aligned(8))) // local memory of a work-group; member begins at 1 KiB
 {
 	uint sum[PRIMITIVE_GROUP];
 	uint member[2][SORT_WORDS][SORT_DIGITS];
 	uint place[SORT_WORDS][SORT_DIGITS];
 } Bench;
 
-// How many keys of a part have each digit.
+// Counts the keys of a part by digit.
 INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
                             BENCH uint* count)
 {
@@ -68,10 +68,10 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 	table[block * SORT_DIGITS + t] = count[t];
 }
 
-// Puts the keys of a part where they belong by one digit, those of equal digits in the order they had.
+// Writes the keys of a part to their places by one digit. The sort is stable.
 //
-// Within 256 neighbours, the rank of a key among its equals is found with a bit mask a digit: each work-item sets its
-// bit, whatever the order, and counts the bits below. Work-item t is the keeper of digit t.
+// Within 256 consecutive keys, a bit mask per digit gives the rank of a key among equal digits: each work-item sets
+// its bit, in any order, and counts the lower bits. Work-item t also keeps the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, BENCH Bench* bench)
 {
@@ -81,7 +81,7 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	if (begin >= end)
 		return;
 
-	// first place of digit t: after all smaller digits, and after the same digit in the parts before
+	// first place of digit t: after all smaller digits, and after digit t in earlier parts
 	uint before = 0, total = 0, blocks = (n + part - 1) / part;
 	for (uint k = 0; k < blocks; ++k)
 	{
@@ -120,8 +120,9 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Puts few keys where they belong by bits from to end, those of equal bits in the order they had: each behind as many as
-// are smaller. All groups keep all keys, SORT_TEAM work-items count for one.
+// Writes few keys to their places by bits from to end, in one stable pass: the place of a key is the number of
+// smaller keys. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one key with the
+// others.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      BENCH Bench* bench)
 {
@@ -151,7 +152,7 @@ INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uin
 	}
 }
 
-// The sum of a part.
+// Adds up a part.
 INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, BENCH uint* sum)
 {
 	uint t = (uint)get_local_id(0);
@@ -169,7 +170,7 @@ INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Replaces each item of a part by the sum of all items before it.
+// Replaces each item of a part by the sum of all items before it (exclusive scan).
 INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, BENCH uint* sum)
 {
 	uint t = (uint)get_local_id(0);
@@ -224,7 +225,7 @@ PRIMITIVE sort_place(__global uchar* keys, __global const int* counters, __globa
 	                table, (uint)get_group_id(0), shift, mask, &bench);
 }
 
-// Brings the keys home after an odd number of passes.
+// Copies the keys to their pool after an odd number of passes.
 __kernel void sort_return(__global uchar* keys, __global const int* counters, Run run, ulong from, ulong to)
 {
 	__global const Word64* key_other = (__global const Word64*)(keys + from);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// most lines of a compiler's messages that go to the log
+// lines of the compiler's messages that go to the log, at most
 #define LOG_LINES 40
 
 #define OPTION_BYTES 128
@@ -17,7 +17,7 @@ static void all_options(const Device* device, const char* more, char text[OPTION
 	snprintf(text, OPTION_BYTES, "-cl-std=CL1.2%s%s", division, more);
 }
 
-// All that can change the binary.
+// A digest of all that can change the binary.
 static Digest program_key(const Device* device, const char* options, const char* text, size_t length)
 {
 	Digest key = digest_begin();

@@ -4,8 +4,8 @@
 #define OPENCL_PROGRAM_H
 #include "opencl/device.h"
 
-// options are added to those that equal bits need. text is what cmake/embed.cmake wrote. The caller releases *program. When it does not build, the compiler's messages
-// go to the log.
+// Builds text, which cmake/embed.cmake wrote, with options and those that equal bits need. The caller releases
+// *program. If the build fails, the messages of the compiler go to the log.
 scree_status program_build(cl_context context, const Device* device, const char* options, const char* text,
                            size_t length, cl_program* program);
 

@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: MIT
 // share.c -- memory that OpenGL draws from, which the kernel of the stage show writes.
 //
-// Drivers offer it by either of two extensions: cl_khr_gl_sharing takes a buffer object of OpenGL, in a context made
-// for that; cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. Both want it handed over
-// before a kernel touches it, and handed back after. So the memory is an argument of one kernel, for one launch; the
-// others keep the pool.
-#include "opencl/opencl.h"
+// Drivers offer it by one of two extensions. cl_khr_gl_sharing takes a buffer object of OpenGL, in a context created
+// for it. cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. With both, the memory must
+// be acquired before a kernel uses it and released afterwards. It is therefore an argument of one kernel, for one
+// launch; the other kernels use the pool.
+#include "opencl/share.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 
-// of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not know
+// of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not have
 #define MEMORY_OPAQUE_FD 0x2060
 
 typedef cl_ulong MemoryProperty;
 typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
 typedef cl_mem(CL_API_CALL* CreateFromOpenGl)(cl_context, cl_mem_flags, cl_uint, cl_int*);
 
-typedef struct // of a way to share
+typedef struct // the functions of an extension
 {
-	const char *create, *acquire, *release; // functions of OpenCL
-} Way;
+	const char *create, *acquire, *release;
+} Extension;
 
-static Way way_of(scree_sharing how)
+static Extension extension_of(scree_sharing how)
 {
 	if (how == SCREE_SHARING_OPENGL)
-		return (Way){"clCreateFromGLBuffer", "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"};
-	return (Way){"clCreateBufferWithProperties", "clEnqueueAcquireExternalMemObjectsKHR",
-	             "clEnqueueReleaseExternalMemObjectsKHR"};
+		return (Extension){"clCreateFromGLBuffer", "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"};
+	return (Extension){"clCreateBufferWithProperties", "clEnqueueAcquireExternalMemObjectsKHR",
+	                   "clEnqueueReleaseExternalMemObjectsKHR"};
 }
 
 static cl_mem import(OpenCl* d, void* create, const SharedMemory* memory, cl_int* error)
@@ -42,20 +44,20 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory)
 	Shared made = {0};
 	if (memory)
 	{
-		Way way = way_of(memory->how);
-		void* create = opencl_find(d->device.platform, way.create);
-		made.acquire = (Handover)opencl_find(d->device.platform, way.acquire);
-		made.release = (Handover)opencl_find(d->device.platform, way.release);
+		Extension extension = extension_of(memory->how);
+		void* create = opencl_find(d->device.platform, extension.create);
+		made.acquire = (ShareFunction)opencl_find(d->device.platform, extension.acquire);
+		made.release = (ShareFunction)opencl_find(d->device.platform, extension.release);
 		if (!create || !made.acquire || !made.release)
 			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s has no %s.", b->name,
-			            !create         ? way.create
-			            : !made.acquire ? way.acquire
-			                            : way.release);
+			            !create         ? extension.create
+			            : !made.acquire ? extension.acquire
+			                            : extension.release);
 		cl_int error = CL_SUCCESS;
 		made.memory = import(d, create, memory, &error);
 		if (error)
 			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s does not take the memory to share: %s says %s (%d).", b->name,
-			            way.create, opencl_error_name(error), (int)error);
+			            extension.create, opencl_error_name(error), (int)error);
 	}
 	scree_status status = finish(d);
 	cl_mem left = status == SCREE_OK ? d->shared.memory : made.memory;
@@ -71,11 +73,11 @@ scree_status opencl_show(Backend* b, const Run* run)
 	OpenCl* d = b->state;
 	Shared* shared = &d->shared;
 	const Kernel* kernel = &d->stages[run->stage];
-	TRY(opencl_check("handing over shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[RENDER_ROW], sizeof(cl_mem), &shared->memory));
 	TRY(stage_run(d, run));
 	TRY(kernel_bind(d, RENDER_ROW, kernel));
-	TRY(opencl_check("handing back shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
 	return finish(d);
 }
 
@@ -87,7 +89,7 @@ void shared_close(OpenCl* d)
 
 scree_status context_open(OpenCl* d, const scree_opengl* opengl)
 {
-	// a context that shares with OpenGL, where that is asked for and works; else a plain one
+	// a context shared with OpenGL if the user wants one and it works, else a plain one
 	cl_int error;
 	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
 	if (opengl && d->device.shares_opengl)

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
-#define NEVER       (1 << 18) // looks: more than any turn takes to come
+#define NEVER       (1 << 18) // reads of a mailbox: more than any wait needs
 
 typedef struct // words that stay from solve to solve
 {
@@ -29,12 +29,12 @@ static BackendFunctions functions; // of the CPU, but for run, solve and resize
 static Form form;
 static Pools pools;
 static Task task;
-static Kept rows, parts;
+static Kept mailboxes, parts;
 static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
 static Task laid_out;
 static bool stale; // tiles must be laid out anew
 
-void form_spoil(int body, int word, uint64_t value) { rows.words[body * relay_words + word] = value; }
+void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
 
 // Memory for so many items of so many bytes, which hold nothing in particular.
 static void* buffer(Buffers* buffers, int count, size_t bytes)
@@ -203,7 +203,7 @@ static bool tiles_solve(const Solve* solve)
 static scree_status solve_emulated(const Solve* solve)
 {
 	task = (Task){.pools = &pools,
-	              .rows = keep(&rows, solve->bodies * relay_words),
+	              .mailboxes = keep(&mailboxes, solve->bodies * mailbox_words),
 	              .bodies = solve->bodies,
 	              .constraints = solve_constraints(solve),
 	              .substeps = solve->substeps,
@@ -225,10 +225,10 @@ static scree_status solve_emulated(const Solve* solve)
 	form_counts.fault = pools.counters->fault;
 	if (form_counts.fault)
 		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
-	for (int k = 0; k < solve->bodies * relay_words; ++k)
-		if (rows.words[k])
-			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the row of body %d is not zero after the solve",
-			            k % relay_words, k / relay_words);
+	for (int k = 0; k < solve->bodies * mailbox_words; ++k)
+		if (mailboxes.words[k])
+			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the mailbox of body %d is not zero after the solve",
+			            k % mailbox_words, k / mailbox_words);
 	return SCREE_OK;
 }
 
@@ -276,9 +276,9 @@ void form_take(scree_world* world, const Form* how)
 
 void form_close(void)
 {
-	free(rows.words);
+	free(mailboxes.words);
 	free(parts.words);
-	rows = parts = (Kept){0};
+	mailboxes = parts = (Kept){0};
 	let_go(&tile_buffers);
 	items_close();
 }

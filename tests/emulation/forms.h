@@ -35,7 +35,7 @@ typedef struct // since form_take
 } FormCounts;
 extern FormCounts form_counts;
 
-// A word of a body's row that the next solve begins with, as if the last one had left it there.
+// Sets a word of a body's mailbox before the next solve, as if the last one had not cleared it.
 void form_spoil(int body, int word, uint64_t value);
 
 void form_close(void);

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef struct // two words of a row
+typedef struct // two words of a mailbox
 {
 	_Alignas(16) uint64_t x;
 	uint64_t y;

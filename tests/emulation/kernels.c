@@ -11,9 +11,9 @@
 #include "emulation/kernels.h"
 #include <stdlib.h>
 
-const int relay_group = RELAY_GROUP, relay_words = RELAY_WORDS, relay_turns = RELAY_TURNS,
+const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_tickets = RELAY_TICKETS,
           stream_float4s = STREAM_FLOAT4S, tile_bodies = TILE_BODIES, tile_group = TILE_GROUP,
-          tile_columns = TILE_COLUMNS, fault_blown = FAULT_BLOWN, fault_stale = FAULT_STALE;
+          tile_columns = TILE_COLUMNS, fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
 
 #define CALL(name, ...)                              \
 	static void call_##name(const void* arguments)   \
@@ -21,9 +21,10 @@ const int relay_group = RELAY_GROUP, relay_words = RELAY_WORDS, relay_turns = RE
 		const Task* t = arguments;                   \
 		name(t->pools, t->pools->step, __VA_ARGS__); \
 	}
-CALL(relay, t->rows, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
-CALL(relay_plain, t->rows, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
-CALL(relay_hubs, t->rows, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts, t->hub_groups)
+CALL(relay, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
+CALL(relay_plain, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
+CALL(relay_hubs, t->mailboxes, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts,
+     t->hub_groups)
 CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
 CALL(tile_settle, t->place, t->border, t->places, t->bound)
 CALL(tile_list, t->place, t->resident, t->places, t->bound)
@@ -39,7 +40,7 @@ TILE_PASS(tile_warm_start)
 TILE_PASS(tile_bias)
 TILE_PASS(tile_relax)
 TILE_PASS(tile_bounce)
-CALL(tile_border, t->rows, t->table, t->order, t->stream, t->stride, t->tile_rows, t->substeps, t->passes, t->q,
+CALL(tile_border, t->mailboxes, t->table, t->order, t->stream, t->stride, t->tile_rows, t->substeps, t->passes, t->q,
      t->bound, t->spins)
 
 static void call_tile_total(const void* arguments)

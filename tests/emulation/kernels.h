@@ -8,7 +8,7 @@
 typedef struct // of all kernels that work on pools; each takes what it needs
 {
 	const Pools* pools;
-	Word64 *rows, *parts;
+	Word64 *mailboxes, *parts;
 	Float4* stream;
 	int bodies, constraints, substeps, passes, bound, spins, spread, hub_groups;
 	// tiles
@@ -43,11 +43,11 @@ typedef enum
 bool kernel_run(KernelId kernel, const Task* task, int groups, int group, const Turns* turns,
                 char sentence[ITEMS_SENTENCE]);
 
-// Runs relay_probe and returns what it says: 0, FAULT_BLOWN or FAULT_STALE; -1 when it came to no end.
+// Runs relay_probe and returns what it says: 0, FAULT_TIMEOUT or FAULT_STALE; -1 when it came to no end.
 int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
 
 // what the host must know of the sizes of opencl/limits.h
-extern const int relay_group, relay_words, relay_turns, stream_float4s, tile_bodies, tile_group, tile_columns,
-    fault_blown, fault_stale;
+extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,
+    fault_timeout, fault_stale;
 
 #endif

@@ -62,8 +62,8 @@ typedef Words ulong2;
 #define group_meet()  barrier(0)
 #define bench_meet()  barrier(0)
 
-#define RELAY_LOOK(row)               items_look(row)
-#define RELAY_PUT(row, first, second) items_put(row, (Words){(first), (second)})
+#define MAILBOX_READ(row)                 items_look(row)
+#define MAILBOX_WRITE(row, first, second) items_put(row, (Words){(first), (second)})
 
 // the pools come as one struct; POOL_NAMES is made of src/pools/pools.def by tests/CMakeLists.txt
 #define POOL_ARGUMENTS const Pools *given,

@@ -219,7 +219,7 @@ void check_fault(const char* name, Form form)
 {
 	scree_status status;
 	scree_world* world = step_once(name, form, &status);
-	if (form_counts.sentence[0] || status != SCREE_ERROR_DEVICE_FAILED || form_counts.fault != fault_blown)
+	if (form_counts.sentence[0] || status != SCREE_ERROR_DEVICE_FAILED || form_counts.fault != fault_timeout)
 		fail_msg("%s, group %d shunned, put %d lost: status %d, fault %d; %s", form.name, form.turns.shunned,
 		         form.turns.lost, (int)status, form_counts.fault, form_counts.sentence);
 	if (form_counts.looks > LEARN)

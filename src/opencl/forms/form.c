@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // form.c -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
-#include "constraints/schedule.h"
-#include "opencl/opencl.h"
+#include "opencl/forms/form.h"
+#include "opencl/forms/relay.h"
+#include "opencl/forms/tiles.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
+#include "opencl/runs.h"
 #include "platform/error.h"
 #include <stdlib.h>
 #include <string.h>
@@ -9,10 +13,10 @@
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
 
-// groups of guard a compute unit: its items are few as a rule, and more groups would only find that out
+// Work-groups of guard per compute unit. It usually has few items, so more groups would find none.
 #define GUARD_GROUPS 4
 
-// arguments of solve_end behind the step
+// arguments of solve_end after the step
 enum
 {
 	END_BODIES = ARGUMENT_STEP + 1,
@@ -21,38 +25,36 @@ enum
 	END_BOUND
 };
 
-void solve_open(OpenCl* d)
+void form_open(OpenCl* d)
 {
 	const char* forced = getenv("SCREE_SOLVER");
-	d->solver = FORM_ANY;
+	d->form = FORM_ANY;
 	if (forced && strcmp(forced, "relay") == 0)
-		d->solver = FORM_RELAY;
+		d->form = FORM_RELAY;
 	if (forced && strcmp(forced, "tiles") == 0)
-		d->solver = FORM_TILES;
+		d->form = FORM_TILES;
 }
 
-bool solve_plain(const OpenCl* d) { return !d->step.rare && !d->step.bounces && !d->step.round; }
-
-// Room for a solve as a relay or in tiles. Launches by color need none: they follow where there is no room.
+// Reserves memory for a solve by relay or tiles. If that fails, launches by color are used; they need none.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
 	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
 }
 
-// The form in which a solve is fastest, as far as this device can.
+// The fastest form that the device supports.
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
-	if (d->relay.groups == 0 || d->solver == FORM_LAUNCHES)
+	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES)
 		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
-	if (d->solver == FORM_RELAY || (d->solver == FORM_ANY && few))
+	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
-	// a hub's spokes lie in many tiles
-	bool tiles = solve->counters->hubs == 0 && (d->solver == FORM_TILES || tiles_pay(d, solve));
+	// the spokes of a hub are in many tiles
+	bool tiles = solve->counters->hubs == 0 && (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
-// Moves what no constraint pushes, and finalizes all bodies; then those that go far.
+// Integrates bodies without constraints and finalizes all bodies; then runs guard for fast ones.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;
@@ -64,7 +66,7 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &passes));
 	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
 	size_t group = d->solve_end.group;
-	d->box = BOX_finalize;
+	d->timing.box = BOX_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
 	return stage_run_within(d, &guard, GUARD_GROUPS);
 }
@@ -77,7 +79,7 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 	if (form != FORM_LAUNCHES && form_reserve(d, solve, form) != SCREE_OK)
 	{
 		log_sentence(SCREE_LOG_WARNING, "%s: %s; the solver is slower without.", b->name, scree_error());
-		d->solver = form = FORM_LAUNCHES;
+		d->form = form = FORM_LAUNCHES;
 	}
 	if (form == FORM_LAUNCHES)
 	{
@@ -86,7 +88,7 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 		list->count = 0;
 		return status;
 	}
-	d->box = BOX_solve;
+	d->timing.box = BOX_solve;
 	TRY(form == FORM_RELAY ? relay_run(d, solve) : tiles_run(d, solve));
 	TRY(solve_end(d, solve));
 	return CALL(Flush, d->queue);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// registers.cl -- what relay and tiles share: constraints in registers, and bodies that no constraint pushes.
+// registers.cl -- what relay and tiles share: constraints in registers and in the stream, and bodies without
+// constraints.
 //
-// A pass over registers does what a pass of solve.h does over pools, by the same functions, so that the bits are the same.
+// A pass over registers calls the same functions as a pass over pools (solve.h), so the bits are the same.
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
-// A plain world has no shape with a radius, and surfaces that rub and do nothing else. Kernels for it alone leave the rest
-// out, and with it registers that a device could not give to more work-items. On an H200 the solve of a million stacked
-// boxes takes 1.379 ms so, and 1.420 without.
+// A plain world has no radii, restitution, rolling resistance or tangent speed. Kernels specialized for it use fewer
+// registers, so their occupancy is higher. On an H200 the solve of a million stacked boxes takes 1.379 ms with them and
+// 1.420 ms without.
 #define STEP_PLAIN(step) ((step).rare = (step).rolls = (step).details = (step).bounces = (step).round = 0)
 
 INLINE void body_row(const Pools* p, int body, float row[8])
@@ -47,7 +48,15 @@ INLINE void body_keep(const Pools* p, int body, const float row[8])
 	state->da = row[6];
 }
 
-// whether all are zero, with a plus
+// Clears the counters of a solve.
+INLINE void counters_clear(const Pools* p)
+{
+	p->counters->nonfinite = 0;
+	p->counters->held = 0;
+	p->counters->first_nonfinite = 0x7fffffff;
+}
+
+// whether all are +0
 INLINE bool all_zero(const float* values, int count)
 {
 	int bits = 0;
@@ -56,11 +65,11 @@ INLINE bool all_zero(const float* values, int count)
 	return bits == 0;
 }
 
-// The row of a body that no constraint pushes, as pass q finds it. It is worked out by whoever asks: a row in memory
-// would have to wait for its last reader.
+// The state of a body without constraints at pass q. Each reader computes it: state in memory could only be replaced
+// after its last reader.
 //
-// Most rest, and need no more than the first substep: where accelerating leads from rest to rest, it does so again, from
-// the same bits by the same function, and moving adds nothing.
+// Most such bodies rest and need only the first substep. If body_accelerate maps rest to rest, it does so again,
+// because the same function gets the same bits; body_move then adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -88,11 +97,11 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 
 typedef struct // one body of a constraint
 {
-	int body, before; // of its constraints, so many come before this one in a pass
+	int body, before; // before: number of the body's constraints before this one in a pass
 	bool moves, last; // last: no other constraint of the body comes after this one
 } Side;
 
-// The side of a constraint of some color. With hubs, bodies may have been with some before.
+// The side of a constraint of a color. With hubs, the hubs of a body come before its colors.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -117,7 +126,7 @@ typedef struct // a constraint in registers
 	bool inert;
 } Registers;
 
-// Its bodies, as they are when a step begins.
+// Loads its bodies as they are when a step begins.
 INLINE void registers_bodies(const Pools* p, Registers* u)
 {
 	BodyState a = p->body[u->side[0].body], b = p->body[u->side[1].body];
@@ -131,7 +140,7 @@ INLINE void registers_bodies(const Pools* p, Registers* u)
 	u->b.da = 0.0f;
 }
 
-// A constraint with its bodies, but for its sides: all rows, and what is derived of them.
+// Loads a constraint and its bodies, but not its sides, and derives what the passes need.
 INLINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
@@ -141,15 +150,15 @@ INLINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 	u.side[0].body = bodies.x;
 	u.side[1].body = bodies.y;
 	registers_bodies(p, &u);
-#define CONSTRAINT_KIND(name, Name, NAME)                        \
-	if (at.kind == CONSTRAINT_##NAME)                            \
-	{                                                            \
-		name##_setup(p, at.place, slot, &u.name);                \
-		if (p->step.rare)                                      \
-			name##_setup_rare(p, at.place, &u.name);             \
-		name##_take(p, at.place, &u.name);                       \
-		name##_derive(IN_PASSES, &u.a, &u.b, &u.name);           \
-		name##_start(&p->step, &u.name);                         \
+#define CONSTRAINT_KIND(name, Name, NAME)              \
+	if (at.kind == CONSTRAINT_##NAME)                  \
+	{                                                  \
+		name##_setup(p, at.place, slot, &u.name);      \
+		if (p->step.rare)                              \
+			name##_setup_rare(p, at.place, &u.name);   \
+		name##_take(p, at.place, &u.name);             \
+		name##_derive(IN_PASSES, &u.a, &u.b, &u.name); \
+		name##_start(&p->step, &u.name);               \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -172,41 +181,41 @@ INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 	return u;
 }
 
-// What a pass needs of where the bodies are.
+// Derives what a pass needs of the positions of the bodies.
 INLINE void registers_ready(Registers* u)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)         \
-	if (u->at.kind == CONSTRAINT_##NAME)          \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_ready(&u->a, &u->b, &u->name);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }
 
-// A pass of solve.h for what is in registers.
+// A pass of solve.h over registers.
 INLINE void registers_pass(const Pools* p, int pass, Registers* u)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)         \
-	if (u->at.kind == CONSTRAINT_##NAME)          \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_pass(p, pass, u->at.place, &u->name, &u->a, &u->b);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }
 
-// What is kept, for the next step.
+// Stores what the next step needs.
 INLINE void registers_stow(const Pools* p, const Registers* u)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)         \
-	if (u->at.kind == CONSTRAINT_##NAME)          \
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
 		name##_stow(p, u->at.place, &u->name);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// the stream: what does not stay in registers lies in columns of n, STREAM_QUADS of float4, then STREAM_PAIRS of float2
+// the stream: constraints that are not in registers, in STREAM_QUADS columns of float4, then STREAM_PAIRS of float2
 // ---------------------------------------------------------------------------------------------------------------
 
-// the last column of each sort is not a kind's own: inverse masses, bodies
+// the last column of each type is common to all kinds: inverse masses, bodies
 #define EDGE_QUAD (STREAM_QUADS - 1)
 #define EDGE_PAIR (STREAM_PAIRS - 1)
 
@@ -215,67 +224,67 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 	return (__global float2*)(stream + STREAM_QUADS * n) + i;
 }
 
-// Of constraint j: quads and pairs are its first of either, n is how far the columns lie apart.
+// quads and pairs are the first float4 and float2 of constraint j; n is the length of a column.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
-#define STREAM_LEAVE_QUAD(k, c0, c1, c2, c3)      quads[k * n] = make_float4(c0, c1, c2, c3);
-#define STREAM_LEAVE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
-#define STREAM_TAKE_QUAD(k, c0, c1, c2, c3)                                                  \
-	{                                                                                        \
-		float4 quad = quads[k * n];                                                          \
-		c0 = quad.x;                                                                         \
-		c1 = quad.y;                                                                         \
-		c2 = quad.z;                                                                         \
-		c3 = quad.w;                                                                         \
+#define STREAM_STORE_QUAD(k, c0, c1, c2, c3)        quads[k * n] = make_float4(c0, c1, c2, c3);
+#define STREAM_STORE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
+#define STREAM_LOAD_QUAD(k, c0, c1, c2, c3) \
+	{                                       \
+		float4 quad = quads[k * n];         \
+		c0 = quad.x;                        \
+		c1 = quad.y;                        \
+		c2 = quad.z;                        \
+		c3 = quad.w;                        \
 	}
-#define STREAM_TAKE_PAIR(k, read, written, c0, c1)                                           \
-	if ((read) & passes)                                                                     \
-	{                                                                                        \
-		float2 pair = pairs[k * n];                                                          \
-		c0 = pair.x;                                                                         \
-		c1 = pair.y;                                                                         \
+#define STREAM_LOAD_PAIR(k, read, written, c0, c1) \
+	if ((read) & passes)                           \
+	{                                              \
+		float2 pair = pairs[k * n];                \
+		c0 = pair.x;                               \
+		c1 = pair.y;                               \
 	}
-#define STREAM_UPDATE_PAIR(k, read, written, c0, c1)                                         \
-	if ((written) & passes)                                                                  \
+#define STREAM_UPDATE_PAIR(k, read, written, c0, c1) \
+	if ((written) & passes)                          \
 		pairs[k * n] = make_float2(c0, c1);
 
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                  \
-	/* Constraint j with a number of the caller's; all of it, what some passes read, what they write. */ \
-	INLINE void kind##_leave(const Kind* u, float name, __global float4* stream, int n, int j)   \
-	{                                                                                        \
-		__global float4* quads = stream + j;                                                 \
-		__global float2* pairs = stream_pairs(stream, n, j);                                 \
-		KIND##_STREAM(STREAM_LEAVE_QUAD, STREAM_LEAVE_PAIR)                                  \
-	}                                                                                        \
-	INLINE float kind##_return(Kind* u, int passes, __global float4* stream, int n, int j)   \
-	{                                                                                        \
-		float name;                                                                          \
-		__global float4* quads = stream + j;                                                 \
-		__global float2* pairs = stream_pairs(stream, n, j);                                 \
-		KIND##_STREAM(STREAM_TAKE_QUAD, STREAM_TAKE_PAIR)                                    \
-		return name;                                                                         \
-	}                                                                                        \
-	INLINE void kind##_update(const Kind* u, int passes, __global float4* stream, int n, int j) \
-	{                                                                                        \
-		__global float2* pairs = stream_pairs(stream, n, j);                                 \
-		KIND##_STREAM(STREAM_SKIP_QUAD, STREAM_UPDATE_PAIR)                                  \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                   \
+	/* Store constraint j and a number of the caller; load what some passes read; store what they write. */ \
+	INLINE void kind##_stream_store(const Kind* u, float name, __global float4* stream, int n, int j)       \
+	{                                                                                                       \
+		__global float4* quads = stream + j;                                                                \
+		__global float2* pairs = stream_pairs(stream, n, j);                                                \
+		KIND##_STREAM(STREAM_STORE_QUAD, STREAM_STORE_PAIR)                                                 \
+	}                                                                                                       \
+	INLINE float kind##_stream_load(Kind* u, int passes, __global float4* stream, int n, int j)             \
+	{                                                                                                       \
+		float name;                                                                                         \
+		__global float4* quads = stream + j;                                                                \
+		__global float2* pairs = stream_pairs(stream, n, j);                                                \
+		KIND##_STREAM(STREAM_LOAD_QUAD, STREAM_LOAD_PAIR)                                                   \
+		return name;                                                                                        \
+	}                                                                                                       \
+	INLINE void kind##_stream_update(const Kind* u, int passes, __global float4* stream, int n, int j)      \
+	{                                                                                                       \
+		__global float2* pairs = stream_pairs(stream, n, j);                                                \
+		KIND##_STREAM(STREAM_SKIP_QUAD, STREAM_UPDATE_PAIR)                                                 \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// All of it to column j; what a pass writes.
-INLINE void registers_leave(const Registers* u, __global float4* stream, int n, int j)
+// Stores all of a constraint as number j. registers_update: only what a pass writes.
+INLINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
 	{
 		stream[j] = make_float4(as_float(-1), 0.0f, 0.0f, 0.0f);
 		return;
 	}
-	int turns = 0;
+	int sides = 0;
 	for (int k = 0; k < 2; ++k)
-		turns |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
-#define CONSTRAINT_KIND(name, Name, NAME)                                 \
-	if (u->at.kind == CONSTRAINT_##NAME)                                  \
-		name##_leave(&u->name, as_float(turns), stream, n, j);
+		sides |= (u->side[k].before | u->side[k].moves << 6 | u->side[k].last << 7) << (8 * k);
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
+		name##_stream_store(&u->name, as_float(sides), stream, n, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	stream[EDGE_QUAD * n + j] = make_float4(u->a.inv_mass, u->a.inv_inertia, u->b.inv_mass, u->b.inv_inertia);
@@ -284,39 +293,39 @@ INLINE void registers_leave(const Registers* u, __global float4* stream, int n, 
 
 INLINE void registers_update(const Registers* u, int pass, __global float4* stream, int n, int j)
 {
-#define CONSTRAINT_KIND(name, Name, NAME)                                 \
-	if (u->at.kind == CONSTRAINT_##NAME)                                  \
-		name##_update(&u->name, 1 << pass, stream, n, j);
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u->at.kind == CONSTRAINT_##NAME)  \
+		name##_stream_update(&u->name, 1 << pass, stream, n, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }
 
-INLINE Side side_return(int body, int turns)
+INLINE Side side_load(int body, int sides)
 {
 	Side side;
 	side.body = body;
-	side.before = turns & 63;
-	side.moves = turns >> 6 & 1;
-	side.last = turns >> 7 & 1;
+	side.before = sides & 63;
+	side.moves = sides >> 6 & 1;
+	side.last = sides >> 7 & 1;
 	return side;
 }
 
-// Task t from column j.
-INLINE Registers registers_return(const Pools* p, int t, __global float4* stream, int n, int j)
+// Loads task t, number j of the stream.
+INLINE Registers registers_load(const Pools* p, int t, __global float4* stream, int n, int j)
 {
 	Registers u;
-	int turns = -1;
+	int sides = -1;
 	float2 bodies = stream_pairs(stream, n, j)[EDGE_PAIR * n];
 	float4 mass = stream[EDGE_QUAD * n + j];
 	u.at = task_at(p, t);
-#define CONSTRAINT_KIND(name, Name, NAME)                                 \
-	if (u.at.kind == CONSTRAINT_##NAME)                                   \
-		turns = as_int(name##_return(&u.name, IN_PASSES, stream, n, j));
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (u.at.kind == CONSTRAINT_##NAME)   \
+		sides = as_int(name##_stream_load(&u.name, IN_PASSES, stream, n, j));
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	u.inert = turns < 0;
-	u.side[0] = side_return(as_int(bodies.x), turns);
-	u.side[1] = side_return(as_int(bodies.y), turns >> 8);
+	u.inert = sides < 0;
+	u.side[0] = side_load(as_int(bodies.x), sides);
+	u.side[1] = side_load(as_int(bodies.y), sides >> 8);
 	u.a.inv_mass = mass.x;
 	u.a.inv_inertia = mass.y;
 	u.a.d = vec(0.0f, 0.0f);
@@ -328,7 +337,7 @@ INLINE Registers registers_return(const Pools* p, int t, __global float4* stream
 	return u;
 }
 
-// What no constraint pushed moves alone, and all bodies are finalized but for what guard does.
+// Integrates the bodies without constraints, and finalizes all bodies. guard follows.
 __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};

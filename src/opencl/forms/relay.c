@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
 // relay.c -- launches the solve as one relay (relay.cl).
-#include "opencl/opencl.h"
+#include "opencl/forms/relay.h"
+#include "opencl/buffer.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 
-// bounds of a wait, in looks at a word of half a microsecond or so: 2 s, and 30 ms for the probe
-#define SPINS        RELAY_SPINS_MOST
+// limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe
+#define SPINS        RELAY_MAX_SPINS
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Work-items a constraint, at most. A warp goes on when all of its constraints can: the fewer it has, the sooner. On an H200 the
-// solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32.
-#define MOST_SPREAD 8
+// Work-items per constraint, at most. A warp continues when all its constraints can, so fewer per warp wait less. On
+// an H200 the solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4,
+// 8, 16 and 32.
+#define MAX_SPREAD 8
 
-// arguments behind the step, of relay and of relay_hubs: the same but for those of one alone
+// arguments after the step, of relay (RELAY_) and of relay_hubs (HUBS_); the first two are the same
 enum
 {
-	RELAY_ROWS = ARGUMENT_STEP + 1,
+	RELAY_MAILBOXES = ARGUMENT_STEP + 1,
 	RELAY_STREAM,
 	RELAY_COUNT,
 	RELAY_SUBSTEPS,
@@ -24,75 +28,81 @@ enum
 	HUBS_GROUPS
 };
 
-scree_status rows_reserve(OpenCl* d, const Solve* solve)
+scree_status mailboxes_reserve(OpenCl* d, const Solve* solve)
 {
-	return scratch_reserve(d, &d->rows, (size_t)solve->bodies * RELAY_WORDS * sizeof(cl_ulong));
+	return scratch_reserve(d, &d->relay.mailboxes, (size_t)solve->bodies * MAILBOX_WORDS * sizeof(cl_ulong));
 }
 
-// groups for hubs, of which there is one at least, and for the other constraints; one for both where only one runs
+// work-groups for hubs, at least one; other_groups are for the other constraints; if only one is resident, it does both
 static size_t hub_groups(const OpenCl* d, const Solve* solve)
 {
-	size_t most = d->relay_hubs.groups > 1 ? (size_t)d->relay_hubs.groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
+	size_t most = d->relay.hubs.groups > 1 ? (size_t)d->relay.hubs.groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
 	return hubs < most ? hubs : most;
 }
 
 static size_t other_most(const OpenCl* d, const Solve* solve)
 {
-	return (size_t)d->relay_hubs.groups - hub_groups(d, solve);
+	return (size_t)d->relay.hubs.groups - hub_groups(d, solve);
 }
 
-// How many work-items a constraint has, of which one works, where the device has room for them.
+// Work-items per constraint, as the device has room. One of them works.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
-	while (spread < MOST_SPREAD && 2 * (size_t)spread * (size_t)constraints <= places)
+	while (spread < MAX_SPREAD && 2 * (size_t)spread * (size_t)constraints <= places)
 		spread *= 2;
 	return spread;
 }
 
 static size_t other_groups(const OpenCl* d, const Solve* solve)
 {
-	size_t most = other_most(d, solve), group = d->relay_hubs.group;
+	size_t most = other_most(d, solve), group = d->relay.hubs.group;
 	int constraints = solve_constraints(solve), spread = spread_of(constraints, most * group);
 	size_t groups = groups_of(constraints * spread, group);
 	return groups < most ? groups : most;
 }
 
-static Kernel* relay_kernel(OpenCl* d) { return solve_plain(d) ? &d->relay_plain : &d->relay; }
+bool solve_plain(const OpenCl* d)
+{
+	return !d->constants.step.rare && !d->constants.step.bounces && !d->constants.step.round;
+}
+
+static Kernel* relay_kernel(OpenCl* d) { return solve_plain(d) ? &d->relay.plain : &d->relay.colors; }
 
 scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
-	TRY(rows_reserve(d, solve));
+	TRY(mailboxes_reserve(d, solve));
 	const Kernel* relay = relay_kernel(d);
 	int constraints = solve_constraints(solve), hubs = solve->counters->hubs;
 	bool registers = constraints <= relay->groups * (int)relay->group;
 	if (hubs > 0)
 	{
-		TRY(scratch_reserve(d, &d->parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));
-		registers = (size_t)constraints <= other_groups(d, solve) * d->relay_hubs.group;
+		TRY(scratch_reserve(d, &d->relay.parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));
+		registers = (size_t)constraints <= other_groups(d, solve) * d->relay.hubs.group;
 	}
-	return scratch_reserve(d, &d->stream, registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
+	return scratch_reserve(d, &d->relay.stream,
+	                       registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
-// Whether work-items really run together, each on its own.
-static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem rows, cl_mem fault, bool* runs)
+// Tests whether work-items are resident at once and make progress independently.
+static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem fault, bool* runs)
 {
 	cl_int rounds = PROBE_ROUNDS, spins = PROBE_SPINS, found = 0;
-	TRY(CALL(SetKernelArg, kernel, 0, sizeof rows, &rows));
+	TRY(CALL(SetKernelArg, kernel, 0, sizeof mailboxes, &mailboxes));
 	TRY(CALL(SetKernelArg, kernel, 1, sizeof fault, &fault));
 	TRY(CALL(SetKernelArg, kernel, 2, sizeof rounds, &rounds));
 	TRY(CALL(SetKernelArg, kernel, 3, sizeof spins, &spins));
-	TRY(launch(d, kernel, (size_t)d->relay.groups * d->relay.group, d->relay.group));
+	TRY(launch(d, kernel, (size_t)d->relay.colors.groups * d->relay.colors.group, d->relay.colors.group));
 	TRY(CALL(EnqueueReadBuffer, d->queue, fault, CL_TRUE, 0, sizeof found, &found, 0, NULL, NULL));
 	*runs = found == 0;
 	if (found)
 		log_sentence(SCREE_LOG_INFO, "%s: %s; the solver does without the relay.", d->device.about.name,
-		             found == FAULT_BLOWN ? "work-items do not run together" : "words arrive in pieces");
+		             found == FAULT_TIMEOUT ? "work-items are not resident at once" : "words arrive in pieces");
 	return SCREE_OK;
 }
 
-// How many groups run together. A CPU runs work-items to their end one after the other: only one is sure to run, which serves
-// tests.
+// Counts the work-groups that are resident at once. A CPU runs work-items one after the other, so it gets one of
+// each; that suffices for tests.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;
@@ -106,27 +116,28 @@ static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 
 scree_status relay_open(OpenCl* d)
 {
-	if (d->most_groups == 0)
+	if (d->persistent.groups == 0)
 		return SCREE_OK;
-	TRY(count_groups(d, &d->relay));
-	TRY(count_groups(d, &d->relay_plain));
-	TRY(count_groups(d, &d->relay_hubs));
+	TRY(count_groups(d, &d->relay.colors));
+	TRY(count_groups(d, &d->relay.plain));
+	TRY(count_groups(d, &d->relay.hubs));
 
 	cl_int error;
-	cl_mem rows = NULL, fault = NULL;
+	cl_mem mailboxes = NULL, fault = NULL;
 	bool runs = false;
 	cl_kernel kernel = opencl.CreateKernel(d->program, "relay_probe", &error);
 	scree_status status = opencl_check("clCreateKernel", error);
 	if (!status)
-		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.groups * d->relay.group, &rows);
+		status =
+		    buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.colors.groups * d->relay.colors.group, &mailboxes);
 	if (!status)
 		status = buffer_create(d, sizeof(cl_int), &fault);
 	if (!status)
-		status = probe(d, kernel, rows, fault, &runs);
+		status = probe(d, kernel, mailboxes, fault, &runs);
 	if (!runs)
-		d->relay.groups = 0;
-	if (rows)
-		opencl.ReleaseMemObject(rows);
+		d->relay.colors.groups = 0;
+	if (mailboxes)
+		opencl.ReleaseMemObject(mailboxes);
 	if (fault)
 		opencl.ReleaseMemObject(fault);
 	if (kernel)
@@ -136,21 +147,21 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.kernel, d->relay_plain.kernel, d->relay_hubs.kernel, d->solve_end.kernel};
+	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel, d->relay.hubs.kernel, d->solve_end.kernel};
 	for (int i = 0; i < 4; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
-	scratch_release(&d->rows);
-	scratch_release(&d->stream);
-	scratch_release(&d->parts);
+	scratch_release(&d->relay.mailboxes);
+	scratch_release(&d->relay.stream);
+	scratch_release(&d->relay.parts);
 }
 
-// What both kernels take; the five from substeps on follow each other.
+// Sets the arguments that both kernels have. The five from substeps on are consecutive.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;
-	TRY(CALL(SetKernelArg, kernel, RELAY_ROWS, sizeof(cl_mem), &d->rows.buffer));
-	TRY(CALL(SetKernelArg, kernel, RELAY_STREAM, sizeof(cl_mem), &d->stream.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_MAILBOXES, sizeof(cl_mem), &d->relay.mailboxes.buffer));
+	TRY(CALL(SetKernelArg, kernel, RELAY_STREAM, sizeof(cl_mem), &d->relay.stream.buffer));
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	const cl_int* values[] = {&solve->substeps, &passes, &solve->bound, &spins, &spread};
 	for (cl_uint k = 0; k < 5; ++k)
@@ -160,15 +171,15 @@ static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel ker
 
 static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 {
-	cl_kernel kernel = d->relay_hubs.kernel;
+	cl_kernel kernel = d->relay.hubs.kernel;
 	cl_int groups = (cl_int)hub_groups(d, solve),
-	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * d->relay_hubs.group);
-	TRY(kernel_step(d, &d->relay_hubs));
+	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * d->relay.hubs.group);
+	TRY(kernel_step(d, &d->relay.hubs));
 	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
-	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->parts.buffer));
+	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->relay.parts.buffer));
 	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
-	size_t all = d->relay_hubs.groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
-	return launch(d, kernel, all * d->relay_hubs.group, d->relay_hubs.group);
+	size_t all = d->relay.hubs.groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
+	return launch(d, kernel, all * d->relay.hubs.group, d->relay.hubs.group);
 }
 
 scree_status relay_run(OpenCl* d, const Solve* solve)

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// relay_hub.cl -- the relay of a world with hubs: some groups take the hubs, the others the constraints that have colors.
+// relay_hub.cl -- the relay of a world with hubs: some work-groups solve the hubs, the others the constraints with
+// colors.
 //
-// In each pass a body comes to its hubs first. So the group of a hub waits for the rows of the hub and of all its light
-// ends as the pass before leaves them, solves them together (hub.h), and hands each on to its first color. A body that is
-// split into parts is handed on by one work-item, when all of its parts have come.
+// In each pass the hubs of a body come before its colors. The work-group of a hub waits for the mailboxes of the hub
+// and of all its light ends, solves them together (hub.h), and sends each body to its next hub or its first color. If
+// a body is split into parts, one work-item collects the parts and sends the body on.
 //
-// Tasks are taken in the order of passes and, within a pass, the turns of hubs, colors; and within a turn, hubs, split bodies: the first that is not done waits for
-// none.
+// Tasks are done in the order of passes; within a pass, the turns of hubs come before the colors; within a turn,
+// the hubs come before the split bodies. The first task that is not done never waits.
 #include "opencl/forms/relay.cl"
 
-// A body in a turn of hubs.
+// The side of a body in a turn of hubs (HUB_TURNS).
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
@@ -21,11 +22,11 @@ INLINE Side relay_side(const Pools* p, int body, int turn)
 	return side;
 }
 
-// The body as pass q finds it. False when it never came.
-INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* b)
+// Receives a body for pass q. False if its ticket did not come.
+INLINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body* b)
 {
 	float row[8];
-	volatile __global ulong* words = r->rows + RELAY_WORDS * (ulong)side.body;
+	volatile __global ulong* words = r->mailboxes + MAILBOX_WORDS * (ulong)side.body;
 	bool waits = side.moves && (q > 0 || side.before > 0);
 	if (waits)
 		body_row(p, side.body, row);
@@ -37,14 +38,14 @@ INLINE bool relay_fetch(const Pools* p, const Relay* r, Side side, int q, Body* 
 	b->d = vec(row[4], row[5]);
 	b->da = row[6];
 	b->inv_inertia = row[7];
-	bool well = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_turn(schedule_moved(q), 0), &b->d, &b->da, waits, words,
-	                       relay_turn(q, side.before), &b->v, &b->w);
+	bool ok = relay_wait(p, r, waits && schedule_moved(q) > 0, words + 2, relay_ticket(schedule_moved(q), 0), &b->d,
+	                     &b->da, waits, words, relay_ticket(q, side.before), &b->v, &b->w);
 	body_turn(b);
-	return well;
+	return ok;
 }
 
-// A body goes on from a hub of pass q with another velocity, to the next hub, to its first color or to the next pass.
-INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
+// Sends a body from a hub of pass q with a new velocity: to its next hub, its first color or the next pass.
+INLINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
 {
 	Body b;
 	float row[8], m[8], base[4];
@@ -59,55 +60,56 @@ INLINE void relay_hand_on(const Pools* p, const Relay* r, Side side, int q, floa
 	b.inv_inertia = row[7];
 	if (side.last && schedule_moved(q) > 0)
 	{
-		// it came with the velocity, before
-		volatile __global const ulong* moved = r->rows + RELAY_WORDS * (ulong)side.body + 2;
-		relay_open(RELAY_LOOK(moved), relay_turn(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
+		// the displacement arrived before the velocity
+		volatile __global const ulong* moved = r->mailboxes + MAILBOX_WORDS * (ulong)side.body + 2;
+		mailbox_unpack(MAILBOX_READ(moved), relay_ticket(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
 	}
-	relay_bring(p, r, side, q, m, base);
-	relay_pass_to(r, side, q, b);
-	relay_pass_on(p, r, side, q, b, m, base);
+	relay_load_motion(p, r, side, q, m, base);
+	relay_send_next(r, side, q, b);
+	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Velocity of a part of a body, for the work-item that puts the parts together. Tags rise from pass to pass and begin
-// below where they ended, so that nothing needs to be cleared.
-INLINE void relay_leave_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
+// Sends the velocity of a part of a body to the work-item that collects the parts. The tickets rise from pass to
+// pass, and the first of a step is lower than the last of the step before, so parts need not be cleared.
+INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
-	relay_give(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
+	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
 }
 
-INLINE bool relay_take_part(const Pools* p, const Relay* r, volatile __global ulong* parts, int k, int q, Vec* v, float* w)
+INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global ulong* parts, int k, int q, Vec* v,
+                               float* w)
 {
 	Vec none;
 	float no;
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Pass q of hub n, by a group: nothing once fault is set, which it sets when something never came. Parts of light ends are
-// named by their spoke, those of hubs come behind.
+// Pass q of hub n, by a work-group. Sets fault if a ticket did not come, and then does nothing. The index of a part
+// is the spoke for light ends; the parts of hubs come after those.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       BENCH float* bench, volatile BENCH int* fault)
 {
 	Body b;
 	int turn = hub_turn(n);
 	Side own = relay_side(p, hub_span_of(p, n).body, turn);
-	bool well = relay_fetch(p, r, own, q, &b);
+	bool ok = relay_receive(p, r, own, q, &b);
 	float row[8] = {b.v.x, b.v.y, b.w, b.inv_mass, b.d.x, b.d.y, b.da, b.inv_inertia};
 	Hub h = hub_begin(p, n, row);
 	HUB_EACH_COLUMN(c, &h)
 	HUB_EACH_OF(i, c, &h)
 	{
 		Body light;
-		well = relay_fetch(p, r, relay_side(p, spoke_light(p, &h, i), turn), q, &light) && well;
+		ok = relay_receive(p, r, relay_side(p, spoke_light(p, &h, i), turn), q, &light) && ok;
 		spoke_begin(p, &h, i, light);
 	}
-	if (!well)
+	if (!ok)
 		*fault = 1;
 	group_meet();
 	if (*fault)
 		return;
 	hub_work(p, &h, schedule_pass(r->substeps, q), bench);
 
-	// the hub itself comes behind its spokes
+	// the hub itself comes after its spokes
 	group_meet();
 	for (int k = group_lane(); k <= h.count; k += group_width())
 	{
@@ -115,13 +117,13 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		float vx = hub ? h.now[0] : spoke_at(p, vx, m), vy = hub ? h.now[1] : spoke_at(p, vy, m),
 		      w = hub ? h.now[2] : spoke_at(p, w, m), count = hub ? spoke_at(p, hub_parts, m) : spoke_at(p, parts, m);
 		if (count == 1.0f)
-			relay_hand_on(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k), turn), q, vx, vy, w);
+			relay_send_from_hub(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k), turn), q, vx, vy, w);
 		else
-			relay_leave_part(parts, hub ? spoke_places(p) + n : m, q, vx, vy, w);
+			relay_send_part(parts, hub ? spoke_places(p) + n : m, q, vx, vy, w);
 	}
 }
 
-// A turn of pass q of the body that sorted end i begins, if it is split; as hub_merge.
+// Collects the parts of the body that sorted end i begins, if it is split, in a turn of pass q; as hub_merge.
 INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -133,11 +135,11 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 	Body b;
 	Vec part, sum = vec(0.0f, 0.0f);
 	float spin, w = 0.0f;
-	if (!relay_fetch(p, r, side, q, &b))
+	if (!relay_receive(p, r, side, q, &b))
 		return false;
 	if (n >= 0)
 	{
-		if (!relay_take_part(p, r, parts, spoke_places(p) + n, q, &part, &spin))
+		if (!relay_receive_part(p, r, parts, spoke_places(p) + n, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, n).first));
 		sum = vec((part.x - b.v.x) / count, (part.y - b.v.y) / count);
@@ -145,110 +147,158 @@ INLINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong*
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
-		if (!relay_take_part(p, r, parts, p->spoke_order[k] / HUB_TURNS, q, &part, &spin))
+		if (!relay_receive_part(p, r, parts, p->spoke_order[k] / HUB_TURNS, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, parts, p->spoke_order[k] / HUB_TURNS);
 		sum = vec_add(sum, vec((part.x - b.v.x) / count, (part.y - b.v.y) / count));
 		w = w + (spin - b.w) / count;
 	}
-	relay_hand_on(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
+	relay_send_from_hub(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
 	return true;
 }
 
-// As relay. The first hub_groups groups take hubs; the others take constraints, or all of it is left to one group. parts has
-// room for spokes and hubs.
-__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* rows, __global float4* stream, int substeps, int passes,
-                         int bound, int spins, int spread, __global ulong* parts, int hub_groups)
+typedef struct // what a work-group or a work-item takes of the tasks
+{
+	bool hubs, colors;                // whether the group solves hubs, and constraints with colors
+	int group, hub_groups, hub_count; // hubs group, group + hub_groups, ...
+	int spokes;
+	int begin, stride, constraints; // constraints begin, begin + stride, ... of this work-item
+	bool streamed;                  // else the only constraint of the work-item stays in registers
+	__global float4* stream;
+} HubTasks;
+
+INLINE HubTasks hub_tasks(const Pools* p, __global float4* stream, int spread, int hub_groups)
+{
+	HubTasks t;
+	int groups = (int)get_num_groups(0), lane = group_lane(), width = group_width();
+	t.group = (int)get_group_id(0);
+	t.hub_groups = hub_groups;
+	t.hubs = t.group < hub_groups;
+	t.colors = groups == 1 || !t.hubs;
+	t.constraints = task_first(p->counters, COLORS);
+	t.hub_count = p->counters->hubs;
+	t.spokes = spoke_places(p);
+	int place = groups == 1 ? lane : (t.group - hub_groups) * width + lane;
+	t.stride = (groups == 1 ? width : (groups - hub_groups) * width) / spread;
+	t.begin = place % spread == 0 ? place / spread : t.constraints;
+	t.streamed = t.constraints > t.stride;
+	t.stream = stream;
+	return t;
+}
+
+// Prepares the spokes of the hubs of a work-group.
+INLINE void hub_tasks_prepare_hubs(const Pools* p, const HubTasks* t)
+{
+	for (int n = t->group; n < t->hub_count; n += t->hub_groups)
+	{
+		Hub h;
+		HubSpan span = hub_span_of(p, n);
+		h.first = span.first;
+		h.count = span.count;
+		HUB_EACH_COLUMN(c, &h)
+		HUB_EACH_OF(i, c, &h)
+		{
+			contact_prepare_item(p, i);
+			if (p->step.round || p->step.rare)
+				contact_prepare_rare_item(p, i);
+		}
+	}
+}
+
+INLINE void hub_tasks_prepare_colors(const Pools* p, const HubTasks* t, Registers* u)
+{
+	for (int i = t->begin; i < t->constraints; i += t->stride)
+	{
+		*u = registers_prepare(p, i, true);
+		if (t->streamed)
+			registers_store(u, t->stream, t->constraints, i);
+	}
+}
+
+// Pass q of the hubs of a work-group. False, for the whole group, if a ticket did not come.
+INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* t, volatile __global ulong* parts, int q,
+                                BENCH float* bench, volatile BENCH int* fault)
+{
+	bool ok = true;
+	int width = group_width();
+	for (int turn = 0; turn < HUB_TURNS && turn < t->hub_count; ++turn)
+	{
+		for (int n = t->group; n < t->hub_count; n += t->hub_groups)
+			if (hub_turn(n) == turn)
+				relay_hub(p, r, parts, n, q, bench, fault);
+		if (p->counters->split > 0)
+			for (int i = t->group * width + group_lane(); i < t->spokes && ok; i += t->hub_groups * width)
+				ok = relay_merge(p, r, parts, i, q, turn);
+		group_meet();
+	}
+	if (!ok)
+		*fault = 1;
+	group_meet();
+	return !*fault;
+}
+
+// Pass q of the constraints of a work-item. False if a ticket did not come.
+INLINE bool hub_tasks_pass_colors(const Pools* p, const Relay* r, const HubTasks* t, int q, Registers* u,
+                                  volatile BENCH int* fault)
+{
+	bool ok = true;
+	for (int i = t->colors ? t->begin : t->constraints; i < t->constraints && ok; i += t->stride)
+	{
+		if (t->streamed)
+			*u = registers_load(p, i, t->stream, t->constraints, i);
+		ok = relay_task(p, r, q, u, false, fault);
+		if (t->streamed && !u->inert)
+			registers_update(u, schedule_pass(r->substeps, q), t->stream, t->constraints, i);
+	}
+	return ok;
+}
+
+INLINE void hub_tasks_stow_colors(const Pools* p, const HubTasks* t, Registers* u)
+{
+	for (int i = t->begin; i < t->constraints; i += t->stride)
+	{
+		if (t->streamed)
+			*u = registers_load(p, i, t->stream, t->constraints, i);
+		if (!u->inert)
+			registers_stow(p, u);
+	}
+}
+
+// As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does
+// both. parts has two words per spoke and per hub.
+__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps,
+                         int passes, int bound, int spins, int spread, __global ulong* parts, int hub_groups)
 {
 	volatile __local int fault;
 	__local float bench[GROUP_FLOATS];
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	Relay r = {rows, substeps, passes, spins};
+	Relay r = {mailboxes, substeps, passes, spins};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
-	int group = (int)get_group_id(0), groups = (int)get_num_groups(0), lane = group_lane(), width = group_width();
-	bool for_hubs = group < hub_groups, for_colors = groups == 1 || !for_hubs;
-	int constraints = task_first(p->counters, COLORS), hubs = p->counters->hubs, spokes = spoke_places(p);
-	int place = groups == 1 ? lane : (group - hub_groups) * width + lane;
-	int stride = (groups == 1 ? width : (groups - hub_groups) * width) / spread;
-	int begin = place % spread == 0 ? place / spread : constraints;
+	HubTasks tasks = hub_tasks(p, stream, spread, hub_groups);
 	if (get_global_id(0) == 0)
-	{
-		p->counters->nonfinite = 0;
-		p->counters->held = 0;
-		p->counters->first_nonfinite = 0x7fffffff;
-	}
-	if (lane == 0)
+		counters_clear(p);
+	if (group_lane() == 0)
 		fault = 0;
 	group_meet();
 
 	Registers u;
-	if (for_hubs)
-		for (int n = group; n < hubs; n += hub_groups)
-		{
-			Hub h;
-			HubSpan span = hub_span_of(p, n);
-			h.first = span.first;
-			h.count = span.count;
-			HUB_EACH_COLUMN(c, &h)
-			HUB_EACH_OF(i, c, &h)
-			{
-				contact_prepare_item(p, i);
-				if (p->step.round || p->step.rare)
-					contact_prepare_rare_item(p, i);
-			}
-		}
-	if (for_colors)
-		for (int i = begin; i < constraints; i += stride)
-		{
-			u = registers_prepare(p, i, true);
-			if (constraints > stride)
-				registers_leave(&u, stream, constraints, i);
-		}
+	if (tasks.hubs)
+		hub_tasks_prepare_hubs(p, &tasks);
+	if (tasks.colors)
+		hub_tasks_prepare_colors(p, &tasks, &u);
 	for (int q = 0; q < passes; ++q)
 	{
-		bool well = true;
-		if (for_hubs)
+		if (tasks.hubs && !hub_tasks_pass_hubs(p, &r, &tasks, parts, q, bench, &fault))
 		{
-			for (int turn = 0; turn < HUB_TURNS && turn < hubs; ++turn)
-			{
-				for (int n = group; n < hubs; n += hub_groups)
-					if (hub_turn(n) == turn)
-						relay_hub(p, &r, parts, n, q, bench, &fault);
-				if (p->counters->split > 0)
-					for (int i = group * width + lane; i < spokes && well; i += hub_groups * width)
-						well = relay_merge(p, &r, parts, i, q, turn);
-				group_meet();
-			}
-			if (!well)
-				fault = 1;
-			group_meet();
-			if (fault)
-			{
-				// those who wait elsewhere look at it now and then
-				*(volatile __global int*)&p->counters->fault = FAULT_BLOWN;
-				return;
-			}
+			// spin-waits elsewhere poll it
+			*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
+			return;
 		}
-		for (int i = for_colors ? begin : constraints; i < constraints && well; i += stride)
-		{
-			if (constraints > stride)
-				u = registers_return(p, i, stream, constraints, i);
-			well = relay_task(p, &r, q, &u, false, &fault);
-			if (constraints > stride && !u.inert)
-				registers_update(&u, schedule_pass(substeps, q), stream, constraints, i);
-		}
-		if (!well && !for_hubs)
+		if (!hub_tasks_pass_colors(p, &r, &tasks, q, &u, &fault) && !tasks.hubs)
 			return;
 	}
-	if (!for_colors)
-		return;
-	for (int i = begin; i < constraints; i += stride)
-	{
-		if (constraints > stride)
-			u = registers_return(p, i, stream, constraints, i);
-		if (!u.inert)
-			registers_stow(p, &u);
-	}
+	if (tasks.colors)
+		hub_tasks_stow_colors(p, &tasks, &u);
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// tile_pass.cl -- one pass of the solve over all tiles, and over what is on their borders.
+// tile_pass.cl -- one pass of the solve over all tiles, and over the border constraints.
 #include "opencl/forms/tiles.cl"
 
 typedef struct // the bodies of a tile
 {
 	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular, inverse mass
-	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the turn
+	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the rotation
 	float inv_inertia[TILE_BODIES + 1];
 } Tile;
 
-// A body into local memory, moved on to pass q.
+// Loads a body into local memory, integrated up to pass q.
 INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
@@ -66,33 +66,33 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 		tile->motion[place] = make_float4(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// Pass q of the constraint at place j; pass is what kind of pass that is.
+// Pass q of the constraint at place j; pass is the kind of pass q.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
 	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, \
 	                             int pass)                                                                       \
 	{                                                                                                            \
 		Kind u;                                                                                                  \
 		Body a, b;                                                                                               \
-		uint places = as_uint(kind##_return(&u, 1 << pass, t->stream, t->stride, j));                            \
+		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                       \
 		tile_gather(tile, places & 0xffffu, &a);                                                                 \
 		tile_gather(tile, places >> 16, &b);                                                                     \
 		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
-		int i = p->step.rare || ends ? task_at(p, t->order[j]).place : 0;                                      \
+		int i = p->step.rare || ends ? task_at(p, t->order[j]).place : 0;                                        \
 		kind##_pass(p, pass, i, &u, &a, &b);                                                                     \
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \
 		tile_scatter(tile, places >> 16, &b);                                                                    \
 		if (ends)                                                                                                \
 			kind##_stow(p, i, &u);                                                                               \
 		else                                                                                                     \
-			kind##_update(&u, 1 << pass, t->stream, t->stride, j);                                               \
+			kind##_stream_update(&u, 1 << pass, t->stream, t->stride, j);                                        \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// the next place from which a group takes constraints: the same column's, or the next column's that has any
+// the place of the next constraints of a work-group: in the same column, or in the next column that is not empty
 INLINE int tile_next(BENCH const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -103,7 +103,7 @@ INLINE int tile_next(BENCH const int* range, int at, int* column)
 	return range[*column];
 }
 
-// Brings a line of memory near, where it is known how.
+// Prefetches a cache line, where the compiler has a way to.
 #ifdef __NV_CL_C_VERSION
 #define FETCH_AHEAD(place) asm volatile("prefetch.global.L2 [%0];" ::"l"(place))
 #else
@@ -117,25 +117,25 @@ INLINE int tile_next(BENCH const int* range, int at, int* column)
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
-// What a group will take next of the stream, one work-item a line. The pass is bound by memory: on an H200 this is 6 % faster
-// than to hold them in registers ahead of time, and nothing is gained by more groups at work.
+// Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
+// an H200 this is 6 % faster than loading them into registers ahead of time, and a higher occupancy gains nothing.
 INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
-#define CONSTRAINT_KIND(name, Name, NAME)                                                          \
-	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0)               \
-	{                                                                                              \
-		NAME##_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)                                         \
-	}                                                                                              \
-	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0)               \
-	{                                                                                              \
-		NAME##_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)                                         \
+#define CONSTRAINT_KIND(name, Name, NAME)                                            \
+	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0) \
+	{                                                                                \
+		NAME##_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)                           \
+	}                                                                                \
+	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0) \
+	{                                                                                \
+		NAME##_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)                           \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }
 
-// A group takes a tile.
+// A pass over a tile, by a work-group.
 INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, BENCH int* range, int q,
                       int pass)
 {
@@ -164,8 +164,8 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 		int next_column = column, next = tile_next(range, at + TILE_GROUP, &next_column);
 		if (next_column < TILE_LAST_COLUMN && next + lane < range[next_column + 1])
 			tile_fetch_ahead(t, next_column % CONSTRAINT_KINDS, next + lane, lane, pass);
-#define CONSTRAINT_KIND(name, Name, NAME)                                                          \
-		if (column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && at + lane < range[column + 1])       \
+#define CONSTRAINT_KIND(name, Name, NAME)                                                    \
+		if (column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && at + lane < range[column + 1]) \
 			name##_tile_task(p, r, t, tile, at + lane, q, pass);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -182,28 +182,40 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	}
 }
 
-#define TILE_PASS_KERNEL(name, pass)                                                                                \
-	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                     \
+#define TILE_PASS_KERNEL(name, pass)                                                                                  \
+	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                       \
 	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
-	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                             \
-	{                                                                                                               \
-		__local Tile tile;                                                                                          \
-		__local int range[TILE_COLUMNS + 1];                                                                         \
-		Pools pools = {POOL_NAMES step, 0};                                                                         \
-		Relay r = {0, substeps, passes, 0};                                                                         \
-		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                 \
-		if (tile_wanted(&pools, bound))                                                                             \
-			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                       \
+	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                              \
+	{                                                                                                                 \
+		__local Tile tile;                                                                                            \
+		__local int range[TILE_COLUMNS + 1];                                                                          \
+		Pools pools = {POOL_NAMES step, 0};                                                                           \
+		Relay r = {0, substeps, passes, 0};                                                                           \
+		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
+		if (tile_wanted(&pools, bound))                                                                               \
+			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                         \
 	}
 TILE_PASS_KERNEL(tile_warm_start, PASS_WARM_START)
 TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
 TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
 TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
 
-// Pass q of a constraint on the border: a body comes from its pool, or from the constraint before this one.
-INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
+// Sends a body to its next border constraint in pass q, or writes it to the pool after the last one.
+INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, Body b)
 {
-	Registers u = registers_return(p, t->order[j], t->stream, t->stride, j);
+	relay_send_next(r, side, q, b);
+	if (!side.moves || !side.last)
+		return;
+	*(__global float4*)&p->body[side.body] = make_float4(b.v.x, b.v.y, b.w, b.inv_mass);
+	if (q + 1 == r->passes)
+		mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
+}
+
+// Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
+// mailbox.
+INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
+{
+	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
 	if (!u.inert)
 	{
 		Body* bodies[2] = {&u.a, &u.b};
@@ -231,32 +243,23 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 		}
 		registers_ready(&u);
 		Side sa = u.side[0], sb = u.side[1];
-		volatile __global ulong* row_a = r->rows + RELAY_WORDS * (ulong)sa.body;
-		volatile __global ulong* row_b = r->rows + RELAY_WORDS * (ulong)sb.body;
-		if (!relay_wait(p, r, sa.moves && sa.before > 0, row_a, relay_turn(q, sa.before), &u.a.v, &u.a.w,
-		                sb.moves && sb.before > 0, row_b, relay_turn(q, sb.before), &u.b.v, &u.b.w))
+		volatile __global ulong* mailbox_a = r->mailboxes + MAILBOX_WORDS * (ulong)sa.body;
+		volatile __global ulong* mailbox_b = r->mailboxes + MAILBOX_WORDS * (ulong)sb.body;
+		if (!relay_wait(p, r, sa.moves && sa.before > 0, mailbox_a, relay_ticket(q, sa.before), &u.a.v, &u.a.w,
+		                sb.moves && sb.before > 0, mailbox_b, relay_ticket(q, sb.before), &u.b.v, &u.b.w))
 			*fault = 1;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (*fault)
 	{
-		*(volatile __global int*)&p->counters->fault = FAULT_BLOWN;
+		*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
 		return false;
 	}
 	if (u.inert)
 		return true;
 	registers_pass(p, schedule_pass(r->substeps, q), &u);
 	for (int k = 0; k < 2; ++k)
-	{
-		Side side = u.side[k];
-		Body b = k ? u.b : u.a;
-		relay_pass_to(r, side, q, b);
-		if (!side.moves || !side.last)
-			continue;
-		*(__global float4*)&p->body[side.body] = make_float4(b.v.x, b.v.y, b.w, b.inv_mass);
-		if (q + 1 == r->passes)
-			relay_clear(r->rows + RELAY_WORDS * (ulong)side.body);
-	}
+		tile_border_send(p, r, u.side[k], q, k ? u.b : u.a);
 	if (q + 1 == r->passes)
 		registers_stow(p, &u);
 	else
@@ -264,14 +267,14 @@ INLINE bool tile_hand(const Pools* p, const Relay* r, const Tiles* t, int j, int
 	return true;
 }
 
-__kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_words, __global const int* table,
+__kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global const int* table,
                           __global const int* order, __global float4* stream, int stride, int rows, int substeps,
                           int passes, int q, int bound, int spins)
 {
 	volatile __local int fault;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
-	Relay r = {rows_of_words, substeps, passes, spins};
+	Relay r = {mailboxes, substeps, passes, spins};
 	Tiles t = {0, 0, 0, table, order, stream, stride, rows};
 	if (!tile_wanted(p, bound))
 		return;
@@ -280,6 +283,6 @@ __kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* rows_of_word
 	barrier(CLK_LOCAL_MEM_FENCE);
 	int begin = table[rows * TILE_COLUMNS], end = table[(rows + 1) * TILE_COLUMNS];
 	for (int j = begin + (int)get_global_id(0); j < end; j += (int)get_global_size(0))
-		if (!tile_hand(p, &r, &t, j, q, &fault))
+		if (!tile_border_task(p, &r, &t, j, q, &fault))
 			return;
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 // tiles.c -- launches the solve of a large world as passes over tiles of bodies (tiles.cl).
-#include "opencl/opencl.h"
+#include "opencl/forms/tiles.h"
+#include "opencl/buffer.h"
+#include "opencl/forms/relay.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 
-// Tiles that must be laid out first pay up to this share of constraints on the border. What that share is, is looked up
-// again after so many solves without tiles.
+// Stale tiles are rebuilt if at most BORDER_SHARE of the constraints were border constraints. After BORDER_AGE solves
+// without tiles they are rebuilt in any case, to measure the share again.
 #define BORDER_SHARE 0.1
 #define BORDER_AGE   64
 
-// border constraints a group of the relay takes when few are on the border: the more groups, the longer the launch
+// Border constraints per work-group of the relay if the border is short. More groups make the launch longer.
 #define BORDER_GRAIN 64
 
-// work-items of a group, at most
+// name, and work-items per work-group, at most
 static const struct
 {
 	const char* name;
@@ -32,7 +36,7 @@ static const struct
 
 scree_status tiles_open(OpenCl* d)
 {
-	Tiles* t = &d->tiles;
+	TileState* t = &d->tiles;
 	for (int k = 0; k < TILE_KERNELS; ++k)
 		TRY(kernel_create(d, kernels[k].name, kernels[k].group, &t->kernels[k]));
 	cl_int error;
@@ -48,9 +52,9 @@ scree_status tiles_open(OpenCl* d)
 
 void tiles_close(OpenCl* d)
 {
-	Tiles* t = &d->tiles;
-	if (t->asked)
-		opencl.ReleaseEvent(t->asked);
+	TileState* t = &d->tiles;
+	if (t->edges_event)
+		opencl.ReleaseEvent(t->edges_event);
 	cl_kernel others[] = {t->total, t->begin, t->range};
 	for (int k = 0; k < TILE_KERNELS; ++k)
 		if (t->kernels[k].kernel)
@@ -69,15 +73,15 @@ scree_status tiles_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-// no tree has more leaves than there are collidables
-static cl_int row_count(const OpenCl* d) { return (d->step.collidables - 1) / TILE_BODIES + 1; }
+// a tree has at most one leaf per collidable
+static cl_int row_count(const OpenCl* d) { return (d->constants.step.collidables - 1) / TILE_BODIES + 1; }
 
-// places of constraints: all, and what pads the colors of the border
+// places of constraints: all constraints, and the padding of the border's colors
 static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLUMNS * RELAY_GROUP; }
 
 scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 {
-	Tiles* t = &d->tiles;
+	TileState* t = &d->tiles;
 	size_t rows = (size_t)row_count(d), places = (size_t)place_count(solve);
 	t->stale |= row_count(d) != t->rows;
 	const size_t bytes[TILE_BUFFERS] = {
@@ -94,8 +98,8 @@ scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 		t->stale |= bytes[k] > t->buffers[k].bytes;
 		TRY(scratch_reserve(d, &t->buffers[k], bytes[k]));
 	}
-	TRY(rows_reserve(d, solve));
-	return scratch_reserve(d, &d->stream, places * STREAM_FLOAT4S * sizeof(cl_float4));
+	TRY(mailboxes_reserve(d, solve));
+	return scratch_reserve(d, &d->relay.stream, places * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
 typedef struct // the value of an argument
@@ -110,7 +114,7 @@ typedef struct // the value of an argument
 	}
 #define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
 
-// Launches a kernel over so many items, with these values for its arguments from the first on.
+// Launches a kernel over so many items, with values for its arguments from first on.
 static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
                               int count)
 {
@@ -119,7 +123,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
-// The same for a kernel that takes all pools: the values go behind the step.
+// The same for a kernel that takes all pools: the values come after the step.
 static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
 {
 	Kernel* kernel = &d->tiles.kernels[k];
@@ -127,10 +131,10 @@ static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, i
 	return plain_run(d, kernel->kernel, kernel->group, items, ARGUMENT_STEP + 1, values, count);
 }
 
-// Cuts the bodies into tiles, and sorts the constraints by tile and color.
+// Divides the bodies into tiles, and sorts the constraints by tile and color.
 static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int places)
 {
-	Tiles* t = &d->tiles;
+	TileState* t = &d->tiles;
 	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
 	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
 	       total = t->buffers[TILE_TOTAL_BUFFER].buffer;
@@ -160,50 +164,51 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	t->stale = false;
 	t->rows = rows;
 	t->age = 0;
-	if (t->asked)
+	if (t->edges_event)
 		return SCREE_OK;
-	// the first of either row: where the border begins, and where it ends
+	// the totals of the last two rows: where the border begins and ends
 	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
-	         NULL, &t->asked));
+	         NULL, &t->edges_event));
 	return SCREE_OK;
 }
 
-// Takes what lay_out asked for, once it has come.
-static void border_look(Tiles* t)
+// Stores the size of the border if the read of lay_out is complete.
+static void border_poll(TileState* t)
 {
 	cl_int status = CL_QUEUED;
-	if (!t->asked || opencl.GetEventInfo(t->asked, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, NULL) ||
+	if (!t->edges_event ||
+	    opencl.GetEventInfo(t->edges_event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, NULL) ||
 	    status > CL_COMPLETE)
 		return;
-	opencl.ReleaseEvent(t->asked);
-	t->asked = NULL;
+	opencl.ReleaseEvent(t->edges_event);
+	t->edges_event = NULL;
 	if (status == CL_COMPLETE)
 		t->border = t->edges[1] - t->edges[0];
 }
 
 bool tiles_pay(OpenCl* d, const Solve* solve)
 {
-	Tiles* t = &d->tiles;
-	border_look(t);
+	TileState* t = &d->tiles;
+	border_poll(t);
 	return !t->stale || t->border <= BORDER_SHARE * solve_constraints(solve) || ++t->age >= BORDER_AGE;
 }
 
 scree_status tiles_run(OpenCl* d, const Solve* solve)
 {
-	Tiles* t = &d->tiles;
-	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_SPINS_MOST;
+	TileState* t = &d->tiles;
+	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_MAX_SPINS;
 	if (t->stale)
 		TRY(lay_out(d, solve, rows, places));
 
 	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
 	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
 	       order = t->buffers[TILE_ORDER_BUFFER].buffer;
-	cl_mem stream = d->stream.buffer;
+	cl_mem stream = d->relay.stream.buffer;
 	TRY(tile_run(d, solve_plain(d) ? TILE_PREPARE_PLAIN : TILE_PREPARE, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 	                    VALUE(rows), VALUE(solve->bound))));
-	int border = d->relay.groups * RELAY_GROUP;
-	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.groups)
+	int border = d->relay.colors.groups * RELAY_GROUP;
+	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.colors.groups)
 		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	for (cl_int q = 0; q < passes; ++q)
@@ -212,7 +217,7 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound))));
 		TRY(tile_run(d, TILE_BORDER, border,
-		             VALUES(VALUE(d->rows.buffer), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
+		             VALUES(VALUE(d->relay.mailboxes.buffer), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 		                    VALUE(rows), VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound),
 		                    VALUE(spins))));
 	}

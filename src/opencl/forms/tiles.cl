@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
-// tiles.cl -- the solve of a large world, a pass a launch: what is near lies in local memory while all colors are solved.
+// tiles.cl -- the solve of a large world, one launch per pass: a work-group keeps a tile of bodies in local memory.
 //
-// A pass by colors brings every body from memory and back as often as it has constraints. So the bodies are cut into
-// tiles of neighbors, along the curve of the broad phase's tree, and a group takes a tile: its bodies come once, and the
-// constraints among them are solved color by color with nothing but barriers in between.
+// A pass by colors reads and writes each body in global memory once per constraint. Here the bodies are divided into
+// tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass and
+// solves the constraints inside it color by color, with barriers between the colors.
 //
-// That must not change what each body goes through, which is its constraints in the order of colors. A constraint
-// between two tiles is on the border, and so is every one that comes after it on either body: those are left over, and
-// follow in a second launch as a relay (relay.cl). Whatever the tiles are, the result is the same.
+// Each body must still go through its constraints in the order of colors. A constraint between two tiles is a border
+// constraint, and so is each one that comes after a border constraint on either body. A second launch solves them as a
+// relay (relay.cl). The result does not depend on the tiles.
 //
-// Integration costs no pass over the bodies: a tile does it when it fetches them.
+// Integration needs no pass of its own: a tile integrates its bodies when it loads them.
 #include "opencl/limits.h"
 #include "pools/pools.h"
 
-// the place in local memory of whatever rests and cannot be moved
+// the place in local memory of all bodies that rest and cannot move
 #define TILE_RESTS TILE_BODIES
-// bits of a resident: its body, and whether the constants of its motion are the usual ones, which need not be read
+// A resident is the index of its body, plus this bit if the constants of its motion have their usual values
+// (tile_plain).
 #define TILE_PLAIN 0x40000000
 
 // ---------------------------------------------------------------------------------------------------------------
-// who is where
+// tiles and their constraints
 // ---------------------------------------------------------------------------------------------------------------
 
-// Nothing is done when the counter at bound is zero: the constraints are not those that the host knows.
+// False if the counter at bound is zero: the constraints are not those that the host knows, and nothing is done.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -38,8 +39,8 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// No force, damping or lock, and the world's gravity. What is true when the tiles are laid out stays true: the user's
-// changes lay them out anew.
+// TILE_PLAIN if a body has no force, damping or lock, and the world's gravity; such constants are not read in the
+// passes. They cannot change before the tiles are rebuilt, because changes by the user rebuild them.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -48,7 +49,7 @@ INLINE int tile_plain(const Pools* p, int body)
 	return odd == 0 && m.gravity_scale == 1.0f && m.free_x == 1.0f && m.free_y == 1.0f ? TILE_PLAIN : 0;
 }
 
-// A body belongs where one of its leaves is, whichever comes last. place is by body, resident by place.
+// Assigns each body the place of one of its leaves; the last write wins. place has an item per body.
 __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places,
                           int bound)
 {
@@ -60,6 +61,7 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
+// Lists the bodies by place: resident has an item per place, -1 for none.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound)
 {
@@ -74,8 +76,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// The row of the table to which a body that cannot move lets its constraints belong: any, or the border's when it is
-// driven, for then it is elsewhere in every pass.
+// The row of the table for constraints with a body that cannot move: any (-1), or the border's if the body is
+// kinematic and in motion, because its position then differs in every pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -84,12 +86,13 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 	return tile_still(first) && tile_still(second) ? -1 : rows;
 }
 
-// the column of the table that a constraint belongs to
+// the column of the table for a constraint
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
-// The row of the table that a constraint belongs to: its tile's, or the last one for what is on the border. border is
-// the first color of a body that is.
-INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border, int rows)
+// The row of the table for a constraint: its tile's, or the last one for a border constraint. border holds, for each
+// body, its first color with a border constraint.
+INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border,
+                    int rows)
 {
 	Int2 both = edge_bodies_at(p, at.kind, at.place);
 	int bodies[2] = {both.x, both.y}, row = -1;
@@ -105,13 +108,13 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, and finds those on the border: one launch a color, for each depends on the colors
-// before it. The count so far is the constraint's rank, in no order.
+// Counts the constraints of one color, and finds the border constraints. One launch per color, because each color
+// depends on the colors before it. The count so far becomes the rank of the constraint; the order is arbitrary.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
-	// many are on the border, and would all ask for one counter
-	__local int together[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
+	// the border has one counter per kind: a work-group adds its constraints with one atomic
+	__local int border_count[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
 	int i = begin + (int)get_global_id(0), lane = (int)get_local_id(0);
@@ -119,7 +122,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	int slot = i < end && tile_wanted(p, bound) ? edge_slot_at(p, at.kind, at.place) : -1;
 	int color = 0, row = -1, mine = 0;
 	if (lane < CONSTRAINT_KINDS)
-		together[lane] = 0;
+		border_count[lane] = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (slot >= 0)
 	{
@@ -128,7 +131,7 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	}
 	if (row == rows)
 	{
-		mine = atomic_inc(&together[at.kind]);
+		mine = atomic_inc(&border_count[at.kind]);
 		found = color;
 		Int2 both = edge_bodies_at(p, at.kind, at.place);
 		int bodies[2] = {both.x, both.y};
@@ -139,8 +142,8 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 	else if (row >= 0)
 		rank[i] = atomic_inc(&table[row * TILE_COLUMNS + tile_column(color, at.kind)]);
 	barrier(CLK_LOCAL_MEM_FENCE);
-	if (lane < CONSTRAINT_KINDS && together[lane] > 0)
-		first[lane] = atomic_add(&table[rows * TILE_COLUMNS + tile_column(found, lane)], together[lane]);
+	if (lane < CONSTRAINT_KINDS && border_count[lane] > 0)
+		first[lane] = atomic_add(&table[rows * TILE_COLUMNS + tile_column(found, lane)], border_count[lane]);
 	barrier(CLK_LOCAL_MEM_FENCE);
 	if (row == rows)
 		rank[i] = first[at.kind] + mine;
@@ -148,11 +151,11 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 
 INLINE int tile_padded(int count, int row, int rows)
 {
-	// what the relay takes in step is of one color
+	// the work-items of a work-group of the relay need constraints of one color
 	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
 }
 
-// constraints of each row, the last one being the border's
+// Adds up the constraints of each row. The last row is the border.
 __kernel void tile_total(__global const int* table, __global int* total, int rows)
 {
 	int row = (int)get_global_id(0), sum = 0;
@@ -163,7 +166,7 @@ __kernel void tile_total(__global const int* table, __global int* total, int row
 	total[row] = sum;
 }
 
-// Where each row begins. One group.
+// Computes where each row begins. One work-group.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_begin(__global int* total, int rows)
 {
 	__local uint sum[PRIMITIVE_GROUP];
@@ -179,7 +182,7 @@ __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_
 	}
 }
 
-// Counts into beginnings. The row behind the border's holds the end.
+// Replaces the counts of the table by beginnings. The row after the border's holds the end.
 __kernel void tile_range(__global int* table, __global const int* total, int rows)
 {
 	int row = (int)get_global_id(0);
@@ -194,7 +197,7 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 	}
 }
 
-// order: task at each place, -1 for none
+// Writes the order: the task at each place, -1 for none.
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                          __global const int* table, __global const int* rank, int rows, int bound,
                          __global int* order, int constraints)
@@ -211,7 +214,7 @@ __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// stream: a constraint as the passes stream it
+// the stream of constraints that the passes read
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct
@@ -221,17 +224,17 @@ typedef struct
 	__global const int* resident;
 	__global const int* table;
 	__global const int* order;
-	__global float4* stream; // in columns of stride
+	__global float4* stream; // columns of length stride
 	int stride, rows;
 } Tiles;
 
-// The place of a body in its tile, for a constraint that is not on the border.
+// The place of a body in its tile, for a constraint inside the tile.
 INLINE uint tile_place(const Pools* p, const Tiles* t, int body)
 {
 	return p->body[body].inv_mass > 0.0f ? (uint)t->place[body] % TILE_BODIES : TILE_RESTS;
 }
 
-// The side of a constraint on the border: of the body's constraints, those before the first on the border do not count.
+// The side of a border constraint. The constraints of the body before its first border constraint are not counted.
 INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 {
 	Side side = side_of(p, body, color, false);
@@ -243,15 +246,11 @@ INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 	return side;
 }
 
-// What the passes need of the constraint at place j.
+// Writes what the passes need of the constraint at place j.
 INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 {
 	if (j == 0)
-	{
-		p->counters->nonfinite = 0;
-		p->counters->held = 0;
-		p->counters->first_nonfinite = 0x7fffffff;
-	}
+		counters_clear(p);
 	if (j >= t->table[(t->rows + 1) * TILE_COLUMNS])
 		return;
 	int i = t->order[j];
@@ -260,7 +259,7 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 	u.inert = i < 0;
 	if (u.inert)
 	{
-		registers_leave(&u, t->stream, t->stride, j);
+		registers_store(&u, t->stream, t->stride, j);
 		return;
 	}
 	KindPlace at = task_at(p, i);
@@ -270,30 +269,30 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 	{
 		u.side[0] = tile_side(p, t, u.side[0].body, color);
 		u.side[1] = tile_side(p, t, u.side[1].body, color);
-		registers_leave(&u, t->stream, t->stride, j);
+		registers_store(&u, t->stream, t->stride, j);
 	}
 	else
 	{
 		uint places = tile_place(p, t, u.side[0].body) | tile_place(p, t, u.side[1].body) << 16;
-#define CONSTRAINT_KIND(name, Name, NAME)                                     \
-		if (at.kind == CONSTRAINT_##NAME)                                     \
-			name##_leave(&u.name, as_float(places), t->stream, t->stride, j);
+#define CONSTRAINT_KIND(name, Name, NAME) \
+		if (at.kind == CONSTRAINT_##NAME) \
+			name##_stream_store(&u.name, as_float(places), t->stream, t->stride, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	}
 }
 
-#define TILE_PREPARE_KERNEL(name, plain)                                                                            \
-	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,             \
-	                   __global const int* table, __global const int* order, __global float4* stream, int stride,    \
-	                   int rows, int bound)                                                                         \
-	{                                                                                                               \
-		Pools pools = {POOL_NAMES step, 0};                                                                         \
-		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                            \
-		if (plain)                                                                                                  \
-			STEP_PLAIN(pools.step);                                                                                 \
-		if (tile_wanted(&pools, bound))                                                                             \
-			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                     \
+#define TILE_PREPARE_KERNEL(name, plain)                                                                          \
+	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,           \
+	                   __global const int* table, __global const int* order, __global float4* stream, int stride, \
+	                   int rows, int bound)                                                                       \
+	{                                                                                                             \
+		Pools pools = {POOL_NAMES step, 0};                                                                       \
+		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                         \
+		if (plain)                                                                                                \
+			STEP_PLAIN(pools.step);                                                                               \
+		if (tile_wanted(&pools, bound))                                                                           \
+			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                   \
 	}
 TILE_PREPARE_KERNEL(tile_prepare, 0)
 TILE_PREPARE_KERNEL(tile_prepare_plain, 1)

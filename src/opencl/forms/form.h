@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// form.h -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
+#ifndef OPENCL_FORM_H
+#define OPENCL_FORM_H
+#include "opencl/state.h"
+
+// Reads the environment.
+void form_open(OpenCl* d);
+scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list);
+
+#endif

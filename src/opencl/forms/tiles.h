@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// tiles.h -- launches the solve of a large world as passes over tiles of bodies (tiles.cl).
+#ifndef OPENCL_TILES_H
+#define OPENCL_TILES_H
+#include "opencl/state.h"
+
+scree_status tiles_open(OpenCl* d);
+void tiles_close(OpenCl* d);
+scree_status tiles_bind(OpenCl* d, Per per); // as kernel_bind, for all kernels of tiles
+// Whether tiles are faster than launches by color.
+bool tiles_pay(OpenCl* d, const Solve* solve);
+// Reserves the memory of a solve.
+scree_status tiles_reserve(OpenCl* d, const Solve* solve);
+scree_status tiles_run(OpenCl* d, const Solve* solve);
+
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// persistent.h -- runs many runs in one launch (persistent.cl), on devices that can.
+#ifndef OPENCL_PERSISTENT_H
+#define OPENCL_PERSISTENT_H
+#include "opencl/state.h"
+
+// Whether to try kernels whose work-groups must be resident at once.
+bool persistent_wanted(OpenCl* d);
+// Tests whether the device can run the persistent kernel.
+scree_status persistent_open(OpenCl* d);
+void persistent_close(OpenCl* d);
+// How many runs, from the first on, are faster as one launch; 0 for none.
+int persistent_length(const OpenCl* d, const Run* runs, int count);
+scree_status persistent_run(OpenCl* d, const Run* runs, int count);
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// read.c -- reads pools: at once, or into pinned memory while the device continues, with an event to wait for.
+#include "opencl/read.h"
+#include "opencl/buffer.h"
+#include "opencl/launch.h"
+#include "platform/error.h"
+#include <string.h>
+
+scree_status read_open(OpenCl* d) { return pinned_open(d, READ_ASYNC_BYTES, &d->read.pinned); }
+
+void read_close(OpenCl* d)
+{
+	if (d->read.event)
+		opencl.ReleaseEvent(d->read.event);
+	pinned_close(d, &d->read.pinned);
+}
+
+// Stores the counters that have been read. Fails if a kernel gave up waiting.
+static scree_status counters_note(Backend* b, const Counters* counters)
+{
+	OpenCl* d = b->state;
+	d->persistent.last = *counters;
+	// if the constraint layout changed, a solve that was enqueued ahead did not build tiles
+	d->tiles.stale |= counters->changed || !counters->kept;
+	if (!counters->fault)
+		return SCREE_OK;
+	return fail(SCREE_ERROR_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).",
+	            b->name);
+}
+
+scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count == 0)
+		return SCREE_OK;
+	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
+	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
+	d->staging.used = 0;
+	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
+}
+
+scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	d->read.bytes = bytes * (size_t)count;
+	d->read.staged = d->staging.used;
+	ASSERT(d->read.bytes <= READ_ASYNC_BYTES && !d->read.event);
+	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_FALSE,
+	         pool_offset(d, pool) + bytes * (size_t)first, d->read.bytes, d->read.pinned.memory, 0, NULL,
+	         &d->read.event));
+	return CALL(Flush, d->queue);
+}
+
+scree_status opencl_read_end(Backend* b, void* items)
+{
+	OpenCl* d = b->state;
+	TRY(CALL(WaitForEvents, 1, &d->read.event));
+	opencl.ReleaseEvent(d->read.event);
+	d->read.event = NULL;
+	// uploads before the read are done
+	if (d->staging.used == d->read.staged)
+		d->staging.used = 0;
+	memcpy(items, d->read.pinned.memory, d->read.bytes);
+	return d->read.bytes == sizeof(Counters) ? counters_note(b, items) : SCREE_OK;
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// state.h -- the state of the OpenCL backend and the types it consists of.
+#ifndef OPENCL_STATE_H
+#define OPENCL_STATE_H
+#include "constraints/schedule.h"
+#include "opencl/device.h"
+#include "opencl/limits.h"
+
+typedef struct
+{
+	cl_kernel kernel;
+	size_t group;     // work-items of a work-group
+	uint64_t version; // Constants.version of the step in its arguments
+	int groups;       // of a relay: work-groups resident at once; 0 if the device uses other forms only
+} Kernel;
+
+typedef struct // a buffer that is not a pool; it loses its contents when it grows
+{
+	cl_mem buffer;
+	size_t bytes;
+} Scratch;
+
+typedef struct // host memory that the device reads and writes while the host works
+{
+	cl_mem buffer;
+	unsigned char* memory;
+} Pinned;
+
+typedef struct // uploads on their way; the device may read them until the host has waited for the queue
+{
+	Pinned pinned;
+	size_t used; // bytes
+} Staging;
+
+typedef struct // of one launch whose time has not been read
+{
+	cl_event event;
+	Box box;
+} Lap;
+
+typedef struct
+{
+	Lap* laps; // null unless BackendOptions.timings
+	int lap_count;
+	double milliseconds[BOX_COUNT];
+	Box box; // of the current run; the time of a primitive counts to the box of the run before it
+} Timing;
+
+typedef struct // what opencl_read_begin reads
+{
+	Pinned pinned;
+	size_t bytes;
+	size_t staged;  // Staging.used when the read was enqueued
+	cl_event event; // null unless a read is in flight
+} AsyncRead;
+
+typedef struct // source and destination of opencl_copy, or null
+{
+	cl_mem buffers[2];
+	size_t bytes;
+} CopyBlocks;
+
+typedef struct // of the step that opencl_run or opencl_solve got last
+{
+	Step step;
+	uint64_t version; // number of changes so far
+} Constants;
+
+typedef struct
+{
+	cl_kernel sort_count, sort_place, sort_return, scan_sum, scan_place;
+	cl_mem table; // SORT_DIGITS counts per work-group of the sort
+} Primitives;
+
+typedef struct
+{
+	Kernel kernel;
+	cl_mem list, probes;
+	Run* listed; // copy of the runs in list
+	int listed_count;
+	int groups;    // resident at once; 0 if the device uses launches only
+	bool any_size; // SCREE_PERSISTENT=1: also for runs for which launches are faster
+	Counters last; // as last read; they predict the item counts of runs
+} Persistent;
+
+typedef struct
+{
+	Kernel colors, plain, hubs; // kernels relay, relay_plain and relay_hubs
+	Scratch mailboxes;          // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;             // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;              // two words per spoke and per hub
+} RelayState;
+
+enum // kernels of tiles.cl that take all pools, in launch order
+{
+	TILE_SETTLE,
+	TILE_LIST,
+	TILE_COUNT,
+	TILE_ORDER,
+	TILE_PREPARE,
+	TILE_PREPARE_PLAIN, // for plain worlds instead of TILE_PREPARE
+	TILE_PASS,          // one per kind of pass, in the order of the kinds
+	TILE_BORDER = TILE_PASS + PASS_KINDS,
+	TILE_KERNELS
+};
+
+enum
+{
+	TILE_PLACE_BUFFER,    // an int per body
+	TILE_EDGE_BUFFER,     // an int per body
+	TILE_RESIDENT_BUFFER, // an int per place of a tile
+	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and two more rows
+	TILE_TOTAL_BUFFER,    // an int per row of the table
+	TILE_RANK_BUFFER,     // an int per constraint
+	TILE_ORDER_BUFFER,    // an int per constraint, and the padding of the border's colors
+	TILE_BUFFERS
+};
+
+typedef struct
+{
+	Kernel kernels[TILE_KERNELS];
+	cl_kernel total, begin, range;
+	Scratch buffers[TILE_BUFFERS];
+	bool stale; // constraints or motion constants may have changed since the tiles were built
+	int rows;   // tiles at the last build
+
+	// number of border constraints at the last build; the host reads it asynchronously
+	cl_event edges_event; // null unless the read is in flight
+	cl_int edges[2];      // begin and end of the border; valid when the event is complete
+	int border;           // -1 before the first build
+	int age;              // solves since the last build
+} TileState;
+
+typedef enum // of a solve
+{
+	FORM_ANY,
+	FORM_RELAY,
+	FORM_TILES,
+	FORM_LAUNCHES // by color
+} SolveForm;
+
+// type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory between OpenCL and others
+typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
+                                           cl_event*);
+
+typedef struct // memory that OpenGL draws from
+{
+	cl_mem memory; // or null
+	ShareFunction acquire, release;
+} Shared;
+
+typedef struct
+{
+	Backend* backend; // its state is this
+	Device device;
+	cl_context context;
+	cl_command_queue queue; // in order
+	cl_program program;
+
+	// One buffer per kind of item holds the pools of that kind, all with the same room. Kernels take the kinds in the
+	// order in which pools.def names them (cmake/embed.cmake).
+	cl_mem buffers[PER_COUNT];
+	int room[PER_COUNT];       // items, rounded up
+	int argument[PER_COUNT];   // argument index of each kind's buffer
+	size_t before[POOL_COUNT]; // bytes per item of the pools before this one in its buffer
+
+	Kernel stages[STAGE_COUNT];
+	Constants constants;
+	Primitives primitives;
+	bool resident; // the program has the kernels whose work-groups must be resident at once
+	Persistent persistent;
+
+	// the solve
+	SolveForm form; // SCREE_SOLVER forces it; FORM_LAUNCHES after a form ran out of memory
+	RelayState relay;
+	TileState tiles;
+	Kernel solve_end;
+
+	// transfers
+	Staging staging;
+	AsyncRead read;
+	CopyBlocks copy;
+	Shared shared;
+	Timing timing;
+} OpenCl;
+
+#endif
