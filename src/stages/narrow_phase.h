@@ -92,30 +92,24 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-RARE void narrow_phase_look(const Pools* p, int i, Word flags)
+// Whether the boxes of a pair parted. Its contact is released then.
+INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 {
-	Int2 pair = p->pair[i];
-	int moved = p->moved[pair.x] | p->moved[pair.y];
-	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX))
-	{
-		// one of them was made anew when the old boxes do not overlap
-		if (!box_overlap(p->box[pair.x], p->box[pair.y]) || !box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
-		{
-			contact_uncolor(p, i);
-			p->pair[i] = make_int2(-1, -1);
-			p->contact_flags[i] = 0;
-			atomic_add_int(&p->counters->released, 1);
-			return;
-		}
-	}
-	if (!(flags & CONTACT_ANEW))
-	{
-		p->contact_flags[i] = flags & ~CONTACT_LOOK;
-		return;
-	}
+	// if the old boxes do not overlap, one of the collidables was created anew
+	if (box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
+		return 0;
+	contact_uncolor(p, i);
+	p->pair[i] = make_int2(-1, -1);
+	p->contact_flags[i] = 0;
+	atomic_add_int(&p->counters->released, 1);
+	return 1;
+}
 
+// The manifold of a pair and the poses that it is of. The contact is not only detected where it answers; rolls gets the
+// MANIFOLD_* bits of a manifold that follows its corners.
+INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, Word* rolls)
+{
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
-	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -123,28 +117,27 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	found_at.f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
 	found_at.axes = turn;
 	found_at.ahead = 0;
-	Word rolls = 0;
-	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
 	Closing closing;
 	closing.most = 0.0f;
 	if (far)
 		closing = sweep_closing(p, a, b);
 	if (closing.most > SPECULATIVE_DISTANCE)
-		found_at = ahead_meeting(p, a, b, closing, found_at);
-	else
+		return ahead_meeting(p, a, b, closing, found_at);
+	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+	if (answers && found_at.m.count > 0)
 	{
-		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
-		if (answers && found_at.m.count > 0)
-		{
-			if (!far)
-				closing = sweep_closing(p, a, b);
-			found_at = ahead_past(p, a, b, closing, found_at);
-			if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
-				rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
-		}
+		if (!far)
+			closing = sweep_closing(p, a, b);
+		found_at = ahead_past(p, a, b, closing, found_at);
+		if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
+			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
 	}
-	Manifold m = found_at.m;
+	return found_at;
+}
 
+// The points of a contact: the new ones get the features and impulses of the old ones that they match.
+INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
+{
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
 	Int2 features = p->contact_feature[i];
 	Float4 on_a = p->contact_manifold[i].on_a;
@@ -161,10 +154,10 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
 	int feature[2] = {-1, -1}, taken = 0;
-	for (int k = 0; k < m.count; ++k)
+	for (int k = 0; k < m->count; ++k)
 	{
-		feature[k] = m.feature[k];
-		int old = narrow_phase_match(feature[k], m.point[k], old_count, old_feature, old_point, taken);
+		feature[k] = m->feature[k];
+		int old = narrow_phase_match(feature[k], m->point[k], old_count, old_feature, old_point, taken);
 		if (old >= 0)
 		{
 			taken |= 1 << old;
@@ -172,20 +165,6 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 			across[k] = tangent[old];
 		}
 	}
-
-	Word touching = m.count > 0 ? CONTACT_TOUCHING : 0u;
-	Word overlaps = minimum(m.separation[0], m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
-	Word now = (flags & CONTACT_DETECTED) | touching | (Word)m.count | rolls | overlaps;
-	p->contact_flags[i] = now;
-	p->contact_feature[i] = make_int2(feature[0], feature[1]);
-	LocalManifold found;
-	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
-	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
-	found.relative =
-	    make_float4(found_at.f.position.x, found_at.f.position.y, found_at.f.rotation.x, found_at.f.rotation.y);
-	found.then = make_float4(found_at.axes.x, found_at.axes.y, shape_a->reach,
-	                         found_at.ahead ? -1.0f : narrow_phase_distance(shape_a, shape_b, now, m.gap));
-	p->contact_manifold[i] = found;
 	if (constraint >= 0)
 	{
 		contact_row(p, normal_impulse1, constraint) = along[0];
@@ -193,16 +172,60 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		contact_row(p, tangent_impulse1, constraint) = across[0];
 		contact_row(p, tangent_impulse2, constraint) = across[1];
 	}
+	return make_int2(feature[0], feature[1]);
+}
+
+// Writes a manifold. flags are the new ones.
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b)
+{
+	const Manifold* m = &at->m;
+	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
+	LocalManifold found;
+	found.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
+	found.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
+	found.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
+	found.then =
+	    make_float4(at->axes.x, at->axes.y, a->reach, at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap));
+	p->contact_manifold[i] = found;
+}
+
+// A contact that begins to touch gets a color later in the step.
+INLINE void narrow_phase_began(const Pools* p, int i)
+{
+	Int2 bodies = p->contact_bodies[i];
+	contact_count(p, bodies.x);
+	contact_count(p, bodies.y);
+	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
+	contact_stir(p);
+}
+
+RARE void narrow_phase_look(const Pools* p, int i, Word flags)
+{
+	Int2 pair = p->pair[i];
+	int moved = p->moved[pair.x] | p->moved[pair.y];
+	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX) && narrow_phase_parted(p, i, pair))
+		return;
+	if (!(flags & CONTACT_ANEW))
+	{
+		p->contact_flags[i] = flags & ~CONTACT_LOOK;
+		return;
+	}
+
+	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
+	Word rolls = 0;
+	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
+	Ahead at = narrow_phase_find(p, a, b, answers, far, &rolls);
+	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
+	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
+	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
+	Word now = (flags & CONTACT_DETECTED) | touching | (Word)at.m.count | rolls | overlaps;
+	p->contact_flags[i] = now;
+	p->contact_feature[i] = features;
+	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute);
 	if (!touching)
 		contact_uncolor(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
-	{
-		Int2 bodies = p->contact_bodies[i];
-		contact_count(p, bodies.x);
-		contact_count(p, bodies.y);
-		p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
-		contact_stir(p);
-	}
+		narrow_phase_began(p, i);
 }
 
 // So many contacts before they are looked at, their rows are fetched: pairs lie anywhere in the pools. Not of those that
