@@ -103,91 +103,124 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
+typedef struct // the reference edge of a, which goes from corner edge to corner next
+{
+	Vec origin, right, up; // the first corner; unit vectors along the edge and over it
+	Real length;           // m
+	int edge, next;
+} Reference;
+
+INLINE Reference reference_of(const GLOBAL Attribute* a, int i)
+{
+	Reference r;
+	r.edge = i;
+	r.next = shape_next(a, i);
+	r.origin = shape_corner(a, i);
+	r.up = shape_normal(a, i);
+	r.right = vec(-r.up.y, r.up.x);
+	r.length = vec_dot(vec_sub(shape_corner(a, r.next), r.origin), r.right);
+	return r;
+}
+
+// The incident edge: of the two edges at the deepest corner of b, the one that faces the reference edge more. It runs
+// against the reference edge. facing: how far it faces it, a cosine, -1 for parallel edges.
+INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference* r, Frame f, Real* facing)
+{
+	int j = corner, before = j > 0 ? j - 1 : b->count - 1;
+	Vec turned = vec_turn_back(f.rotation, r->up);
+	*facing = vec_dot(turned, shape_normal(b, j));
+	Real facing_before = vec_dot(turned, shape_normal(b, before));
+	if (facing_before < *facing)
+	{
+		*facing = facing_before;
+		j = before;
+	}
+	int j2 = shape_next(b, j);
+	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), r->origin);
+	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), r->origin);
+	Edge incident;
+	incident.start = vec(vec_dot(start, r->right), vec_dot(start, r->up));
+	incident.end = vec(vec_dot(end, r->right), vec_dot(end, r->up));
+	incident.start_feature = j;
+	incident.end_feature = j2;
+	incident.feature = FEATURE_EDGE + j;
+	return incident;
+}
+
+// The manifold of one point, at the nearest points of the two edges.
+INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
+                                 Edge incident, Real separation, Reach reach)
+{
+	Edge reference;
+	reference.start = vec(0.0f, 0.0f);
+	reference.end = vec(r->length, 0.0f);
+	reference.start_feature = r->edge;
+	reference.end_feature = r->next;
+	reference.feature = FEATURE_EDGE + r->edge;
+	Nearest n = nearest_points(reference, incident);
+	Real distance = root(n.square);
+
+	// two thin cores in line are apart along no edge's normal
+	int thin = a->count < 3 && b->count < 3;
+	int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
+	Manifold m = no_manifold();
+	m.normal = r->up;
+	Vec from = vec(n.to.x, 0.0f);
+	Real height = n.to.y;
+	if (apart && distance > NEAREST_TOLERANCE)
+	{
+		Vec delta = vec_scale(1.0f / distance, vec_sub(n.to, n.from));
+		m.normal = vec_add(vec_scale(delta.x, r->right), vec_scale(delta.y, r->up));
+		from = n.from;
+		height = distance;
+		int corner_a = n.from_feature < FEATURE_EDGE, corner_b = n.to_feature < FEATURE_EDGE;
+		m.made = corner_a && corner_b ? MANIFOLD_CORNERS : corner_a ? MANIFOLD_CORNER1 | MANIFOLD_TURNS_B : 0;
+	}
+	from = vec_add(r->origin, vec_add(vec_scale(from.x, r->right), vec_scale(from.y, r->up)));
+	manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
+	             reach_along(reach, m.normal));
+	return m;
+}
+
 // The manifold of a, which has the reference edge, and b. separation is the largest over the edges of both.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
-	// the reference edge from corner i to i2: coordinates along it and over it
-	int i = axis.edge, i2 = shape_next(a, i);
-	Vec origin = shape_corner(a, i), up = shape_normal(a, i), right = vec(-up.y, up.x);
-	Edge reference;
-	reference.start = vec(0.0f, 0.0f);
-	reference.end = vec(vec_dot(vec_sub(shape_corner(a, i2), origin), right), 0.0f);
-	reference.start_feature = i;
-	reference.end_feature = i2;
-	reference.feature = FEATURE_EDGE + i;
-	Real length = reference.end.x;
-
-	// of the two edges at the deepest corner of b, the one that faces the reference edge more; it runs against it
-	int j = axis.corner, before = j > 0 ? j - 1 : b->count - 1;
-	Vec turned = vec_turn_back(f.rotation, up);
-	Real facing = vec_dot(turned, shape_normal(b, j)), facing_before = vec_dot(turned, shape_normal(b, before));
-	if (facing_before < facing)
-	{
-		facing = facing_before;
-		j = before;
-	}
-	int j2 = shape_next(b, j);
-	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), origin);
-	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), origin);
-	Edge incident;
-	incident.start = vec(vec_dot(start, right), vec_dot(start, up));
-	incident.end = vec(vec_dot(end, right), vec_dot(end, up));
-	incident.start_feature = j;
-	incident.end_feature = j2;
-	incident.feature = FEATURE_EDGE + j;
+	Reference r = reference_of(a, axis.edge);
+	Real facing;
+	Edge incident = incident_edge(b, axis.corner, &r, f, &facing);
 
 	// cut it to the length of the reference edge
 	Vec high = incident.start, low = incident.end;
-	int overlap = high.x >= 0.0f && low.x <= length;
-	int cut_high = overlap && high.x > length, cut_low = overlap && low.x < 0.0f;
+	int overlap = high.x >= 0.0f && low.x <= r.length;
+	int cut_high = overlap && high.x > r.length, cut_low = overlap && low.x < 0.0f;
 	Vec along = vec_sub(low, high);
 	if (cut_high)
-		high = vec(length, high.y + (high.x - length) / -along.x * along.y);
+		high = vec(r.length, high.y + (high.x - r.length) / -along.x * along.y);
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	Manifold m = no_manifold();
-	m.normal = up;
-
-	// cut points are no nearer than the cores, and the cores no nearer than the separation; when the outer two differ, a
-	// corner is before a corner. Two thin cores in line are apart along no edge's normal.
+	// cut points are no nearer than the cores, and the cores no nearer than the separation: where the cut points are
+	// farther than the separation, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
-	{
-		Nearest n = nearest_points(reference, incident);
-		Real distance = root(n.square);
-		int thin = a->count < 3 && b->count < 3;
-		int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
-		Vec from = vec(n.to.x, 0.0f);
-		Real height = n.to.y;
-		if (apart && distance > NEAREST_TOLERANCE)
-		{
-			Vec delta = vec_scale(1.0f / distance, vec_sub(n.to, n.from));
-			m.normal = vec_add(vec_scale(delta.x, right), vec_scale(delta.y, up));
-			from = n.from;
-			height = distance;
-			int corner_a = n.from_feature < FEATURE_EDGE, corner_b = n.to_feature < FEATURE_EDGE;
-			m.made = corner_a && corner_b ? MANIFOLD_CORNERS : corner_a ? MANIFOLD_CORNER1 | MANIFOLD_TURNS_B : 0;
-		}
-		from = vec_add(origin, vec_add(vec_scale(from.x, right), vec_scale(from.y, up)));
-		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
-		             reach_along(reach, m.normal));
-		return m;
-	}
+		return nearest_manifold(a, b, &r, incident, separation, reach);
 
-	int steep = facing > -FACING;
+	Manifold m = no_manifold();
+	m.normal = r.up;
+	int steep = facing > -FACING, i = r.edge, j = incident.start_feature;
 	Real within = reach_along(reach, m.normal);
 	m.made = cut_high ? MANIFOLD_CORNER1 : 0;
-	manifold_add(&m, vec_add(origin, vec_scale(high.x, right)), high.y, a->radius, b->radius,
-	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j),
+	manifold_add(&m, vec_add(r.origin, vec_scale(high.x, r.right)), high.y, a->radius, b->radius,
+	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : r.next, steep && cut_high ? FEATURE_EDGE + j : j),
 	             within);
 	if (m.count == 0)
 		m.made = 0;
 	if (cut_low)
 		m.made |= m.count == 0 ? MANIFOLD_CORNER1 : MANIFOLD_CORNER2;
 	if (b->count > 1)
-		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
-		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
+		manifold_add(&m, vec_add(r.origin, vec_scale(low.x, r.right)), low.y, a->radius, b->radius,
+		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i,
+		                          steep && cut_low ? FEATURE_EDGE + j : incident.end_feature),
 		             within);
 	return m;
 }
