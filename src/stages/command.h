@@ -173,42 +173,13 @@ INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
 
-INLINE void command_change(const Pools* p, Command c)
+// Commands of a body: where it is, and what it is like.
+INLINE void command_body_change(const Pools* p, Command c)
 {
 	int i = c.index;
 	Float4 value = c.value;
-	Vec v = vec(value.x, value.y);
 	switch (c.kind)
 	{
-	case COMMAND_FORCE_AT:
-		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
-		break;
-	case COMMAND_FORCE:
-		command_force(p, i, v, 0.0f);
-		break;
-	case COMMAND_TORQUE:
-		command_force(p, i, vec(0.0f, 0.0f), value.x);
-		break;
-	case COMMAND_IMPULSE_AT:
-		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
-		command_push(p, i, v);
-		break;
-	case COMMAND_IMPULSE:
-		command_push(p, i, v);
-		break;
-	case COMMAND_ANGULAR_IMPULSE:
-		command_spin(p, i, value.x);
-		break;
-	case COMMAND_VELOCITY:
-		command_velocity(p, i, v);
-		p->body[i].w = value.z;
-		break;
-	case COMMAND_LINEAR_VELOCITY:
-		command_velocity(p, i, v);
-		break;
-	case COMMAND_SPIN:
-		p->body[i].w = value.x;
-		break;
 	case COMMAND_POSE:
 	{
 		Vec position = command_center(p, i, value);
@@ -246,6 +217,16 @@ INLINE void command_change(const Pools* p, Command c)
 		p->guarded[i].way = value.x;
 		p->guarded[i].reach = value.y;
 		break;
+	}
+}
+
+// Commands of a collidable.
+INLINE void command_collidable_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	switch (c.kind)
+	{
 	case COMMAND_PLACE:
 		p->collidable_pose[i] = value;
 		break;
@@ -264,6 +245,51 @@ INLINE void command_change(const Pools* p, Command c)
 	case COMMAND_NEXT:
 		p->next_collidable[i] = c.whole[0];
 		break;
+	}
+}
+
+// Commands that push a body or set its velocity are handled here; the others, by what they name.
+INLINE void command_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	Vec v = vec(value.x, value.y);
+	switch (c.kind)
+	{
+	case COMMAND_FORCE_AT:
+		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
+		break;
+	case COMMAND_FORCE:
+		command_force(p, i, v, 0.0f);
+		break;
+	case COMMAND_TORQUE:
+		command_force(p, i, vec(0.0f, 0.0f), value.x);
+		break;
+	case COMMAND_IMPULSE_AT:
+		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
+		command_push(p, i, v);
+		break;
+	case COMMAND_IMPULSE:
+		command_push(p, i, v);
+		break;
+	case COMMAND_ANGULAR_IMPULSE:
+		command_spin(p, i, value.x);
+		break;
+	case COMMAND_VELOCITY:
+		command_velocity(p, i, v);
+		p->body[i].w = value.z;
+		break;
+	case COMMAND_LINEAR_VELOCITY:
+		command_velocity(p, i, v);
+		break;
+	case COMMAND_SPIN:
+		p->body[i].w = value.x;
+		break;
+	default:
+		if (c.kind < COMMAND_PLACE)
+			command_body_change(p, c);
+		else
+			command_collidable_change(p, c);
 	}
 }
 
