@@ -1,43 +1,45 @@
 // SPDX-License-Identifier: MIT
-// manifold.h -- where two convex shapes touch: a normal and at most two points.
+// manifold.h -- the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices counts as a polygon of
-// two edges, back to back. The edge along whose normal the cores are furthest apart is the reference edge. The edge of
-// the other core that faces it most is cut to its length (I. Sutherland and G. Hodgman, Reentrant Polygon Clipping,
-// 1974), which leaves two points. Where a corner is before a corner, that normal is not the direction of the nearest
-// points; then these make a manifold of one point.
+// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices counts as a polygon of two
+// edges, back to back. The edge along whose normal the cores are furthest apart is the reference edge. The edge of the
+// other core that faces it most, the incident edge, is clipped to its length (I. Sutherland and G. Hodgman, Reentrant
+// Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, that normal is not the direction of the
+// nearest points; then the nearest points make a manifold of one point.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/manifold_axis.h"
 #include "stages/manifold_nearest.h"
 
-// m: of two edges that face each other, a's is the reference only when it is better by this, or else edges that are
-// nearly parallel would take turns; b is what does not move, or the larger. Between others the better decides, for the lesser may be off the nearest points.
+// m: if two edges face each other, that of a is the reference edge only if it is better by this. Otherwise nearly
+// parallel edges would alternate. b is the shape that does not move, or the larger one. If the edges do not face each
+// other the better one is taken, because the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: how far a manifold on an edge may be from the distance of the cores; shorter vectors count as without direction
+// m: tolerance between a manifold on an edge and the distance of the cores; a shorter vector counts as having no
+// direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// cosine: edges face each other when their normals are opposite by more. Then points are named by two corners, because
-// equal boxes in a stack must keep the names while one slides over the other's corner; otherwise by corner and edge.
+// cosine: edges face each other if their normals are opposite by more. Then features are two corners, because equal
+// boxes in a stack must keep them while one slides over the other's corner; otherwise a corner and an edge.
 #define FACING 0.9f
-// index of a shape's first edge as a feature; smaller ones are its corners
+// feature index of a shape's first edge; smaller ones are corners
 #define FEATURE_EDGE MAX_CORNERS
 
 typedef struct // in the frame of a
 {
 	Vec normal;         // unit, from a to b
 	Vec point[2];       // halfway between the two surfaces, m
-	Real separation[2]; // of the surfaces, negative when they overlap, m; NO_POINT when there is no such point
+	Real separation[2]; // of the surfaces, negative if they overlap, m; NO_POINT if there is no such point
 	int feature[2];     // feature of a << 8 | feature of b; no two points share one
-	int count;          // points; when 0 there is no normal
-	int made;           // FOUND_* bits: whose corners make the points, and what the normal turns with
-	Real gap;           // without points the surfaces are at least so far apart, m
+	int count;          // points; 0: there is no normal
+	int made;           // MANIFOLD_* bits: whose corners make the points, and what the normal turns with
+	Real gap;           // without points, a lower bound of the distance of the surfaces, m
 } Manifold;
 
-typedef struct // how far apart points count, in the frame of a
+typedef struct // the separation up to which points count, in the frame of a
 {
 	Real within; // m
-	Vec near;    // m: velocity of b in what is left of the step
-	Real swing;  // m: how much faster some point of it may be
+	Vec near;    // m: velocity of b in the rest of the step
+	Real swing;  // m: how much faster a point of b may be
 } Reach;
 
 INLINE Reach reach_of(Real within)
@@ -49,7 +51,7 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// Along a normal from a to b: what the velocity cannot close in time does not count.
+// The reach along a normal from a to b: a distance that the velocity cannot close in time does not count.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
 INLINE Manifold no_manifold(void)
@@ -64,7 +66,7 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point between one on the core of a and the one on the core of b that is at a height (m) over it.
+// Adds the point halfway between a point on the core of a and the point of b at a height (m) over it.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -72,7 +74,7 @@ INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real
 		return;
 	Vec point = vec_add(from, vec_scale(0.5f * (height + radius_a - radius_b), m->normal));
 
-	// indices that the compiler knows keep the manifold in registers
+	// constant indices keep the manifold in registers
 	if (m->count == 0)
 	{
 		m->point[0] = point;
@@ -190,7 +192,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	Real facing;
 	Edge incident = incident_edge(b, axis.corner, &r, f, &facing);
 
-	// cut it to the length of the reference edge
+	// clip it to the length of the reference edge
 	Vec high = incident.start, low = incident.end;
 	int overlap = high.x >= 0.0f && low.x <= r.length;
 	int cut_high = overlap && high.x > r.length, cut_low = overlap && low.x < 0.0f;
@@ -200,8 +202,8 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	// cut points are no nearer than the cores, and the cores no nearer than the separation: where the cut points are
-	// farther than the separation, a corner faces a corner
+	// clipped points are no nearer than the cores, and the cores no nearer than the separation: if the clipped points
+	// are farther than the separation, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
 		return nearest_manifold(a, b, &r, incident, separation, reach);
 
@@ -225,7 +227,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	return m;
 }
 
-// The same manifold, seen from the other shape, which lies at f in the new frame.
+// The same manifold from the other shape, which is at f in the new frame.
 INLINE Manifold manifold_swap(Manifold m, Frame f)
 {
 	m.normal = vec_neg(vec_turn(f.rotation, m.normal));
