@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase.h -- contacts to manifolds; impulses follow their points; contacts whose boxes parted are released.
+// narrow_phase.h -- manifolds of contacts; points inherit impulses; contacts whose boxes parted are released.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "stages/ahead.h"
@@ -7,21 +7,22 @@
 #include "stages/edge.h"
 #include "stages/narrow_phase_keep.h"
 
-// a point farther than this from where it was, and of another feature, starts without impulse
+// m: a point farther than this from an old one, and of another feature, does not inherit its impulse
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 
-// A pair without points of which no point moved farther than this against the other is not looked at, m: a quarter of the
-// distance at which contacts begin, so that none can be missed; and what the pair was farther apart.
+// m: a pair without points is not tested again while no point moved farther than this against the other collidable, plus
+// the distance by which the pair was farther apart than the speculative distance. A quarter of that distance, so that no
+// contact can be missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// A manifold is kept while no point moved farther than this against the other, m, nor than so much of the reach of the
-// smaller. With one sharp point it is kept for half of that, so that a second cannot be missed. Less shakes heaps: where
-// one small body carries many, a manifold that is found anew pushes it another way.
+// A manifold is kept while no point moved farther than this against the other collidable, m, nor than this share of the
+// reach of the smaller one. A manifold with one sharp point is kept for half of that, so that a second point cannot be
+// missed. With less, heaps shake: where one small body carries many, each new manifold pushes it in another direction.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
-// Counts a contact that begins to touch. A body that may have too many now, and has some with colors, calls for a search
-// (spoke.h).
+// Counts a contact that begins to touch. A body that may have too many contacts now, some of them with colors, requests
+// a search for hubs (spoke.h).
 INLINE void contact_count(const Pools* p, int body)
 {
 	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
@@ -29,14 +30,14 @@ INLINE void contact_count(const Pools* p, int body)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
-// Some contact began or ceased to touch: contacts are laid out anew.
+// Some contact began or ceased to touch: contacts have to be laid out again.
 INLINE void contact_stir(const Pools* p)
 {
 	raise_int(&p->counters->changed, 1);
 	raise_int(&p->counters->stirred[CONSTRAINT_CONTACT], 1);
 }
 
-// gives the color of a contact that no longer touches back to its bodies
+// Ends the touching of a contact: frees its color on its bodies.
 INLINE void contact_uncolor(const Pools* p, int i)
 {
 	int color = p->contact_color[i];
@@ -58,7 +59,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 	contact_stir(p);
 }
 
-// which of the old points is new point k: by feature, then the nearest within MATCH_DISTANCE; taken ones are out
+// The old point that new point k inherits from: by feature, then the nearest within MATCH_DISTANCE; -1 for none. Points
+// in taken are excluded.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
                               int taken)
 {
@@ -80,7 +82,7 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// For how far a shift a manifold is kept, m.
+// The shift up to which a manifold is kept, m.
 INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap)
 {
 	int count = (int)(flags & CONTACT_COUNT);
@@ -92,7 +94,7 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-// Whether the boxes of a pair parted. Its contact is released then.
+// Whether the boxes of a pair parted. Then its contact is released.
 INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 {
 	// if the old boxes do not overlap, one of the collidables was created anew
@@ -105,8 +107,9 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	return 1;
 }
 
-// The manifold of a pair and the poses that it is of. The contact is not only detected where it answers; rolls gets the
-// MANIFOLD_* bits of a manifold that follows its corners.
+// Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
+// only. far: the pair may approach by more than the speculative distance. rolls gets the MANIFOLD_* bits of a manifold
+// that follows its corners.
 INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, Word* rolls)
 {
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
@@ -135,7 +138,7 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	return found_at;
 }
 
-// The points of a contact: the new ones get the features and impulses of the old ones that they match.
+// Gives each new point the impulses of the old point that it matches. Returns the features of the new points.
 INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
 {
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
@@ -175,7 +178,7 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 	return make_int2(feature[0], feature[1]);
 }
 
-// Writes a manifold. flags are the new ones.
+// Writes a manifold. flags are those of the new one.
 INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b)
 {
 	const Manifold* m = &at->m;
@@ -189,7 +192,7 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	p->contact_manifold[i] = found;
 }
 
-// A contact that begins to touch gets a color later in the step.
+// Counts and lists a contact that begins to touch; it gets a color later in the step.
 INLINE void narrow_phase_began(const Pools* p, int i)
 {
 	Int2 bodies = p->contact_bodies[i];
@@ -228,8 +231,8 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		narrow_phase_began(p, i);
 }
 
-// So many contacts before they are looked at, their rows are fetched: pairs lie anywhere in the pools. Not of those that
-// may be another worker's, who changes their flags meanwhile.
+// Contacts between the one that is processed and the one whose rows are fetched, because pairs are anywhere in the
+// pools. Contacts of another worker's chunk are not fetched: it changes their flags at the same time.
 #define NARROW_PHASE_SOON 12
 
 STAGE(narrow_phase)

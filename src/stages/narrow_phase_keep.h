@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase_keep.h -- which contacts keep the manifold that they have, and at which narrow_phase must look.
+// narrow_phase_keep.h -- which contacts keep their manifold, and which ones narrow_phase looks at.
 //
-// Where a pair has hardly moved against each other, its points stay the same places on the two collidables, and nothing
-// is written (contact_points.h follows them). In a settled pile that is nearly every pair. A pair that turns together, as
-// what lies in a drum does, keeps the places too, but its normal and arms turn with it: only the rotation is written.
+// If a pair has hardly moved against each other, its points stay at the same places on the two collidables, and nothing
+// is written (contact_points.h computes where they are). In a settled pile that is nearly every pair. A pair that turns
+// together, as bodies in a drum do, keeps the places too, but its normal and arms turn with it: only the rotation is
+// written.
 #ifndef NARROW_PHASE_KEEP_H
 #define NARROW_PHASE_KEEP_H
 #include "constraints/kinds.h"
 #include "constraints/sweep_closing.h"
 
-// A manifold is kept while neither of a pair has turned in the world by more than 3.6 degrees since (cosine), nor any
-// point moved too far against the other (narrow_phase_distance).
+// cosine: a manifold is kept while neither collidable has turned in the world by more than 3.6 degrees since, and no
+// point moved too far against the other collidable (narrow_phase_distance).
 #define HOLD_COSINE 0.998f
 
-// And while a pair turns together, it keeps the places for so much of the shift for which one at rest does.
+// A pair that turns together keeps the places up to this share of the shift for a pair at rest.
 #define TURN_SHARE 0.3f
 
-// How far any point of b that is near a may have moved in the frame of a since b was at a position and rotation: as far as
-// the one that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
+// A bound of how far any point of b near a moved in the frame of a since b was at a position and rotation: the motion of
+// the point at the origin of a, plus reach, which is that of a, times the turn. Sums of components bound lengths.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -25,7 +26,7 @@ INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec
 	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
 }
 
-// How fast the collidables of a pair draw near each other; a and b are their rows of the pool placed.
+// The relative motion of the collidables of a pair; a and b are their rows of the pool world_shape.
 INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], const Real b[8])
 {
 	Int ia, ib;
@@ -42,7 +43,7 @@ INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], cons
 	return sweep_apart(vec(b[0] - a[0], b[1] - a[1]), sweep_a, sweep_b);
 }
 
-// Whether some impulse of the last step holds the pair apart.
+// Whether an impulse of the last step pushes the pair apart.
 INLINE Int narrow_phase_loaded(const Pools* p, int i)
 {
 	Int c = load_int(p->contact_place, i), there = c >= 0;
@@ -78,8 +79,8 @@ typedef struct // LANES contacts, and how their collidables moved since their ma
 	Real shift, limit; // m: how far, and for how far the manifold is kept
 } Keep;
 
-// The lanes in which a manifold that could be kept is found anew, because the pair will meet within the step, or will pass
-// by. Of the others that turn together, the rotation is written. wanders: the lanes that are tested.
+// Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
+// by. For the other lanes that turn together, writes the rotation. wanders: the lanes to test.
 INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const Keep* c)
 {
 	Real at[8];
@@ -87,7 +88,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	Closing closing = narrow_phase_closing(p, i, c->a, c->b);
 	Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
 
-	// what cannot close the gap in the step is not pushed
+	// an approach that cannot close the gap in the step gets no impulse
 	Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
 	                     (minimum(at[2], at[3]) - c->shift) / splat(sweep_end(&p->step)));
 	Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
@@ -109,8 +110,8 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	return anew;
 }
 
-// Marks the contacts that narrow_phase looks at: contacts that are new, have moved too far, will meet within the step, or
-// will pass by; and contacts whose boxes may have parted.
+// Marks the contacts that narrow_phase looks at: contacts that are new, moved too far, will meet within the step or pass
+// by, and contacts whose boxes may have parted.
 WIDE_STAGE(narrow_phase_keep)
 {
 	int live = p->counters->live;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_pose.h -- the problem of a spoke for one kind of impulse: limits, wanted velocities, masses; and its warm start.
+// spoke_pose.h -- the problem of a spoke for one kind of impulse: limits, target velocities, masses; its warm start.
 //
 // docs/solver.md has the formulas.
 #ifndef SPOKE_POSE_H
@@ -113,9 +113,9 @@ typedef struct // the problem of a spoke for one kind of impulse
 	Int well;                  // whether its velocities and masses are finite
 } SpokeProblem;
 
-// Takes back impulses beyond their limits, for no solution may keep them, and the impulses of a spoke whose velocity is not
-// finite or beyond HUB_SPEED, which has no other answer. Adds what that does to the hub to taken, and writes the velocity
-// that it leaves the light end.
+// Takes back impulses beyond their limits, because no solution may keep them. Takes back all impulses of a spoke whose
+// velocity is not finite or exceeds HUB_SPEED, because it has no other solution. Adds the effect on the hub to taken,
+// and updates the velocity of the light end.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
@@ -145,7 +145,7 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 	s->w = load(&spoke_at(p, w, m), 0);
 }
 
-// Masses and slopes: zero where one of them is not finite.
+// Computes masses and slopes: zero if one of them is not finite.
 INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, SpokeProblem* r)
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), speed[2];
@@ -157,7 +157,7 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 		Real bias, soft;
 		spoke_wants(p, h, i, what, s, k, &bias, &soft);
 		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
-		// a little more than the mass itself, so that two points in one place have an answer
+		// a little more than the mass itself, so that two points at one place have a solution
 		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->light[k] * s->light[k]) +
 		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
 		r->slope[k] = speed[k] + bias + soft * r->old[k];
@@ -171,14 +171,14 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 	}
 }
 
-// Writes limits, or which points take part; makes the masses those of the points that do.
+// Writes limits, or which points take part; adapts masses and coupling to them, and inverts the masses.
 INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 {
 	Real zero = splat(0.0f);
 	int m = spoke_of(p, i);
 	if (spoke_limited(what))
 	{
-		// points side by side resist together: each is as heavy as both
+		// points side by side resist together: each gets the mass of both
 		Real together = choose(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
 		r->mass[0] += together;
 		r->mass[1] += together;
@@ -196,7 +196,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 		r->inverse[k] = choose(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
 }
 
-// Prepares the problem of a spoke for one block; taken is the sum of what the hub loses by that.
+// Prepares the problem of a spoke for one block. taken is the sum of the impulses on the hub that are taken back.
 INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
