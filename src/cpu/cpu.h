@@ -15,7 +15,7 @@
 // The same after a solve by one worker: meanwhile the other workers have fallen asleep, and waking them takes 50 us.
 #define ALONE_GRAIN 4096
 
-typedef struct // whether workers share the solve; measured, because the cost of sharing depends on the processor
+typedef struct // whether workers share the solve; measured, because it depends on the distance of the cores
 {
 	double cost[2]; // ns per item: by one worker, shared; 0 if never measured
 	int solves;     // of the first ones, which alternate between the two ways
