@@ -33,8 +33,8 @@ done < <(sed -nE -e 's/kind##/contact/' -e 's/^[[:blank:]]*X\(([a-z_0-9]*),.*/\1
 while read -r word; do
 	grep -qE "\`$word[\`(]" docs/dialect.md || complain "docs/dialect.md: the word $word is missing"
 done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9]+\*? ([a-z_0-9]+)\(.*/\1/p' \
-	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/dialect.h |
-	grep -vxE 'DIALECT_H|ROW|STAGE_JOIN_?' | sort -u)
+	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl,c,wide}.h |
+	grep -vxE '(DIALECT|OPENCL|C|WIDE)_H|ROW|STAGE_JOIN_?' | sort -u)
 
 # every key of the viewer has its row in docs/view.md
 while read -r key; do

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body.h -- bodies as the solver holds them: gathered for a constraint, or LANES in a row.
+// body.h -- bodies in the solver: gathered for a constraint, or LANES in a row.
 #ifndef BODY_H
 #define BODY_H
 #include "dialect/vec.h"
@@ -38,8 +38,7 @@ INLINE Body body_gather(const Pools* p, Int index)
 	return b;
 }
 
-// Velocities back to where they came from. A body that cannot move is shared by many constraints of one color and is
-// never written.
+// Writes velocities back. A body that cannot move is shared by many constraints of one color and is never written.
 INLINE void body_scatter(const Pools* p, Int index, Body b)
 {
 	Real row[4];
@@ -50,7 +49,7 @@ INLINE void body_scatter(const Pools* p, Int index, Body b)
 	scatter_rows4of8((GLOBAL float*)p->body, index, row, b.inv_mass > splat(0.0f));
 }
 
-// how far the point at r from the center of mass has moved since the step began
+// displacement of the point at r from the center of mass since the step began
 INLINE Vec body_displacement(Body b, Vec r)
 {
 	return vec(b.d.x + (b.versine * r.x - b.sine * r.y), b.d.y + (b.sine * r.x + b.versine * r.y));
@@ -58,7 +57,7 @@ INLINE Vec body_displacement(Body b, Vec r)
 
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }
 
-// impulse j on body b at r, and its opposite on body a
+// Applies impulse j to body b at r, and its opposite to body a.
 INLINE void body_push(Body* a, Vec ra, Body* b, Vec rb, Vec j)
 {
 	a->v = vec_sub(a->v, vec_scale(a->inv_mass, j));
@@ -67,7 +66,7 @@ INLINE void body_push(Body* a, Vec ra, Body* b, Vec rb, Vec j)
 	b->w = b->w + b->inv_inertia * vec_cross(rb, j);
 }
 
-// one over the resistance that two bodies show to an impulse along n; 0 when neither can move
+// The effective mass of two bodies against an impulse along n; 0 if neither can move.
 INLINE Real body_effective_mass(Body a, Vec ra, Body b, Vec rb, Vec n)
 {
 	Real na = vec_cross(ra, n), nb = vec_cross(rb, n);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// constraint.h -- what kinds of constraints are made of: rows, of whose list all that handles them is generated.
+// constraint.h -- kinds of constraints: lists of rows, from which all code that handles rows is generated.
 //
 // A kind lists its rows as X(name, gate, life, inert, read, written):
 //
-//     gate           flag of Step without which nobody looks at the row; always for none
+//     gate           flag of Step without which the row is not used; always for none
 //     life           PLACED: as long as the layout stands; PREPARED: within a step; KEPT: from step to step, an impulse
 //     inert          its value where there is no constraint
-//     read, written  IN_ the passes that do so
+//     read, written  IN_ the passes that read and write it
 //
-// Two more rows, body_a and body_b, every kind has.
+// Every kind has two more rows, body_a and body_b.
 #ifndef CONSTRAINT_H
 #define CONSTRAINT_H
 #include "constraints/schedule.h"
@@ -23,7 +23,7 @@
 
 // beside the passes
 #define PREPARE           PASS_KINDS
-#define PREPARE_BOUNCE    (PASS_KINDS + 1) // what only a world with restitution prepares
+#define PREPARE_BOUNCE    (PASS_KINDS + 1) // prepared only in a world with restitution
 #define IN_PREPARE        (1 << PREPARE)
 #define IN_PREPARE_BOUNCE (1 << PREPARE_BOUNCE)
 
@@ -39,10 +39,10 @@
 // of what outlives the layout, one constraint
 #define ROW_KEPT_MEMBER(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(float name;)
 
-// Rows that are kept are copied whole: 16 bytes at a time.
+// Kept rows are copied whole, 16 bytes at a time.
 #define KEPT_ALIGNED __attribute__((aligned(16)))
 
-// What follows works on constraint `lane` of the block `rows`, and on registers `u` or what is kept of it, `kept`.
+// The macros below work on constraint `lane` of the block `rows`, and on registers `u` or kept values `kept`.
 #define ROW_PAD(name, gate, life, inert, read, written) rows->name[lane] = inert;
 #define ROW_LOAD(name, gate, life, inert, read, written) \
 	if ((read) >> pass & 1)                              \

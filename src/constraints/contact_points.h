@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // contact_points.h -- normal, arms and gaps of a contact for the step, from a manifold that is held as it was found.
 //
-// A manifold that is held keeps its normal and its arms in the world, whatever bodies have turned and shifted since; the
-// gap alone follows them. So the forces of a column that leans a little go straight down through it as before, and it does
-// not buckle. A contact gives way like a spring: with arms that follow, a column of more than 28 boxes would (A. G.
-// Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast can be made,
-// 1881).
+// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows them. So
+// the forces of a column that leans a little still go straight down through it, and it does not buckle. A contact yields
+// like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G. Greenhill,
+// Determination of the greatest height consistent with stability that a vertical pole or mast can be made, 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
 #include "dialect/vec.h"
@@ -16,7 +15,7 @@ typedef struct // world axes
 	Vec normal;         // from a to b
 	Vec point[2];       // halfway between the surfaces, from the origin of collidable a, m
 	Vec anchor[2];      // from the center of mass of a, m
-	Vec offset;         // m: what an anchor from the center of mass of b has more
+	Vec offset;         // m: difference of an anchor from the center of mass of b
 	Real separation[2]; // m
 } ContactPoints;
 
@@ -34,20 +33,20 @@ INLINE ContactPoints contact_points_choose(ContactPoints a, ContactPoints b, Int
 	return a;
 }
 
-// how far a point at an arm from the center of mass goes when its body turns
+// displacement of a point at an arm from the center of mass when its body turns
 INLINE Vec contact_points_swing(Vec turn, Vec arm) { return vec_sub(vec_turn(turn, arm), arm); }
 
-// How much of the motion of an arm is still to come, of a body that will turn so far and has the arm then.
+// The part of the motion of an arm that is still to come, for a body that will turn so far and has the arm then.
 INLINE Vec contact_points_ahead(Vec turn, Vec arm)
 {
 	return vec_sub(contact_points_swing(turn, arm), contact_points_swing(turn, vec_turn_back(turn, arm)));
 }
 
-// Of rows of the pools placed and contact_manifold; found has both rows of the contact, one behind the other.
+// From rows of the pools world_shape and contact_manifold; found has both rows of the contact, one behind the other.
 //
-// The two places of a point were one when it was found. How far they have parted along the normal since is added to the
-// separation. The solver turns arms by what bodies turn in the step; where the poses are still to come, that much less
-// is the separation.
+// The two places of a point coincided when it was found. Their distance along the normal since then is added to the
+// separation. The solver turns arms by the turns of bodies within the step; for poses in the future, that motion is
+// subtracted from the separation.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real found[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// kinds.h -- all kinds of constraints, and what is generated of their rows.
+// kinds.h -- all kinds of constraints, and the functions generated from their rows.
 #ifndef KINDS_H
 #define KINDS_H
 #include "constraints/contact.h"
 
-// What a pass reads, and writes, of constraint i.
+// The rows of constraint i that a pass reads, and writes.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                               \
 	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u)   \
 	{                                                                   \
@@ -21,7 +21,8 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// For who holds constraints in registers over a step: all rows that are not prepared, and at its end what is kept.
+// For forms of the solve that keep constraints in registers over a step: all rows that are not prepared, and at the end
+// the kept ones.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                               \
 	INLINE void kind##_take(const Pools* p, int i, Kind* u)             \
 	{                                                                   \
@@ -38,7 +39,7 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Place i holds no constraint: one between the ground and itself, which is inert.
+// Padding: place i gets an inert constraint between the ground and itself.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                      \
 	INLINE void kind##_pad(const Pools* p, int i)                              \
 	{                                                                          \
@@ -58,7 +59,8 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// While constraints are laid out anew, what is kept of them goes from a place to a slot, and from there to the new place.
+// While constraints are laid out, their kept rows are copied from the old place to a slot, and from there to the new
+// place.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
 	INLINE void kind##_keep(const Pools* p, int slot, int i)                         \
 	{                                                                                \

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 // rolling.h -- normal, arms and gaps of a round contact, which follow the bodies.
 //
-// A point is at a corner of one core and on an edge, or at a corner, of the other: with the poses of the bodies that is all
-// there is to know, and no place on a surface lags behind a roller.
+// A point is at a corner of one core and on an edge, or at a corner, of the other. With the poses of the bodies that is
+// the complete state, so no place on a surface lags behind a roller.
 //
-// Forces of a step act along its normal while the bodies move on. Of a roller with a stiffness k of its geometry, which is
-// load over mass and radius, a step of N substeps has the determinant 1 + ((N - 1) / (2 N) - s) k dt^2, if the normal is
-// that of the share s of the step: at s = 0 it gains energy, at s = 1 it loses some. So the poses are those of the end of
-// the step. Where k dt^2 is too large for that, as for a small body under a heap, the contact follows its share alone, and
-// is held for the rest (contact_points.h).
+// The forces of a step act along its normal while the bodies move on. Take a roller with a stiffness k of its geometry,
+// which is load over mass and radius. A step of N substeps has the determinant 1 + ((N - 1) / (2 N) - s) k dt^2 if the
+// normal is that at the share s of the step: at s = 0 it gains energy, at s = 1 it loses some. So the poses of the end
+// of the step are used. Where k dt^2 is too large for that, as for a small body under a heap, the contact follows by its
+// share only, and is held for the rest (contact_points.h).
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "constraints/contact_points.h"
 #include "constraints/sweep_closing.h"
 
-// k dt^2 that a contact may follow; bodies have several, and their neighbors have them too
+// largest k dt^2 with which a contact follows fully; bodies have several contacts, and so have their neighbors
 #define ROLLING_STIFFNESS 0.3f
 
-// A rolling body stops: the load acts so far before the center, in reaches, at most. That is a rolling resistance of a ten
-// thousandth, a tenth of steel's on steel. Below this it takes so much of a turn in a step, or what lies on a slope too
-// slight for that would creep down.
+// Rolling resistance: the load acts at most so far ahead of the center, in reaches. That is a coefficient of 1e-4, a
+// tenth of that of steel. Below this, the resistance takes this share of a turn per step; otherwise bodies would creep
+// down slopes too slight for rolling.
 #define ROLLING_LEVER 1.0e-4f
 #define ROLLING_TURN  0.3f
-#define ROLLING_LIGHT 0.003f // k dt^2: what is less loaded is braked no harder
+#define ROLLING_LIGHT 0.003f // k dt^2: a body with less load is braked no harder
 
-// What is stiff is held in part, and found anew now and then, which would keep it swinging: there the lever may be longer.
+// A stiff contact is held in part and found anew at times, which would keep it swinging. There the lever may be longer.
 #define ROLLING_STIFF_LEVER 0.05f
 
 typedef struct // of a body until the end of the step, from the origin of collidable a
@@ -35,7 +35,7 @@ typedef struct // of a body until the end of the step, from the origin of collid
 	Vec origin;       // of its collidable, now, m
 } Rolling;
 
-// placed: a row of that pool
+// placed: a row of the pool world_shape
 INLINE Rolling rolling_of(Vec origin, const Real placed[8], Advance advance)
 {
 	Rolling r;
@@ -47,19 +47,19 @@ INLINE Rolling rolling_of(Vec origin, const Real placed[8], Advance advance)
 	return r;
 }
 
-// from the center of mass to a place of the collidable, then
+// from the center of mass to a place of the collidable, at the end of the step
 INLINE Vec rolling_arm(Rolling r, Vec place)
 {
 	return vec_turn(r.turn, vec_add(vec_sub(r.origin, r.center), vec_turn(r.axes, place)));
 }
 
-// how far the place goes that the solver takes to be at an arm
+// displacement of the place that the solver takes to be at an arm
 INLINE Vec rolling_moves(Rolling r, Vec arm)
 {
 	return vec_add(vec_sub(r.then, r.center), contact_points_swing(r.turn, arm));
 }
 
-// A corner of a core by its name, which is more exact than where it was found. Not every feature is a corner.
+// The corner of a core that a feature names: more exact than the point that was found. Not every feature is a corner.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec found, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -68,7 +68,7 @@ INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, V
 	                  wanted & (name < MAX_CORNERS));
 }
 
-// a, b, found, flags and feature are those of contact_points.h, and of the pools of these names.
+// a, b, found, flags and feature are those of contact_points.h, from the pools of these names.
 INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                     const Real found[16], Int flags, const Int feature[2], Advance advance_a,
                                     Advance advance_b)
@@ -97,14 +97,14 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		Vec between = vec_sub(vec_sub(arm_b, arm_a), points.offset);
 		if (k == 0)
 		{
-			// corners that have come to the same place have no direction
+			// corners at the same place have no direction
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
 			points.normal =
 			    vec_choose(points.normal, direction, corners & (vec_dot(direction, points.normal) > splat(0.5f)));
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
-		// from the center of the body that has the corner: the other may be large, and its center far away
+		// from the center of the body that has the corner: the other may be large, with its center far away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
 		arm_a = vec_choose(from_b, from_a, by_a);
@@ -136,7 +136,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	if (!lane_bits(loaded))
 		return points;
 
-	// what rests on two points does not roll; with both as loaded, what is round buckles like what is sharp
+	// a body that rests on two points does not roll; with the load on both, round shapes buckle like sharp ones
 	Real share = absolute(load1 - load2) / load;
 	Real reach =
 	    minimum(sweep_shape(&p->attribute->reach, real_bits(a[6])), sweep_shape(&p->attribute->reach, real_bits(b[6])));
@@ -146,7 +146,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real follows = ROLLING_STIFFNESS / stiffness;
 	share = choose(share, share * follows, stiff);
 
-	// a lever against the relative turn, along the tangent; no more than the load can take of it, or it would turn it back
+	// a lever against the relative turn, along the tangent; limited so that the load does not reverse the turn
 	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
 	Real most = choose(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);

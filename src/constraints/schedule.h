@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// schedule.h -- the order of a solve: its passes over the constraints, and what a body does between two of them.
+// schedule.h -- the order of a solve: its passes over the constraints, and the motion of bodies between them.
 //
 //     warm start; in each substep accelerate, bias, move, relax; then bounce, if anything may
 //
-// Passes are numbered from 0. The CPU, launches by color, the relay, the tiles and the count of memory traffic read it here.
+// Passes are numbered from 0. The CPU, launches by color, the relay, the tiles and the count of memory traffic use this
+// file.
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
 #include "dialect/dialect.h"
 
 // kinds of passes
 #define PASS_WARM_START 0 // the impulses of the last step
-#define PASS_BIAS       1 // pushes apart what overlaps
-#define PASS_RELAX      2 // takes from velocities what that added
+#define PASS_BIAS       1 // pushes overlaps apart
+#define PASS_RELAX      2 // removes the velocity that this added
 #define PASS_BOUNCE     3 // restitution
 #define PASS_KINDS      4
 

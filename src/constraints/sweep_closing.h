@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// sweep_closing.h -- how two collidables draw near each other within the step, by their velocities.
+// sweep_closing.h -- how two collidables approach each other within the step, from their velocities.
 //
-// Time is a share of the step, from 0 to 1, and so velocities are metres and radians a step.
+// Time is a share of the step, from 0 to 1, so velocities are in metres and radians per step.
 #ifndef SWEEP_CLOSING_H
 #define SWEEP_CLOSING_H
 #include "dialect/finite.h"
 #include "pools/pools.h"
 
-// m a step: what moves less, or draws near by less, is as good as at rest
+// m per step: a slower motion or approach counts as rest
 #define SWEEP_REST (0.03f * LINEAR_SLOP)
 
-// m a step: what is under load and draws near by less keeps its manifold
+// m per step: a loaded pair that approaches more slowly keeps its manifold
 #define SWEEP_HOLD LINEAR_SLOP
 
-// m a step: and that only as long as it slides by less. Where arms turn by more, they are turned along. Arms that lag behind
-// cost angular momentum, and let what turns with a drum overlap.
+// m per step: a loaded pair keeps its manifold only while it slides more slowly. If its arms turn by more, they are
+// turned with it. Arms that lag behind cost angular momentum, and let bodies that turn with a drum overlap.
 #define SWEEP_LAG (0.3f * LINEAR_SLOP)
 
 typedef struct // of a body until the end of the step
@@ -40,16 +40,16 @@ typedef struct // of b against a
 	Real most;  // m: how far any two points of the pair may draw near
 } Closing;
 
-// a member of the attributes of shapes, which are indices into that pool; member is that of the first
+// a member of the attributes with these indices; member is that of attribute 0
 INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 {
 	return gather(member, shape * (int)(sizeof(Attribute) / sizeof(float)));
 }
 
-// when the last relaxing pass looks: a substep after the step, which may take no time
+// time of the last relaxing pass: a substep after the step; dt may be 0
 INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + step->h / step->dt : 1.0f; }
 
-// a velocity no faster than max_speed; what is not finite will be frozen, where it is
+// A velocity limited to max_speed; one that is not finite becomes 0, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
@@ -58,7 +58,7 @@ INLINE Vec sweep_velocity(const Step* step, Vec v)
 	return vec(number_of(v.x), number_of(v.y));
 }
 
-// by the velocities with which the step begins
+// From the velocities at the beginning of the step.
 INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 {
 	Advance advance;
@@ -67,7 +67,7 @@ INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 	return advance;
 }
 
-// core: how far the core reaches from the origin of the collidable, m
+// core: farthest point of the core from the origin of the collidable, m.
 INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 {
 	Sweep s;
@@ -78,7 +78,7 @@ INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 	return s;
 }
 
-// between: from the origin of a to that of b, m
+// between: from the origin of a to that of b, m.
 INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 {
 	Vec arm = vec(between.x + (sb.center.x - sa.center.x), between.y + (sb.center.y - sa.center.y));

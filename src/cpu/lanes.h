@@ -4,11 +4,11 @@
 #define LANES_H
 #include "backend/backend.h"
 
-// does items begin to end - 1; a wide stage with LANES lanes needs begin and end to be multiples of LANES
+// Executes items begin to end - 1. A wide stage with LANES lanes needs begin and end to be multiples of LANES.
 typedef void (*StageFunction)(const Pools* p, int begin, int end);
 
-// Null for a stage that is not wide. Only lanes1 and one8 have them all. one8 differs from lanes1 in its instructions
-// alone: encoded as those of AVX2, the scalar code of gcc takes half as long in narrow phase.
+// Null for a stage that is not wide. Only lanes1 and one8 have all stages. one8 differs from lanes1 in its instruction
+// set only: encoded as AVX2, the scalar code of gcc takes half as long in narrow phase.
 extern const StageFunction stages_lanes1[STAGE_COUNT];
 extern const StageFunction stages_one8[STAGE_COUNT];
 extern const StageFunction stages_lanes4[STAGE_COUNT];

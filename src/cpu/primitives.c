@@ -16,8 +16,8 @@ static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int
 		++counts[keys[i] >> shift & mask];
 }
 
-// Where this worker puts its first key of each digit: behind all smaller digits, and behind the equal ones of the workers
-// before it, which keeps the order. False when all keys have one digit, so that nothing needs to move.
+// The place of this worker's first key of each digit: behind all smaller digits, and behind the equal digits of the
+// workers before it, so the sort is stable. False if all keys have the same digit, so that nothing has to move.
 static bool place_digits(int place[RADIX], const Shared* shared, int worker, int workers, int count)
 {
 	int sum = 0;

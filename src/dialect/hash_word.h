@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// hash_word.h -- what the hash of an item is made of, for the stages and for what only the host knows.
+// hash_word.h -- the hash of an item, for the stages and for data that only the host has.
 #ifndef HASH_WORD_H
 #define HASH_WORD_H
 #include "dialect/dialect.h"
 
-// the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input moves half of the output's
+// the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input changes half of the output's bits
 INLINE Word64 hash_mix(Word64 h)
 {
 	h ^= h >> 33;

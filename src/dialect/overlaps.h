@@ -9,8 +9,8 @@ static inline __m256 box_pair(const Float4* low, const Float4* high)
 	return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&low->x)), _mm_load_ps(&high->x), 1);
 }
 
-// Boxes 0 to 3 go into the low halves and 4 to 7 into the high ones, so that a transposition inside the halves leaves
-// each of the four bounds of all eight in one register, in order.
+// Boxes 0 to 3 are loaded into the low halves and 4 to 7 into the high halves, so a transposition within the halves
+// leaves each of the four bounds of all eight boxes in one register, in order.
 static inline Word overlaps8(const Float4* boxes, Float4 box)
 {
 	__m256 r0 = box_pair(boxes, boxes + 4), r1 = box_pair(boxes + 1, boxes + 5);

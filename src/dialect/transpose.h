@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// transpose.h -- between LANES items of 4 or 8 floats each in memory and one Real a component.
+// transpose.h -- between LANES items of 4 or 8 floats each in memory and one Real per component.
 //
-// A part of dialect.h, whose words it uses, for LANES 4, 8 and 16.
+// A part of wide.h, for LANES 4, 8 and 16.
 //
-// Items travel in quads of 16 bytes. Real j of four holds the quads of items j, j + 4, j + 8, ... side by side, so that
-// a 4 by 4 transposition inside each quad puts component j of all items into Real j, in order. For a gather of eight
-// floats on AVX2 that is 8 loads, 8 loads that insert, and 16 shuffles; loading whole rows of 32 bytes would need 24
-// shuffles, and it is those that wait for their port.
+// Items are moved in quads of 16 bytes. Real j of four holds the quads of items j, j + 4, j + 8, ... side by side, so a
+// 4 by 4 transposition inside each quad puts component j of all items into Real j, in order. For a gather of eight
+// floats on AVX2 that is 8 loads, 8 loads with insert, and 16 shuffles. Loading whole rows of 32 bytes would need 24
+// shuffles, and the shuffle port is the bottleneck.
 #ifndef TRANSPOSE_H
 #define TRANSPOSE_H
 #if defined(__SSE2__)
@@ -15,7 +15,7 @@
 
 #define ALL_LANES ((1u << LANES) - 1)
 
-// The heart of every solver pass: called, rather than inlined, it would pass its vectors through memory.
+// Every solver pass uses this. Called, rather than inlined, it would pass its vectors through memory.
 #define WIDE_INLINE static inline __attribute__((always_inline))
 
 typedef float Quad __attribute__((vector_size(16)));
@@ -49,7 +49,8 @@ WIDE_INLINE Int indices(int i)
 	return k + i;
 }
 
-// Lane k of the result is array[index[k]]. A list of all becomes inserts; a loop over lanes, masks.
+// Lane k of the result is array[index[k]]. Compilers turn a list of all lanes into inserts, and a loop over lanes into
+// masks.
 #define NAMED(k) array[index[k]]
 WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE(NAMED)}; }
 WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }
@@ -141,7 +142,7 @@ WIDE_INLINE void quads_gather(const float* base, Words at, Real out[4])
 	transpose(quads_load(base, at, 0), quads_load(base, at, 1), quads_load(base, at, 2), quads_load(base, at, 3), out);
 }
 
-// the other way: the quads of r to base + at[j], base + at[j + 4], ..., as far as bits j, j + 4, ... of wanted are set
+// the reverse: the quads of r to base + at[j], base + at[j + 4], ..., where bits j, j + 4, ... of wanted are set
 WIDE_INLINE void quads_store(float* base, Words at, int j, Real r, Word wanted)
 {
 	if (wanted >> j & 1)
@@ -168,7 +169,7 @@ WIDE_INLINE void quads_scatter(float* base, Words at, const Real in[4], Word wan
 	quads_store(base, at, 3, r[3], wanted);
 }
 
-// where the rows of LANES neighbors begin, in floats
+// offsets of the rows of LANES neighbors, in floats
 WIDE_INLINE Words neighbors(Word floats)
 {
 	Words k = {EACH_QUAD(0, 1, 2, 3)};
@@ -209,7 +210,7 @@ WIDE_INLINE void store_rows4(float* base, int first, const Real in[4])
 	quads_scatter(base + 4 * (size_t)first, neighbors(4), in, ALL_LANES);
 }
 
-// one bit a lane, set where the lane is not zero
+// a bit mask of the lanes that are not zero
 WIDE_INLINE Word lane_bits(Int lanes)
 {
 #if LANES == 16 && defined(__AVX512F__)
@@ -226,8 +227,8 @@ WIDE_INLINE Word lane_bits(Int lanes)
 #endif
 }
 
-// Writes the first four floats of item index[k], of eight, for each lane k whose wanted[k] is not zero. Wanted items are
-// different ones; the others may be equal.
+// Writes the first four floats of item index[k], of eight, for each lane k whose wanted[k] is not zero. Wanted items
+// must be different; the others may be equal.
 WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
 {
 	Words at = (Words)index * 8u;

@@ -4,47 +4,48 @@
 #define POOLS_H
 #include "dialect/dialect.h"
 
-// ranges of constraints and bodies are padded to this many items, so that every lane count divides them
+// ranges of constraints and bodies are padded to a multiple of this, so that every number of lanes divides them
 #define MAX_LANES 16
-// each color of the constraints is padded to a multiple of this many: what a GPU takes in step never spans two colors
+// each color of the constraints is padded to a multiple of this, so that no group of lanes of a GPU spans two colors
 #define COLOR_PADDING 32
 
-// Colors 0 to COLORS - 1 hold constraints of which no two share a body that can move; color COLORS is that of the spokes,
-// the contacts of hubs. One bit of BodyState's mask a color: more would need a wider mask.
+// No two constraints of a color from 0 to COLORS - 1 share a body that can move; color COLORS is that of the spokes, the
+// contacts of hubs. The pool color_mask has one bit per color: more colors would need a wider mask.
 #define COLORS     63
 #define COLOR_NONE (-1)
 #define COLOR_MASK 0x7fffffffffffffffUL // a body with all colors taken
 
-// bits that colors are sorted by while there are no hubs
+// bits of a color as a sorting key, without hubs
 #define COLOR_BITS 7
 
-// A body with more contacts is a hub. Two bodies that are none leave at least one color free: 31 other contacts each.
+// A body with more contacts is a hub. Two bodies that are not hubs have at least one common free color, because each has
+// at most 31 other contacts.
 #define HUB_CONTACTS 32
 
-// Hubs are solved in so many turns of a pass, by their numbers: those that touch in most cases one after the other.
+// A pass solves hubs in so many turns, by their numbers, so that hubs that touch are mostly solved one after the other.
 #define HUB_TURNS 4
 
-// A key of light ends: body from bit 32 on, turn of the hub from this one on, number of the spoke.
+// A key of light ends: body from bit 32 on, turn of the hub from this bit on, number of the spoke below.
 #define HUB_KEY_TURN 30
 
-// Coloring rounds before the host looks whether any contact is left. Even: rounds alternate between two lists.
+// Coloring rounds before the host checks whether contacts are left. Even, because rounds alternate between two lists.
 #define MAX_ROUNDS 64
 
 // arity of the trees: the boxes of 8 children are 128 bytes, a cache line of a GPU
 #define ARITY      8
 #define ARITY_BITS 3
-#define MAX_LEVELS 8 // 8 bits each in the 64-bit stack of the traversal: 8^8 = 16.7 million leaves
+#define MAX_LEVELS 8 // the traversal has a 64-bit stack of 8 bits each: 8^8 = 16.7 million leaves
 
-// To put the leaves of a tree in order costs about as much as this many visits of nodes a leaf.
+// Sorting the leaves of a tree costs about as much as this many visits of nodes per leaf.
 #define ORDER_VISITS 16
 #define STRAY_UNIT   64 // of Counters.strayed: 16.7 million leaves cannot overflow it
 
 #define HASH_SUMS 1024
 
-// A world of fewer collidables fits a CPU's second-level cache, and its rows are not fetched ahead.
+// In a world of fewer collidables the rows fit a CPU's second-level cache, and are not prefetched.
 #define FETCH_COLLIDABLES 8192
 
-// Items of broad and narrow phase that a worker of a CPU takes at a time, from a multiple of it on.
+// Items of broad and narrow phase in a chunk of a CPU worker; chunks begin at a multiple of it.
 #define HANDED_ITEMS 64
 
 #define MAX_CORNERS 8 // of a core
@@ -53,13 +54,13 @@
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f
 
-// of a body's thickness: how far it may go in a step before guard looks at its way
+// of a body's thickness: how far it may go in a step before guard tests its path
 #define GUARD_TRAVEL 0.5f
-// fewest collidables of a body for a work-item of guard, and most work-items
+// fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64
 
-// Most bodies, collidables or attributes of a world: what the indices of the trees can name.
+// Most bodies, collidables or attributes of a world: the range of the indices in trees.
 #define MAX_ITEMS    (1 << 24)
 #define MAX_CONTACTS (8 * MAX_ITEMS)
 
@@ -67,12 +68,12 @@
 #define EMPTY_LOW  1.0e30f
 #define EMPTY_HIGH (-1.0e30f)
 
-// separation of a point that is not there: so far apart that no impulse ever arises
+// separation of a missing point: so large that no impulse ever arises
 #define NO_POINT 1.0e6f
 
 // bits of the pool moved
 #define MOVED_BOX 1 // its box differs from old_box
-#define MOVED_FAR 2 // it may go further in this step than the speculative distance allows for
+#define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
 #define MOVED_ON  4 // it is not at rest in this step
 
 // kinds of collidables
@@ -85,7 +86,7 @@
 // contact_flags
 #define CONTACT_COUNT    3u  // mask of the number of points
 #define CONTACT_FRESH    4u  // created in this step
-#define CONTACT_DETECTED 8u  // nothing answers to it: one side has no body
+#define CONTACT_DETECTED 8u  // gets no impulses: one side has no body
 #define CONTACT_TOUCHING 16u // has points
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
@@ -110,10 +111,10 @@ typedef struct // 160 bytes
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
 
-typedef struct // 16 bytes: what guard needs of a body that is dynamic
+typedef struct // 16 bytes: what guard needs of a dynamic body
 {
 	int first;   // 1 + index of its first collidable, 0 for none
-	int parts;   // work-items among which its collidables are dealt out
+	int parts;   // work-items that share its collidables
 	float way;   // m: GUARD_TRAVEL times the thickness of its thinnest collidable
 	float reach; // m: no point of it is further from the center of mass
 } Guarded;
@@ -141,9 +142,9 @@ typedef struct // 32 bytes: one sector
 	int attribute, body;
 } WorldShape;
 
-// The rows of constraints, of src/constraints/: blocks of MAX_LANES, one row a component, so that a wide pass reads rows of one
-// contiguous block, and a GPU finds all components of a constraint from one address. With an array a component there were
-// seventeen addresses to hold. And what is kept of a constraint while the rows are laid out anew.
+// The rows of constraints, of src/constraints/: blocks of MAX_LANES constraints, one row per component. So a wide pass
+// reads the rows of one contiguous block, and a GPU finds all components of a constraint from one address instead of
+// seventeen. And the values that are kept while the rows are laid out again.
 #define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	typedef struct Kind##Rows Kind##Rows;         \
 	typedef struct Kind##RareRows Kind##RareRows; \
@@ -152,7 +153,7 @@ typedef struct // 32 bytes: one sector
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-typedef struct // 192 bytes: what the user is told of a contact
+typedef struct // 192 bytes: a contact, as reported to the user
 {
 	Int2 pair, feature;
 	Word flags;
@@ -163,16 +164,16 @@ typedef struct // 192 bytes: what the user is told of a contact
 	WorldShape a, b;
 } Listed;
 
-typedef struct // MAX_LANES spokes; but for the first two, what a pass works with
+typedef struct // MAX_LANES spokes; all but the first two are working data of a pass
 {
-	float parts[MAX_LANES];     // into which the light end is split: one a spoke, and one for the hub that it may be
-	float hub_parts[MAX_LANES]; // of the first spoke of a hub: the same of the hub
-	float hub_x[MAX_LANES], hub_y[MAX_LANES], hub_w[MAX_LANES]; // of the first spoke: velocity of the hub's part
+	float parts[MAX_LANES];     // of the light end: one per spoke, and one for the hub that it may be
+	float hub_parts[MAX_LANES]; // at the first spoke of a hub: parts of the hub
+	float hub_x[MAX_LANES], hub_y[MAX_LANES], hub_w[MAX_LANES]; // at the first spoke: velocity of the hub's part
 	float vx[MAX_LANES], vy[MAX_LANES], w[MAX_LANES];           // of the light end's part
 	float inv_mass[MAX_LANES], inv_inertia[MAX_LANES];          // of the whole light end
 	float gap1[MAX_LANES], gap2[MAX_LANES];                     // m
 	float push_x[MAX_LANES], push_y[MAX_LANES], arm1[MAX_LANES], arm2[MAX_LANES]; // of a unit impulse on the hub
-	float slope1[MAX_LANES], slope2[MAX_LANES];                               // m/s: of the energy along either impulse
+	float slope1[MAX_LANES], slope2[MAX_LANES];                               // m/s: of the energy along each impulse
 	float mass1[MAX_LANES], mass2[MAX_LANES], cross[MAX_LANES];               // 1/kg: velocities by unit impulses
 	float inverse1[MAX_LANES], inverse2[MAX_LANES], inverse[MAX_LANES];       // of mass1, of mass2, of the determinant
 	float old1[MAX_LANES], old2[MAX_LANES], new1[MAX_LANES], new2[MAX_LANES]; // N s
@@ -186,7 +187,7 @@ typedef struct // 32 bytes: one sector, gathered at random by the solver
 {
 	float vx, vy, w;   // m/s, rad/s
 	float inv_mass;    // 1/kg, zero for static and kinematic bodies, which are never written
-	float dx, dy, da;  // m, rad: moved since the step began
+	float dx, dy, da;  // m, rad: motion since the step began
 	float inv_inertia; // 1/(kg m^2)
 } BodyState;
 
@@ -206,8 +207,8 @@ typedef struct // 32 bytes: a change that the user made between steps
 	Float4 value;
 } Command;
 
-// Command.kind and what value and whole hold. From COMMAND_PLACE on they name a collidable, below a body; below COMMAND_BODY
-// whole[1] is 1 where that body is disabled.
+// Command.kind, and what value and whole hold. Kinds from COMMAND_PLACE on name a collidable, the others a body; for
+// kinds below COMMAND_BODY, whole[1] is 1 if that body is disabled.
 #define COMMAND_FORCE           0  // x, y: N
 #define COMMAND_FORCE_AT        1  // force x, y, world point x, y
 #define COMMAND_TORQUE          2  // x: N m
@@ -220,13 +221,13 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin stays
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity stays
-#define COMMAND_BODY            12 // a row anew, of no mass: pose of the origin x, y, cos, sin; whole[0]: clears kept
+#define COMMAND_BODY            12 // a new row, without mass: pose of the origin x, y, cos, sin; whole[0]: clears kept
 #define COMMAND_GUARDED         13 // Guarded: whole first, parts; x way, y reach
 #define COMMAND_ENABLED         14 // whole[0]: 1, or 0 for a body that takes no part from now on
 #define COMMAND_TARGET          15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks
-#define COMMAND_ARRIVE          16 // the same at the end of that step: the body is there, and stands still
+#define COMMAND_ARRIVE          16 // the same at the end of that step: moves the body there, and stops it
 #define COMMAND_PLACE           17 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole: attribute, body. Contacts start anew
+#define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole: attribute, body. Its contacts end, new ones begin
 #define COMMAND_ATTRIBUTE       19 // whole[0]: another attribute of the same shape
 #define COMMAND_FILTER          20 // the bits of category and mask; whole: group, kind
 #define COMMAND_NEXT            21 // whole[0]: 1 + index of the body's next collidable, 0 for none
@@ -240,12 +241,12 @@ typedef struct // one tree of the broad phase, as the host sees it
 	int count[MAX_LEVELS]; // nodes of each level; the pool is padded with empty boxes to a multiple of ARITY
 } Tree;
 
-typedef struct // how stiff a contact is: Erin Catto, Soft Constraints, GDC 2011
+typedef struct // stiffness of a contact: Erin Catto, Soft Constraints, GDC 2011
 {
 	float bias_rate, mass_scale, impulse_scale;
 } Softness;
 
-// Kinds of constraints, and the number of an edge among all: the kind above its slot.
+// Kinds of constraints. An edge is a constraint of any kind: the kind in the bits above its slot.
 enum
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) CONSTRAINT_##KIND,
@@ -255,30 +256,30 @@ enum
 };
 #define EDGE_KIND 27 // bits of a slot: MAX_CONTACTS of them
 
-typedef struct // constants of one step, by value to every stage
+typedef struct // constants of one step, passed by value to every stage
 {
 	float dt, h, inv_h; // s, substep s, 1/s
 	float gravity_x, gravity_y;
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
-	Softness soft, stiff; // contacts of moving bodies; contacts with bodies that cannot move
+	Softness soft, stiff; // of contacts between moving bodies; of contacts with bodies that cannot move
 	int rare;             // rare rows are used: rolls, bounces or details
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step
 	int bounces;          // some attribute has restitution
 	int round;            // some attribute has a radius
-	float guard_way;      // m: no Guarded.way of the world is less
-	float guard_reach;    // m: nor any Guarded.reach more
+	float guard_way;      // m: lower bound of all Guarded.way of the world
+	float guard_reach;    // m: upper bound of all Guarded.reach
 	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
 	int contact_limit;       // most contacts that the world may have
-	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is spread over so many work-items
+	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is split among so many work-items
 	int key_bits;            // bits of a collidable's index in a pair's key
 } Step;
 
-typedef struct // of the constraints of a kind
+typedef struct // places of the constraints of a kind
 {
 	int begin[COLORS + 2]; // first place of each color; color COLORS is that of spokes
 	int count[COLORS + 1]; // constraints of each color, padding not counted
@@ -286,60 +287,60 @@ typedef struct // of the constraints of a kind
 	int last[COLORS + 2];
 } KindLayout;
 
-// Counts that live on the device. Everything is an int so that Run.count can name one by its position.
+// Counters on the device. All are ints, so that Run.count can name one by its position.
 typedef struct
 {
 	// kept from step to step
-#define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // slots of the kind's pool in use, free ones below it included
+#define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // slots of the kind's pool up to the last one in use
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	int alive;                           // contacts alive, the ones released in the last step included
+	int alive;                           // live contacts, and those released in the last step
 	int touching;                        // contacts with a color, spokes included
 	KindLayout layout[CONSTRAINT_KINDS]; // where constraints lie
 	int hubs;                            // bodies solved with all of their contacts
-	int split;                           // ends of spokes, when some body is split into parts, else 0
+	int split;                           // ends of spokes, if some body is split into parts, else 0
 	int strayed[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times STRAY_UNIT
 	// of this step
 	int moved;        // collidables whose enlarged box changed
-	int changed;      // 1 when a constraint began or ended, so that some are laid out anew
-	int kept;         // INT_MAX where the layout is that of the last step; 0 when it changed or must not be used
-	int refit;        // tree nodes to look up again: all when some box changed, else 0
-	int jumped;       // tree nodes to look for boxes that jumped: all when some box did, else 0
-	int order[2];     // of each tree: leaves to put in order in this step, all or 0
-	int walks;        // walks that were not done by one work-item
-	int rest;         // work-items that these are spread over: all, or 0 when there are none
-	int pairs;        // new pairs found, also those for which there was no room; above the limit not all
-	int crowded;      // more contacts than a world may have: nothing after it was done
-	int sort_pairs;   // the same, or 0 when there was no room
-	int search;       // contact slots to search for free ones, and one more; 0 when no pair is new
+	int changed;      // 1 if a constraint began or ended, so that a layout is due
+	int kept;         // INT_MAX if the layout of the last step is valid; 0 if it changed or must not be used
+	int refit;        // tree nodes to recompute: all if some box changed, else 0
+	int jumped;       // tree nodes to check for boxes that jumped: all if some box did, else 0
+	int order[2];     // of each tree: leaves to sort in this step, all or 0
+	int walks;        // walks that one work-item did not finish
+	int rest;         // work-items that these are split among: all, or 0 if there are none
+	int pairs;        // new pairs found, also without room for them; above the limit not all
+	int crowded;      // 1 for more contacts than a world may have: the rest of the step is skipped
+	int sort_pairs;   // new pairs, or 0 without room for them
+	int search;       // contact slots to search for free ones, plus one; 0 without new pairs
 	int dead;         // free slots found
 	int created;      // new contacts
 	int needed;       // contact slots that the step needs
-	int stalled;      // a buffer was too small: nothing after it was done; the host grows it and runs again
-	int live;         // contact slots that narrow phase goes over
-	int look;         // the same where it must look at some, else 0
+	int stalled;      // 1 if crowded or a buffer is too small: the rest is skipped; the host repeats the step
+	int live;         // contact slots of the narrow phase
+	int look;         // the same if it has to look at some, else 0
 	int released;     // contacts whose boxes parted
 	int began, ended; // contacts that began and ceased to touch
-	int gathered;     // contact slots to search for those of bodies that became hubs, else 0
+	int gathered;     // contact slots to search for contacts of bodies that became hubs, else 0
 	int entered;      // 1 when a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
 	int stirred[CONSTRAINT_KINDS]; // 1 when a constraint of the kind began or ended
-	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color: 0 when none began or ended
-	int arranged;                  // 1 when all that changed was laid out
+	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color: 0 if none began or ended
+	int arranged;                  // 1 if all that changed was laid out
 	int penetration;               // bits of the deepest overlap, m
 	int nonfinite;                 // bodies frozen because their state was not finite
 	int first_nonfinite;           // lowest index of these
-	int guarded;                   // items of guard: bodies that went far, those of many collidables in parts
-	int held;                      // bodies that stopped before something static; guard
-	int fault; // set by a device that failed in the middle of a run; its backend reads it with the rest
+	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
+	int held;                      // bodies that guard stopped before something static
+	int fault; // set by a device that failed during a run; its backend reads it with the other counters
 } Counters;
 
-typedef struct // one entry of the list that a backend works through, in order
+typedef struct // one entry of a list that a backend executes in order
 {
 	int stage;      // STAGE_*, or PRIMITIVE_*
 	int begin, end; // items
 	int count;      // position in Counters of an upper bound of end, or -1
-	int argument;   // what the stage makes of it
+	int argument;   // of the stage
 } Run;
 
 typedef struct

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ahead.h -- manifolds of poses still to come: of fast bodies where they will meet, and of corners that pass each other.
+// ahead.h -- manifolds of future poses: of fast bodies where they will meet, and of corners that pass each other.
 #ifndef AHEAD_H
 #define AHEAD_H
 #include "stages/sweep.h"
@@ -9,20 +9,20 @@ typedef struct // a manifold and the poses that it is of
 	Manifold m;
 	Frame f;   // of b in the frame of a
 	Vec axes;  // rotation of a in the world
-	int ahead; // whether the poses are still to come
+	int ahead; // whether the poses are in the future
 } Ahead;
 
-// m: a plane that is off by less is right. What closes by less than SWEEP_REST is left to close: a push against it would be
-// no more of a disturbance than the lack of a push from a floor.
+// m: a manifold whose plane is off by less counts as exact. An approach of less than SWEEP_REST is ignored: a push
+// against it would disturb no more than the lack of a push from a floor.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// A corner is looked at where the last relaxing pass looks (sweep_end); and where the pair has moved so far (m), or what
-// sags by less at a seam would seem to meet its side.
+// A corner is tested at the time of the last relaxing pass (sweep_end), and not before the pair has moved this far (m):
+// otherwise a body that sags by less at a seam would seem to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// A manifold pushes along its normal as if both shapes were flat. Where a pair passes by a corner it says that they will
-// overlap although they will not, and would stop what slides over a seam between two floors. Then the manifold of later
-// counts.
+// A manifold pushes along its normal as if both shapes were flat. If a pair passes by a corner, it predicts an overlap
+// that will not happen, and would stop a body that slides over a seam between two floors. Then the manifold of the later
+// pose is used.
 INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now)
 {
 	if (now.m.count == 0)
@@ -44,8 +44,8 @@ INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing clos
 	return later;
 }
 
-// The manifold of a pair that may draw near by more than the speculative distance: as it will be where they meet, with
-// what may follow in the rest of the step; if they will not, as it is now.
+// The manifold of a pair that may approach by more than the speculative distance: of the poses where they meet, with the
+// points that may follow in the rest of the step; if they will not meet, of the poses now.
 INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead start)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -62,7 +62,8 @@ INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing c
 			then.ahead = 1;
 			return then;
 		}
-		// what the forces of a step may close is kept without a meeting, or nothing would roll or slide fast on a floor
+		// an approach that the forces of one step may cause is kept without a meeting, or nothing would roll or slide
+		// fast on a floor
 		if (round == 0 && gap <= LINEAR_SLOP)
 			now.m = then.m;
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);

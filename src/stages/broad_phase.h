@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // broad_phase.h -- moved boxes against the trees: the set of new pairs.
 //
-// A contact exists exactly as long as the enlarged boxes of its collidables overlap. So a pair is new when its boxes
-// overlap now and did not before this step's transform; no table of known pairs is needed. A pair of which both moved
-// is taken by the one of the lower index.
+// A contact exists exactly as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes
+// overlap now and did not overlap before this step's transform; no table of known pairs is needed. If both collidables
+// moved, the walk of the lower index finds the pair.
 //
-// Leaves are met in rising order, so that a walk can be stopped at any leaf and gone on with elsewhere.
+// Walks visit leaves in rising order, so a walk can stop at any leaf and continue elsewhere.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
 #include "stages/filter.h"
 #include "stages/tree.h"
 #include "stages/wave.h"
 
-// Those of eight leaves from first on that did not overlap collidable i before: most did. Where nothing else hides that
-// memory is slow, the eight are looked up at once.
+// The leaves among eight, from first on, that did not overlap collidable i before. Most did. Where nothing else hides
+// the latency of memory, the eight are loaded at once.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -30,10 +30,10 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 	return leaves;
 }
 
-// ContactArms i, j, when it is new. Returns whether the walk may go on: not when there are more pairs than a world may have.
+// Adds pair i, j if it is new. Returns whether the walk may continue: not if there are more pairs than a world may have.
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
-	// most neighbors are known ones
+	// most neighbors are known pairs
 	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->moved[j] & MOVED_BOX) && j < i))
 		return 1;
 	int body = p->collidable_body[i];
@@ -48,8 +48,8 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i: those from leaf from up to, not including, end, or,
-// with end 0, all. Returns the leaf at which the walk has to go on after so many nodes over leaves, or 0 when it is done.
+// Visits the leaves of tree t that overlap the box of collidable i: from leaf from up to, not including, end, or all for
+// end 0. Returns the leaf at which the walk has to continue after so many nodes over leaves, or 0 if it is complete.
 INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -71,7 +71,7 @@ INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int
 	}
 }
 
-// the search anew, after a buffer grew
+// The search again, after a buffer grew.
 STAGE(broad_phase_begin)
 {
 	p->counters->pairs = 0;
@@ -82,11 +82,11 @@ STAGE(broad_phase_begin)
 	(void)i;
 }
 
-// what is static meets nothing in the tree of what is static
+// static collidables have no pairs in the tree of static collidables
 INLINE int broad_phase_trees(int kind) { return kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1; }
 
-// A box that overlaps thousands of leaves would keep one work-item busy when all others are done: what it leaves undone
-// is listed.
+// A box that overlaps thousands of leaves would keep one work-item busy after all others are done. What such a walk
+// leaves undone is listed.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_walk(p, k, t, 0, 0, p->step.walk_nodes);
@@ -96,8 +96,8 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// The leaves of tree t that overlap the boxes of these walks, but for those that go alone, a bit each. Returns whether
-// the search may go on.
+// The leaves of tree t that overlap the boxes of these walks, a bit each, without the walks that go alone. Returns
+// whether the search may continue.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* walkers, const Float4* boxes,
                               Word alone, const WaveFront* front)
 {
@@ -160,7 +160,7 @@ INLINE void broad_phase_wave(const Pools* p, int i, int t)
 			broad_phase_alone(p, walkers[k], t);
 }
 
-// On a CPU, what is handed out begins at a multiple of WAVE_WALKS, which go together.
+// On a CPU, chunks begin at a multiple of WAVE_WALKS walks, which go together.
 STAGE(broad_phase)
 {
 	if (FETCHES)
@@ -174,7 +174,7 @@ STAGE(broad_phase)
 		broad_phase_alone(p, k, t);
 }
 
-// The rests of the long walks, each cut by its leaves into as many parts as there are work-items for it. Where there are
+// The rests of the long walks. Each is cut by its leaves into as many parts as there are work-items for it. If there are
 // more walks than work-items, an item takes several.
 STAGE(broad_phase_rest)
 {

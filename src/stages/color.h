@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// color.h -- colors for the constraints that began, and each kind laid out by color.
+// color.h -- colors for the constraints that began, and the layout of each kind by color.
 //
 // This work is based on:
 // Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
 //
-// Each contact has a priority that no other has. In each round a contact that has the highest priority on both of its
+// Graph coloring. Each contact has a unique priority. In each round a contact with the highest priority on both of its
 // bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring in the order of
-// falling priority, whatever the number of threads. Colors are kept while contacts touch, so that only those that begin
-// to touch are colored in a step, usually a few.
+// falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
+// touch are colored in a step, usually a few.
 //
-// Contacts with bodies that cannot move take the highest free color: they are solved last, and have the last word.
-// The contacts of hubs (spoke.h) take no color and no part in the rounds; all others find a free one. So a body with
-// thousands of new contacts costs no rounds.
+// Contacts with bodies that cannot move take the highest free color: they are solved last, so their result stands. The
+// contacts of hubs (spoke.h) take no color and no part in the rounds; every other contact finds a free color. So a body
+// with thousands of new contacts costs no rounds.
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
 #include "stages/edge.h"
 #include "stages/spoke.h"
 
-// A bijection of the 32-bit numbers that leaves no visible order (odd multipliers and xor-shifts can be undone, so no
-// two edges share a priority). Without it a row of contacts in rising slots would be colored one a round.
+// A bijection of the 32-bit numbers without visible order. (Odd multipliers and xor-shifts are invertible, so no two
+// edges share a priority.) Without it a row of contacts in rising slots would be colored one per round.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -31,7 +31,7 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
-// edge i of a round
+// Edge i of a round.
 INLINE int color_source(const Pools* p, int i)
 {
 	if (p->argument == 0)
@@ -39,13 +39,13 @@ INLINE int color_source(const Pools* p, int i)
 	return p->argument & 1 ? p->uncolored0[i] : p->uncolored1[i];
 }
 
-// Whether an edge becomes a spoke: contacts do.
+// Whether an edge becomes a spoke; only contacts do.
 INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 {
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// argument is the round, here and in color_take
+// argument is the round, here and in color_take.
 STAGE(color_claim)
 {
 	int edge = color_source(p, i);
@@ -79,7 +79,7 @@ STAGE(color_take)
 	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
 	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
 	{
-		// what was claimed two rounds ago would outbid the round after this
+		// a claim of two rounds ago would outbid the claims of the next round
 		if (moves_a)
 			write_shared_word(&next_claim[bodies.x], 0);
 		if (moves_b)
@@ -99,7 +99,7 @@ STAGE(color_take)
 		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
 }
 
-// after MAX_ROUNDS rounds the counts start over
+// After MAX_ROUNDS rounds the counts start again.
 STAGE(color_wrap)
 {
 	GLOBAL Counters* c = p->counters;
@@ -109,7 +109,7 @@ STAGE(color_wrap)
 	(void)i;
 }
 
-// claims are zero between steps
+// Claims are zero between steps.
 STAGE(color_reset)
 {
 	Int2 bodies = edge_bodies(p, p->began[i]);
@@ -123,8 +123,8 @@ STAGE(color_reset)
 // layout: the constraints of a kind by color
 // ---------------------------------------------------------------------------------------------------------------
 
-// The bits of a key that are sorted by: its color, and of a spoke COLORS and the body of its hub more. All are set where there
-// is no constraint. argument is the number of bits.
+// The bits of a key that are sorted by: its color; for a spoke, COLORS and the body of its hub. All bits are set where
+// there is no constraint. argument is the number of bits.
 
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
@@ -134,8 +134,9 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Some constraint began or ended: which kinds are laid out anew? Only when all have their color, and keys have bits for hubs
-// where there are any. argument is the place in uncolored of the last round's rest, and the bits of contacts' keys times 256.
+// Some constraint began or ended: which kinds are laid out again? Only if all have their color, and if keys have bits
+// for hubs where there are any. argument is the place in uncolored of the rest of the last round, and the bits of
+// contacts' keys times 256.
 STAGE(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -156,10 +157,10 @@ STAGE(color_arrange)
 	(void)i;
 }
 
-// so many edges before their keys are made, what is kept of them is fetched
+// Edges between the one whose key is made and the one whose kept row is fetched.
 #define KEY_SOON 12
 
-// The color of each slot, to be sorted by. What is kept lives with the rows; it comes along by way of the slots.
+// The color of each slot, to be sorted by. What is kept of a constraint lies with its rows, and is copied by slot.
 #define COLOR_KEY(kind, KIND)                                                    \
 	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
 	{                                                                            \
@@ -174,7 +175,8 @@ STAGE(color_arrange)
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
 
-// Where a color begins and ends among the sorted keys, and a hub. Where a hub begins scan is 1, so that it will count them.
+// Where each color, and each hub, begins and ends among the sorted keys. scan is 1 where a hub begins, so that the scan
+// counts hubs.
 INLINE void color_edge(const Pools* p, int kind, int i)
 {
 	GLOBAL KindLayout* layout = &p->counters->layout[kind];
@@ -193,7 +195,7 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 	if (color != COLORS)
 		return;
 	p->scan[i] = begins;
-	// two work-items write the two halves: an OpenCL compiler may write all of a vector for one component of it
+	// two work-items write the two halves, and an OpenCL compiler may write a whole vector for one component
 	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
 	if (begins)
 		keys[0] = i;
@@ -201,14 +203,15 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		keys[1] = i + 1;
 }
 
-// The number of the hub of sorted key i, a spoke's.
+// The number of the hub of sorted key i, a spoke.
 INLINE int color_hub(const Pools* p, int i)
 {
 	int begins = i == 0 || p->key[i - 1] >> 32 != p->key[i] >> 32;
 	return p->scan[i] - !begins;
 }
 
-// Where each color of a kind begins among its places. If there is no room for all, the host makes some and comes again.
+// Where each color of a kind begins among its places. Without room for all, the host grows the pools and runs this
+// again.
 INLINE void color_range(const Pools* p, int kind)
 {
 	GLOBAL Counters* c = p->counters;
@@ -227,7 +230,7 @@ INLINE void color_range(const Pools* p, int kind)
 		touching += count;
 		if (spokes && k == COLORS && count > 0)
 		{
-			// hub_first leaves so much room
+			// the room that hub_first leaves
 			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
@@ -243,7 +246,7 @@ INLINE void color_range(const Pools* p, int kind)
 	}
 }
 
-// A spoke's place; the last one of a hub pads what is left of it.
+// A spoke's place; the last spoke of a hub pads the rest of the hub's places.
 INLINE int color_place_spoke(const Pools* p, int i)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
@@ -255,14 +258,14 @@ INLINE int color_place_spoke(const Pools* p, int i)
 	int end = i + 1 == layout->last[COLORS] ? layout->begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
 	for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
 	{
-		// a contact of the hub with nothing, in one place, so that it adds nothing to sums
+		// padding: a contact of the hub with nothing, at one place, so that it adds nothing to sums
 		contact_pad(p, k);
 		contact_row(p, body_b, k) = hub;
 	}
 	return place;
 }
 
-// what does not change while the layout stands
+// What does not change while the layout stands.
 #define COLOR_PLACE(kind, KIND)                                                                                \
 	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// command.h -- the user's changes since the last step, each item's in the order in which they were made.
+// command.h -- the user's changes since the last step; those of one item in the order in which they were made.
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "constraints/sweep_closing.h"
 #include "pools/pools.h"
 #include "stages/pose.h"
 
-// The velocity of a body, nothing along what is locked.
+// Sets the velocity of a body; 0 along locked axes.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
 {
 	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_lost(v.x);
@@ -32,14 +32,14 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
 }
 
-// from the center of mass to a point of the world
+// From the center of mass to a point of the world.
 INLINE Vec command_arm(const Pools* p, int body, float x, float y)
 {
 	Float4 pose = p->pose[body];
 	return vec(x - pose.x, y - pose.y);
 }
 
-// The center of mass moves within the body; what it was doing as a rigid body goes on.
+// Moves the center of mass within the body. The velocity is that of the same motion of the rigid body.
 INLINE void command_mass(const Pools* p, int i, Float4 value)
 {
 	Float2 old = p->local_center[i];
@@ -67,7 +67,7 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
-// A body that is disabled rests: its velocity is kept beside it, and neither forces nor gravity act on it.
+// Disables a body: its velocity is kept in a pool of its own, and neither forces nor gravity act on it.
 INLINE void command_rest(const Pools* p, int i)
 {
 	BodyState state = p->body[i];
@@ -82,7 +82,7 @@ INLINE void command_rest(const Pools* p, int i)
 	motion->gravity_scale = 0.0f;
 }
 
-// It has its velocity again, while a command is applied or for good.
+// Restores the velocity of a disabled body, while a command is applied or for good.
 INLINE void command_wake(const Pools* p, int i)
 {
 	Float4 kept = p->kept[i];
@@ -91,7 +91,7 @@ INLINE void command_wake(const Pools* p, int i)
 	p->body[i].w = kept.z;
 }
 
-// The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to an eighth of pi; half a circle is pi.
+// The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to pi / 8; half a turn is pi.
 INLINE float command_angle(Vec rotation)
 {
 	float x = absolute(rotation.x), y = absolute(rotation.y), base = 0.0f, sum = 0.0f;
@@ -110,14 +110,14 @@ INLINE float command_angle(Vec rotation)
 	return rotation.y < 0.0f ? -angle : angle;
 }
 
-// Where the center of mass is when the origin is at a pose.
+// The center of mass of a body whose origin is at a pose.
 INLINE Vec command_center(const Pools* p, int i, Float4 pose)
 {
 	Float2 center = p->local_center[i];
 	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
 }
 
-// The velocity that takes a body to a pose within the step, the shorter way round, as far as limits and locks allow.
+// Sets the velocity that moves a body to a pose within the step, by the shorter rotation, within limits and locks.
 INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];
@@ -130,7 +130,7 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
 }
 
-// The body is at the pose, but for what is locked, and stands still.
+// Moves the body to the pose, except along locks, and stops it.
 INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];
@@ -145,7 +145,7 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// A row anew: at rest, without mass, forces or locks, its center of mass at its origin.
+// A new row: at rest, without mass, forces or locks, its center of mass at its origin.
 INLINE void command_body(const Pools* p, int i, Float4 pose, int kept)
 {
 	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
@@ -160,7 +160,7 @@ INLINE void command_body(const Pools* p, int i, Float4 pose, int kept)
 		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 }
 
-// A row anew: its box is empty, so that it is found as if it had just come.
+// A new row. Its box is empty, so that its pairs are found as new ones.
 INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute, int body)
 {
 	p->collidable_pose[i] = pose;
@@ -173,42 +173,13 @@ INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
 
-INLINE void command_change(const Pools* p, Command c)
+// Commands that set the pose or properties of a body.
+INLINE void command_body_change(const Pools* p, Command c)
 {
 	int i = c.index;
 	Float4 value = c.value;
-	Vec v = vec(value.x, value.y);
 	switch (c.kind)
 	{
-	case COMMAND_FORCE_AT:
-		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
-		break;
-	case COMMAND_FORCE:
-		command_force(p, i, v, 0.0f);
-		break;
-	case COMMAND_TORQUE:
-		command_force(p, i, vec(0.0f, 0.0f), value.x);
-		break;
-	case COMMAND_IMPULSE_AT:
-		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
-		command_push(p, i, v);
-		break;
-	case COMMAND_IMPULSE:
-		command_push(p, i, v);
-		break;
-	case COMMAND_ANGULAR_IMPULSE:
-		command_spin(p, i, value.x);
-		break;
-	case COMMAND_VELOCITY:
-		command_velocity(p, i, v);
-		p->body[i].w = value.z;
-		break;
-	case COMMAND_LINEAR_VELOCITY:
-		command_velocity(p, i, v);
-		break;
-	case COMMAND_SPIN:
-		p->body[i].w = value.x;
-		break;
 	case COMMAND_POSE:
 	{
 		Vec position = command_center(p, i, value);
@@ -246,6 +217,16 @@ INLINE void command_change(const Pools* p, Command c)
 		p->guarded[i].way = value.x;
 		p->guarded[i].reach = value.y;
 		break;
+	}
+}
+
+// Commands of a collidable.
+INLINE void command_collidable_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	switch (c.kind)
+	{
 	case COMMAND_PLACE:
 		p->collidable_pose[i] = value;
 		break;
@@ -267,6 +248,51 @@ INLINE void command_change(const Pools* p, Command c)
 	}
 }
 
+// Applies a command. Those that push a body or set its velocity are handled here.
+INLINE void command_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	Vec v = vec(value.x, value.y);
+	switch (c.kind)
+	{
+	case COMMAND_FORCE_AT:
+		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
+		break;
+	case COMMAND_FORCE:
+		command_force(p, i, v, 0.0f);
+		break;
+	case COMMAND_TORQUE:
+		command_force(p, i, vec(0.0f, 0.0f), value.x);
+		break;
+	case COMMAND_IMPULSE_AT:
+		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
+		command_push(p, i, v);
+		break;
+	case COMMAND_IMPULSE:
+		command_push(p, i, v);
+		break;
+	case COMMAND_ANGULAR_IMPULSE:
+		command_spin(p, i, value.x);
+		break;
+	case COMMAND_VELOCITY:
+		command_velocity(p, i, v);
+		p->body[i].w = value.z;
+		break;
+	case COMMAND_LINEAR_VELOCITY:
+		command_velocity(p, i, v);
+		break;
+	case COMMAND_SPIN:
+		p->body[i].w = value.x;
+		break;
+	default:
+		if (c.kind < COMMAND_PLACE)
+			command_body_change(p, c);
+		else
+			command_collidable_change(p, c);
+	}
+}
+
 INLINE void command_apply(const Pools* p, Command c)
 {
 	int disabled = c.kind < COMMAND_BODY && c.whole[1];
@@ -277,10 +303,10 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_rest(p, c.index);
 }
 
-// so many groups before they are applied, the rows that they make anew are fetched
+// Groups between the one that is applied and the one whose rows are fetched.
 #define COMMAND_SOON 6
 
-// Item i is a group: the commands of one body or one collidable. argument is how many groups there are.
+// Item i is a group: the commands of one body or one collidable. argument is the number of groups.
 STAGE(command)
 {
 	if (FETCHES && i + COMMAND_SOON < p->argument)

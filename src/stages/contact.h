@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// contact.h -- new pairs into slots of the contact pool: in the order of their keys, the lowest free slots first.
+// contact.h -- new pairs into slots of the contact pool: in the order of their keys, lowest free slots first.
 //
-// Slots name contacts wherever an order is needed (colors' priorities, read-back), so they must not depend on the device.
+// Slots identify contacts where an order is needed (priorities of colors, read-back), so they must not depend on the
+// device.
 #ifndef CONTACT_H
 #define CONTACT_H
 #include "constraints/contact_one.h"
 #include "constraints/kinds.h"
 #include "dialect/finite.h"
 
-// Is there room for the pairs found, and may there be so many? That does not depend on capacities, and so not on devices.
+// Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
+// and so on no device.
 STAGE(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
@@ -24,14 +26,14 @@ STAGE(contact_admit)
 
 STAGE(contact_dead) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
 
-// after the scan: slot i is free and the scan says how many are before it
+// After the scan: slot i is free, and the scan holds how many free slots are before it.
 STAGE(contact_free)
 {
 	if (i < p->counters->contacts && p->pair[i].x < 0)
 		p->free_slot[p->scan[i]] = i;
 }
 
-// Is there room for the contacts, and how many are there with them?
+// Whether there is room for the contacts, and how many there are then.
 STAGE(contact_begin)
 {
 	GLOBAL Counters* c = p->counters;
@@ -52,9 +54,9 @@ STAGE(contact_begin)
 	(void)i;
 }
 
-// Contacts from slot alive on move into the free slots before it, the first into the lowest, so that the first slots hold
-// all there are. Who moves and who is moved onto have no slot in common. All that outlives a step moves: the pool's arrays
-// but scan, free_slot, began and uncolored.
+// Moves contacts in slots from alive on into the free slots before alive, the first into the lowest, so that the first
+// slots hold all contacts. Sources and destinations have no slot in common. All that outlives a step moves: the arrays
+// of the pool except scan, free_slot, began and uncolored.
 STAGE(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -83,9 +85,10 @@ STAGE(contact_pack_end)
 	(void)i;
 }
 
-// Which of two collidables is the first of a pair: what moves before what does not, then the smaller, then the lower. The
-// manifold is found in its frame and the solver's arms are from its center, so that they are exact where it matters: far
-// from the center of a floor, a circle's arms would be off by a ten millionth of the way there, and it would roll.
+// Which of two collidables is the first of a pair: a moving one before one that does not move, then the smaller, then
+// the lower index. The manifold is found in its frame and the solver's arms are from its center, so they are exact where
+// it matters: far from the center of a floor, the arms of a circle would be off by 1e-7 of the distance, and it would
+// roll.
 INLINE int contact_first(const Pools* p, int a, int b)
 {
 	int still_a = p->collidable_kind[a] < KIND_DYNAMIC, still_b = p->collidable_kind[b] < KIND_DYNAMIC;
@@ -98,10 +101,10 @@ INLINE int contact_first(const Pools* p, int a, int b)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
-// Of a pair: friction, restitution, rolling lever, tangent speed; the same whichever is the first.
+// Of a pair: friction, restitution, rolling lever, tangent speed; the same for either order.
 //
-// Friction as the geometric mean, so that ice stays slippery on anything; the livelier restitution; a lever of rolling
-// resistance as long as the larger radius; belts that run against each other add up.
+// Friction is the geometric mean, so that ice stays slippery on anything. Restitution is the larger one. The lever of
+// rolling resistance uses the larger radius. Speeds of belts that run against each other add up.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -115,7 +118,7 @@ STAGE(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
-	// the last of those for which no slot was free is the last of all
+	// the last contact for which no slot was free is the last of all
 	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
 	int first = contact_first(p, a, b);
 	if (first == b)
@@ -135,7 +138,7 @@ STAGE(contact_create)
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
 }
 
-// Some collidable has got another attribute: the surfaces of all contacts anew, also where the layout stands.
+// Some collidable got another attribute: the surfaces of all contacts are computed again, also where the layout stands.
 STAGE(contact_mix)
 {
 	Int2 pair = p->pair[i];

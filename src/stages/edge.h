@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edge.h -- edges: what coloring, the relay and the tiles see of a constraint, whatever its kind.
+// edge.h -- edges: the view of a constraint that coloring, the relay and the tiles have, for every kind.
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/kinds.h"
@@ -62,7 +62,7 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// tasks: the places of all kinds in the order in which a pass goes over them, by color and by kind
+// tasks: the places of all kinds in the order of a pass, by color and then by kind
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct

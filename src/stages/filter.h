@@ -11,7 +11,7 @@ INLINE int filter_accepts(Filter a, Filter b)
 	return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
-// something must be able to answer, or have been made for detection
+// one of the two must be able to move, or be made for detection
 INLINE int kinds_meet(int a, int b)
 {
 	return a == KIND_DYNAMIC || b == KIND_DYNAMIC || a == KIND_FREE || b == KIND_FREE;

@@ -5,13 +5,13 @@
 #include "stages/guard.h"
 #include "stages/pose.h"
 
-// zero times what is not finite is not a number
+// 0 times a value that is not finite is NaN
 INLINE int finalize_finite(Vec v, float w, Vec d, float da)
 {
 	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
 }
 
-// A body goes its way: its pose at the end of the step.
+// Moves a body to its pose at the end of the step.
 INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 {
 	Vec turn = vec(p->pose[i].z, p->pose[i].w);
@@ -59,7 +59,7 @@ STAGE(finalize)
 	}
 }
 
-// Item i of the bodies that go far: as far as nothing static is in their way.
+// Item i of the bodies that go far: each moves as far as nothing static is in its way.
 STAGE(guard)
 {
 	Int2 item = p->guard_list[i];

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // guard.h -- a body that the solver would move through something static stops inside its surface.
 //
-// A contact is made before bodies meet by the velocities with which a step begins (sweep.h). What is struck or turned
-// within the step goes elsewhere, where it may have no contact. So the way of a body that went further than a share of
-// its thickness is swept against the static collidables on it: by its own displacement alone, so that no order matters.
-// It makes as much of the way as leaves it a little inside; its velocity stays, and the next step has a contact for it.
+// A contact is made before bodies meet, by the velocities at the beginning of a step (sweep.h). A body that is struck or
+// turned within the step goes elsewhere, where it may have no contact. So the path of a body that went further than a
+// share of its thickness is swept against the static collidables along it: by its own displacement alone, so that no
+// order matters. The body moves along its path until it is a little inside the surface. Its velocity stays, and the next
+// step has a contact for it.
 //
-// Such bodies are few, and the work is long: finalize lists them for a stage of their own. Within finalize it cost a GPU
-// the registers of all bodies: 1M in motion took 0.159 ms instead of 0.043 on an H200. A body of many collidables is taken
-// by several work-items.
+// Such bodies are few, and the work per body is long: finalize lists them for a stage of their own. Within finalize it
+// used registers for all bodies of a GPU: 1M in motion took 0.159 ms instead of 0.043 ms on an H200. Several work-items
+// share a body of many collidables.
 //
 // This work is based on:
-// Erin Catto, Continuous Collision, GDC 2013: what moves is stopped by what does not, at a target inside the surface.
+// Erin Catto, Continuous Collision, GDC 2013: static shapes stop moving ones, at a target inside the surface.
 #ifndef GUARD_H
 #define GUARD_H
 #include "stages/filter.h"
@@ -19,14 +20,14 @@
 #include "stages/transform.h"
 #include "stages/tree.h"
 
-// of the thickness: how much deeper a body may be at the end of the step than before, and how deep in all, so that its
+// of the thickness: how much deeper a body may be at the end of the step than before; and how deep in all, so that its
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
-// m: how much deeper it may be that was deeper before, and how near the target is met
+// m: how much deeper a body may be that was deeper before; and how closely the target is met
 #define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
 
-// How much of its way (1 is all) b makes until it is too deep in a, which is static.
+// The share of its path (1 is all) that b moves until it is too deep in a, which is static.
 INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, float thickness)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -61,7 +62,7 @@ INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, f
 	return time;
 }
 
-// How much of its way collidable i makes, with its body's displacement.
+// The share of its path that collidable i moves, with its body's displacement.
 INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 {
 	WorldShape placed = p->world_shape[i];
@@ -92,7 +93,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 	return least;
 }
 
-// The collidable so many behind k in the list of a body; 1 more than their indices, 0 behind the last.
+// The collidable so many behind k in the list of a body. Numbers are 1 + index; 0 is the end.
 INLINE int guard_skip(const Pools* p, int k, int count)
 {
 	for (; k > 0 && count > 0; --count)
@@ -100,8 +101,8 @@ INLINE int guard_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// How much of its way a body makes by those of its collidables that are this part's. Parts side by side come to theirs
-// together, for a GPU has them wait for each other.
+// The share of its path that a body moves, by those of its collidables that belong to this part. Parts side by side test
+// theirs in the same iteration, because work-items of a GPU wait for each other.
 INLINE float guard_part(const Pools* p, Guarded guarded, int part, Vec path, float turn)
 {
 	float least = 1.0f;
@@ -110,7 +111,7 @@ INLINE float guard_part(const Pools* p, Guarded guarded, int part, Vec path, flo
 	return least;
 }
 
-// Whether a body goes far enough to be looked at. What is far for none needs no look at its own row.
+// Whether a body goes far enough to be tested. The bounds in Step rule most bodies out without reading their own rows.
 INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -120,7 +121,7 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	return far + swing * guarded.reach > guarded.way && p->tree[1].leaves > 0;
 }
 
-// A GPU adds up what its work-items add one each.
+// A GPU combines atomics of neighboring work-items that add 1 each.
 INLINE void guard_enlist(const Pools* p, int body)
 {
 	int parts = p->guarded[body].parts;
@@ -136,12 +137,12 @@ INLINE void guard_enlist(const Pools* p, int body)
 	p->guard_parts[body] = 0;
 }
 
-// Whether all parts of a body have looked, this one the last; then share is the least of all.
+// Whether all parts of a body are done, this one last. Then share is the least of all parts.
 INLINE int guard_all(const Pools* p, Guarded guarded, int body, float* share)
 {
 	if (guarded.parts == 1)
 		return 1;
-	// shares are not negative: they rise as their bits do
+	// shares are not negative, so they are ordered like their bits
 	if (*share < 1.0f)
 		atomic_min_int(&p->guard_share[body], float_bits(*share));
 	if (arrive_int(&p->guard_parts[body]) + 1 < guarded.parts)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hash.h -- the world hash: a sum over items of a hash of each, so that no order and no padding matters.
+// hash.h -- the world hash: a sum of a hash of each item, so that neither order nor padding matters.
 #ifndef HASH_H
 #define HASH_H
 #include "constraints/contact_one.h"
@@ -24,7 +24,7 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies begins the sums, the others add to them.
+// Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies starts the sums, the other stages add to them.
 STAGE(hash_bodies)
 {
 	Word64 sum = 0;

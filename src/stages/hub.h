@@ -2,34 +2,34 @@
 // hub.h -- hubs, bodies with many contacts: each is solved together with all of its contacts, exactly.
 //
 // This work is based on:
-// Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation, 2012:
-// a body that several hubs push at once is split into parts.
+// Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation,
+// 2012: mass splitting. A body that several hubs push at once is split into parts.
 //
-// A contact of a hub is a spoke; the body at its other end is the light end. For a given velocity of the hub each spoke has an
-// answer of its own (answer.h). Sums of the answers, and of how they change with the hub's velocity, leave three equations
-// for the hub, which Newton's method solves. docs/solver.md has the formulas.
+// A contact of a hub is a spoke; the body at its other end is the light end. For a given velocity of the hub each spoke
+// has its own answer (answer.h). The sums of the answers and of their derivatives with respect to the hub's velocity
+// give three equations for the hub, which Newton's method solves. docs/solver.md has the formulas.
 #ifndef HUB_H
 #define HUB_H
 #include "constraints/schedule.h"
 #include "stages/answer.h"
 
-// Sums over spokes have a fixed order, whoever adds: HUB_COLUMNS of them, each over every HUB_COLUMNS-th spoke, then by halves.
-// As many as a group of a GPU has work-items, so that all of them take part.
+// Sums over spokes have a fixed order on every device: HUB_COLUMNS columns, each over every HUB_COLUMNS-th spoke, then a
+// reduction by halves. There are as many columns as work-items in a group of a GPU, so that all of them take part.
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
 
-// Newton's method has found the hub's velocity when a round changes it by less than this part.
+// Newton's method has converged when a round changes the hub's velocity by less than this part.
 #define HUB_ROUNDS 2
 #define HUB_CLOSE  1.0e-5f
 
-// m^2: times the square of HUB_SPEED it is a float
+// m^2: times the square of HUB_SPEED it is a finite float
 #define HUB_GYRATION 1.0e13f
 
-// Goes over the spokes k of hub h, in columns.
+// Loops over the spokes k of hub h, in columns.
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// By halves, the 16 numbers that lie so far from each other; those from so many on are zero.
+// The sum, by halves, of 16 numbers with a stride; only the first ones, used of them, are not zero.
 INLINE float hub_halve(const BENCH float* x, int stride, int used)
 {
 	float sum[16];
@@ -42,7 +42,7 @@ INLINE float hub_halve(const BENCH float* x, int stride, int used)
 	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-// The columns of one worker, by halves.
+// The reduction of the columns by one worker, by halves.
 INLINE void hub_add_columns(int used, int sums, BENCH float* bench)
 {
 	for (int span = HUB_COLUMNS / 2; span > 0; span /= 2)
@@ -60,12 +60,12 @@ INLINE void hub_add_columns(int used, int sums, BENCH float* bench)
 	}
 }
 
-// Adds up the columns of the bench, by halves, for each of so many sums. A group does so in two rounds of 16. It meets at few
-// places, and at none that depends on anything: else a compiler of OpenCL for CPUs takes many minutes.
+// Reduces the columns of the bench by halves, for each of so many sums. A group does so in two rounds of 16. There are
+// few barriers, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many minutes.
 INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
-	// one more than 16, for the banks of local memory
+	// 17, not 16, against bank conflicts in local memory
 	int stride = wide ? 17 : HUB_COLUMNS;
 	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = wide ? half_way : bench;
 	for (int round = 0; round < 2; ++round)
@@ -84,12 +84,12 @@ INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB
 	}
 	bench_meet();
 
-	// what has a sign although it is zero owes it to how many columns there are
+	// the sign of a zero would depend on the number of columns; + 0 removes it
 	for (int q = 0; q < HUB_SUMS; ++q)
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 }
 
-// Lays down the problems of all spokes, or the impulses of the last step where warm is set.
+// Prepares the problems of all spokes, or warm starts them if warm is set.
 INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, BENCH float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -105,7 +105,7 @@ INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, BENCH flo
 	}
 }
 
-// All spokes answer to the hub's velocity.
+// Sums the answers of all spokes to the hub's velocity.
 INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -119,7 +119,7 @@ INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
 	}
 }
 
-// Whether the hub may have such a velocity. Not a number is none.
+// Whether the hub may have such a velocity: false for a NaN.
 INLINE int hub_bears(const float v[3])
 {
 	int bears = 1;
@@ -128,7 +128,7 @@ INLINE int hub_bears(const float v[3])
 	return bears;
 }
 
-// What sums of impulses change the hub's velocity by. Whether it bears that.
+// The change of the hub's velocity by sums of impulses. Returns whether the hub may have it.
 INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 {
 	gain[0] = h->inv_mass * sum[0];
@@ -137,14 +137,14 @@ INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 	return hub_bears(gain);
 }
 
-// (m/s)^2: twice the kinetic energy of a velocity, a kilogram
+// (m/s)^2: twice the kinetic energy of a velocity, per kilogram
 INLINE float hub_energy(const Hub* h, const float v[3])
 {
 	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
 }
 
-// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. H takes nothing from a pivot, but rounding may:
-// none is below what the hub alone has.
+// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. H lowers no pivot, but rounding may: no
+// pivot is less than that of the hub alone.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
 	float mass = h->mass, inertia = h->inertia;
@@ -157,14 +157,14 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	third = third > inertia ? third : inertia;
 	y = y - yx * x;
 	w = w - wx * x - wy * y;
-	// what cannot turn has no third equation
+	// a hub that cannot turn has no third equation
 	d[2] = inertia > 0.0f ? w / third : 0.0f;
 	d[1] = y / second - wy * d[2];
 	d[0] = x / xx - yx * d[1] - wx * d[2];
 }
 
-// Whether the hub's velocity has been found: no round changes it much any more, against what it is or a substep of gravity.
-// Of an answer beyond all bounds nothing is taken.
+// Whether Newton's method has converged: the change is small against the velocity, or against a substep of gravity. A
+// change that is not finite is not applied.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
@@ -172,14 +172,14 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// All spokes give the same part of their answers, the one that leaves least energy: all of it when the hub's velocity was
-// found, and never so much that an unfinished search adds energy.
+// All spokes give the same part of their answers, the one with the least energy: all of it if the method has converged,
+// and never so much that an unfinished search adds energy.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
 	if (hub_gains(h, sum, gain))
 	{
-		// in this order, for squares of great impulses are not finite
+		// in this order, because squares of large impulses are not finite
 		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
 		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
 			part = down < bend ? down / bend : 1.0f;
@@ -193,16 +193,16 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
 }
 
-// What part of the impulses of the last step a hub begins with, given what they change its velocity by: all, unless they
-// would give it more than START_SHARE of max_speed, as in a jam of which others have gone. A spin counts by its energy.
+// The part of the impulses of the last step that a hub is warm started with, from the velocity that they give it: all,
+// unless that exceeds START_SHARE of max_speed, as in a jam after some bodies have gone. A spin counts by its energy.
 INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 {
 	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
 	return square > most * most ? most / square_root(square) : 1.0f;
 }
 
-// A block: impulses of one kind of all spokes, and the velocity that they leave the hub with. There is one place where sums
-// are added up: each more takes a compiler of OpenCL for CPUs minutes.
+// A block: the impulses of one kind of all spokes, and the velocity that they give the hub. The sums are reduced at one
+// place in the code: each more costs an OpenCL compiler for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
 {
 	float sum[HUB_SUMS] = {0.0f}, d[3];
@@ -240,10 +240,10 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 		hub_give(p, h, what, sum);
 }
 
-// The kind of block number k of a pass, -1 behind the last.
+// The kind of block number k of a pass; -1 behind the last.
 INLINE int hub_what(const Step* step, int pass, int k)
 {
-	// friction first, as in relax_pass; rolling resistance last, by the load that is left
+	// friction first, as in relax_pass; rolling resistance last, from the load after that
 	if (pass == PASS_WARM_START || pass == PASS_RELAX)
 		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->rolls ? HUB_ROLL : -1;
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
@@ -264,7 +264,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
 	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));
 }
 
-// Hub number n, with its body as it is now.
+// Hub number n, from the row of its body.
 INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 {
 	Hub h;
@@ -292,7 +292,7 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	return h;
 }
 
-// A light end goes back where it came from. What is split into parts leaves the change of this one to hub_merge.
+// Writes the light end back to its pool. If it is split into parts, hub_merge adds up their changes.
 INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 {
 	int m = spoke_of(p, i);
@@ -327,7 +327,7 @@ INLINE void hub_pass(const Pools* p, int n, int pass, BENCH float* bench)
 	}
 }
 
-// Item i of a turn. argument is the pass, and the turn times 256.
+// Item i of a turn. argument is the pass, plus 256 times the turn.
 GROUP_STAGE(hub) { hub_pass(p, HUB_TURNS * i + (p->argument >> 8), p->argument & 255, bench); }
 
 #endif

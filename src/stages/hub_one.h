@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// hub_one.h -- what hubs need of single items: contacts that become spokes, light ends in parts, and together again.
+// hub_one.h -- single items of hubs: contacts become spokes, light ends are split into parts and merged again.
 #ifndef HUB_ONE_H
 #define HUB_ONE_H
 #include "constraints/body.h"
 #include "stages/spoke.h"
 
-// All contacts of a body that became a hub give their colors back.
+// All contacts of a body that became a hub free their colors.
 STAGE(hub_enter)
 {
 	int color = p->contact_color[i];
@@ -19,7 +19,7 @@ STAGE(hub_enter)
 	raise_int(&p->counters->entered, 1);
 }
 
-// the number of a hub, -1 for what is none
+// The number of a hub, -1 for a body that is none.
 INLINE int hub_number(const Pools* p, int body)
 {
 	int low = 0, high = p->counters->hubs;
@@ -34,7 +34,7 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
-// The hub of spoke k, and the body at its other end: as it was laid out, whatever the user has made of masses since.
+// The hub of spoke k, and the body at its other end, as they were laid out, even if the user changed masses since.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k, a = contact_row(p, body_a, c),
@@ -53,7 +53,7 @@ INLINE int spoke_light_of(const Pools* p, int k)
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_TURN) - (Word64)1)); }
 
-// The light end of spoke i, to be sorted by, and the turn of its hub. What cannot move, and padding, goes last.
+// The key of spoke i: its light end, and the turn of its hub. Ends that cannot move, and padding, are sorted last.
 STAGE(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
@@ -74,7 +74,7 @@ STAGE(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// the first of the sorted keys from low up to high that is not below another
+// The first of the sorted keys from low up to high that is not less than key.
 INLINE int hub_bound(const Pools* p, int low, int high, Word64 key)
 {
 	while (low < high)
@@ -88,9 +88,9 @@ INLINE int hub_bound(const Pools* p, int low, int high, Word64 key)
 	return low;
 }
 
-// Into how many parts each light end is split: as many for each hub of a turn, and these among the spokes that it has of that
-// hub. argument is the number of spokes. A body's ends are side by side among the keys, of these the ones of each turn, and
-// of these the ones of each hub.
+// The number of parts of each light end. It has an equal part for each hub of a turn, and that part is split equally
+// among the spokes that it shares with this hub. argument is the number of spokes. The keys are sorted by body, then by
+// turn, then by hub.
 STAGE(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_TURN;
@@ -140,15 +140,15 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 	return spoke;
 }
 
-// The hub that the light end of a spoke is, if it is split in the same turn; else -1.
+// The number of the hub that a light end is, if it is split in the same turn; else -1.
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
 	return n >= 0 && hub_turn(n) == turn ? n : -1;
 }
 
-// A body that is split gets what its parts got, each by its share of the mass, by the first of its ends: the hub that it may
-// be, then the spokes in their order. argument is the turn.
+// A body that is split gets the changes of its parts, each by its share of the mass. The first of its ends adds them:
+// that of the hub that it may be, then those of the spokes in order. argument is the turn.
 STAGE(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);

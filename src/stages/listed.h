@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// listed.h -- the touching contacts of one body, side by side for the host to read: no step reads them.
+// listed.h -- the touching contacts of one body, side by side for the host to read. No step reads them.
 #ifndef LISTED_H
 #define LISTED_H
 #include "constraints/kinds.h"
 
-// Item i is a contact slot, and one more. argument is the body.
+// Item i is a contact slot, plus one item for the end of the scan. argument is the body.
 STAGE(contact_mark)
 {
 	int wanted = 0;
@@ -17,7 +17,7 @@ STAGE(contact_mark)
 	p->scan[i] = wanted;
 }
 
-// After the scan: slot i is wanted where the scan rises. argument is how many rows there is room for.
+// After the scan: slot i is listed where the scan rises. argument is the number of rows that there is room for.
 STAGE(contact_list)
 {
 	int row = p->scan[i];

@@ -1,43 +1,45 @@
 // SPDX-License-Identifier: MIT
-// manifold.h -- where two convex shapes touch: a normal and at most two points.
+// manifold.h -- the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices counts as a polygon of
-// two edges, back to back. The edge along whose normal the cores are furthest apart is the reference edge. The edge of
-// the other core that faces it most is cut to its length (I. Sutherland and G. Hodgman, Reentrant Polygon Clipping,
-// 1974), which leaves two points. Where a corner is before a corner, that normal is not the direction of the nearest
-// points; then these make a manifold of one point.
+// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices counts as a polygon of two
+// edges, back to back. The edge along whose normal the cores are furthest apart is the reference edge. The edge of the
+// other core that faces it most, the incident edge, is clipped to its length (I. Sutherland and G. Hodgman, Reentrant
+// Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, that normal is not the direction of the
+// nearest points; then the nearest points make a manifold of one point.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/manifold_axis.h"
 #include "stages/manifold_nearest.h"
 
-// m: of two edges that face each other, a's is the reference only when it is better by this, or else edges that are
-// nearly parallel would take turns; b is what does not move, or the larger. Between others the better decides, for the lesser may be off the nearest points.
+// m: if two edges face each other, that of a is the reference edge only if it is better by this. Otherwise nearly
+// parallel edges would alternate. b is the shape that does not move, or the larger one. If the edges do not face each
+// other the better one is taken, because the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: how far a manifold on an edge may be from the distance of the cores; shorter vectors count as without direction
+// m: tolerance between a manifold on an edge and the distance of the cores; a shorter vector counts as having no
+// direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// cosine: edges face each other when their normals are opposite by more. Then points are named by two corners, because
-// equal boxes in a stack must keep the names while one slides over the other's corner; otherwise by corner and edge.
+// cosine: edges face each other if their normals are opposite by more. Then features are two corners, because equal
+// boxes in a stack must keep them while one slides over the other's corner; otherwise a corner and an edge.
 #define FACING 0.9f
-// index of a shape's first edge as a feature; smaller ones are its corners
+// feature index of a shape's first edge; smaller ones are corners
 #define FEATURE_EDGE MAX_CORNERS
 
 typedef struct // in the frame of a
 {
 	Vec normal;         // unit, from a to b
 	Vec point[2];       // halfway between the two surfaces, m
-	Real separation[2]; // of the surfaces, negative when they overlap, m; NO_POINT when there is no such point
+	Real separation[2]; // of the surfaces, negative if they overlap, m; NO_POINT if there is no such point
 	int feature[2];     // feature of a << 8 | feature of b; no two points share one
-	int count;          // points; when 0 there is no normal
-	int made;           // FOUND_* bits: whose corners make the points, and what the normal turns with
-	Real gap;           // without points the surfaces are at least so far apart, m
+	int count;          // points; 0: there is no normal
+	int made;           // MANIFOLD_* bits: whose corners make the points, and what the normal turns with
+	Real gap;           // without points, a lower bound of the distance of the surfaces, m
 } Manifold;
 
-typedef struct // how far apart points count, in the frame of a
+typedef struct // the separation up to which points count, in the frame of a
 {
 	Real within; // m
-	Vec near;    // m: velocity of b in what is left of the step
-	Real swing;  // m: how much faster some point of it may be
+	Vec near;    // m: velocity of b in the rest of the step
+	Real swing;  // m: how much faster a point of b may be
 } Reach;
 
 INLINE Reach reach_of(Real within)
@@ -49,7 +51,7 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// Along a normal from a to b: what the velocity cannot close in time does not count.
+// The reach along a normal from a to b: a distance that the velocity cannot close in time does not count.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
 INLINE Manifold no_manifold(void)
@@ -64,7 +66,7 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point between one on the core of a and the one on the core of b that is at a height (m) over it.
+// Adds the point halfway between a point on the core of a and the point of b at a height (m) over it.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -72,7 +74,7 @@ INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real
 		return;
 	Vec point = vec_add(from, vec_scale(0.5f * (height + radius_a - radius_b), m->normal));
 
-	// indices that the compiler knows keep the manifold in registers
+	// constant indices keep the manifold in registers
 	if (m->count == 0)
 	{
 		m->point[0] = point;
@@ -103,96 +105,129 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
+typedef struct // the reference edge of a, which goes from corner edge to corner next
+{
+	Vec origin, right, up; // the first corner; unit vectors along the edge and over it
+	Real length;           // m
+	int edge, next;
+} Reference;
+
+INLINE Reference reference_of(const GLOBAL Attribute* a, int i)
+{
+	Reference r;
+	r.edge = i;
+	r.next = shape_next(a, i);
+	r.origin = shape_corner(a, i);
+	r.up = shape_normal(a, i);
+	r.right = vec(-r.up.y, r.up.x);
+	r.length = vec_dot(vec_sub(shape_corner(a, r.next), r.origin), r.right);
+	return r;
+}
+
+// The incident edge: of the two edges at the deepest corner of b, the one that faces the reference edge more. It runs
+// against the reference edge. facing: how far it faces it, a cosine, -1 for parallel edges.
+INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference* r, Frame f, Real* facing)
+{
+	int j = corner, before = j > 0 ? j - 1 : b->count - 1;
+	Vec turned = vec_turn_back(f.rotation, r->up);
+	*facing = vec_dot(turned, shape_normal(b, j));
+	Real facing_before = vec_dot(turned, shape_normal(b, before));
+	if (facing_before < *facing)
+	{
+		*facing = facing_before;
+		j = before;
+	}
+	int j2 = shape_next(b, j);
+	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), r->origin);
+	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), r->origin);
+	Edge incident;
+	incident.start = vec(vec_dot(start, r->right), vec_dot(start, r->up));
+	incident.end = vec(vec_dot(end, r->right), vec_dot(end, r->up));
+	incident.start_feature = j;
+	incident.end_feature = j2;
+	incident.feature = FEATURE_EDGE + j;
+	return incident;
+}
+
+// The manifold of one point, at the nearest points of the two edges.
+INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
+                                 Edge incident, Real separation, Reach reach)
+{
+	Edge reference;
+	reference.start = vec(0.0f, 0.0f);
+	reference.end = vec(r->length, 0.0f);
+	reference.start_feature = r->edge;
+	reference.end_feature = r->next;
+	reference.feature = FEATURE_EDGE + r->edge;
+	Nearest n = nearest_points(reference, incident);
+	Real distance = root(n.square);
+
+	// two thin cores in line are apart along no edge's normal
+	int thin = a->count < 3 && b->count < 3;
+	int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
+	Manifold m = no_manifold();
+	m.normal = r->up;
+	Vec from = vec(n.to.x, 0.0f);
+	Real height = n.to.y;
+	if (apart && distance > NEAREST_TOLERANCE)
+	{
+		Vec delta = vec_scale(1.0f / distance, vec_sub(n.to, n.from));
+		m.normal = vec_add(vec_scale(delta.x, r->right), vec_scale(delta.y, r->up));
+		from = n.from;
+		height = distance;
+		int corner_a = n.from_feature < FEATURE_EDGE, corner_b = n.to_feature < FEATURE_EDGE;
+		m.made = corner_a && corner_b ? MANIFOLD_CORNERS : corner_a ? MANIFOLD_CORNER1 | MANIFOLD_TURNS_B : 0;
+	}
+	from = vec_add(r->origin, vec_add(vec_scale(from.x, r->right), vec_scale(from.y, r->up)));
+	manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
+	             reach_along(reach, m.normal));
+	return m;
+}
+
 // The manifold of a, which has the reference edge, and b. separation is the largest over the edges of both.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
-	// the reference edge from corner i to i2: coordinates along it and over it
-	int i = axis.edge, i2 = shape_next(a, i);
-	Vec origin = shape_corner(a, i), up = shape_normal(a, i), right = vec(-up.y, up.x);
-	Edge reference;
-	reference.start = vec(0.0f, 0.0f);
-	reference.end = vec(vec_dot(vec_sub(shape_corner(a, i2), origin), right), 0.0f);
-	reference.start_feature = i;
-	reference.end_feature = i2;
-	reference.feature = FEATURE_EDGE + i;
-	Real length = reference.end.x;
+	Reference r = reference_of(a, axis.edge);
+	Real facing;
+	Edge incident = incident_edge(b, axis.corner, &r, f, &facing);
 
-	// of the two edges at the deepest corner of b, the one that faces the reference edge more; it runs against it
-	int j = axis.corner, before = j > 0 ? j - 1 : b->count - 1;
-	Vec turned = vec_turn_back(f.rotation, up);
-	Real facing = vec_dot(turned, shape_normal(b, j)), facing_before = vec_dot(turned, shape_normal(b, before));
-	if (facing_before < facing)
-	{
-		facing = facing_before;
-		j = before;
-	}
-	int j2 = shape_next(b, j);
-	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), origin);
-	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), origin);
-	Edge incident;
-	incident.start = vec(vec_dot(start, right), vec_dot(start, up));
-	incident.end = vec(vec_dot(end, right), vec_dot(end, up));
-	incident.start_feature = j;
-	incident.end_feature = j2;
-	incident.feature = FEATURE_EDGE + j;
-
-	// cut it to the length of the reference edge
+	// clip it to the length of the reference edge
 	Vec high = incident.start, low = incident.end;
-	int overlap = high.x >= 0.0f && low.x <= length;
-	int cut_high = overlap && high.x > length, cut_low = overlap && low.x < 0.0f;
+	int overlap = high.x >= 0.0f && low.x <= r.length;
+	int cut_high = overlap && high.x > r.length, cut_low = overlap && low.x < 0.0f;
 	Vec along = vec_sub(low, high);
 	if (cut_high)
-		high = vec(length, high.y + (high.x - length) / -along.x * along.y);
+		high = vec(r.length, high.y + (high.x - r.length) / -along.x * along.y);
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	Manifold m = no_manifold();
-	m.normal = up;
-
-	// cut points are no nearer than the cores, and the cores no nearer than the separation; when the outer two differ, a
-	// corner is before a corner. Two thin cores in line are apart along no edge's normal.
+	// clipped points are no nearer than the cores, and the cores no nearer than the separation: if the clipped points
+	// are farther than the separation, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
-	{
-		Nearest n = nearest_points(reference, incident);
-		Real distance = root(n.square);
-		int thin = a->count < 3 && b->count < 3;
-		int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
-		Vec from = vec(n.to.x, 0.0f);
-		Real height = n.to.y;
-		if (apart && distance > NEAREST_TOLERANCE)
-		{
-			Vec delta = vec_scale(1.0f / distance, vec_sub(n.to, n.from));
-			m.normal = vec_add(vec_scale(delta.x, right), vec_scale(delta.y, up));
-			from = n.from;
-			height = distance;
-			int corner_a = n.from_feature < FEATURE_EDGE, corner_b = n.to_feature < FEATURE_EDGE;
-			m.made = corner_a && corner_b ? MANIFOLD_CORNERS : corner_a ? MANIFOLD_CORNER1 | MANIFOLD_TURNS_B : 0;
-		}
-		from = vec_add(origin, vec_add(vec_scale(from.x, right), vec_scale(from.y, up)));
-		manifold_add(&m, from, height, a->radius, b->radius, feature_pair(n.from_feature, n.to_feature),
-		             reach_along(reach, m.normal));
-		return m;
-	}
+		return nearest_manifold(a, b, &r, incident, separation, reach);
 
-	int steep = facing > -FACING;
+	Manifold m = no_manifold();
+	m.normal = r.up;
+	int steep = facing > -FACING, i = r.edge, j = incident.start_feature;
 	Real within = reach_along(reach, m.normal);
 	m.made = cut_high ? MANIFOLD_CORNER1 : 0;
-	manifold_add(&m, vec_add(origin, vec_scale(high.x, right)), high.y, a->radius, b->radius,
-	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : i2, steep && cut_high ? FEATURE_EDGE + j : j),
+	manifold_add(&m, vec_add(r.origin, vec_scale(high.x, r.right)), high.y, a->radius, b->radius,
+	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : r.next, steep && cut_high ? FEATURE_EDGE + j : j),
 	             within);
 	if (m.count == 0)
 		m.made = 0;
 	if (cut_low)
 		m.made |= m.count == 0 ? MANIFOLD_CORNER1 : MANIFOLD_CORNER2;
 	if (b->count > 1)
-		manifold_add(&m, vec_add(origin, vec_scale(low.x, right)), low.y, a->radius, b->radius,
-		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i, steep && cut_low ? FEATURE_EDGE + j : j2),
+		manifold_add(&m, vec_add(r.origin, vec_scale(low.x, r.right)), low.y, a->radius, b->radius,
+		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i,
+		                          steep && cut_low ? FEATURE_EDGE + j : incident.end_feature),
 		             within);
 	return m;
 }
 
-// The same manifold, seen from the other shape, which lies at f in the new frame.
+// The same manifold from the other shape, which is at f in the new frame.
 INLINE Manifold manifold_swap(Manifold m, Frame f)
 {
 	m.normal = vec_neg(vec_turn(f.rotation, m.normal));

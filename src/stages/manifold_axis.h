@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// manifold_axis.h -- the axis test: along which edge's normal one convex core is furthest from another.
+// manifold_axis.h -- the axis test: the edge along whose normal one convex core is furthest from another.
 //
-// S. Gottschalk, Separating Axis Theorem, 1996. Two cores overlap when they do along the normals of all edges of both.
+// S. Gottschalk, Separating Axis Theorem, 1996. Two cores overlap if they overlap along the normals of all edges of
+// both.
 #ifndef MANIFOLD_AXIS_H
 #define MANIFOLD_AXIS_H
 #include "dialect/vec.h"
 #include "pools/pools.h"
 
-// a separation below all others
+// less than any separation
 #define NO_AXIS (-1.0e30f)
 
 typedef struct // of one shape in the frame of another
@@ -54,8 +55,8 @@ INLINE Frame frame_inverse(Frame f)
 	return back;
 }
 
-// The edge of a along whose normal b is furthest. A circle has no edges. Vertices are read where they are and normals
-// turned to meet them, so that no array has to be kept per item.
+// The edge of a along whose normal b is furthest. A circle has no edges. Vertices are read in their own frame and
+// normals are turned into it, so no array has to be kept per item.
 INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Axis best = {NO_AXIS, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// manifold_nearest.h -- the nearest points of two edges, and which features they lie on.
+// manifold_nearest.h -- the nearest points of two edges, and their features.
 #ifndef MANIFOLD_NEAREST_H
 #define MANIFOLD_NEAREST_H
 #include "dialect/vec.h"

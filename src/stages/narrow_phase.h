@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase.h -- contacts to manifolds; impulses follow their points; contacts whose boxes parted are released.
+// narrow_phase.h -- manifolds of contacts; points inherit impulses; contacts whose boxes parted are released.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "stages/ahead.h"
@@ -7,21 +7,22 @@
 #include "stages/edge.h"
 #include "stages/narrow_phase_keep.h"
 
-// a point farther than this from where it was, and of another feature, starts without impulse
+// m: a point farther than this from an old one, and of another feature, does not inherit its impulse
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 
-// A pair without points of which no point moved farther than this against the other is not looked at, m: a quarter of the
-// distance at which contacts begin, so that none can be missed; and what the pair was farther apart.
+// m: a pair without points is not tested again while no point moved farther than this against the other collidable, plus
+// the distance by which the pair was farther apart than the speculative distance. A quarter of that distance, so that no
+// contact can be missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// A manifold is kept while no point moved farther than this against the other, m, nor than so much of the reach of the
-// smaller. With one sharp point it is kept for half of that, so that a second cannot be missed. Less shakes heaps: where
-// one small body carries many, a manifold that is found anew pushes it another way.
+// A manifold is kept while no point moved farther than this against the other collidable, m, nor than this share of the
+// reach of the smaller one. A manifold with one sharp point is kept for half of that, so that a second point cannot be
+// missed. With less, heaps shake: where one small body carries many, each new manifold pushes it in another direction.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
-// Counts a contact that begins to touch. A body that may have too many now, and has some with colors, calls for a search
-// (spoke.h).
+// Counts a contact that begins to touch. A body that may have too many contacts now, some of them with colors, requests
+// a search for hubs (spoke.h).
 INLINE void contact_count(const Pools* p, int body)
 {
 	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
@@ -29,14 +30,14 @@ INLINE void contact_count(const Pools* p, int body)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
-// Some contact began or ceased to touch: contacts are laid out anew.
+// Some contact began or ceased to touch: contacts have to be laid out again.
 INLINE void contact_stir(const Pools* p)
 {
 	raise_int(&p->counters->changed, 1);
 	raise_int(&p->counters->stirred[CONSTRAINT_CONTACT], 1);
 }
 
-// gives the color of a contact that no longer touches back to its bodies
+// Ends the touching of a contact: frees its color on its bodies.
 INLINE void contact_uncolor(const Pools* p, int i)
 {
 	int color = p->contact_color[i];
@@ -58,7 +59,8 @@ INLINE void contact_uncolor(const Pools* p, int i)
 	contact_stir(p);
 }
 
-// which of the old points is new point k: by feature, then the nearest within MATCH_DISTANCE; taken ones are out
+// The old point that new point k inherits from: by feature, then the nearest within MATCH_DISTANCE; -1 for none. Points
+// in taken are excluded.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
                               int taken)
 {
@@ -80,7 +82,7 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// For how far a shift a manifold is kept, m.
+// The shift up to which a manifold is kept, m.
 INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap)
 {
 	int count = (int)(flags & CONTACT_COUNT);
@@ -92,30 +94,25 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-RARE void narrow_phase_look(const Pools* p, int i, Word flags)
+// Whether the boxes of a pair parted. Then its contact is released.
+INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 {
-	Int2 pair = p->pair[i];
-	int moved = p->moved[pair.x] | p->moved[pair.y];
-	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX))
-	{
-		// one of them was made anew when the old boxes do not overlap
-		if (!box_overlap(p->box[pair.x], p->box[pair.y]) || !box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
-		{
-			contact_uncolor(p, i);
-			p->pair[i] = make_int2(-1, -1);
-			p->contact_flags[i] = 0;
-			atomic_add_int(&p->counters->released, 1);
-			return;
-		}
-	}
-	if (!(flags & CONTACT_ANEW))
-	{
-		p->contact_flags[i] = flags & ~CONTACT_LOOK;
-		return;
-	}
+	// if the old boxes do not overlap, one of the collidables was created anew
+	if (box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
+		return 0;
+	contact_uncolor(p, i);
+	p->pair[i] = make_int2(-1, -1);
+	p->contact_flags[i] = 0;
+	atomic_add_int(&p->counters->released, 1);
+	return 1;
+}
 
+// Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
+// only. far: the pair may approach by more than the speculative distance. rolls gets the MANIFOLD_* bits of a manifold
+// that follows its corners.
+INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, Word* rolls)
+{
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
-	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -123,28 +120,27 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	found_at.f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
 	found_at.axes = turn;
 	found_at.ahead = 0;
-	Word rolls = 0;
-	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
 	Closing closing;
 	closing.most = 0.0f;
 	if (far)
 		closing = sweep_closing(p, a, b);
 	if (closing.most > SPECULATIVE_DISTANCE)
-		found_at = ahead_meeting(p, a, b, closing, found_at);
-	else
+		return ahead_meeting(p, a, b, closing, found_at);
+	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+	if (answers && found_at.m.count > 0)
 	{
-		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
-		if (answers && found_at.m.count > 0)
-		{
-			if (!far)
-				closing = sweep_closing(p, a, b);
-			found_at = ahead_past(p, a, b, closing, found_at);
-			if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
-				rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
-		}
+		if (!far)
+			closing = sweep_closing(p, a, b);
+		found_at = ahead_past(p, a, b, closing, found_at);
+		if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
+			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
 	}
-	Manifold m = found_at.m;
+	return found_at;
+}
 
+// Gives each new point the impulses of the old point that it matches. Returns the features of the new points.
+INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
+{
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
 	Int2 features = p->contact_feature[i];
 	Float4 on_a = p->contact_manifold[i].on_a;
@@ -161,10 +157,10 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
 	int feature[2] = {-1, -1}, taken = 0;
-	for (int k = 0; k < m.count; ++k)
+	for (int k = 0; k < m->count; ++k)
 	{
-		feature[k] = m.feature[k];
-		int old = narrow_phase_match(feature[k], m.point[k], old_count, old_feature, old_point, taken);
+		feature[k] = m->feature[k];
+		int old = narrow_phase_match(feature[k], m->point[k], old_count, old_feature, old_point, taken);
 		if (old >= 0)
 		{
 			taken |= 1 << old;
@@ -172,20 +168,6 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 			across[k] = tangent[old];
 		}
 	}
-
-	Word touching = m.count > 0 ? CONTACT_TOUCHING : 0u;
-	Word overlaps = minimum(m.separation[0], m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
-	Word now = (flags & CONTACT_DETECTED) | touching | (Word)m.count | rolls | overlaps;
-	p->contact_flags[i] = now;
-	p->contact_feature[i] = make_int2(feature[0], feature[1]);
-	LocalManifold found;
-	found.normal = make_float4(m.normal.x, m.normal.y, m.separation[0], m.separation[1]);
-	found.on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
-	found.relative =
-	    make_float4(found_at.f.position.x, found_at.f.position.y, found_at.f.rotation.x, found_at.f.rotation.y);
-	found.then = make_float4(found_at.axes.x, found_at.axes.y, shape_a->reach,
-	                         found_at.ahead ? -1.0f : narrow_phase_distance(shape_a, shape_b, now, m.gap));
-	p->contact_manifold[i] = found;
 	if (constraint >= 0)
 	{
 		contact_row(p, normal_impulse1, constraint) = along[0];
@@ -193,20 +175,64 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		contact_row(p, tangent_impulse1, constraint) = across[0];
 		contact_row(p, tangent_impulse2, constraint) = across[1];
 	}
+	return make_int2(feature[0], feature[1]);
+}
+
+// Writes a manifold. flags are those of the new one.
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b)
+{
+	const Manifold* m = &at->m;
+	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
+	LocalManifold found;
+	found.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
+	found.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
+	found.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
+	found.then =
+	    make_float4(at->axes.x, at->axes.y, a->reach, at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap));
+	p->contact_manifold[i] = found;
+}
+
+// Counts and lists a contact that begins to touch; it gets a color later in the step.
+INLINE void narrow_phase_began(const Pools* p, int i)
+{
+	Int2 bodies = p->contact_bodies[i];
+	contact_count(p, bodies.x);
+	contact_count(p, bodies.y);
+	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
+	contact_stir(p);
+}
+
+RARE void narrow_phase_look(const Pools* p, int i, Word flags)
+{
+	Int2 pair = p->pair[i];
+	int moved = p->moved[pair.x] | p->moved[pair.y];
+	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX) && narrow_phase_parted(p, i, pair))
+		return;
+	if (!(flags & CONTACT_ANEW))
+	{
+		p->contact_flags[i] = flags & ~CONTACT_LOOK;
+		return;
+	}
+
+	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
+	Word rolls = 0;
+	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
+	Ahead at = narrow_phase_find(p, a, b, answers, far, &rolls);
+	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
+	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
+	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
+	Word now = (flags & CONTACT_DETECTED) | touching | (Word)at.m.count | rolls | overlaps;
+	p->contact_flags[i] = now;
+	p->contact_feature[i] = features;
+	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute);
 	if (!touching)
 		contact_uncolor(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
-	{
-		Int2 bodies = p->contact_bodies[i];
-		contact_count(p, bodies.x);
-		contact_count(p, bodies.y);
-		p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
-		contact_stir(p);
-	}
+		narrow_phase_began(p, i);
 }
 
-// So many contacts before they are looked at, their rows are fetched: pairs lie anywhere in the pools. Not of those that
-// may be another worker's, who changes their flags meanwhile.
+// Contacts between the one that is processed and the one whose rows are fetched, because pairs are anywhere in the
+// pools. Contacts of another worker's chunk are not fetched: it changes their flags at the same time.
 #define NARROW_PHASE_SOON 12
 
 STAGE(narrow_phase)

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase_keep.h -- which contacts keep the manifold that they have, and at which narrow_phase must look.
+// narrow_phase_keep.h -- which contacts keep their manifold, and which ones narrow_phase looks at.
 //
-// Where a pair has hardly moved against each other, its points stay the same places on the two collidables, and nothing
-// is written (contact_points.h follows them). In a settled pile that is nearly every pair. A pair that turns together, as
-// what lies in a drum does, keeps the places too, but its normal and arms turn with it: only the rotation is written.
+// If a pair has hardly moved against each other, its points stay at the same places on the two collidables, and nothing
+// is written (contact_points.h computes where they are). In a settled pile that is nearly every pair. A pair that turns
+// together, as bodies in a drum do, keeps the places too, but its normal and arms turn with it: only the rotation is
+// written.
 #ifndef NARROW_PHASE_KEEP_H
 #define NARROW_PHASE_KEEP_H
 #include "constraints/kinds.h"
 #include "constraints/sweep_closing.h"
 
-// A manifold is kept while neither of a pair has turned in the world by more than 3.6 degrees since (cosine), nor any
-// point moved too far against the other (narrow_phase_distance).
+// cosine: a manifold is kept while neither collidable has turned in the world by more than 3.6 degrees since, and no
+// point moved too far against the other collidable (narrow_phase_distance).
 #define HOLD_COSINE 0.998f
 
-// And while a pair turns together, it keeps the places for so much of the shift for which one at rest does.
+// A pair that turns together keeps the places up to this share of the shift for a pair at rest.
 #define TURN_SHARE 0.3f
 
-// How far any point of b that is near a may have moved in the frame of a since b was at a position and rotation: as far as
-// the one that was at the origin of a, and by reach, which is that of a, times the turn. Sums of components bound lengths.
+// A bound of how far any point of b near a moved in the frame of a since b was at a position and rotation: the motion of
+// the point at the origin of a, plus reach, which is that of a, times the turn. Sums of components bound lengths.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -25,7 +26,7 @@ INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec
 	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
 }
 
-// How fast the collidables of a pair draw near each other; a and b are their rows of the pool placed.
+// The relative motion of the collidables of a pair; a and b are their rows of the pool world_shape.
 INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], const Real b[8])
 {
 	Int ia, ib;
@@ -42,7 +43,7 @@ INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], cons
 	return sweep_apart(vec(b[0] - a[0], b[1] - a[1]), sweep_a, sweep_b);
 }
 
-// Whether some impulse of the last step holds the pair apart.
+// Whether an impulse of the last step pushes the pair apart.
 INLINE Int narrow_phase_loaded(const Pools* p, int i)
 {
 	Int c = load_int(p->contact_place, i), there = c >= 0;
@@ -54,14 +55,11 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 	return there & ((load1 > zero) | (load2 > zero));
 }
 
-// so many contacts before they are looked at, their rows are fetched
+// Contacts between the one that is looked at and the one whose rows are fetched.
 #define KEEP_SOON 32
 
-// Marks what narrow_phase looks at: what is new, has moved against each other, will meet within the step, or will pass by;
-// and what may have parted.
-WIDE_STAGE(narrow_phase_keep)
+INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 {
-	int live = p->counters->live;
 	int soon = FETCHES && p->step.collidables >= FETCH_COLLIDABLES ? i + KEEP_SOON + LANES : 0;
 	for (int k = i + KEEP_SOON; k < soon && k < live; ++k)
 	{
@@ -71,57 +69,84 @@ WIDE_STAGE(narrow_phase_keep)
 		fetch_soon(p->body + bodies.x);
 		fetch_soon(p->body + bodies.y);
 	}
+}
+
+typedef struct // LANES contacts, and how their collidables moved since their manifolds were found
+{
+	Real a[8], b[8];   // rows of the pool world_shape
+	Int far, on;       // whether one of the pair has MOVED_FAR; has MOVED_ON, and the contact points
+	Vec then_a;        // rotation of a then
+	Real shift, limit; // m: how far, and for how far the manifold is kept
+} Keep;
+
+// Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
+// by. For the other lanes that turn together, writes the rotation. wanders: the lanes to test.
+INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const Keep* c)
+{
+	Real at[8];
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i), at);
+	Closing closing = narrow_phase_closing(p, i, c->a, c->b);
+	Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
+
+	// an approach that cannot close the gap in the step gets no impulse
+	Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
+	                     (minimum(at[2], at[3]) - c->shift) / splat(sweep_end(&p->step)));
+	Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
+	Real slide = absolute(vec_cross(vec_turn(c->then_a, vec(at[0], at[1])), closing.near));
+	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > splat(SWEEP_LAG));
+	Int in_place = (slide <= splat(SWEEP_LAG)) & (c->shift <= splat(TURN_SHARE) * c->limit);
+	Int passes = c->on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
+	Word anew = wanders & lane_bits(passes | (c->far & (closing.most > splat(SPECULATIVE_DISTANCE))));
+
+	Word along = wanders & ~anew & lane_bits(c->on & lags);
+	for (int k = 0; along >> k != 0; ++k)
+	{
+		if (!(along >> k & 1))
+			continue;
+		WorldShape now = p->world_shape[p->pair[i + k].x];
+		Float4 then = p->contact_manifold[i + k].then;
+		p->contact_manifold[i + k].then = make_float4(now.c, now.s, then.z, then.w);
+	}
+	return anew;
+}
+
+// Marks the contacts that narrow_phase looks at: contacts that are new, moved too far, will meet within the step or pass
+// by, and contacts whose boxes may have parted.
+WIDE_STAGE(narrow_phase_keep)
+{
+	int live = p->counters->live;
+	narrow_phase_keep_fetch(p, i, live);
 	Int flags = load_int(p->contact_flags, i), ia, ib;
 	load_int2(p->pair, i, &ia, &ib);
 	Word there = lane_bits((ia >= 0) & (indices(i) < live));
 	ia = ia & ~(ia >> 31);
 	ib = ib & ~(ib >> 31);
 	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
-	Real a[8], b[8], found[8];
-	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, a);
-	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, b);
+	Keep c;
+	Real found[8];
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, c.a);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, c.b);
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i) + 1, found);
 
-	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), then_a = vec(found[4], found[5]);
-	Vec turn = vec(found[2], found[3]), then_b = vec_turn(then_a, turn);
-	Real shift = narrow_phase_moved(vec(found[0], found[1]), turn, vec_turn_back(axes_a, vec(b[0] - a[0], b[1] - a[1])),
-	                                vec_turn_back(axes_a, axes_b), found[6]);
+	Vec axes_a = vec(c.a[2], c.a[3]), axes_b = vec(c.b[2], c.b[3]);
+	c.then_a = vec(found[4], found[5]);
+	Vec turn = vec(found[2], found[3]), then_b = vec_turn(c.then_a, turn);
+	c.shift =
+	    narrow_phase_moved(vec(found[0], found[1]), turn, vec_turn_back(axes_a, vec(c.b[0] - c.a[0], c.b[1] - c.a[1])),
+	                       vec_turn_back(axes_a, axes_b), found[6]);
+	c.limit = found[7];
 	Int points = (flags & (int)CONTACT_COUNT) != 0;
-	Real cosine = minimum(vec_dot(then_a, axes_a), vec_dot(then_b, axes_b));
+	Real cosine = minimum(vec_dot(c.then_a, axes_a), vec_dot(then_b, axes_b));
 	Int upright = cosine >= splat(HOLD_COSINE);
-	Word stays = lane_bits((shift < found[7]) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
+	Word stays = lane_bits((c.shift < c.limit) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
 	Word anew = there & ~stays;
 
-	Int answers = (flags & (int)CONTACT_DETECTED) == 0, far = (moved & MOVED_FAR) != 0;
-	Int on = ((moved & MOVED_ON) != 0) & points;
-	Word wanders = there & stays & lane_bits(answers & (far | on));
+	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
+	c.far = (moved & MOVED_FAR) != 0;
+	c.on = ((moved & MOVED_ON) != 0) & points;
+	Word wanders = there & stays & lane_bits(answers & (c.far | c.on));
 	if (wanders)
-	{
-		Real at[8];
-		gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i), at);
-		Closing closing = narrow_phase_closing(p, i, a, b);
-		Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
-
-		// what cannot close the gap in the step is not pushed
-		Real limit = maximum(choose(splat(SWEEP_REST), splat(SWEEP_HOLD), touches),
-		                     (minimum(at[2], at[3]) - shift) / splat(sweep_end(&p->step)));
-		Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
-		Real slide = absolute(vec_cross(vec_turn(then_a, vec(at[0], at[1])), closing.near));
-		Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > splat(SWEEP_LAG));
-		Int in_place = (slide <= splat(SWEEP_LAG)) & (shift <= splat(TURN_SHARE) * found[7]);
-		Int passes = on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
-		anew |= wanders & lane_bits(passes | (far & (closing.most > splat(SPECULATIVE_DISTANCE))));
-
-		Word along = wanders & ~anew & lane_bits(on & lags);
-		for (int k = 0; along >> k != 0; ++k)
-		{
-			if (!(along >> k & 1))
-				continue;
-			WorldShape now = p->world_shape[p->pair[i + k].x];
-			Float4 then = p->contact_manifold[i + k].then;
-			p->contact_manifold[i + k].then = make_float4(now.c, now.s, then.z, then.w);
-		}
-	}
+		anew |= narrow_phase_wander(p, i, flags, wanders, &c);
 	Word look = anew | (there & lane_bits((moved & MOVED_BOX) != 0));
 	if (look == 0)
 		return;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// pose.h -- where the center of mass of a body goes, and what the rounding of its coordinates leaves over.
+// pose.h -- the motion of a body's center of mass, and the rounding error of its coordinates.
 //
 // This work is based on:
 // Donald E. Knuth, The Art of Computer Programming, volume 2, 1969, 4.2.2: the rounding error of a sum.
 //
-// 24 m from the origin a coordinate is rounded to 2 um. What is pushed by less in a step would stay, again and again, and what
-// is pushed by a little more would go further than it was pushed: heaps at rest creep by some mm a minute, and what drifts at
-// 1 mm/s stops a kilometre from the origin. So each body keeps what was left over, and takes it along in its next step.
+// 24 m from the origin a coordinate is rounded to 2 um. A body pushed by less in each step would never move, and a body
+// pushed by a little more would move too far: heaps at rest creep by some mm per minute, and a body that drifts at 1
+// mm/s stops a kilometre from the origin. So the rounding error of each step is kept and added in the next one.
 #ifndef POSE_H
 #define POSE_H
 #include "dialect/finite.h"
@@ -15,7 +15,7 @@
 // m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
 #define POSE_EDGE 1.0e8f
 
-// a + b, and what it lacks
+// a + b, and its rounding error.
 INLINE float pose_sum(float a, float b, float* lack)
 {
 	float sum = a + b, back = sum - a;
@@ -26,7 +26,7 @@ INLINE float pose_sum(float a, float b, float* lack)
 	return within(sum, POSE_EDGE);
 }
 
-// Body i goes by d (m), which is finite, and has a rotation.
+// Moves body i by d (m), which is finite, and sets its rotation.
 INLINE void pose_move(const Pools* p, int i, Vec d, Vec rotation)
 {
 	Float4 pose = p->pose[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// prepare.h -- what the passes need of the constraints, for the step.
+// prepare.h -- the terms of the constraints that the passes need, once per step.
 #ifndef PREPARE_H
 #define PREPARE_H
 #include "constraints/contact_prepare.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// prepare_one.h -- bodies made ready for a step, and the rare rows of constraints.
+// prepare_one.h -- the state of bodies at the beginning of a step, and the rare rows of constraints.
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
 #include "constraints/contact_one.h"
@@ -13,7 +13,7 @@ STAGE(solve_begin)
 	body->dy = 0.0f;
 	body->da = 0.0f;
 
-	// the host has read what the last step's finalize counted
+	// the host has read what finalize counted in the last step
 	if (i == 0)
 	{
 		p->counters->nonfinite = 0;
@@ -22,7 +22,7 @@ STAGE(solve_begin)
 	}
 }
 
-// by the rows that prepare left
+// Uses the rows that prepare wrote.
 #define CONSTRAINT_KIND(kind, Kind, KIND)      \
 	STAGE(kind##_prepare_rare)                 \
 	{                                          \

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // spoke.h -- which bodies are hubs, whose spoke a contact is, and where the spokes of a hub lie.
 //
-// A body with more than HUB_CONTACTS contacts is a hub when another begins: all of them become spokes, and stay so for as
-// long as they touch. So nothing flips between two layouts where the number of contacts goes up and down.
+// A body with more than HUB_CONTACTS contacts becomes a hub when another contact begins: all of its contacts become
+// spokes, and stay spokes as long as they touch. This is a hysteresis: a number of contacts that varies does not switch
+// the layout back and forth.
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"
@@ -12,11 +13,11 @@ INLINE int hub_crowded(const Pools* p, int body)
 	return p->touching[body] > HUB_CONTACTS && p->body[body].inv_mass > 0.0f;
 }
 
-// whether a contact that has no color becomes a spoke
+// Whether a contact without a color becomes a spoke.
 INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
 
-// Whose spoke a contact is: of the end with more contacts; but where both have many, of the lighter one, which what is heavy
-// on either side of it may crush: it is the hub that is solved exactly.
+// The hub of a spoke: the end with more contacts. If both have many, the lighter one, because heavy bodies on either
+// side of it may crush it: a hub is solved exactly.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
 	int a = bodies.x, b = bodies.y, touching_a = p->touching[a], touching_b = p->touching[b];
@@ -35,7 +36,7 @@ typedef struct
 	int body, first, count; // its spokes among the constraints, padding included
 } HubSpan;
 
-// Each hub begins with a block of its own: so much is left between two that no sum over those before is needed.
+// Each hub begins at a block of its own. One block is left free per hub before it, so that no sum over these is needed.
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -43,7 +44,7 @@ INLINE int hub_first(const Pools* p, int n, int key)
 	return c->layout[CONSTRAINT_CONTACT].begin[COLORS] + MAX_LANES * (before + n);
 }
 
-// Where the spokes of hub number n are.
+// The places of the spokes of hub number n.
 INLINE HubSpan hub_span_of(const Pools* p, int n)
 {
 	HubSpan span;
@@ -54,17 +55,17 @@ INLINE HubSpan hub_span_of(const Pools* p, int n)
 	return span;
 }
 
-// in which turn of a pass hub number n is solved
+// The turn of a pass in which hub number n is solved.
 INLINE int hub_turn(int n) { return n % HUB_TURNS; }
 
-// places of spokes, padding included
+// Places of spokes, padding included.
 INLINE int spoke_places(const Pools* p)
 {
 	return p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] -
 	       p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS];
 }
 
-// number of constraint i among the spokes
+// The number of constraint i among the spokes.
 INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS]; }
 
 #endif

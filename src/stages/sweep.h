@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// sweep.h -- where collidables will be within the step by their velocities, and when two of them will meet.
+// sweep.h -- poses of collidables within the step, from their velocities, and when two of them will meet.
 //
 // This work is based on:
-// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Two shapes that
-// are some way apart along a direction cannot meet before the speed along it has closed that distance.
-// Paul Firth, Speculative Contacts, 2011: a contact made before bodies meet takes the speed that exceeds the gap.
-// Erin Catto, Continuous Collision, GDC 2013: of the speculative points' ghosts, and of a target that is a little inside.
+// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Two shapes at
+// some distance along a direction cannot meet before the speed along it has closed that distance.
+// Paul Firth, Speculative Contacts, 2011: a contact made before bodies meet takes away the speed that exceeds the gap.
+// Erin Catto, Continuous Collision, GDC 2013: ghost collisions of speculative points, and a target a little inside.
 //
 // Times and velocities are those of sweep_closing.h.
 #ifndef SWEEP_H
@@ -13,15 +13,16 @@
 #include "constraints/sweep_closing.h"
 #include "stages/manifold.h"
 
-// Looks at a pair while it draws near. Of the fast pairs of the scene tumbler 90 % need one and 1 % more than five; what
-// spins by more than a radian a step may need fifteen, and with twelve some went through a wall.
+// Most iterations of conservative advancement per pair. Of the fast pairs of the scene tumbler 90 % need one and 1 %
+// more than five. A pair that spins by more than a radian per step may need fifteen; with twelve some went through a
+// wall.
 #define SWEEP_ROUNDS 20
 
-// m: pairs meet when they overlap by this much, or else what slides over a seam between two floors would meet the side of
-// the second; looked for is twice as much
+// m: pairs meet when they overlap by this much. Otherwise what slides over a seam between two floors would meet the side
+// of the second. The iteration aims at twice as much
 #define SWEEP_DEPTH (0.5f * LINEAR_SLOP)
 
-// by the velocities with which the step begins
+// From the velocities at the beginning of the step.
 INLINE Advance sweep_advance(const Pools* p, int index)
 {
 	BodyState body = p->body[index];
@@ -45,13 +46,13 @@ INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b)
 	return sweep_between(a, sa, b, sb);
 }
 
-// how fast any two points of the pair may draw near along a normal from a to b, m
+// The most by which any two points of the pair may approach along a normal from a to b, m per step.
 INLINE Real sweep_speed(Closing c, Vec normal, Real time)
 {
 	return c.swing - vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
 }
 
-// Of points at a time, in the frame of a, whose axes are turned by a rotation.
+// The points of a manifold that count at a time, in the frame of a, whose axes are turned by a rotation.
 INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 {
 	Reach r = reach_of(SPECULATIVE_DISTANCE);
@@ -60,7 +61,7 @@ INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 	return r;
 }
 
-// Rotation of a since the step began, at a time; b in the frame of a then goes to f.
+// Rotation of a since the beginning of the step, at a time. f gets the pose of b in the frame of a then.
 INLINE Vec sweep_frame(WorldShape a, WorldShape b, Closing c, Real time, Frame* f)
 {
 	Sweep sa = c.a, sb = c.b;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// transform.h -- collidables to their world pose and box; the enlarged box follows when the tight one leaves it.
+// transform.h -- world poses and boxes of collidables; the enlarged box is updated when the tight one leaves it.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/box.h"
 #include "stages/sweep.h"
 
-// the counters of one step, cleared
+// Clears the counters of one step.
 STAGE(step_begin)
 {
 	GLOBAL Counters* c = p->counters;
@@ -47,7 +47,7 @@ STAGE(step_begin)
 	(void)i;
 }
 
-// Where collidable i is. Without a body its local pose is its world pose.
+// The world pose of collidable i. Without a body its local pose is its world pose.
 INLINE WorldShape collidable_place(const Pools* p, int i)
 {
 	WorldShape placed;
@@ -75,14 +75,14 @@ INLINE WorldShape collidable_place(const Pools* p, int i)
 	return placed;
 }
 
-// world vertex k of a placed attribute
+// World vertex k of a shape.
 INLINE Vec world_vertex(WorldShape placed, const GLOBAL Attribute* attribute, int k)
 {
 	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
 	return vec_add(vec(placed.x, placed.y), vec_turn(vec(placed.c, placed.s), vertex));
 }
 
-// the box of a placed attribute and of all within extra metres of it
+// The box of a shape, enlarged by extra metres.
 INLINE Float4 world_box(WorldShape placed, const GLOBAL Attribute* attribute, float extra)
 {
 	Float4 box = box_empty();
@@ -94,27 +94,27 @@ INLINE Float4 world_box(WorldShape placed, const GLOBAL Attribute* attribute, fl
 	return box_grow(box, attribute->radius + extra);
 }
 
-// what left its box, or was placed, is listed
+// Lists collidables that left their box or were placed.
 LIST_STAGE(transform, moved_list, moved)
 {
 	Float4 box = p->box[i];
 	int moved = p->moved[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
-		// its contacts see an empty box, and end; the box may be empty already, of a row made anew before it died
+		// its contacts see an empty box, and end; the box of a new row that died at once is empty already
 		p->moved[i] = MOVED_BOX;
 		p->box[i] = box_empty();
 		return 0;
 	}
 
-	// what has no body moves as little as body 0, the ground
+	// a collidable without a body moves as little as body 0, the ground
 	WorldShape placed = collidable_place(p, i);
 	int moves = placed.body >= 0;
 	placed.body = moves ? placed.body : 0;
 	p->world_shape[i] = placed;
 	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
 
-	// contacts begin at the speculative distance, so half of it on either side belongs to the tight box
+	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
 	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
 	int how = 0;
@@ -128,7 +128,8 @@ LIST_STAGE(transform, moved_list, moved)
 			how = MOVED_ON;
 		if (travel > 0.5f * SPECULATIVE_DISTANCE)
 		{
-			// where it will be belongs to the tight box too. What leaves its box in every step needs no margin.
+			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
+			// step needs no margin
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
@@ -148,13 +149,14 @@ LIST_STAGE(transform, moved_list, moved)
 	p->box[i] = grown;
 	p->moved[i] = MOVED_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
-	// the way of the step belongs to a box, so that what moves by itself never parts from where it was
+	// the path of the step is part of the box, so a collidable that moves by itself never parts from its old place
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
 	return 1;
 }
 
-// A step that breaks off before it has found all contacts: boxes are what they were, so that the next one finds the same.
+// After a step that stopped before it found all contacts: restores the boxes, so that the next step finds the same
+// pairs.
 STAGE(transform_undo)
 {
 	if (!(p->moved[i] & MOVED_BOX) || p->collidable_kind[i] == KIND_DEAD)
@@ -163,7 +165,7 @@ STAGE(transform_undo)
 	p->moved[i] = 0;
 }
 
-// Where a collidable is now, which the pool placed does not know: it is what the contacts of the last step go by.
+// The pose of a collidable now. The pool world_shape has the pose at which the contacts of the last step were found.
 STAGE(show)
 {
 	WorldShape placed = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};

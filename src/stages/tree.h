@@ -4,26 +4,27 @@
 // This work is based on:
 // Ibrahim Kamel, Christos Faloutsos, On Packing R-trees, 1993.
 //
-// Node n of a level has children ARITY * n and up on the level below, so that a level is built by one pass over the
-// level below, the eight boxes of a node are one cache line of a GPU, and a walk needs 8 bits a level for its way back.
-// A binary radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes, but needs
-// pointers, atomics between compute units to refit, and 20 levels where this has 7.
+// Node n of a level has the children ARITY * n and up on the level below. So a level is built by one pass over the level
+// below, the eight boxes of a node are one cache line of a GPU, and a walk needs a stack of 8 bits per level. A binary
+// radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes, but needs pointers,
+// atomics between compute units to refit, and 20 levels instead of 7.
 //
-// Which leaves share a node decides speed alone: the set of pairs found is defined by the boxes.
+// The order of the leaves affects speed only: the set of pairs is defined by the boxes.
 #ifndef TREE_H
 #define TREE_H
 #include "stages/box.h"
 #include "stages/tree_code.h"
 
-// A node of so many times the area of its leaves counts as wide: twice that of eight in a row that is bent once.
+// A node counts as wide if its area is more than this many times that of its leaves: twice that of a row of eight
+// leaves that is bent once.
 #define STRAY_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
-// so many leaves before they are looked at, their boxes are fetched
+// Leaves between the one that is read and the one whose box is fetched.
 #define LEAF_SOON 16
 
-// argument is the tree. A leaf whose collidable is dead, or went to the other tree, is an empty box.
+// argument is the tree. A leaf whose collidable is dead, or moved to the other tree, gets an empty box.
 STAGE(tree_leaf)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -43,7 +44,7 @@ STAGE(tree_leaf)
 	p->node_box[tree->begin[0] + i] = box;
 }
 
-// argument is the tree and, times two, the level
+// argument is the tree plus 2 times the level.
 STAGE(tree_node)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
@@ -60,9 +61,9 @@ STAGE(tree_node)
 
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
-// A leaf that comes from nowhere or jumps makes the nodes above it wide, and walks visit these in vain. How many walks:
-// a wide node is met by as many boxes as have room in it, of all that there are. Item i is a node of level 1, argument
-// the tree. Nodes no wider than those of leaves in rows are not counted.
+// A leaf that is new or jumped makes the nodes above it wide, and walks visit these in vain. Estimates how many walks:
+// of all boxes, as many meet a wide node as have room in it. Item i is a node of level 1, argument the tree. Nodes no
+// wider than nodes of leaves in rows are not counted.
 STAGE(tree_stray)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -92,7 +93,7 @@ STAGE(tree_stray)
 	float mean = area / (float)leaves, wide = box_area(now);
 	if (!(wide > STRAY_BOXES * mean))
 		return;
-	// of a jump, the upper nodes bear about as much as this one
+	// after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
 	float walks = 2.0f * wide / (mean * (float)tree->leaves);
 	int strayed = walks < 2.0f ? (int)((float)STRAY_UNIT * walks) : 2 * STRAY_UNIT;
@@ -100,7 +101,7 @@ STAGE(tree_stray)
 		atomic_add_int(&p->counters->strayed[p->argument], strayed);
 }
 
-// Are the walks of this step alone worth the order? What is less adds up from step to step; src/step/tree.c.
+// Whether the walks of this step alone are worth sorting the leaves. Smaller costs add up over steps; src/step/tree.c.
 STAGE(tree_judge)
 {
 	GLOBAL Counters* c = p->counters;
@@ -130,10 +131,10 @@ STAGE(tree_order)
 		p->counters->strayed[p->argument] = 0;
 }
 
-// bit k is set when the box overlaps child k of the eight from first on
+// Bit k is set if the box overlaps child k of the eight from first on.
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
-// of the eight nodes of a level from first on, those that have leaves from leaf from up to, not including, end: a bit each
+// Of the eight nodes of a level from first on: a bit for each that has leaves from leaf from up to, not including, end.
 INLINE Word64 tree_span(int level, int first, int from, int end)
 {
 	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
@@ -152,7 +153,8 @@ typedef struct // through the nodes over leaves that overlap a box, in rising or
 	int nodes;        // over leaves that it may still visit
 } TreeWalk;
 
-// Begins a walk through leaves from up to, not including, end, or with end 0 through all, of a tree that has leaves.
+// Begins a walk through leaves from up to, not including, end, or through all leaves for end 0. The tree must have
+// leaves.
 INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeWalk walk;
@@ -169,12 +171,12 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	return walk;
 }
 
-// the number of the lowest bit that is set
+// The number of the lowest set bit.
 INLINE int tree_lowest(Word64 bits) { return 63 - leading_zeros(bits & (~bits + (Word64)1)); }
 
-// Goes to the next node over leaves, and returns the first of its leaves; walk->leaves says which overlap the box.
-// TREE_DONE behind the last, TREE_LEFT when the walk has visited as many as it may: walk->first is the leaf at which it
-// has to go on.
+// Advances to the next node over leaves and returns its first leaf; walk->leaves has a bit for each that overlaps the
+// box. Returns TREE_DONE behind the last, TREE_LEFT when the walk has visited as many nodes as it may: walk->first is
+// the leaf at which it has to continue.
 #define TREE_DONE (-1)
 #define TREE_LEFT (-2)
 INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)

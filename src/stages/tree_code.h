@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// tree_code.h -- where the leaves of a tree lie along a Hilbert curve, by which they are put in order.
+// tree_code.h -- places of the leaves of a tree along a Hilbert curve, by which they are sorted.
 #ifndef TREE_CODE_H
 #define TREE_CODE_H
 #include "pools/pools.h"
 
-// the last of the cells along a side
+// the last cell along a side
 #define TREE_CELLS 65535.0f
 
-// the 16 bits of x, one at every second place
+// Spreads the 16 bits of x to every second bit.
 INLINE Int hilbert_spread(Int x)
 {
 	x = (x | x << 8) & 0x00ff00ff;
@@ -16,10 +16,10 @@ INLINE Int hilbert_spread(Int x)
 	return (x | x << 1) & 0x55555555;
 }
 
-// Distance along the Hilbert curve that fills a square of 65,536 cells a side, of cell x, y: two bits a level, from the
-// largest quadrant down, each quadrant's curve turned into the frame of its parent. How a level is turned is what all
-// levels above do to a turn, one after the other: a, b, c, d hold that of 1, 2, 4, 8 and 16 levels together, a bit a
-// level, so that four rounds do what went level by level. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
+// Distance of cell x, y along the Hilbert curve that fills a square of 65,536 cells per side: two bits per level, from
+// the largest quadrant down. The curve of a quadrant is turned relative to that of its parent, so the orientation of a
+// level is the product of the turns of all levels above. a, b, c, d hold that product over 1, 2, 4, 8 and 16 levels, one
+// bit per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
 INLINE Int hilbert_distance(Int x, Int y)
 {
 	const int all = 65535;
@@ -43,15 +43,15 @@ INLINE Int hilbert_distance(Int x, Int y)
 	return shifted(hilbert_spread(high & all), 1) | hilbert_spread(low);
 }
 
-// the cell of the middle between two bounds
+// The cell of the middle between two bounds.
 INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 {
 	Real at = (0.5f * (lower + upper) - begin) * cells;
 	return whole(minimum(maximum(at, splat(0.0f)), splat(TREE_CELLS)));
 }
 
-// Keys of the leaves: place on the curve of the box's center, then the collidable. argument is the tree. Dead ones go
-// last, where the host drops them.
+// Keys of the leaves: distance of the box's center along the curve, then the collidable. argument is the tree. Dead
+// leaves are sorted last, where the host drops them.
 WIDE_STAGE(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -61,7 +61,7 @@ WIDE_STAGE(tree_code)
 	Real box[4];
 	load_rows4((GLOBAL float*)p->node_box, tree->begin[0] + i, box);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
-	// no box has the place of the dead, which have all bits set
+	// no box has the key of a dead leaf, which has all bits set
 	code = choose_int(code, code - 1, code == -1);
 	store_keys(p->key, i, choose_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
 }

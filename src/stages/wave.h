@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// wave.h -- walks of a worker of a CPU, many at a time: all go down a tree together, level by level.
+// wave.h -- many walks of a CPU worker at a time: all go down a tree together, level by level.
 //
-// A walk by itself waits for memory at each node, and which way it goes on is a branch that no processor foresees. In a wave
-// the nodes of the next level are fetched while others are looked at, and each level is one loop over what is left to look
-// at. The walks of 50,000 circles that lie in random order took 29 ns a node by themselves, and a third of it in waves.
+// A walk by itself waits for memory at each node, and its branches cannot be predicted. In a wave, the nodes of the next
+// level are fetched while others are tested, and each level is one loop over the nodes that are left. The walks of
+// 50,000 circles in random order took 29 ns per node by themselves, and a third of that in waves.
 #ifndef WAVE_H
 #define WAVE_H
 #include "stages/tree.h"
 
-#define WAVE_WALKS  32  // at a time; HANDED_ITEMS is a multiple of it
-#define WAVE_SHARE  16  // nodes of one level that a walk may have to look at; one with more goes by itself
-#define WAVE_LEAVES 128 // that overlap, until they are handed on
+#define WAVE_WALKS  32  // walks at a time; HANDED_ITEMS is a multiple of it
+#define WAVE_SHARE  16  // most nodes of one level per walk; a walk with more goes by itself
+#define WAVE_LEAVES 128 // most overlapping leaves before they are processed
 
-typedef struct // nodes that walks have to look at, of one level: the walk, and the first of eight siblings
+typedef struct // nodes of one level that are still to be tested: the walk, and the first of eight siblings
 {
 	int count;
 	int walk[WAVE_WALKS * WAVE_SHARE], first[WAVE_WALKS * WAVE_SHARE];
 } WaveFront;
 
-// One level down: of eight siblings each, those that overlap. Returns the walks that have too many, a bit each.
+// Tests one level: of each eight siblings, those that overlap. Returns the walks that have too many nodes, a bit each.
 INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word alone,
                          const WaveFront* from, WaveFront* to)
 {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// cpu.h -- the state of the CPU backend, and what its files call of each other.
+#ifndef CPU_H
+#define CPU_H
+#include "backend/backend.h"
+#include "cpu/lanes.h"
+#include "cpu/primitives.h"
+#include "platform/threads.h"
+#include <stdatomic.h>
+
+// A run of fewer items than this is done by one worker: a barrier costs a microsecond, an item a few nanoseconds. In the
+// solve, reading what another core wrote last costs more than the barrier, so nearly all runs are shared, or none (Choice).
+#define GRAIN       512
+#define SOLVE_GRAIN 64
+// The same after a solve by one worker: meanwhile the other workers have fallen asleep, and waking them takes 50 us.
+#define ALONE_GRAIN 4096
+
+typedef struct // whether workers share the solve; measured, because it depends on the distance of the cores
+{
+	double cost[2]; // ns per item: by one worker, shared; 0 if never measured
+	int solves;     // of the first ones, which alternate between the two ways
+	int rest;       // solves until the slower way is measured again
+	bool shares;
+} Choice;
+
+typedef struct // the state of the backend
+{
+	Backend backend;
+	Pools pools;
+	Threads* threads;
+	Choice choice;
+	StageFunction functions[STAGE_COUNT];
+	int lanes[STAGE_COUNT]; // items per call of a function
+	bool timed;
+	Box box;     // of the last stage; the time of a primitive is added to the box of the stage before it
+	double mark; // ms, when the last run ended
+	double milliseconds[BOX_COUNT];
+
+	// between read_begin and read_end
+	size_t held_count;
+	unsigned char held[READ_ASYNC_BYTES];
+
+	// between copy_reserve and copy_release
+	char *copy_from, *copy_to;
+	size_t copy_bytes;
+	int copy_times;
+
+	// the current list, and the items of run number at; one worker writes them while the others wait at the barrier
+	const Run* runs;
+	int count, at, begin, end;
+	int grain; // a run of fewer items is not shared
+
+	_Alignas(64) atomic_int next; // of a run in chunks: first item that no worker has taken
+	Shared shared;
+} Cpu;
+
+// work.c: executes a list of runs. A run of fewer items than grain is done by one worker.
+void cpu_work(Cpu* cpu, const Run* runs, int count, int grain);
+
+// choice.c: the list of a solve of so many items, shared or by one worker, whichever took less time before.
+void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items);
+
+// memory.c: functions of the backend
+void cpu_free_pools(Cpu* cpu);
+scree_status cpu_resize(Backend* b, Per per, int capacity);
+scree_status cpu_write(Backend* b, PoolId pool, int first, int count, const void* items);
+scree_status cpu_read(Backend* b, PoolId pool, int first, int count, void* items);
+scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count);
+scree_status cpu_read_end(Backend* b, void* items);
+void* cpu_address(Backend* b, PoolId pool);
+void cpu_copy_release(Backend* b);
+scree_status cpu_copy_reserve(Backend* b, size_t bytes);
+scree_status cpu_copy(Backend* b, int times);
+
+#endif

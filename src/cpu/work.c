@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// work.c -- lists of runs on the CPU: each run by all workers, or by one.
+//
+// A list of runs is executed in one parallel region, with a barrier after each shared run. Worker 0, when all have arrived
+// at the barrier, reads the bound of the next run, does small runs by itself, and releases the others at the next run
+// that is worth sharing. So a bound is read once, by one worker, while no worker writes it, and a small world never
+// wakes a thread.
+#include "cpu/cpu.h"
+#include "platform/processor.h"
+#include <limits.h>
+
+// A run whose items take long is worth sharing from fewer items on: an item of a stage in chunks counts as so many.
+#define CHUNK_ITEM 8
+// fewest items for which a sort and a scan are shared
+#define SORT_GRAIN 8192
+#define SCAN_GRAIN 16384
+
+// Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
+// other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
+static const int chunks[STAGE_COUNT] = {
+    [STAGE_broad_phase] = HANDED_ITEMS,
+    [STAGE_broad_phase_rest] = 1,
+    [STAGE_narrow_phase] = HANDED_ITEMS,
+    [STAGE_hub] = 1,
+    [STAGE_hash_bodies] = 16,
+    [STAGE_hash_collidables] = 16,
+#define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+};
+
+static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
+{
+	StageFunction function = cpu->functions[stage];
+	int items = cpu->end - cpu->begin;
+	if (workers > 1 && chunks[stage])
+	{
+		for (;;)
+		{
+			int begin = atomic_fetch_add_explicit(&cpu->next, chunks[stage], memory_order_relaxed);
+			if (begin >= items)
+				return;
+			int end = items - begin < chunks[stage] ? items : begin + chunks[stage];
+			function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+		}
+	}
+
+	// shares consist of whole blocks of MAX_LANES items, so that no two workers write to one block
+	int blocks = (items + MAX_LANES - 1) / MAX_LANES;
+	int begin = split(blocks, worker, workers) * MAX_LANES;
+	int end = split(blocks, worker + 1, workers) * MAX_LANES;
+	if (end > items)
+		end = items;
+	if (begin < end)
+		function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+}
+
+// A worker's share of the current run.
+static void do_share(Cpu* cpu, int worker, int workers)
+{
+	const Run* run = &cpu->runs[cpu->at];
+	if (run->stage == PRIMITIVE_SORT)
+		sort_keys(&cpu->shared, cpu->threads, worker, workers, cpu->pools.key, cpu->pools.key_other, cpu->end,
+		          run->argument & 255, run->argument >> 8);
+	else if (run->stage == PRIMITIVE_SCAN)
+		scan_values(&cpu->shared, cpu->threads, worker, workers, cpu->pools.scan, cpu->end);
+	else
+		do_stage(cpu, (StageId)run->stage, worker, workers);
+}
+
+static int smallest_shared(const Cpu* cpu, int stage)
+{
+	switch (stage)
+	{
+	case PRIMITIVE_SORT:
+		return SORT_GRAIN;
+	case PRIMITIVE_SCAN:
+		return SCAN_GRAIN;
+	case STAGE_broad_phase_rest: // an item is a part of a long walk: worth sharing while the workers are awake
+		return cpu->grain == GRAIN ? 2 : INT_MAX;
+	default:
+		// a hub takes as long as many items: two are shared wherever anything is
+		if (stage_widths[stage] == WIDTH_GROUP)
+			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
+		if (!chunks[stage])
+			return cpu->grain;
+		return 2 * chunks[stage] > cpu->grain / CHUNK_ITEM ? 2 * chunks[stage] : cpu->grain / CHUNK_ITEM;
+	}
+}
+
+static void count_time(Cpu* cpu, const Run* run)
+{
+	if (!cpu->timed)
+		return;
+	if (run->stage < STAGE_COUNT)
+		cpu->box = stage_boxes[run->stage];
+	double time = processor_milliseconds();
+	cpu->milliseconds[cpu->box] += time - cpu->mark;
+	cpu->mark = time;
+}
+
+// Advances to the next run worth sharing, or to the end of the list. The runs before it are done by the caller.
+static void advance(Cpu* cpu)
+{
+	if (cpu->at >= 0)
+		count_time(cpu, &cpu->runs[cpu->at]);
+	while (++cpu->at < cpu->count)
+	{
+		const Run* run = &cpu->runs[cpu->at];
+		cpu->begin = run->begin;
+		cpu->end = run->end;
+		if (run->count != NO_COUNT)
+		{
+			int bound = ((const int*)cpu->pools.counters)[run->count];
+			cpu->end = bound < run->end ? bound : run->end;
+		}
+		if (cpu->begin >= cpu->end)
+			continue;
+		cpu->pools.argument = run->argument;
+		if (run->stage < STAGE_COUNT)
+		{
+			// rounding up adds inert items, for which the pools have room
+			int lanes = cpu->lanes[run->stage];
+			cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
+		}
+
+		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(cpu, run->stage))
+		{
+			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
+			return;
+		}
+		do_share(cpu, 0, 1);
+		count_time(cpu, run);
+	}
+}
+
+static void worker_loop(void* context, int worker, int workers)
+{
+	Cpu* cpu = context;
+	FloatMode found = float_mode_enter();
+	while (cpu->at < cpu->count)
+	{
+		do_share(cpu, worker, workers);
+		if (threads_gather(cpu->threads, worker))
+		{
+			advance(cpu);
+			threads_release(cpu->threads);
+		}
+	}
+	float_mode_leave(found);
+}
+
+void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
+{
+	cpu->runs = runs;
+	cpu->count = count;
+	cpu->at = -1;
+	cpu->grain = grain;
+	FloatMode found = float_mode_enter();
+	advance(cpu);
+	float_mode_leave(found);
+	if (cpu->at < cpu->count)
+		threads_run(cpu->threads, worker_loop, cpu);
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// wide.h -- the words of the dialect in C for 4, 8 and 16 lanes: vectors of gcc and clang. dialect.h includes it.
+#ifndef WIDE_H
+#define WIDE_H
+
+#define read_row8(base, index, out) memcpy(out, (base) + 8 * (size_t)(index), 32)
+typedef float Real __attribute__((vector_size(4 * LANES)));
+typedef int Int __attribute__((vector_size(4 * LANES)));
+typedef Word Words __attribute__((vector_size(4 * LANES)));
+// a difference keeps the sign of zero: -0 - 0 is -0, but -0 + 0 is +0
+#define splat(x)           ((x) - (Real){0})
+#define load(array, i)     (*(const Real*)((array) + (i)))
+#define load_int(array, i) (*(const Int*)((array) + (i)))
+#define store(array, i, x) (*(Real*)((array) + (i)) = (x))
+#define real_bits(x)       ((Int)(x))
+#define lane(x, k)         ((x)[k])
+INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
+INLINE Int choose_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
+#define whole(x)         __builtin_convertvector(x, Int)
+#define shifted(x, bits) ((Int)((Words)(x) << (bits)))
+INLINE void store_keys(Word64* array, int i, Int high, Int low)
+{
+	for (int k = 0; k < LANES; ++k)
+		array[i + k] = (Word64)(Word)high[k] << 32 | (Word64)(Word)low[k];
+}
+INLINE Real root(Real x)
+{
+	for (int k = 0; k < LANES; ++k)
+		x[k] = __builtin_sqrtf(x[k]);
+	return x;
+}
+#include "dialect/transpose.h"
+
+#endif
