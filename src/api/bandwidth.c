@@ -2,6 +2,7 @@
 // bandwidth.c -- the memory traffic of a step, and how fast the world's device copies: what it may be compared with.
 #include "platform/processor.h"
 #include "world/definition.h"
+#include "world/failure.h"
 #include "world/world.h"
 
 // Of two blocks to copy between; a device with less room takes the half, down to the least.

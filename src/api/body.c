@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 // body.c -- bodies: made and destroyed.
+#include "world/bodies.h"
+#include "world/collidables.h"
 #include "world/definition.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/mass.h"
+#include "world/memory.h"
+#include "world/targets.h"
 #include "world/world.h"
 #include <string.h>
 
@@ -19,30 +27,7 @@ static const scree_body_def* def_at(const scree_body_def* defs, int k, scree_bod
 	return definition_at(defs, k, &body_definition, local);
 }
 
-scree_body body_handle(const scree_world* world, int index)
-{
-	return (scree_body){(uint32_t)index, world->bodies.generation[index]};
-}
-
-static bool is_valid(const scree_world* world, scree_body body)
-{
-	return body.index < (uint32_t)world->bodies.used && body.generation & 1 &&
-	       world->bodies.generation[body.index] == body.generation;
-}
-
-bool scree_body_is_valid(const scree_world* world, scree_body body) { return world && is_valid(world, body); }
-
-scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
-{
-	if (scree_body_is_null(body))
-		return refuse(SCREE_ERROR_STALE, at, member, "is null");
-	if (!is_valid(world, body))
-		return refuse(SCREE_ERROR_STALE, at, member,
-		              "(index %u, generation %u) was destroyed, or is none of this world's bodies", body.index,
-		              body.generation);
-	*index = (int)body.index;
-	return SCREE_OK;
-}
+bool scree_body_is_valid(const scree_world* world, scree_body body) { return world && body_is_valid(world, body); }
 
 static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
 

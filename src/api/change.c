@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // change.c -- forces, impulses, velocities and poses, by the array and one at a time: each becomes a command.
 #include "step/tree.h"
+#include "world/bodies.h"
+#include "world/check.h"
+#include "world/collidables.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/targets.h"
 #include "world/world.h"
 
 typedef struct // one call

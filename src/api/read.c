@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // read.c -- poses and velocities of bodies, and of their points, back from the device.
+#include "world/read.h"
+#include "world/failure.h"
 #include "world/geometry.h"
+#include "world/handles.h"
+#include "world/memory.h"
+#include "world/upload.h"
 #include "world/world.h"
 
 // Where the bodies of a batch lie closer together than this, one read of all rows between them is cheaper than one a

@@ -10,7 +10,9 @@
 #include "device/devices.h"
 #include "platform/error.h"
 #include "platform/processor.h"
+#include "world/failure.h"
 #include "world/migrate.h"
+#include "world/open_async.h"
 #include "world/world.h"
 #include <stdatomic.h>
 #include <stdio.h>
@@ -69,7 +71,7 @@ static void meter_note(Meter* m, double milliseconds)
 	++m->count;
 }
 
-static int compare(const void* a, const void* b)
+static int compare_times(const void* a, const void* b)
 {
 	double x = *(const double*)a, y = *(const double*)b;
 	return (x > y) - (x < y);
@@ -83,7 +85,7 @@ static double meter_step(const Meter* m, double share)
 	int count = m->count < RECENT_STEPS ? m->count : RECENT_STEPS;
 	int first = m->count <= RECENT_STEPS && count > 1;
 	memcpy(sorted, m->recent + first, sizeof(double) * (size_t)(count - first));
-	qsort(sorted, (size_t)(count - first), sizeof *sorted, compare);
+	qsort(sorted, (size_t)(count - first), sizeof *sorted, compare_times);
 	return sorted[(int)(share * (double)(count - first - 1))];
 }
 
@@ -233,12 +235,12 @@ static bool trial_is_over(scree_world* world)
 // for the world
 // ---------------------------------------------------------------------------------------------------------------
 
-void auto_open(scree_world* world)
+void auto_open(scree_world* world, scree_status (*compare)(Backend*))
 {
 	AutoDevice* a = &world->auto_device;
 	if (a->on)
 		return;
-	*a = (AutoDevice){.on = true};
+	*a = (AutoDevice){.on = true, .compare = compare};
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
@@ -276,7 +278,7 @@ scree_status auto_choose(scree_world* world)
 
 	if (!a->other && !a->opening && (a->named[0] || opening_pays(world)))
 	{
-		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL);
+		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL, a->compare);
 		a->alone = !a->opening;
 		spare_core(world, !a->alone);
 	}

@@ -4,6 +4,9 @@
 // What the host knows of a world does not depend on the device, but for where the trees lie; and the device holds
 // nothing but the pools. So a move is the pools that outlive a step, copied item by item.
 #include "world/migrate.h"
+#include "platform/error.h"
+#include "world/failure.h"
+#include "world/share.h"
 #include "world/world.h"
 #include <stdio.h>
 #include <string.h>
@@ -109,7 +112,7 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_release(m.bounce);
 	if (status != SCREE_OK)
 		return status;
-	scree_world_unshare(world); // what another device has is no use to this one
+	world_unshare(world); // another device cannot use that memory
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
 	pipeline_move(&world->pipeline, to);
