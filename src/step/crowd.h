@@ -2,7 +2,7 @@
 // crowd.h -- how many contacts a world may have, and where there are too many.
 #ifndef CROWD_H
 #define CROWD_H
-#include "step/pipeline.h"
+#include "step/state.h"
 
 // The most contacts that the world may have: its definition's, or the default.
 int contact_limit(const StepRequest* request);

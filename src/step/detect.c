@@ -2,10 +2,12 @@
 // detect.c -- the first half of a step: user's changes to colored contacts.
 //
 //     transform -> broad phase -> narrow phase -> color -> (one small read-back)
+#include "step/detect.h"
 #include "backend/solve.h"
 #include "platform/error.h"
 #include "step/crowd.h"
-#include "step/pipeline.h"
+#include "step/dispatch.h"
+#include "step/room.h"
 #include "step/tree.h"
 
 // coloring rounds beyond those that the last step needed, before the host looks whether any contact is left

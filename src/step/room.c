@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // room.c -- how much room the pools have: made when a stage found too little, given back when most of it was long idle.
+#include "step/room.h"
 #include "backend/solve.h"
 #include "platform/error.h"
 #include "step/tree.h"
-#include <math.h>
 
 // Room is given back when for so many steps, 2 s of a game, never more than an eighth of it was used; twice what was used
 // stays. So a burst that comes again within that time finds its room, and a pool that has shrunk must fill up fourfold
@@ -17,8 +17,6 @@
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096
-
-#define LEAST_ROOM 64
 
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_ROOM - 1) / LEAST_ROOM * LEAST_ROOM; }
 
@@ -92,21 +90,6 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 		status = tree_restore(pipeline, leaves);
 	scree_release(leaves);
 	return status;
-}
-
-scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
-{
-	pipeline->backend = backend;
-	pipeline->guard_way = INFINITY;
-	pipeline->first_contacts = contacts > 0 ? contacts + 1 : 512;
-	TRY(pipeline_reserve(pipeline, ONE, 1));
-	TRY(pipeline_reserve(pipeline, HASH, HASH_SUMS));
-	TRY(pipeline_reserve(pipeline, TREE, 2));
-	TRY(pipeline_reserve(pipeline, ATTRIBUTE, 16));
-	TRY(pipeline_reserve(pipeline, BODY, bodies > 0 ? bodies + 1 : 256));
-	TRY(pipeline_reserve(pipeline, COLLIDABLE, bodies > 0 ? bodies : 256));
-	TRY(pipeline_reserve(pipeline, CONTACT, pipeline->first_contacts));
-	return pipeline_reserve(pipeline, COMMAND, LEAST_ROOM);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // tree.h -- the host's share of the broad phase's trees: which leaves there are, and when to put them in order.
 #ifndef TREE_HOST_H
 #define TREE_HOST_H
-#include "step/pipeline.h"
+#include "step/state.h"
 
 // nodes of all levels of a tree of so many leaves, padding included
 int tree_nodes(int leaves);

@@ -3,7 +3,7 @@
 #ifndef TARGETS_H
 #define TARGETS_H
 #include "scree/scree.h"
-#include "step/pipeline.h"
+#include "step/state.h"
 
 // The velocity that takes a body to its target depends on dt, so the host keeps targets until the step.
 

@@ -2,6 +2,7 @@
 // upload.c -- uploads what the user changed: long runs of rows, then commands.
 #include "world/upload.h"
 #include "platform/error.h"
+#include "step/room.h"
 #include "world/auto.h"
 #include "world/edit_order.h"
 #include "world/failure.h"
