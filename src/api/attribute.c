@@ -8,11 +8,11 @@
 #include "world/world.h"
 #include <string.h>
 
-// A mass must have a finite inverse and sums of masses must be finite, over all sizes and numbers of shapes.
+// Within these bounds every mass has a finite inverse, and every sum of masses is finite.
 #define LEAST_DENSITY 1e-6f // kg/m^2
 #define MOST_DENSITY  1e9f
 
-// square roots, products and ratios of two stay finite
+// up to this, square roots, products and ratios of two values are finite
 #define MOST_SURFACE 1e6f
 
 void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)

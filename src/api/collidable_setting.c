@@ -110,7 +110,7 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	int index = 0;
 	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
 	TRY(edits_reserve(world, function, 0, 1, 0));
-	// its leaf is there already; the tree has to hear that the box changes
+	// its leaf exists already; the call marks the tree, since the box changes
 	int kind = collidable_kind(world, index);
 	if (kind != KIND_DEAD)
 		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));

@@ -61,7 +61,7 @@ static scree_status sample_hash(scree_world* world, uint64_t* hash)
 	return scree_world_get_hash(world, hash);
 }
 
-// Makes a device that has held a world as good as new.
+// Fills all pools of a device with zeros, as after its opening.
 static scree_status clear(Backend* b)
 {
 	size_t most = 0;

@@ -10,7 +10,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	const char* function = "scree_world_get_counters";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "counters", counters));
-	// those that the end of the last step changed are a step old otherwise
+	// the end of a step changes some counters after the host has read them
 	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
 	const Pipeline* pipeline = &world->pipeline;
 	const Counters* c = &pipeline->counters;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// devices.c -- which devices there are, and a world from one to another.
+// devices.c -- lists the devices, and moves a world to another one.
 #include "device/devices.h"
 #include "api/compare_bits.h"
 #include "world/auto.h"

@@ -12,7 +12,7 @@ static Word64 hash_pose(Word64 h, scree_pose pose)
 	return hash_float4(h, make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s));
 }
 
-// the device hashes no collidable of a body that is disabled, and has no gravity for it
+// The device does not hash the collidables of a disabled body, nor its gravity scale.
 static Word64 hash_disabled(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
@@ -28,7 +28,7 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// Of what only the host knows.
+// The hash of the targets and the disabled bodies, which only the host knows.
 static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// render_rows.c -- what a renderer needs of every collidable: copied to the host, or left in memory that OpenGL draws from.
+// render_rows.c -- the rows that a renderer draws: copied to the host, or written to memory shared with OpenGL.
 #include "world/check.h"
 #include "world/failure.h"
 #include "world/share.h"

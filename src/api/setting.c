@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// setting.c -- what is set and asked of one body: type, damping, gravity scale, locks, user word.
+// setting.c -- type, damping, gravity scale, locks, enabling and user word of a body: set and read.
 #include "step/tree.h"
 #include "world/bodies.h"
 #include "world/collidables.h"
@@ -20,7 +20,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_pointer(function, argument, out);
 }
 
-// The same for a setter, with room for commands.
+// The same for a setter; reserves room for commands.
 static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
 {
 	TRY(world_check(world, function));
@@ -135,7 +135,7 @@ scree_status scree_body_get_locks(const scree_world* world, scree_body body, uin
 	return SCREE_OK;
 }
 
-// Room in the trees for the bodies of a batch that will take part again; on failure none has got any.
+// Inserts the leaves of the bodies of a batch that become enabled. On failure it removes them again.
 static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
 	scree_status status = SCREE_OK;
@@ -155,14 +155,14 @@ static scree_status insert_batch(scree_world* world, const scree_body* bodies, c
 	return status;
 }
 
-// There is room for everything.
+// The caller has reserved room for the edits and the leaves.
 static void enable(scree_world* world, int index, bool enabled)
 {
 	HostBody* host = world->host_bodies + index;
 	if (host->disabled == !enabled)
 		return;
 	if (enabled)
-		body_insert_leaves(world, host); // has its leaves already, unless the batch has just taken them
+		body_insert_leaves(world, host); // inserted before, unless the same batch has disabled the body since
 	else
 		body_remove_leaves(world, host);
 	host->disabled = !enabled;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- what a device must do: hold the pools, work through lists of runs, and solve. It knows no order of stages.
+// backend.h -- the functions of a device: they hold the pools, execute lists of runs, and solve. The caller orders the stages.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/runs.h"
@@ -23,7 +23,7 @@ typedef struct
 #define READ_ASYNC_BYTES ((size_t)4096)
 _Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in halves");
 
-typedef struct // that OpenGL draws from; who asked for it keeps it
+typedef struct // memory that OpenGL draws from; the caller owns it
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
 	int file;          // SCREE_SHARING_MEMORY: descriptor, the device's own once it has taken it
@@ -59,14 +59,14 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*show)(Backend* b, const Run* run);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
-	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing
-	// does.
+	// frees a core for other work of this process, or uses it again, between two lists of runs. Null where the backend
+	// uses no cores.
 	void (*spare)(Backend* b, bool core);
-	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are
-	// none
+	// allocates and releases two blocks of so many bytes beside the pools, to measure the speed of copies; release also
+	// works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
-	// copies one to the other so many times with all that the device has; waits
+	// copies one block to the other so many times with all cores or units of the device; waits
 	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
@@ -75,13 +75,13 @@ struct Backend
 	const BackendFunctions* f;
 	char name[160];          // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;      // 0 on OpenCL
-	int walkers;             // work-items over which the rest of a long walk is worth spreading, at least one
-	int walk_nodes;          // over leaves: a walk that visits more is long
-	bool distant;            // waiting for a read costs as much as many runs
-	scree_sharing sharing;   // what share takes; SCREE_SHARING_COPIED for nothing, and then share and show are null
+	int walkers;             // work-items among which the rest of a long walk is split, at least 1
+	int walk_nodes;          // nodes over leaves in a short walk; one that visits more is long
+	bool distant;            // a read takes as long as many runs
+	scree_sharing sharing;   // what share accepts; SCREE_SHARING_COPIED for nothing, then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
-	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's
+	uint64_t memory;         // bytes of the device for them; 0 for the host's memory
 	void* state;             // the backend's own
 };
 

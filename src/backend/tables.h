@@ -44,7 +44,7 @@ typedef enum
 #include "stages/stages.def"
 #undef X
 	STAGE_COUNT,
-	// What a stage of one item cannot do. Each backend has its own, with equal results. SORT: sorts items 0 to end of
+	// Not stages: each backend has its own implementation, with equal results. SORT: sorts items 0 to end of
 	// pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
 	PRIMITIVE_SORT = STAGE_COUNT,
 	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
@@ -52,11 +52,11 @@ typedef enum
 	RUN_KINDS
 } StageId;
 
-typedef enum // who does an item of a stage
+typedef enum // how many lanes process an item of a stage
 {
 	WIDTH_ONE,
-	WIDTH_WIDE,  // one call does as many as there are lanes
-	WIDTH_GROUP, // a worker, or a group of work-items, with as many lanes within
+	WIDTH_WIDE,  // one call processes as many items as there are lanes
+	WIDTH_GROUP, // a worker, or a group of work-items; its lanes share the item
 } Width;
 
 typedef enum // the boxes of the figure
@@ -70,11 +70,11 @@ typedef enum // the boxes of the figure
 	BOX_COUNT
 } Box;
 
-typedef enum // what becomes of a pool from one step to the next
+typedef enum // lifetime of the items of a pool
 {
-	STATE,   // lasts: goes along to another device
-	DERIVED, // lasts, but is made anew from the state on another device
-	SCRATCH, // written before it is read in every step: anything may stand in it between two
+	STATE,   // kept from step to step, copied to another device
+	DERIVED, // kept from step to step, computed from the state on another device
+	SCRATCH, // written before it is read in every step; undefined between steps
 } Role;
 
 typedef struct // of pools.def, in order

@@ -16,18 +16,17 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	const scree_tuning* tuning = &request->tuning;
 	const Backend* b = pipeline->backend;
 	int collidables = request->collidables;
-	// a step of no time only looks: nothing divides by it
+	// a step with dt 0 only detects contacts: nothing divides by dt
 	bool moves = request->dt > 0.0f;
 	float dt = request->dt, h = dt / (float)request->substeps, rate = moves ? 1.0f / h : 0.0f;
 
-	// A contact under load F sags by F / (m omega^2), so that stiff is good: a stack of 20 boxes leans over and falls at
-	// 48 Hz, as a column does that is too slender for its weight (Leonhard Euler, 1778), and stands at 52. But a pyramid
-	// of base 100 stepped at 240 Hz came to rest with a mean square speed of 7e-7 (m/s)^2 at 30 Hz, 1e-5 at 52, 2e-4 at 55
+	// A contact under load F sags by F / (m omega^2), so stiff contacts are better: a stack of 20 boxes buckles at 48 Hz
+	// (Leonhard Euler, 1778: a column too slender for its weight) and stands at 52. But a pyramid of base 100 stepped at 240 Hz came to rest with a mean square speed of 7e-7 (m/s)^2 at 30 Hz, 1e-5 at 52, 2e-4 at 55
 	// and 9e-2 at 60 (damping ratio 15 to 20), with its deepest overlap at 34, 18, 18 and 18 mm.
 	float stiffest = 0.22f * rate;
 	float hertz = tuning->contact_hertz < stiffest ? tuning->contact_hertz : stiffest;
 
-	// a turn of more than half a circle a step, or an eighth a substep, could not be told from the other way round
+	// a rotation above pi per step, or pi / 4 per substep, cannot be told from one in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
 	    .dt = dt,

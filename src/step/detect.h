@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// detect.h -- the first half of a step: user's changes to colored contacts.
+// detect.h -- the first half of a step: from the changed bodies to colored contacts.
 #ifndef DETECT_H
 #define DETECT_H
 #include "step/state.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pipeline.c -- the step, as the figure draws it.
+// pipeline.c -- the order of the step.
 //
 //     detect (detect.c): transform -> broad phase -> narrow phase -> color -> (one small read-back)
 //     solve (dispatch.c): solve -> finalize
@@ -32,7 +32,7 @@ scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int
 	return pipeline_reserve(pipeline, COMMAND, LEAST_ROOM);
 }
 
-// Moves the contacts together, into the slots from the first on.
+// Packs the contacts into the first slots.
 static scree_status pack(Pipeline* pipeline, const Step* step)
 {
 	RunList* list = &pipeline->list;
@@ -73,7 +73,7 @@ static scree_status command(Pipeline* pipeline, const Step* step, const StepComm
 	return b->f->run(b, step, &run, 1);
 }
 
-// Some collidable has another attribute: the surfaces of all contacts anew.
+// Some collidable has another attribute: recomputes the surfaces of all contacts.
 static scree_status mix(Pipeline* pipeline, const Step* step)
 {
 	runs_add(&pipeline->list, STAGE_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
@@ -81,8 +81,8 @@ static scree_status mix(Pipeline* pipeline, const Step* step)
 	return pipeline_run(pipeline, step);
 }
 
-// The end of a step of no time, instead of the solve: how deep bodies overlap, for the user's counters. Spokes are split
-// in the step that lays them out, so that the next one reads back whether any is.
+// The end of a step with dt 0, instead of the solve: measures how deep bodies overlap, for the user's counters. Spokes are split
+// in the step that lays them out, since the next one reads back whether any is.
 static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
@@ -117,7 +117,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	bool moves = request->dt > 0.0f;
 	pipeline->begun = false;
 
-	// room for the longest list is made before the step begins, so that it cannot break off for want of it
+	// reserves the longest list before the step begins, so that a lack of memory cannot break it off
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_upload(pipeline));
 	Step step = step_constants(pipeline, request);
@@ -196,12 +196,12 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 	pipeline->backend = backend;
 	for (int t = 0; t < 2; ++t)
 	{
-		// -1: this device has been told of no tree
+		// -1: differs from every tree, so the next upload sends it
 		TreeState* state = &pipeline->trees[t];
 		memset(&state->sent, -1, sizeof state->sent);
 		state->touched = true;
 	}
-	pipeline->split = false; // scratch
+	pipeline->split = false; // the pools of spokes are scratch, not copied
 }
 
 void pipeline_close(Pipeline* pipeline)

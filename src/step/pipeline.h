@@ -9,19 +9,19 @@
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts);
 void pipeline_close(Pipeline* pipeline);
 
-// The pools are on another device now.
+// The pools were moved to another device.
 void pipeline_move(Pipeline* pipeline, Backend* backend);
 
-// One step. The user's changes are on the device. On failure begun says whether the world broke off in the middle.
+// One step. The user's changes are on the device. On failure Pipeline.begun tells whether the step had changed the device.
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request);
 
 // The hash of all simulated state, of so many slots.
 scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
 
-// Brings the pool shown up to date for so many slots of collidables; where it is shared, in the memory that OpenGL draws from.
+// Updates the pool render_row for so many slots of collidables; with shared, in the memory that OpenGL draws from.
 scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared);
 
-// Puts the touching contacts of a body together in the pool listed, and says how many there are. The user's changes are on the
+// Collects the touching contacts of a body in the pool listed, and sets *count to their number. The user's changes are on the
 // device.
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count);
 

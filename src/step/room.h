@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// room.h -- how much room the pools have.
+// room.h -- capacities of the pools: they grow when a stage needs more, and shrink after long disuse.
 #ifndef ROOM_H
 #define ROOM_H
 #include "step/state.h"
@@ -10,10 +10,10 @@
 // room for at least capacity items; grows by half at least.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
-// After a step: gives back the room of pools that have long been much too large.
+// After a step: shrinks pools that have long been much too large.
 void pipeline_trim(Pipeline* pipeline);
 
-// Counts the step. Returns whether contacts have long been few for the slots that they are spread over.
+// Counts the step. Returns whether for long few of the contact slots have been in use.
 bool pipeline_sparse(Pipeline* pipeline);
 
 #endif

@@ -13,14 +13,14 @@ typedef struct // host side of one tree of the broad phase; tree.c
 	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
 	double strayed;   // nodes visited in vain since then because of boxes that jumped
 	int churned;      // steps in a row in which boxes jumped so far that the leaves were put in order
-	bool ordered;     // the step at work puts the leaves in order because boxes will have jumped
-	bool touched;     // some box of this tree changed by the user's doing
+	bool ordered;     // the current step orders the leaves because boxes will have jumped
+	bool touched;     // the user changed some box of this tree
 	int* left; // collidables that were destroyed or went to the other tree since the leaves were last put in order
 	int left_count, left_capacity;
-	bool shrunk; // there are more of these than left has
+	bool shrunk; // left is incomplete: it had no room for more
 } TreeState;
 
-typedef struct // that a step applies, a group of commands each: before it, after it, or instead of that where it was refused
+typedef struct // commands of a step, one group each: applied before it, after it, or when it was refused
 {
 	const Command *begin, *end, *undo;
 	const int* groups; // and the end
@@ -52,14 +52,14 @@ typedef struct
 	int first_contacts;           // slots of contacts that the pools begin with
 	int idle;                     // steps since pools were last looked at for room to give back
 	int sparse;                   // steps with few contacts for their slots
-	bool jumps;                   // the user placed or made something since the last step: boxes may jump
+	bool jumps;                   // the user placed or created something since the last step: boxes may jump
 	bool mixed;                   // some collidable got another attribute of its shape since the last step
-	bool begun;                   // the step at work has changed something on the device
+	bool begun;                   // the current step has changed something on the device
 	bool rare;                    // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
-	float guard_way, guard_reach; // as in Step: bounds of all bodies that there ever were
-	bool split;                   // the spokes of the layout know into how many parts their light ends are split
+	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
+	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed
 	int64_t steps;
 	int grown;               // times that a pool grew

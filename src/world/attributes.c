@@ -7,7 +7,7 @@
 #include <string.h>
 
 // The margin of an enlarged box is an eighth of the shape's size, within these bounds in m. A larger margin finds more pairs
-// in vain; a box leaves a smaller one more often.
+// that do not touch; a body leaves a smaller one more often.
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
@@ -21,7 +21,7 @@ static uint32_t name_of(const scree_attribute_def* def)
 	return hash ? hash : 1;
 }
 
-// The entry of the table that holds a name and these values, or the empty one where it belongs.
+// The entry of the table with these values, or the empty entry where they belong.
 static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def)
 {
 	uint32_t mask = (uint32_t)world->attribute_table_size - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check.c -- checks of what users pass, and their sentences.
+// check.c -- checks of arguments, and the sentences of their errors.
 #include "world/check.h"
 #include "pools/pools.h"
 #include <math.h>

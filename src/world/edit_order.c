@@ -9,12 +9,12 @@
 #define DIGIT_BITS 8
 #define DIGITS     (1 << DIGIT_BITS)
 
-typedef struct // a row on its way to the place of its slot
+typedef struct // key of the sort, and the row that it belongs to
 {
 	uint32_t index, row;
 } Place;
 
-// Sorts places by their index, of which bits are set: by one digit after the other. other has room for as many.
+// Radix sort by index. bits has every bit that is set in some index. other has room for count places.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)
@@ -37,7 +37,7 @@ static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 	return places;
 }
 
-// The index with which row k of so many bytes begins.
+// The index of row k, which is its first member. A row has so many bytes.
 static uint32_t row_index(const void* rows, size_t bytes, int k)
 {
 	uint32_t index;
@@ -45,7 +45,7 @@ static uint32_t row_index(const void* rows, size_t bytes, int k)
 	return index;
 }
 
-// Memory to sort rows in, which begin with their index; 0 where they are sorted, as those of a new world are.
+// Bytes of memory that sort_rows takes; 0 when the rows are sorted already, as in a new world.
 static size_t sort_bytes(const void* rows, int count, size_t bytes)
 {
 	int k = 1;

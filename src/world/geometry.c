@@ -23,7 +23,7 @@ typedef struct // sums over pieces of a shape, about vertex 0; all per unit of d
 	double inertia;    // m^4
 } Moments;
 
-// Adds a piece of which the inertia is known about its own centroid.
+// Adds a piece; inertia is about the centroid of the piece.
 static void add_piece(Moments* m, double area, double x, double y, double inertia)
 {
 	m->area += area;

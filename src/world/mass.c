@@ -17,7 +17,7 @@ scree_mass mass_of_body(const scree_world* world, int body)
 	if (host->type != SCREE_BODY_DYNAMIC)
 		return massless(host->type);
 
-	// first the common center, then the inertia about it: Huygens-Steiner
+	// first the common center, then the inertia about it by the parallel axis theorem
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
@@ -60,7 +60,7 @@ Guarded body_guarded(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// guard adds components of the arm: at most 1.4143 times its length; a little more for rounding
+		// guard adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float x = collidable->pose.position.x - host->mass.center.x,
 		      y = collidable->pose.position.y - host->mass.center.y;

@@ -7,7 +7,7 @@
 // The sum over the collidables. A dynamic body without any has 1 kg and cannot turn; other types have mass 0.
 scree_mass mass_of_body(const scree_world* world, int body);
 
-// 0 where the mass or the inertia is 0; the inertia's also for a locked rotation.
+// Inverse mass, 1/kg, and inverse inertia, 1/(kg m^2). An inverse of 0 is 0, and so is the inertia's when rotation is locked.
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
 
@@ -18,7 +18,7 @@ Command guarded_command(scree_world* world, int body);
 // Sets the mass of a body on the host and on the device. The caller has reserved room for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 
-// Computes the masses of those bodies that are dynamic anew, once for each; -1 stands for no body.
+// Recomputes the mass of each dynamic body among these, once per body; -1 stands for no body.
 void masses_update(scree_world* world, const int* bodies, int count);
 
 #endif

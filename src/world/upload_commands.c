@@ -55,7 +55,7 @@ static Waiting* command_waiting(scree_world* world, const Command* c)
 	return &world->host_bodies[c->index].waiting;
 }
 
-// Does a command belong to what its slot held before it was made anew?
+// Whether a command is older than the body or collidable that its slot holds now.
 static bool is_void(scree_world* world, int k)
 {
 	const Edits* p = &world->edits;
@@ -64,14 +64,14 @@ static bool is_void(scree_world* world, int k)
 	return row > 0 && k < (c->kind >= COMMAND_PLACE ? p->collidables[row - 1].since : p->bodies[row - 1].since);
 }
 
-typedef struct // commands by item on their way to the device
+typedef struct // commands grouped by item
 {
-	Command *from, *grouped; // as they are collected; item by item
+	Command *from, *grouped; // in the order of collection; in the order of the items
 	int* begins;             // first command of each group, and the end
 	int collected, count, groups;
 } Groups;
 
-// A row that stands alone is a group; one with commands behind it is collected with these.
+// A row without later commands is a group at once. Otherwise its commands are collected, to be grouped with the later ones.
 static void add_row(Groups* g, const Waiting* waiting, int count)
 {
 	if (waiting->group > 0)
@@ -84,8 +84,8 @@ static void add_row(Groups* g, const Waiting* waiting, int count)
 	g->count += count;
 }
 
-// The commands of short runs, then the user's. Those of rows without any others, which are most where bodies come and go,
-// are groups at once.
+// Collects the commands of short runs, then the user's. Rows without later commands become groups at once: they are the most
+// in worlds that create and destroy many bodies.
 static void collect_commands(scree_world* world, Groups* g)
 {
 	const Edits* p = &world->edits;
@@ -113,7 +113,7 @@ static void collect_commands(scree_world* world, Groups* g)
 	}
 }
 
-// What was collected by item, each item's in the order of the calls.
+// Groups the collected commands by item; those of one item stay in the order of the calls.
 static void group_commands(scree_world* world, Groups* g)
 {
 	int* begins = g->begins + g->groups;
@@ -129,7 +129,7 @@ static void group_commands(scree_world* world, Groups* g)
 		++begins[*group];
 	}
 
-	// begins[n + 1] has counted group n; summed up it is the place of the group's next command, and at last its end
+	// begins[n] counts group n; after the sum it is the place of the group's next command, and at last the group's end
 	begins[0] = g->count;
 	int sum = g->count;
 	for (int n = 1; n <= groups; ++n)

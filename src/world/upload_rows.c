@@ -15,7 +15,7 @@ static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pos
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
-	// what is disabled rests, and its velocity is kept beside it
+	// a disabled body has velocity 0; its own velocity is in the pool kept
 	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
 	{
@@ -52,7 +52,7 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 	}
 }
 
-// the kind first: it is all that is written of a dead one
+// the kind is first: of a dead collidable only the kind is written
 static const PoolId collidable_pools[] = {
     POOL_collidable_kind, POOL_collidable_attribute,
     POOL_collidable_body, POOL_collidable_pose,

@@ -10,7 +10,7 @@
 #include "world/edit_lists.h"
 #include "world/slots.h"
 
-typedef struct // what only the host knows of a body
+typedef struct // host data of a body
 {
 	scree_body_type type;
 	uint32_t locks;
@@ -26,7 +26,7 @@ typedef struct // what only the host knows of a body
 	bool marked; // within one call: already seen in the batch
 } HostBody;
 
-typedef struct // what only the host knows of a collidable
+typedef struct // host data of a collidable
 {
 	int attribute;
 	int body; // -1 for none
@@ -39,7 +39,7 @@ typedef struct // what only the host knows of a collidable
 	bool marked;
 } HostCollidable;
 
-typedef struct // what else the host knows of an attribute
+typedef struct // host data of an attribute, beside its definition
 {
 	uint32_t name;   // a hash of its values, never 0
 	int claims;      // creations minus destructions by the user
@@ -59,7 +59,7 @@ struct scree_world
 	scree_opengl opengl; // copy that def.opengl points to; unused when def.opengl is null
 	Backend* backend;
 	scree_status broken;       // sticky error, SCREE_OK while healthy; a broken world can only be destroyed
-	Slots bodies, collidables; // body slot 0 is the ground: motionless, never given out
+	Slots bodies, collidables; // body slot 0 is the ground: static, has no handle
 	HostBody* host_bodies;     // of each slot
 	HostCollidable* host_collidables;
 	int host_body_capacity, host_collidable_capacity;
