@@ -235,7 +235,7 @@ static bool trial_is_over(scree_world* world)
 // for the world
 // ---------------------------------------------------------------------------------------------------------------
 
-void auto_open(scree_world* world, scree_status (*compare)(Backend*))
+void auto_open(scree_world* world, CompareDevice* compare)
 {
 	AutoDevice* a = &world->auto_device;
 	if (a->on)

@@ -2,10 +2,10 @@
 // auto.h -- device "auto": where a world is faster, and how it gets there; docs/auto.md.
 #ifndef AUTOMATIC_H
 #define AUTOMATIC_H
-#include "backend/backend.h"
+#include "world/auto_device.h"
 
 // Turns device "auto" on and off. compare is that of async_open_begin.
-void auto_open(scree_world* world, scree_status (*compare)(Backend*));
+void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
 // Called before a step: records the time of the last one, and moves the world when that pays. Fails only when the world

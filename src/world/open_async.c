@@ -14,7 +14,7 @@ struct AsyncOpen
 	Thread thread;
 	scree_world_def def;
 	char name[160]; // of the device, empty for any GPU
-	scree_status (*compare)(Backend*);
+	CompareDevice* compare;
 	Backend* backend;
 	scree_status status;
 	char sentence[1024];
@@ -44,7 +44,7 @@ static THREAD_RESULT async_open_main(void* argument)
 	return THREAD_END;
 }
 
-AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, scree_status (*compare)(Backend*))
+AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare)
 {
 	AsyncOpen* o = scree_allocate(sizeof *o);
 	if (!o)

@@ -2,13 +2,11 @@
 // open_async.h -- opens a device on a thread of its own.
 #ifndef OPENING_H
 #define OPENING_H
-#include "backend/backend.h"
-
-typedef struct AsyncOpen AsyncOpen;
+#include "world/auto_device.h"
 
 // Begins to open a GPU, or the device of this name unless it is null. compare is called on the open device, on the same
 // thread; when it fails, the device is closed. Null when there is no memory or no thread.
-AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, scree_status (*compare)(Backend*));
+AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare);
 
 // Whether async_open_end would return at once.
 bool async_open_done(const AsyncOpen* opening);
