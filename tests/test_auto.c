@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_auto.c -- device "auto": when a world moves by the clock, and that nobody can tell by its state.
 #include "moving.h"
+#include "world/open_async.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -206,7 +207,7 @@ static void opening_is_waited_for(void** state)
 	for (int moved = 0; moved < 2; ++moved)
 	{
 		scree_world* world = open_pile("auto", false);
-		world->auto_device.opening = async_open_begin(&world->def, other);
+		world->auto_device.opening = async_open_begin(&world->def, other, world->auto_device.compare);
 		assert_non_null(world->auto_device.opening);
 		if (moved)
 			OK(scree_world_move(world, "cpu"));

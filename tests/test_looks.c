@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_looks.c -- steps of no time: what they find, and what they leave alone; on the CPU and on OpenCL.
 #include "world_support.h"
+#include <float.h>
 
 static scree_pose pose_at(float x, float y, float radians) { return (scree_pose){{x, y}, scree_rot_make(radians)}; }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// bandwidth.c -- the memory traffic of a step, and how fast the world's device copies: what it may be compared with.
+// bandwidth.c -- the memory traffic of a step, and the bandwidth of copies on the device, for comparison.
 #include "platform/processor.h"
 #include "world/definition.h"
+#include "world/failure.h"
 #include "world/world.h"
 
-// Of two blocks to copy between; a device with less room takes the half, down to the least.
+// Bytes of each of the two blocks of a copy; halved while the device has no room for them, down to LEAST_BYTES.
 #define MOST_BYTES  ((size_t)256 << 20)
 #define LEAST_BYTES ((size_t)1 << 20)
-// The best of so many tries counts, each of so many copies, so that what starts and ends them weighs little; fewer tries on
-// a device that is so slow that they would take longer than this, in ms.
+// The bandwidth is the best of TRIES tries. Each makes COPIES copies, so that the time to start and end them is small. A slow
+// device makes fewer tries: none begins after ENOUGH ms.
 #define TRIES  4
 #define COPIES 8
 #define ENOUGH 500.0

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
-// body.c -- bodies: made and destroyed.
+// body.c -- bodies: created, destroyed and listed.
+#include "world/bodies.h"
+#include "world/collidables.h"
 #include "world/definition.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/mass.h"
+#include "world/memory.h"
+#include "world/targets.h"
 #include "world/world.h"
 #include <string.h>
 
@@ -19,30 +27,7 @@ static const scree_body_def* def_at(const scree_body_def* defs, int k, scree_bod
 	return definition_at(defs, k, &body_definition, local);
 }
 
-scree_body body_handle(const scree_world* world, int index)
-{
-	return (scree_body){(uint32_t)index, world->bodies.generation[index]};
-}
-
-static bool is_valid(const scree_world* world, scree_body body)
-{
-	return body.index < (uint32_t)world->bodies.used && body.generation & 1 &&
-	       world->bodies.generation[body.index] == body.generation;
-}
-
-bool scree_body_is_valid(const scree_world* world, scree_body body) { return world && is_valid(world, body); }
-
-scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
-{
-	if (scree_body_is_null(body))
-		return refuse(SCREE_ERROR_STALE, at, member, "is null");
-	if (!is_valid(world, body))
-		return refuse(SCREE_ERROR_STALE, at, member,
-		              "(index %u, generation %u) was destroyed, or is none of this world's bodies", body.index,
-		              body.generation);
-	*index = (int)body.index;
-	return SCREE_OK;
-}
+bool scree_body_is_valid(const scree_world* world, scree_body body) { return world && body_is_valid(world, body); }
 
 static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
 
@@ -60,7 +45,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
-// so many bodies before they are made or destroyed, what the host knows of them is fetched: they may lie anywhere
+// Host data is prefetched so many bodies ahead: the slots of a batch may lie anywhere in memory.
 #define BODY_SOON 8
 
 static void fetch_rows(const void* rows, int index, size_t bytes)
@@ -70,7 +55,7 @@ static void fetch_rows(const void* rows, int index, size_t bytes)
 	fetch_soon(row + bytes - 1);
 }
 
-// A handle that may be anything.
+// The handle need not be valid.
 static void fetch_body(const scree_world* world, scree_body body)
 {
 	if (body.index >= (uint32_t)world->bodies.used)
@@ -87,7 +72,7 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// A body in a slot that was taken, by a definition that has been checked; slot is that of its collidable, if it has one.
+// Makes a body in a slot that was taken, from a checked definition. slot is that of its collidable, if it has one.
 static void put(scree_world* world, Where at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
@@ -201,7 +186,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
 
-	// marks tell a body that is named twice
+	// marks find a body that is in the batch twice
 	scree_status status = SCREE_OK;
 	int marked = 0, collidables = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
-// change.c -- forces, impulses, velocities and poses, by the array and one at a time: each becomes a command.
+// change.c -- forces, impulses, velocities and poses, for batches and single bodies: each becomes a command.
 #include "step/tree.h"
+#include "world/bodies.h"
+#include "world/check.h"
+#include "world/collidables.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/targets.h"
 #include "world/world.h"
 
 typedef struct // one call
@@ -10,10 +17,10 @@ typedef struct // one call
 	const char* bodies;
 	const char* values;
 	const char* points; // null when the kind has none
-	bool alone;         // for one body: no index in sentences
+	bool alone;         // for a single body: sentences name no index
 } Call;
 
-// What a call may hand over as its values; points go with vectors.
+// The values of a call: one of these arrays; points only with vectors.
 typedef struct
 {
 	const float* numbers;
@@ -32,7 +39,7 @@ static const void* values_array(const Values* v)
 	return v->velocities ? (const void*)v->velocities : (const void*)v->poses;
 }
 
-// Value k as a command has it, after a check.
+// Checks value k, and converts it to Command.value.
 static scree_status value_at(const Call* call, const Values* values, int k, Float4* value)
 {
 	int shown = call->alone ? ALONE : k;
@@ -112,7 +119,7 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// by the array
+// batches
 // ---------------------------------------------------------------------------------------------------------------
 
 scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
@@ -186,7 +193,7 @@ scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// for one body
+// single bodies
 // ---------------------------------------------------------------------------------------------------------------
 
 scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force)

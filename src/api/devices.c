@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// devices.c -- which devices there are, and a world from one to another.
+// devices.c -- lists the devices, and moves a world to another one.
 #include "device/devices.h"
+#include "api/compare_bits.h"
 #include "world/auto.h"
 #include "world/definition.h"
+#include "world/failure.h"
 #include "world/migrate.h"
 #include "world/world.h"
 #include <string.h>
@@ -35,7 +37,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 	TRY(check_device((Where){function, "device", ALONE}, "", device));
 	if (strcmp(device, "auto") == 0)
 	{
-		auto_open(world);
+		auto_open(world, compare_bits);
 		return SCREE_OK;
 	}
 	if (strcmp(device, world->device) != 0)

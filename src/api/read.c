@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// read.c -- poses and velocities of bodies, and of their points, back from the device.
+// read.c -- poses and velocities of bodies, and of their points, read from the device.
+#include "world/read.h"
+#include "world/failure.h"
 #include "world/geometry.h"
+#include "world/handles.h"
+#include "world/memory.h"
+#include "world/upload.h"
 #include "world/world.h"
 
-// Where the bodies of a batch lie closer together than this, one read of all rows between them is cheaper than one a
-// body: on a GPU a read costs about as much as the transfer of 100 kB.
+// Mean distance of the slots of a batch below which one read of all rows between them is cheaper than one read per body: on a
+// GPU a read costs about as much as the transfer of 100 kB.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch
@@ -20,7 +25,7 @@ static const void* row_of(const Rows* rows, const scree_body* bodies, int k)
 	return rows->rows + (size_t)row * rows->bytes;
 }
 
-// Checks, sends what is pending, and reads a pool's rows of all bodies of a batch.
+// Checks the handles of a batch, uploads the edits, and reads the rows of its bodies from a pool.
 static scree_status read_rows(scree_world* world, const char* function, const char* argument, PoolId pool,
                               const scree_body* bodies, int count, bool alone, Rows* rows)
 {
@@ -50,7 +55,7 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 
 static scree_vec turned(scree_rot rotation, scree_vec v) { return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v); }
 
-// of the origin of a body, from its row of the pool pose, which is that of its center of mass
+// The pose of the origin of a body. Its row in the pool pose is that of its center of mass.
 static scree_pose body_pose(const scree_world* world, int index, const Float4* row)
 {
 	scree_rot rotation = {row->z, row->w};
@@ -70,7 +75,7 @@ static scree_status get_poses(scree_world* world, const char* function, const ch
 	return SCREE_OK;
 }
 
-// of a body that is disabled
+// the velocity of a disabled body, from its row in the pool kept
 static scree_velocity kept_velocity(const Float4* row) { return (scree_velocity){{row->x, row->y}, row->z}; }
 
 static scree_status get_velocities(scree_world* world, const char* function, const char* argument,

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// render_rows.c -- what a renderer needs of every collidable: copied to the host, or left in memory that OpenGL draws from.
+// render_rows.c -- the rows that a renderer draws: copied to the host, or written to memory shared with OpenGL.
+#include "world/check.h"
+#include "world/failure.h"
+#include "world/share.h"
+#include "world/upload.h"
 #include "world/world.h"
 #include <limits.h>
 
@@ -79,10 +83,8 @@ scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_
 
 void scree_world_unshare(scree_world* world)
 {
-	if (!world || world->shared_rows == 0)
-		return;
-	world_note(world, world->backend->f->share(world->backend, NULL));
-	world->shared_rows = 0;
+	if (world)
+		world_unshare(world);
 }
 
 scree_status scree_world_write_render_rows(scree_world* world, int* count)

@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: MIT
-// setting.c -- what is set and asked of one body: type, damping, gravity scale, locks, user word.
+// setting.c -- type, damping, gravity scale, locks, enabling and user word of a body: set and read.
 #include "step/tree.h"
+#include "world/bodies.h"
+#include "world/collidables.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/mass.h"
+#include "world/targets.h"
 #include "world/world.h"
-
-scree_status check_type(Where at, const char* member, scree_body_type type)
-{
-	if ((unsigned)type <= SCREE_BODY_DYNAMIC)
-		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, which is no scree_body_type", (int)type);
-}
-
-scree_status check_locks(Where at, const char* member, uint32_t locks)
-{
-	if (locks <= (SCREE_LOCK_X | SCREE_LOCK_Y | SCREE_LOCK_ROTATION))
-		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, at, member,
-	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
-}
-
-scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity velocity)
-{
-	if (host->type == SCREE_BODY_STATIC)
-		return (scree_velocity){0};
-	if (host->locks & SCREE_LOCK_X)
-		velocity.linear.x = 0.0f;
-	if (host->locks & SCREE_LOCK_Y)
-		velocity.linear.y = 0.0f;
-	if (host->locks & SCREE_LOCK_ROTATION)
-		velocity.angular = 0.0f;
-	return velocity;
-}
 
 static scree_status lookup(const scree_world* world, const char* function, scree_body body, const char* argument,
                            const void* out, HostBody** host)
@@ -41,22 +20,12 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_pointer(function, argument, out);
 }
 
-// The same for a setter, with room for commands.
+// The same for a setter; reserves room for commands.
 static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
 {
 	TRY(world_check(world, function));
 	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, index));
 	return edits_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
-}
-
-// Gravity, damping and locks as they are now. What is not dynamic knows neither gravity nor damping.
-static void send_motion(scree_world* world, int index)
-{
-	const HostBody* host = world->host_bodies + index;
-	Float4 value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	if (host->type == SCREE_BODY_DYNAMIC)
-		value = make_float4(host->gravity_scale, host->linear_damping, host->angular_damping, 0.0f);
-	edits_command(world, COMMAND_MOTION, index, value, (int)host->locks);
 }
 
 scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type)
@@ -91,7 +60,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	if (type == SCREE_BODY_STATIC)
 		edits_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	mass_set(world, index, mass_of_body(world, index));
-	send_motion(world, index);
+	body_send_motion(world, index);
 	return SCREE_OK;
 }
 
@@ -112,7 +81,7 @@ scree_status scree_body_set_damping(scree_world* world, scree_body body, float l
 	TRY(check_real((Where){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
 	world->host_bodies[index].linear_damping = linear;
 	world->host_bodies[index].angular_damping = angular;
-	send_motion(world, index);
+	body_send_motion(world, index);
 	return SCREE_OK;
 }
 
@@ -134,7 +103,7 @@ scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, f
 	TRY(lookup_to_set(world, function, body, 1, &index));
 	TRY(check_real((Where){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
 	world->host_bodies[index].gravity_scale = scale;
-	send_motion(world, index);
+	body_send_motion(world, index);
 	return SCREE_OK;
 }
 
@@ -154,7 +123,7 @@ scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t 
 	TRY(check_locks((Where){function, "locks", ALONE}, "", locks));
 	world->host_bodies[index].locks = locks;
 	mass_set(world, index, world->host_bodies[index].mass);
-	send_motion(world, index);
+	body_send_motion(world, index);
 	return SCREE_OK;
 }
 
@@ -166,23 +135,7 @@ scree_status scree_body_get_locks(const scree_world* world, scree_body body, uin
 	return SCREE_OK;
 }
 
-// Leaves of all collidables of a body, of which none has one; on failure the first ones have.
-static scree_status insert_all(scree_world* world, const HostBody* host)
-{
-	int tree = tree_of_kind(kind_of_type(host->type));
-	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
-		TRY(tree_insert(&world->pipeline, tree, k));
-	return SCREE_OK;
-}
-
-static void leave_all(scree_world* world, const HostBody* host)
-{
-	int tree = tree_of_kind(kind_of_type(host->type));
-	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
-		tree_leave(&world->pipeline, tree, k);
-}
-
-// Room in the trees for the bodies of a batch that will take part again; on failure none has got any.
+// Inserts the leaves of the bodies of a batch that become enabled. On failure it removes them again.
 static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
 	scree_status status = SCREE_OK;
@@ -191,27 +144,27 @@ static scree_status insert_batch(scree_world* world, const scree_body* bodies, c
 	{
 		const HostBody* host = world->host_bodies + bodies[done].index;
 		if (enabled[done] && host->disabled)
-			status = insert_all(world, host);
+			status = body_insert_leaves(world, host);
 	}
 	for (int k = 0; k < done && status != SCREE_OK; ++k)
 	{
 		const HostBody* host = world->host_bodies + bodies[k].index;
 		if (enabled[k] && host->disabled)
-			leave_all(world, host);
+			body_remove_leaves(world, host);
 	}
 	return status;
 }
 
-// There is room for everything.
+// The caller has reserved room for the edits and the leaves.
 static void enable(scree_world* world, int index, bool enabled)
 {
 	HostBody* host = world->host_bodies + index;
 	if (host->disabled == !enabled)
 		return;
 	if (enabled)
-		insert_all(world, host); // has its leaves already, unless the batch has just taken them
+		body_insert_leaves(world, host); // inserted before, unless the same batch has disabled the body since
 	else
-		leave_all(world, host);
+		body_remove_leaves(world, host);
 	host->disabled = !enabled;
 	host->kept = true;
 	world->disabled_bodies += enabled ? -1 : 1;
@@ -221,7 +174,7 @@ static void enable(scree_world* world, int index, bool enabled)
 		edits_collidable(world, k);
 	}
 	edits_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
-	send_motion(world, index);
+	body_send_motion(world, index);
 }
 
 static scree_status set_enabled(scree_world* world, const char* function, const char* argument,

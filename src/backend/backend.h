@@ -1,113 +1,15 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- what a device must do: hold the pools, work through lists of runs, and solve. It knows no order of stages.
+// backend.h -- the functions of a device: they hold the pools, execute lists of runs, and solve. The caller orders the stages.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/runs.h"
 #include "backend/solve.h"
+#include "backend/tables.h"
 #include "constraints/schedule.h"
 #include "pools/pools.h"
 #include "scree/scree.h"
 #include <stdbool.h>
 #include <stddef.h>
-
-typedef enum // what a pool has an item for
-{
-	ATTRIBUTE,
-	COLLIDABLE,
-	BODY,
-#define CONSTRAINT_KIND(kind, Kind, KIND) \
-	KIND, KIND##_PLACE, KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
-#include "pools/kinds.def"
-#undef CONSTRAINT_KIND
-	EDGE,        // of any kind
-	SPOKE,       // contact of a hub
-	SPOKE_BLOCK, // of MAX_LANES of them
-	RENDER_ROW,  // collidable, as a renderer sees it
-	LISTED,      // contact of a body that the user asks for
-	TREE,
-	LEAF,
-	NODE,
-	KEY,
-	COMMAND,
-	HASH,
-	ONE,
-	PER_COUNT
-} Per;
-
-typedef enum
-{
-#define X(type, name, per, role) POOL_##name,
-#include "pools/pools.def"
-#undef X
-	POOL_COUNT
-} PoolId;
-
-typedef enum
-{
-#define X(name, width, box) STAGE_##name,
-#include "stages/stages.def"
-#undef X
-	STAGE_COUNT,
-	// What a stage of one item cannot do. Each backend has its own, with equal results. SORT: sorts items 0 to end of
-	// pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
-	PRIMITIVE_SORT = STAGE_COUNT,
-	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
-	PRIMITIVE_SCAN,
-	RUN_KINDS
-} StageId;
-
-typedef enum // who does an item of a stage
-{
-	WIDTH_ONE,
-	WIDTH_WIDE,  // one call does as many as there are lanes
-	WIDTH_GROUP, // a worker, or a group of work-items, with as many lanes within
-} Width;
-
-typedef enum // the boxes of the figure
-{
-	BOX_transform,
-	BOX_broad_phase,
-	BOX_narrow_phase,
-	BOX_color,
-	BOX_solve,
-	BOX_finalize,
-	BOX_COUNT
-} Box;
-
-typedef enum // what becomes of a pool from one step to the next
-{
-	STATE,   // lasts: goes along to another device
-	DERIVED, // lasts, but is made anew from the state on another device
-	SCRATCH, // written before it is read in every step: anything may stand in it between two
-} Role;
-
-typedef struct // of pools.def, in order; src/backend/tables.c
-{
-	const char* name;
-	size_t bytes; // an item
-	Per per;
-	Role role;
-} PoolInfo;
-extern const PoolInfo pool_info[POOL_COUNT];
-
-typedef struct // of a kind of constraint
-{
-	Per items, places, blocks;
-	StageId key, edge, range, layout; // which lay it out
-	StageId prepare, prepare_rare, pass[PASS_KINDS], hash;
-} KindInfo;
-extern const KindInfo kind_info[CONSTRAINT_KINDS];
-
-// slots in use of a kind
-int kind_items(const Counters* counters, int kind);
-
-extern const char* const stage_names[RUN_KINDS];
-extern const Box stage_boxes[STAGE_COUNT];
-extern const Width stage_widths[STAGE_COUNT];
-
-// Run.count of a member of Counters
-#define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
-#define NO_COUNT      (-1)
 
 typedef struct
 {
@@ -121,7 +23,7 @@ typedef struct
 #define READ_ASYNC_BYTES ((size_t)4096)
 _Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in halves");
 
-typedef struct // that OpenGL draws from; who asked for it keeps it
+typedef struct // memory that OpenGL draws from; the caller owns it
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
 	int file;          // SCREE_SHARING_MEMORY: descriptor, the device's own once it has taken it
@@ -157,14 +59,14 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*show)(Backend* b, const Run* run);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
-	// leaves a core to other work of this process, or takes it back, between two lists of runs. Null where nothing
-	// does.
+	// frees a core for other work of this process, or uses it again, between two lists of runs. Null where the backend
+	// uses no cores.
 	void (*spare)(Backend* b, bool core);
-	// two blocks of so many bytes beside the pools, to learn how fast the device copies; release allows that there are
-	// none
+	// allocates and releases two blocks of so many bytes beside the pools, to measure the speed of copies; release also
+	// works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
-	// copies one to the other so many times with all that the device has; waits
+	// copies one block to the other so many times with all cores or units of the device; waits
 	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
@@ -173,13 +75,13 @@ struct Backend
 	const BackendFunctions* f;
 	char name[160];          // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;      // 0 on OpenCL
-	int walkers;             // work-items over which the rest of a long walk is worth spreading, at least one
-	int walk_nodes;          // over leaves: a walk that visits more is long
-	bool distant;            // waiting for a read costs as much as many runs
-	scree_sharing sharing;   // what share takes; SCREE_SHARING_COPIED for nothing, and then share and show are null
+	int walkers;             // work-items among which the rest of a long walk is split, at least 1
+	int walk_nodes;          // nodes over leaves in a short walk; one that visits more is long
+	bool distant;            // a read takes as long as many runs
+	scree_sharing sharing;   // what share accepts; SCREE_SHARING_COPIED for nothing, then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	uint64_t bytes;          // memory of the pools
-	uint64_t memory;         // bytes that a device has for them; 0 where it is the host's
+	uint64_t memory;         // bytes of the device for them; 0 for the host's memory
 	void* state;             // the backend's own
 };
 

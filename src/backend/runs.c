@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // runs.c -- lists of runs: what a backend works through, one stage after the other.
 #include "backend/runs.h"
-#include "backend/backend.h"
+#include "backend/tables.h"
 #include "platform/error.h"
 
 scree_status runs_reserve(RunList* list, int capacity)

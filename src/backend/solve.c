@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // solve.c -- a whole solve as a list of runs: a run a color, in every pass.
 #include "backend/solve.h"
-#include "backend/backend.h"
+#include "backend/tables.h"
 #include "constraints/schedule.h"
 
 static int padded(int count) { return (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // tables.c -- what pools.def, stages.def and kinds.def list, as tables.
-#include "backend/backend.h"
+#include "backend/tables.h"
 #include "constraints/kinds.h"
 
 // clang-format off

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// devices.c -- which devices there are, and the one that a world runs on.
+// devices.c -- lists the devices, and opens one.
 #include "device/devices.h"
 #include "platform/error.h"
 #include <string.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// devices.h -- which devices there are, and the one that a world runs on.
+// devices.h -- lists the devices, and opens one.
 #ifndef DEVICES_H
 #define DEVICES_H
 #include "backend/backend.h"
@@ -10,7 +10,7 @@ int devices_list(scree_device* devices, int capacity);
 // Opens the device of a definition; "auto" means the CPU here.
 scree_status device_open(const scree_world_def* def, Backend** backend);
 
-// Opens a GPU that says that it keeps equal bits, if there is one.
+// Opens the first GPU that reports arithmetic with equal bits, if there is one.
 scree_status device_open_gpu(const scree_world_def* def, Backend** backend);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error.h -- the last error's sentence, the log, the allocator and assertions: all that goes through scree_hooks.
+// error.h -- the last error's sentence, and what goes through scree_hooks: the log, memory, assertions.
 #ifndef ERROR_H
 #define ERROR_H
 #include "scree/scree.h"
@@ -13,7 +13,7 @@
 // sets the sentence of scree_error on this thread and returns status
 scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 
-// returns from the function that it stands in, unless the status is SCREE_OK
+// returns the status from the enclosing function, unless it is SCREE_OK
 #define TRY(expression)                         \
 	do                                          \
 	{                                           \
@@ -34,7 +34,7 @@ void scree_release(void* memory); // null is allowed
 void assert_failed(const char* expression, const char* file, int line);
 #define ASSERT(x) ((x) ? (void)0 : assert_failed(#x, __FILE__, __LINE__))
 
-// counts worlds, so that hooks cannot change under one
+// counts worlds: hooks cannot change while one exists
 void worlds_add(int change);
 
 #endif

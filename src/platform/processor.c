@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// processor.c -- what there is to know about the processor, and the rounding mode of its floats.
+// processor.c -- cores, memory, clock and vector instructions of the processor, and its floating-point mode.
 #define _GNU_SOURCE // sched_getaffinity, clock_gettime; means nothing elsewhere
 #include "platform/processor.h"
 #include <float.h>
@@ -84,7 +84,7 @@ bool processor_has_lanes(int lanes)
 		return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
 		       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
 #else
-	// the compiler splits wider vectors into what there is
+	// the compiler splits wider vectors into those of the processor
 	case 8:
 	case 16:
 		return true;

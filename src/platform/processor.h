@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// processor.h -- what there is to know about the processor, and the rounding mode of its floats.
+// processor.h -- cores, memory, clock and vector instructions of the processor, and its floating-point mode.
 #ifndef PROCESSOR_H
 #define PROCESSOR_H
 #include <stdbool.h>
@@ -8,16 +8,16 @@
 int processor_cores(void);       // that this process may use, at least 1
 uint64_t processor_memory(void); // physical, bytes; 0 when unknown
 
-double processor_milliseconds(void); // of a clock that only goes forward
+double processor_milliseconds(void); // ms of a monotonic clock
 
 // Whether the processor runs the stages compiled for so many lanes.
 bool processor_has_lanes(int lanes);
 int processor_widest_lanes(void);
 const char* processor_instructions(int lanes); // "AVX2", the set that these lanes use
 
-// Scree's bits are those of rounding to nearest with denormals kept and no traps. Other libraries of the process may have
-// set this thread's mode, and a thread starts with its maker's: every worker enters the mode before it computes, and
-// gives back what it found.
+// Scree needs rounding to nearest, denormals and no traps for equal bits. Other libraries of the process may have set another
+// mode, and a thread inherits the mode of its creator. So every worker enters the mode before it computes, and restores the
+// old one afterwards.
 typedef uint64_t FloatMode;
 FloatMode float_mode_enter(void);
 void float_mode_leave(FloatMode found);

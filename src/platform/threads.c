@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // threads.c -- workers that run one function together, and a barrier between them.
 //
-// There is one barrier and nothing else: idle workers wait at it for the caller, who arrives last with a function in
-// hand; all meet again when the function has returned.
+// There is one barrier. Idle workers wait at it; threads_run sets the function and arrives as worker 0. All workers meet at it
+// again when the function has returned.
 //
-// Whoever waits spins first, since a step has hundreds of barriers of about a microsecond. The spin is short and then
-// the core is given away: on a machine with other work to do, the worker waited for may need this very core. Where that
-// turns out to be so time after time, the spin is cut to almost nothing, until workers have cores of their own again.
+// A waiting worker spins first, since a step has hundreds of barriers of about 1 us. After a short spin it yields its core: on
+// a busy machine the worker that it waits for may need this core. When yielding helps repeatedly, the spin is shortened, until
+// every worker has a core of its own again.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -16,11 +16,11 @@
 
 #define CACHE_LINE 64
 
-// Tries of a wait, each one pause instruction (20 to 50 ns): longer than a barrier between workers that all run, shorter
-// than the time slice that a spinning worker could steal from one that has work.
+// Pause instructions (20 to 50 ns each) in a spin: longer than a barrier between workers that all run, shorter than the time
+// slice that a spinning worker could take from one that has work.
 #define SPINS        1000
 #define FEWEST_SPINS 16
-// After these, tries that give the core away; then the worker sleeps, and is woken in some 50 us.
+// Yields after the spin. Then the worker sleeps; waking it takes about 50 us.
 #define YIELDS 20
 
 typedef struct
@@ -33,16 +33,16 @@ typedef struct
 struct Threads
 {
 	int workers, most_spins;
-	WorkerFunction* function; // null: go home
+	WorkerFunction* function; // null: the workers end
 	void* context;
-	Seat seats[MAX_WORKERS]; // 0 is the caller's
+	Seat seats[MAX_WORKERS]; // 0 belongs to the caller of threads_run
 	Mutex mutex;
 	Condition released;
 	_Alignas(CACHE_LINE) atomic_int arrived;     // at the barrier now
 	_Alignas(CACHE_LINE) atomic_uint generation; // barriers passed
-	_Alignas(CACHE_LINE) atomic_uint gathered;   // times that worker 0 was told that all had arrived
-	_Alignas(CACHE_LINE) atomic_int sleepers;    // on the condition, or about to be
-	_Alignas(CACHE_LINE) atomic_int spins;       // tries of the next wait; seldom written
+	_Alignas(CACHE_LINE) atomic_uint gathered;   // times that worker 0 passed the barrier first
+	_Alignas(CACHE_LINE) atomic_int sleepers;    // workers that wait on the condition, or will in a moment
+	_Alignas(CACHE_LINE) atomic_int spins;       // pause instructions in the next spin; rarely written
 };
 
 static void pause_core(void)
@@ -54,7 +54,7 @@ static void pause_core(void)
 #endif
 }
 
-// Workers that run at once are worth a longer spin, workers that take turns on one core a shorter one.
+// The spin becomes longer when workers run at the same time, and shorter when they share a core.
 static void adapt_spins(Threads* t, int spins, bool at_once)
 {
 	int next = at_once ? spins + spins / 4 + 1 : spins - spins / 4;
@@ -64,7 +64,7 @@ static void adapt_spins(Threads* t, int spins, bool at_once)
 		atomic_store_explicit(&t->spins, next, memory_order_relaxed);
 }
 
-// Waits until a count has gone on from what it was.
+// Waits until a count differs from was.
 static void wait_past(Threads* t, atomic_uint* count, unsigned was)
 {
 	int spins = atomic_load_explicit(&t->spins, memory_order_relaxed);
@@ -81,15 +81,15 @@ static void wait_past(Threads* t, atomic_uint* count, unsigned was)
 	{
 		if (atomic_load_explicit(count, memory_order_acquire) != was)
 		{
-			// the first gift was all that it took: it went to the worker waited for
+			// one yield was enough: the worker waited for needed this core
 			adapt_spins(t, spins, i != 1);
 			return;
 		}
 		give_core_away();
 	}
 
-	// Sequentially consistent on both sides: this worker counts itself, then looks at the count; the one that goes on
-	// changes the count, then looks for sleepers. One of them sees the other.
+	// Sequentially consistent on both sides: this worker adds itself to sleepers, then reads the count; the releasing
+	// worker changes the count, then reads sleepers. At least one sees the change of the other.
 	atomic_fetch_add(&t->sleepers, 1);
 	mutex_lock(&t->mutex);
 	while (atomic_load(count) == was)

@@ -19,13 +19,13 @@ int threads_workers(const Threads* t);
 // Runs function(context, worker, workers) on all workers at once and returns when all have returned.
 void threads_run(Threads* t, WorkerFunction* function, void* context);
 
-// The barrier, for use inside of threads_run. Worker 0 gets true when all have arrived, may do what must be done alone, and
-// calls threads_release; only then do the others get false. It is always the same one, for what is done alone has its
-// data in the caches of the core that did it the last time.
+// The barrier, for use inside threads_run. When all workers have arrived, it returns true for worker 0, which does serial work
+// and calls threads_release; then it returns false for the others. Serial work always falls to worker 0, whose core has the
+// data in its caches.
 bool threads_gather(Threads* t, int worker);
 void threads_release(Threads* t);
 
-// The barrier with nothing to do alone.
+// The barrier without serial work.
 void threads_barrier(Threads* t);
 
 #endif

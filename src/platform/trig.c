@@ -20,7 +20,7 @@ static uint64_t turn_fraction(float angle)
 	uint64_t mantissa = (bits & 0x7fffffu) | 0x800000u;
 	int shift = (int)(bits >> 23 & 0xff) - 150 + 32;
 
-	// three words of digits from the first that the mantissa does not lift above the point
+	// three words of digits, from the first one below the binary point after the multiplication by the mantissa
 	uint32_t digits[3];
 	for (int k = 0; k < 3; ++k)
 	{

@@ -65,7 +65,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 {
 	*bias = splat(0.0f);
 	*soft = splat(0.0f);
-	if (what == HUB_FRICTION && p->step.rare)
+	if (what == HUB_FRICTION && p->step.rolls)
 		*bias = load(&contact_rare(p, tangent_speed, i), 0);
 	if (what == HUB_FRICTION || what == HUB_ROLL)
 		return;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// crowd.h -- how many contacts a world may have, and where there are too many.
+// crowd.h -- the limit of contacts, and the error for a place with too many.
 #ifndef CROWD_H
 #define CROWD_H
-#include "step/pipeline.h"
+#include "step/state.h"
 
-// The most contacts that the world may have: its definition's, or the default.
+// The limit of contacts: that of the definition, or the default.
 int contact_limit(const StepRequest* request);
 
-// Fails with SCREE_ERROR_CROWDED and a sentence that names the place that most boxes share. The counters and the boxes of the
-// search that found too many pairs are still there.
+// Fails with SCREE_ERROR_CROWDED and a sentence that names the place where most boxes overlap. Called right after the search
+// that found too many pairs, while its counters and boxes are in the pools.
 scree_status crowd_fail(Pipeline* pipeline, const Step* step);
 
 #endif

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// detect.c -- the first half of a step: user's changes to colored contacts.
+// detect.c -- the first half of a step: from the changed bodies to colored contacts.
 //
 //     transform -> broad phase -> narrow phase -> color -> (one small read-back)
+#include "step/detect.h"
 #include "backend/solve.h"
 #include "platform/error.h"
 #include "step/crowd.h"
-#include "step/pipeline.h"
+#include "step/dispatch.h"
+#include "step/room.h"
 #include "step/tree.h"
 
 // coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
@@ -35,8 +37,8 @@ static void tree_order(RunList* list, const Tree* tree, int t, int count)
 	runs_add(list, STAGE_tree_order, 0, tree->leaves, count, t);
 }
 
-// Boxes that jumped would make the nodes above them so wide that the walks of this very step took longer than to put all
-// leaves in order: the device decides that, when it knows the boxes.
+// Boxes that jumped widen the nodes above them. When the walks of this step would take longer than ordering all leaves, the
+// leaves are put in order; the device decides, since it knows the boxes.
 static void tree_settle(RunList* list, const Tree* tree, int t)
 {
 	if (tree->leaves <= ARITY)
@@ -46,7 +48,7 @@ static void tree_settle(RunList* list, const Tree* tree, int t)
 	tree_order(list, tree, t, COUNT(order) + t);
 }
 
-// user's changes are in; world boxes follow the bodies; trees follow the boxes
+// computes world boxes from the bodies, and the trees from the boxes
 static scree_status transform(Pipeline* pipeline, const Step* step)
 {
 	RunList* list = &pipeline->list;
@@ -74,7 +76,7 @@ static scree_status transform(Pipeline* pipeline, const Step* step)
 			return status;
 		state->touched = true;
 	}
-	// what is static stays where it is, unless the user moved it
+	// the static tree changes only when the user moved something in it
 	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
 	if (pipeline->trees[1].touched)
 		tree_refit(list, &pipeline->trees[1].tree, 1, NO_COUNT);
@@ -102,7 +104,7 @@ static void narrow_phase(RunList* list, const Step* step)
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
 
-// bits that the colors of contacts are sorted by: with hubs, a name for each body more
+// bits of the sort key of contacts: the color, and with hubs also an index of a body
 static int color_bits(const Pipeline* pipeline, int bodies)
 {
 	int bits = COLOR_BITS;
@@ -151,7 +153,7 @@ static void color(RunList* list, const Backend* b, const Counters* c, int from, 
 // the search
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs what has been listed and reads the counters: the one time in a step that the host waits for the device.
+// Runs what has been listed and reads the counters: the only time in a step that the host waits for the device.
 static scree_status read_back(Pipeline* pipeline, const Step* step)
 {
 	TRY(pipeline_run(pipeline, step));
@@ -159,8 +161,8 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
 }
 
-// The same where the layout of the constraints will probably stay: the solve is listed before the host knows, bounded by
-// the counter that the device clears if it does not stay, and the counters come while it runs.
+// The same when the layout of the constraints will probably not change: the solve is started before the host knows, and the
+// counters are read while it runs. The device clears the counter that bounds the solve when the layout has changed.
 static scree_status solve_ahead(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -170,7 +172,7 @@ static scree_status solve_ahead(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// A search for pairs that cannot be brought to its end: the boxes are what they were before the step, and so is the world.
+// Ends a search for pairs that cannot be completed: restores the boxes, and with them the world, as before the step.
 static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, STAGE_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -187,7 +189,7 @@ static void step_places(Step* step, const Backend* b)
 		step->place_capacity[kind] = b->capacity[kind_info[kind].places];
 }
 
-// A buffer was too small for what was found: it grows.
+// Enlarges the pool that was too small for the pairs or contacts.
 static scree_status make_room(Pipeline* pipeline, Step* step)
 {
 	const Backend* b = pipeline->backend;
@@ -208,7 +210,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	const Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	RunList* list = &pipeline->list;
-	bool alone = step->dt == 0.0f || pipeline->mixed; // something else comes before the solve, or instead of it
+	bool alone = step->dt == 0.0f || pipeline->mixed; // other runs come before the solve, or replace it
 	bool ahead = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
@@ -227,8 +229,8 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	}
 }
 
-// Goes on where the layout of the constraints is not done: after a burst of new contacts that needs more rounds than were
-// run, the first hubs, or more constraints than there is room for. Counts the rounds.
+// Completes the layout of the constraints where the listed runs were not enough: after a burst of new contacts that needs more
+// coloring rounds, at the first hubs, or when the pools are too small for the constraints. Counts the rounds.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int* rounds)
 {
 	const Backend* b = pipeline->backend;
@@ -249,7 +251,7 @@ static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, in
 	return SCREE_OK;
 }
 
-// how many of the rounds that were run had anything left to do: the next step runs a few more than that
+// rounds that had contacts left to color; the next step runs SPARE_ROUNDS more
 static int needed_rounds(const Counters* c, int rounds)
 {
 	int needed = 0;

@@ -1,123 +1,28 @@
 // SPDX-License-Identifier: MIT
-// pipeline.h -- the step: what it is asked for, and what it keeps on the host from one step to the next.
+// pipeline.h -- the step, and what else is run on the device between steps.
 #ifndef PIPELINE_H
 #define PIPELINE_H
-#include "backend/backend.h"
-#include "backend/runs.h"
-
-typedef struct // host side of one tree of the broad phase; tree.c
-{
-	Tree tree, sent; // as it is, and as the device has it
-	int* added;      // collidables to append to the leaves in the next step
-	int added_count, added_capacity;
-	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
-	double strayed;   // nodes visited in vain since then because of boxes that jumped
-	int churned;      // steps in a row in which boxes jumped so far that the leaves were put in order
-	bool ordered;     // the step at work puts the leaves in order because boxes will have jumped
-	bool touched;     // some box of this tree changed by the user's doing
-	int* left; // collidables that were destroyed or went to the other tree since the leaves were last put in order
-	int left_count, left_capacity;
-	bool shrunk; // there are more of these than left has
-} TreeState;
-
-typedef struct // that a step applies, a group of commands each: before it, after it, or instead of that where it was refused
-{
-	const Command *begin, *end, *undo;
-	const int* groups; // and the end
-	int count;
-} StepCommands;
-
-typedef struct // what a step is asked for
-{
-	float dt; // s; 0 for a step that finds contacts and moves nothing
-	int substeps;
-	scree_vec gravity;
-	scree_tuning tuning;
-	int bodies, collidables; // slots in use
-	int contact_limit;       // 0 for the default
-	StepCommands commands;
-	bool timings;
-	bool details; // contacts tell what they did in the step
-} StepRequest;
-
-typedef struct
-{
-	Backend* backend;
-	Counters counters;  // as read back in the last step
-	TreeState trees[2]; // what moves; what is static
-	uint8_t* member;    // of each collidable slot; tree.c
-	int member_capacity;
-	RunList list;
-	Step step;                    // constants of the last step: kernels that need none keep those
-	int used[PER_COUNT];          // most items that a kind of pool needed since idle was 0
-	int first_contacts;           // slots of contacts that the pools begin with
-	int idle;                     // steps since pools were last looked at for room to give back
-	int sparse;                   // steps with few contacts for their slots
-	bool jumps;                   // the user placed or made something since the last step: boxes may jump
-	bool mixed;                   // some collidable got another attribute of its shape since the last step
-	bool begun;                   // the step at work has changed something on the device
-	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
-	bool bounces;                 // some attribute has restitution
-	bool round;                   // some attribute has a radius
-	float guard_way, guard_reach; // as in Step: bounds of all bodies that there ever were
-	bool split;                   // the spokes of the layout know into how many parts their light ends are split
-	int rounds;                   // coloring rounds that the last step needed
-	int64_t steps;
-	int grown;               // times that a pool grew
-	double milliseconds;     // of the last step, by the wall clock
-	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
-	scree_traffic traffic;   // of the last step
-} Pipeline;
+#include "step/state.h"
 
 // Gives the pools of a backend their first sizes: room for so many bodies and contacts, 0 for the default. The backend stays
 // the caller's.
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts);
 void pipeline_close(Pipeline* pipeline);
 
-// The pools are on another device now.
+// The pools were moved to another device.
 void pipeline_move(Pipeline* pipeline, Backend* backend);
 
-// One step. The user's changes are on the device. On failure begun says whether the world broke off in the middle.
+// One step. The user's changes are on the device. On failure Pipeline.begun tells whether the step had changed the device.
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request);
 
 // The hash of all simulated state, of so many slots.
 scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
 
-// Brings the pool shown up to date for so many slots of collidables; where it is shared, in the memory that OpenGL draws from.
+// Updates the pool render_row for so many slots of collidables; with shared, in the memory that OpenGL draws from.
 scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared);
 
-// Puts the touching contacts of a body together in the pool listed, and says how many there are. The user's changes are on the
+// Collects the touching contacts of a body in the pool listed, and sets *count to their number. The user's changes are on the
 // device.
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count);
-
-// ---------------------------------------------------------------------------------------------------------------
-// room.c
-// ---------------------------------------------------------------------------------------------------------------
-
-// Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
-// room for at least capacity items; grows by half at least.
-scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
-
-// After a step: gives back the room of pools that have long been much too large.
-void pipeline_trim(Pipeline* pipeline);
-
-// Counts the step; whether contacts have long been few for the slots that they are spread over.
-bool pipeline_sparse(Pipeline* pipeline);
-
-// ---------------------------------------------------------------------------------------------------------------
-// for the files of the step
-// ---------------------------------------------------------------------------------------------------------------
-
-// Runs what has been listed, and empties the list.
-scree_status pipeline_run(Pipeline* pipeline, const Step* step);
-
-// The solve and what follows it. bound is a counter that is 0 when the layout of the constraints is not that of the counters
-// that the host knows, or NO_COUNT.
-scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
-
-// detect.c: boxes to colored contacts. Sets *solved when the rest of the step has been run as well. most is the longest list
-// that it makes.
-#define DETECT_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128)
-scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* request, bool* solved);
 
 #endif

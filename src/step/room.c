@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: MIT
-// room.c -- how much room the pools have: made when a stage found too little, given back when most of it was long idle.
+// room.c -- capacities of the pools: they grow when a stage needs more, and shrink after long disuse.
+#include "step/room.h"
 #include "backend/solve.h"
 #include "platform/error.h"
 #include "step/tree.h"
-#include <math.h>
 
-// Room is given back when for so many steps, 2 s of a game, never more than an eighth of it was used; twice what was used
-// stays. So a burst that comes again within that time finds its room, and a pool that has shrunk must fill up fourfold
-// before it grows to what it was.
+// A pool shrinks to twice its use when for IDLE_STEPS steps, 2 s at 60 Hz, at most an eighth of it was used. So a burst that
+// repeats within that time needs no growth, and use must grow at least fourfold before the pool is as large as before.
 #define IDLE_STEPS 120
 #define IDLE_SHARE 4 // of capacity, against twice the use
 
-// Contacts are moved together when for so many steps fewer than a quarter of the slots were in use: each step looks at
-// all slots, and a pool cannot shrink below the last one. It changes the names of contacts, and so bits: it may depend on
-// nothing but counts that are the same on every device. Small worlds, where nothing is to be won, keep their slots.
+// Contacts are packed when for SPARSE_STEPS steps fewer than a quarter of the slots were in use: each step visits all slots,
+// and a pool cannot shrink below the last contact. Packing changes the indices of contacts and so the bits of the world: it may
+// depend only on counts that are equal on every device. Worlds of few slots are not packed: they would gain nothing.
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096
 
-#define LEAST_ROOM 64
-
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_ROOM - 1) / LEAST_ROOM * LEAST_ROOM; }
 
-// every color may need padding
+// constraints for so many contacts: every color may need padding
 static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -94,27 +91,12 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	return status;
 }
 
-scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
-{
-	pipeline->backend = backend;
-	pipeline->guard_way = INFINITY;
-	pipeline->first_contacts = contacts > 0 ? contacts + 1 : 512;
-	TRY(pipeline_reserve(pipeline, ONE, 1));
-	TRY(pipeline_reserve(pipeline, HASH, HASH_SUMS));
-	TRY(pipeline_reserve(pipeline, TREE, 2));
-	TRY(pipeline_reserve(pipeline, ATTRIBUTE, 16));
-	TRY(pipeline_reserve(pipeline, BODY, bodies > 0 ? bodies + 1 : 256));
-	TRY(pipeline_reserve(pipeline, COLLIDABLE, bodies > 0 ? bodies : 256));
-	TRY(pipeline_reserve(pipeline, CONTACT, pipeline->first_contacts));
-	return pipeline_reserve(pipeline, COMMAND, LEAST_ROOM);
-}
-
 // ---------------------------------------------------------------------------------------------------------------
-// giving back
+// shrinking
 // ---------------------------------------------------------------------------------------------------------------
 
-// Gives a kind of pool as much room as twice its use, if that is much less than it has. Whether it has done so: what has
-// no memory to become smaller stays as large as it is, and no harm is done.
+// Shrinks a kind of pool to twice its use, if that is much less than its capacity. Returns whether it shrank: when there is no
+// memory for the smaller copy, the pool keeps its size.
 static bool shrink(Pipeline* pipeline, Per per, int least)
 {
 	Backend* b = pipeline->backend;

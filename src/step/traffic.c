@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // traffic.c -- the bytes that the solve stage moves, counted by its algorithm.
 //
-// What counts is what a pass asks for, whoever serves it: a component of a constraint once for being
-// read and once for being written, each body of a constraint once a pass for both, a row of a body once in each pass over
-// bodies. So it depends neither on the device nor on the size of its caches. Padding, counters and the sorting and summing
-// of spokes are left out. A body that cannot move counts as written, which it is not.
+// Bytes are counted as the passes request them, from a cache or from memory: a component of a constraint once when it is read
+// and once when it is written, each body of a constraint once per pass for both, a row of a body once in each pass over
+// bodies. So the count depends neither on the device nor on its caches. It leaves out padding, counters, and the sorting and
+// summing of spokes. A static body counts as written, though it is not.
 #include "step/traffic.h"
 #include "constraints/kinds.h"
 #include <stddef.h>
 
-// bytes of a row of one constraint, and of its two bodies' names
+// bytes of one row of a constraint, and of the indices of its two bodies
 #define ROW_BYTES  sizeof(float)
 #define ENDS_BYTES (2 * sizeof(int))
 
-// of a row of the pool body what a constraint, or the start of a step, writes
+// bytes of a row of the pool body that a constraint, or the start of a step, writes
 #define VELOCITY     (offsetof(BodyState, dx))
 #define DISPLACEMENT (offsetof(BodyState, inv_inertia) - offsetof(BodyState, dx))
 
@@ -22,7 +22,7 @@ typedef struct // of one constraint in a step
 	size_t rows, bodies;
 } Bytes;
 
-// What a pass reads and writes of a row that its gate lets through.
+// Bytes that a pass reads and writes of a row whose gate is open.
 #define COUNT_ROW(name, gate, life, inert, read, written) \
 	bytes += on.gate ? (((read) >> pass & 1) + ((written) >> pass & 1)) * ROW_BYTES : 0;
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                      \

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// tree.c -- the host's share of the broad phase's trees: which leaves there are, and when to put them in order.
+// tree.c -- the host's part of the broad phase's trees: their leaves, and when they are put in order.
 #include "step/tree.h"
 #include "platform/error.h"
 #include <string.h>
 
-// Whether boxes jump so far that the leaves must be put in order, the device says, which looks at all of them. Where it said
-// so, they are put in order in the next steps without a look; one step of so many asks again.
+// The device looks at all boxes and decides whether they jump so far that the leaves must be put in order. After such a
+// decision the next steps order the leaves without that look; one step in CHURN_STEPS looks again.
 #define CHURN_STEPS 4
 
-// so many collidables that left before they are looked at, they are fetched
+// a member is prefetched so many collidables before it is read
 #define LEFT_SOON 24
 
 // Pipeline.member: a leaf lies in tree t; the collidable is there and belongs to tree t
@@ -28,7 +28,7 @@ int tree_nodes(int leaves)
 	return nodes + ARITY; // the root, behind the highest level
 }
 
-// where the tree lies in the pools, and its levels; the device is told what changed
+// computes where the tree lies in the pools, and its levels; uploads them if they changed
 static scree_status tree_layout(Pipeline* pipeline, int t)
 {
 	Backend* b = pipeline->backend;
@@ -111,7 +111,7 @@ void tree_leave(Pipeline* pipeline, int t, int collidable)
 	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
-		// a look at all slots costs no more than at as many that left
+		// a list as long as member is not faster than a look at all slots
 		int capacity = 2 * state->left_capacity + 64;
 		int* left = capacity <= pipeline->member_capacity
 		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
@@ -149,8 +149,8 @@ scree_status tree_upload(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-// The leaves are put in order when walks have visited as many nodes in vain as that costs: about ORDER_VISITS a leaf, or
-// looking up every box once. So no step pays more than twice what it must, whatever moves.
+// The leaves are put in order when walks have visited as many nodes in vain as ordering costs: about ORDER_VISITS per leaf, or
+// one visit of every box. So the cost stays within twice the minimum.
 //
 // A box changes when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of
 // every box a walk visits about 2 c nodes more, which add up to c * c a leaf. That is four changes of every box where

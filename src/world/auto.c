@@ -1,52 +1,54 @@
 // SPDX-License-Identifier: MIT
-// auto.c -- device "auto": a world begins on the CPU, and goes where its steps take less time.
+// auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time.
 //
-// A small world must not pay for what only a large one gains from. So the GPU is opened when it may win back its
-// opening within the steps to come, by a thread while the world goes on; and a trial on the other device, there and
-// perhaps back again, is made when the world has worked for so long that the trial is a small part of it.
+// The GPU is opened when the time that it may save within the next steps exceeds the time of opening it. A thread opens it
+// while the world keeps stepping. A trial on the other device is made when its cost is a small part of the time that the
+// world has worked so far.
 //
-// None of this changes a bit of the world, since both devices leave the same; so the clock may decide.
+// Both devices give the same bits, so measured times may decide.
 #include "world/auto.h"
 #include "device/devices.h"
 #include "platform/error.h"
 #include "platform/processor.h"
+#include "world/failure.h"
 #include "world/migrate.h"
+#include "world/open_async.h"
 #include "world/world.h"
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-// A world is believed to take so many steps more, or as many as it has taken.
+// Steps that a world is assumed to have ahead: so many, or as many as it has taken.
 #define HORIZON 500
 
-// What a GPU needs for a step at least, ms: on an H200 0.13 for 10,000 boxes in pyramids, and hardly less for fewer.
+// Least time of a step on a GPU, ms: an H200 takes 0.13 for 10,000 boxes in pyramids, and hardly less for fewer.
 #define LEAST_STEP 0.15
 
-// A step of the CPU before any has been measured: ms a body and thread. Less than any scene takes, so that only worlds
-// which are large beyond doubt have the GPU opened before their first step. (Pyramids on 16 threads: 5e-4.)
+// Time of a step on the CPU before one is measured: ms per body and thread. It is less than any scene takes, so that only
+// very large worlds open the GPU before their first step. (Pyramids on 16 threads: 5e-4.)
 #define BODY_STEP 4e-4
 
-// AsyncOpen a GPU before it has been measured, ms: an H200 with its program in the cache, 215 to 235 with nothing beside
-// it. How long it really took replaces this for the worlds to come.
+// Time to open a GPU before it is measured, ms: 215 to 235 for an H200 with its program in the cache on an idle machine. The
+// measured time replaces it for later worlds.
 #define OPENING 230
 
-// Copying a world, bytes a ms: slower than any bus of a GPU that is worth it.
+// Speed of copying a world, bytes per ms: less than that of the bus of any fast GPU.
 #define MOVE_SPEED 4e6
 
-// Steps of a trial; the first, which finds caches cold, is not counted. A trial ends early when it has taken the time
-// of so many steps of the device before.
+// Steps of a trial; the first is not counted, since its caches are cold. A trial ends early when it has taken the time
+// of TRIAL_LIMIT steps of the other device.
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
-// The next trial waits until the world has worked for so many times as long as the last took: fewer when the world
-// has changed in favor of the other device. Twice as many after every trial in vain.
+// The next trial waits until the world has worked PATIENCE times as long as the last trial took, or LIKELY_PATIENCE times
+// when the other device is predicted to take less than LIKELY of the time. The wait doubles after every failed trial.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
-#define LIKELY          0.8 // of the time now
+#define LIKELY          0.8 // of the present time of a step
 #define MOST_FAILURES   10
 
-// AsyncOpen again in this process is believed to take as long as it took last.
+// Expected time to open a GPU, ms: that of the last time in this process.
 static atomic_int async_open_milliseconds = OPENING;
 
 double auto_clock(void) { return processor_milliseconds(); }
@@ -69,21 +71,21 @@ static void meter_note(Meter* m, double milliseconds)
 	++m->count;
 }
 
-static int compare(const void* a, const void* b)
+static int compare_times(const void* a, const void* b)
 {
 	double x = *(const double*)a, y = *(const double*)b;
 	return (x > y) - (x < y);
 }
 
-// The step of rank share, from 0 to 1, among the last ones, by their times: single steps tell of the machine's other
-// work. The first since the world came counts only when it is the only one.
+// The time at quantile share, from 0 to 1, of the last steps: single steps are disturbed by other work of the machine. The
+// first step after a move counts only when it is the only one.
 static double meter_step(const Meter* m, double share)
 {
 	double sorted[RECENT_STEPS];
 	int count = m->count < RECENT_STEPS ? m->count : RECENT_STEPS;
 	int first = m->count <= RECENT_STEPS && count > 1;
 	memcpy(sorted, m->recent + first, sizeof(double) * (size_t)(count - first));
-	qsort(sorted, (size_t)(count - first), sizeof *sorted, compare);
+	qsort(sorted, (size_t)(count - first), sizeof *sorted, compare_times);
 	return sorted[(int)(share * (double)(count - first - 1))];
 }
 
@@ -92,13 +94,13 @@ static double meter_step(const Meter* m, double share)
 
 static Meter* meter_of(scree_world* world, const Backend* b) { return &world->auto_device.meters[b->distant]; }
 
-// A step of a device that has not been measured: less than it will take.
+// A lower bound of the time of a step on a device that has not been measured, ms.
 static double least_step(const scree_world* world, const Backend* b)
 {
 	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
 }
 
-// What a step would take on the other device. A CPU's time follows the work, a GPU's hardly does.
+// The expected time of a step on the other device, ms. A CPU's time is proportional to the work, a GPU's hardly depends on it.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;
@@ -162,7 +164,7 @@ static bool trial_pays(scree_world* world)
 	const Meter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
-	// three times the world, so that it may grow there: a step that runs out of memory cannot be undone
+	// room for three times the world, since it may grow there: a step that runs out of memory cannot be undone
 	if (there->memory > 0 && 3 * here->bytes > there->memory)
 		return false;
 	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);
@@ -174,7 +176,7 @@ static bool trial_pays(scree_world* world)
 	return a->spent > patience * a->cost * (double)(1 << (another ? 0 : a->failures));
 }
 
-// The world goes to the other device. Whether it could.
+// Moves the world to the other device. Returns whether that succeeded.
 static bool change_over(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
@@ -233,12 +235,12 @@ static bool trial_is_over(scree_world* world)
 // for the world
 // ---------------------------------------------------------------------------------------------------------------
 
-void auto_open(scree_world* world)
+void auto_open(scree_world* world, CompareDevice* compare)
 {
 	AutoDevice* a = &world->auto_device;
 	if (a->on)
 		return;
-	*a = (AutoDevice){.on = true};
+	*a = (AutoDevice){.on = true, .compare = compare};
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
@@ -276,7 +278,7 @@ scree_status auto_choose(scree_world* world)
 
 	if (!a->other && !a->opening && (a->named[0] || opening_pays(world)))
 	{
-		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL);
+		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL, a->compare);
 		a->alone = !a->opening;
 		spare_core(world, !a->alone);
 	}

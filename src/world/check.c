@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check.c -- checks of what users pass, and their sentences.
+// check.c -- checks of arguments, and the sentences of their errors.
 #include "world/check.h"
 #include "pools/pools.h"
 #include <math.h>
@@ -118,4 +118,19 @@ scree_status check_device(Where at, const char* member, const char* device)
 	    SCREE_ERROR_INVALID, at, member,
 	    "is \"%.64s\", must be \"auto\", \"cpu\", \"opencl\" or \"opencl:NAME\" with a part of a device's name",
 	    device);
+}
+
+scree_status check_type(Where at, const char* member, scree_body_type type)
+{
+	if ((unsigned)type <= SCREE_BODY_DYNAMIC)
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, which is no scree_body_type", (int)type);
+}
+
+scree_status check_locks(Where at, const char* member, uint32_t locks)
+{
+	if (locks <= (SCREE_LOCK_X | SCREE_LOCK_Y | SCREE_LOCK_ROTATION))
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member,
+	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
 }

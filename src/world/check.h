@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check.h -- checks of what users pass: each returns a status and has set a sentence that names the place and the value.
+// check.h -- checks of arguments: each returns a status, and on failure sets a sentence with the argument and its value.
 #ifndef CHECK_H
 #define CHECK_H
 #include "platform/error.h"
@@ -8,11 +8,11 @@
 
 #define ALONE (-1)
 
-typedef struct // where a value stands, as its user wrote it
+typedef struct // the place of a value in a call
 {
 	const char* function;
 	const char* argument;
-	int index; // in the batch; ALONE when the argument is no array
+	int index; // in the batch; ALONE when the argument is not an array
 } Where;
 
 // The shortest decimal number that reads back as a float, for sentences.
@@ -25,26 +25,28 @@ Decimal decimal(float x);
 // "function: argument[index]member SENTENCE"; member is "" or begins with a dot.
 scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...) FORMAT(4, 5);
 
-// A number that is finite and from low to high; FLT_MAX stands for no bound.
+// A finite number from low to high; -FLT_MAX and FLT_MAX stand for no bound.
 scree_status check_real(Where at, const char* member, float x, float low, float high);
 
 // Both components from -limit to limit.
 scree_status check_vec(Where at, const char* member, scree_vec v, float limit);
 
-// A position within SCREE_HUGE and a rotation of length 1 up to 0.0005, of which rounding is then taken out. One that is
-// 1 to within a few units of the last place stays as it is, so that what was read can be set again.
+// A position within SCREE_HUGE, and a rotation whose length is 1 to within 0.0005, which is then normalized. A length that is
+// 1 to within a few units of the last place is left alone, so that a pose that was read can be set again unchanged.
 scree_status check_pose(Where at, const char* member, scree_pose* pose);
 
-// One of the forms of scree_world_def.device?
+// A device name in one of the forms of scree_world_def.device.
 scree_status check_device(Where at, const char* member, const char* device);
 
+scree_status check_type(Where at, const char* member, scree_body_type type);
+scree_status check_locks(Where at, const char* member, uint32_t locks);
 scree_status check_velocity(Where at, const char* member, scree_velocity velocity);
 scree_status check_pointer(const char* function, const char* argument, const void* pointer);
 
-// 0 <= count <= MAX_ITEMS, and an array where there is something in it.
+// 0 <= count <= MAX_ITEMS, and an array that is not null unless count is 0.
 scree_status check_batch(const char* function, const char* argument, const void* array, int count);
 
-// What the functions that list things take: an array of capacity entries, and where their number goes.
+// The arguments of a function that fills a list: an array of capacity entries, and the address of the count.
 scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count);
 
 #endif

@@ -7,7 +7,7 @@
 // the end of a member, in bytes from the start of its struct
 #define END_OF(type, member) (uint32_t)(offsetof(type, member) + sizeof((type*)0)->member)
 
-// no definition is larger: a size beyond it was never set
+// no definition is larger: a size above it means that the member was never set
 #define MOST_BYTES 4096
 
 const DefinitionType world_definition = {sizeof(scree_world_def), END_OF(scree_world_def, contact_limit),

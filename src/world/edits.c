@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// edits.c -- what the user changed, kept until the device is told.
+// edits.c -- records what the user changes until the next upload.
 #include "world/edits.h"
+#include "platform/error.h"
+#include "world/memory.h"
 #include "world/world.h"
 
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands)
@@ -12,12 +14,12 @@ scree_status edits_reserve(scree_world* world, const char* function, int bodies,
 	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables);
 }
 
-void edits_close(Edits* pending)
+void edits_close(Edits* edits)
 {
-	scree_release(pending->bodies);
-	scree_release(pending->collidables);
-	scree_release(pending->commands);
-	scree_release(pending->attributes);
+	scree_release(edits->bodies);
+	scree_release(edits->collidables);
+	scree_release(edits->commands);
+	scree_release(edits->attributes);
 }
 
 void edits_body(scree_world* world, BodyRow row)

@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: MIT
-// geometry.h -- shapes: what makes one sound, and what follows from its corners and radius.
+// geometry.h -- shapes: their checks, normals, mass and reach, from corners and radius.
 #ifndef GEOMETRY_H
 #define GEOMETRY_H
 #include "world/check.h"
 
 #define SMALLEST_SIZE 0.001f // m
-#define WELD_DISTANCE 0.005f // m: corners closer than this are one
-#define FLAT_DISTANCE 0.0005 // m: a corner less far from the line between its neighbors is none
-#define HULL_POINTS   64     // most that scree_shape_make_hull takes
+#define WELD_DISTANCE 0.005f // m: corners closer than this coincide
+#define FLAT_DISTANCE 0.0005 // m: a corner closer than this to the line between its neighbors is dropped or refused
 
-// Takes kind, count, radius and vertices of a shape that was made before, checks them and fills in everything else; the
-// rest of the shape becomes zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon,
-// so that a shape which has been turned and shifted stays sound.
+// Checks a shape of which kind, count, radius and vertices are given, and computes everything else; members beyond count
+// become zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon, so that a shape
+// which has been rotated and moved stays valid.
 scree_status shape_finish(Where at, scree_shape* shape);
 
-// The convex hull of 3 to 64 points, counter-clockwise, as indices into points; returns the number of corners, which is
-// under 3 when the points lie on a line.
-int hull_corners(const scree_vec* points, int count, int* corners);
+// The same without checks. A clockwise polygon is reversed.
+void shape_fill(scree_shape* shape);
+
+// Refuses corners that are not those of a convex polygon of either orientation. Corners closer than weld coincide; a corner
+// closer than flat to the line between its neighbors lies on it. Both in m.
+scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count, double weld,
+                           double flat);
+
+// Refuses coordinates that are not finite or beyond SCREE_HUGE.
+scree_status check_points(const char* function, const char* argument, const scree_vec* v, int count);
 
 static inline double vec_cross_from(scree_vec origin, scree_vec a, scree_vec b)
 {

@@ -2,6 +2,7 @@
 // hull.c -- the convex hull of a few points.
 //
 // This work is based on: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996, in the plane.
+#include "world/hull.h"
 #include "world/geometry.h"
 #include <math.h>
 

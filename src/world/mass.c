@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // mass.c -- the mass of a body, from its collidables.
+#include "world/mass.h"
+#include "world/attributes.h"
+#include "world/edits.h"
 #include "world/geometry.h"
-#include "world/world.h"
 #include <math.h>
-
-// least and most that may be set: inverses, and their products with squares of arms, stay finite
-#define LEAST_MASS    1e-15f // kg
-#define LEAST_INERTIA 1e-20f // kg m^2
-#define MOST_MASS     1e30f  // kg, and kg m^2
 
 static scree_mass massless(scree_body_type type)
 {
@@ -20,7 +17,7 @@ scree_mass mass_of_body(const scree_world* world, int body)
 	if (host->type != SCREE_BODY_DYNAMIC)
 		return massless(host->type);
 
-	// first the common center, then the inertia about it: Huygens-Steiner
+	// first the common center, then the inertia about it by the parallel axis theorem
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
@@ -63,7 +60,7 @@ Guarded body_guarded(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// guard adds components of the arm: at most 1.4143 times its length; a little more for rounding
+		// guard adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float x = collidable->pose.position.x - host->mass.center.x,
 		      y = collidable->pose.position.y - host->mass.center.y;
@@ -99,50 +96,19 @@ void mass_set(scree_world* world, int body, scree_mass mass)
 	edits_whole(world, guarded_command(world, body));
 }
 
-scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
+void masses_update(scree_world* world, const int* bodies, int count)
 {
-	const char* function = "scree_body_get_mass";
-	TRY(check_pointer(function, "world", world));
-	TRY(check_pointer(function, "mass", mass));
-	int index = 0;
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
-	*mass = world->host_bodies[index].mass;
-	return SCREE_OK;
-}
-
-// body and mass say where the two stand in the call.
-static scree_status check_mass(const scree_world* world, Where body, Where mass, scree_body handle, scree_mass value)
-{
-	int index = 0;
-	TRY(check_body(world, body, "", handle, &index));
-	if (world->host_bodies[index].type != SCREE_BODY_DYNAMIC)
-		return refuse(SCREE_ERROR_INVALID, body, "", "is not dynamic: it has no mass");
-	TRY(check_real(mass, ".mass", value.mass, LEAST_MASS, MOST_MASS));
-	if (value.inertia != 0.0f)
-		TRY(check_real(mass, ".inertia (when it is not 0)", value.inertia, LEAST_INERTIA, MOST_MASS));
-	return check_vec(mass, ".center", value.center, SCREE_HUGE);
-}
-
-scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
-{
-	const char* function = "scree_body_set_mass";
-	TRY(world_check(world, function));
-	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
-	TRY(edits_reserve(world, function, 0, 0, 2));
-	mass_set(world, (int)body.index, mass);
-	return SCREE_OK;
-}
-
-scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
-{
-	const char* function = "scree_bodies_set_masses";
-	TRY(world_check(world, function));
-	TRY(check_batch(function, "bodies", bodies, count));
-	TRY(check_batch(function, "masses", masses, count));
 	for (int k = 0; k < count; ++k)
-		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
-	TRY(edits_reserve(world, function, 0, 0, 2 * count));
+	{
+		if (bodies[k] >= 0)
+			world->host_bodies[bodies[k]].marked = true;
+	}
 	for (int k = 0; k < count; ++k)
-		mass_set(world, (int)bodies[k].index, masses[k]);
-	return SCREE_OK;
+	{
+		if (bodies[k] < 0 || !world->host_bodies[bodies[k]].marked)
+			continue;
+		world->host_bodies[bodies[k]].marked = false;
+		if (world->host_bodies[bodies[k]].type == SCREE_BODY_DYNAMIC)
+			mass_set(world, bodies[k], mass_of_body(world, bodies[k]));
+	}
 }

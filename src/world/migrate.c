@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// migrate.c -- a world from one device to another, between two steps.
+// migrate.c -- moves a world from one device to another, between two steps.
 //
-// What the host knows of a world does not depend on the device, but for where the trees lie; and the device holds
-// nothing but the pools. So a move is the pools that outlive a step, copied item by item.
+// The host's data of a world does not depend on the device, except for the places of the trees. The device holds only the
+// pools. So a move copies the pools that outlive a step.
 #include "world/migrate.h"
+#include "platform/error.h"
+#include "world/failure.h"
+#include "world/share.h"
 #include "world/world.h"
 #include <stdio.h>
 #include <string.h>
 
-#define BOUNCE_BYTES ((size_t)4 << 20) // between two devices of which neither's memory is the host's
+#define BOUNCE_BYTES ((size_t)4 << 20) // when the host can address the pools of neither device
 
 static int smaller(int a, int b) { return a < b ? a : b; }
 
-// How many items of a kind outlive a step. What is pending has no room on the device yet.
+// How many items of a kind outlive a step. Slots that wait for an upload may lie beyond the capacity.
 static int lasting_items(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -42,7 +45,7 @@ static int lasting_items(const scree_world* world, Per per)
 	}
 }
 
-typedef struct // a copy at work
+typedef struct // a move in progress
 {
 	scree_world* world;
 	Backend* to;
@@ -97,7 +100,7 @@ static scree_status copy_all(Move* m)
 		TRY(copy(m, POOL_leaf, t * from->capacity[COLLIDABLE], t * to->capacity[COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
-	// a backend takes note of the counters that it gives out; and what was written late fails by now
+	// the backend stores the counters that it returns; the read also waits for the writes, so their failures show here
 	Counters counters;
 	return to->f->read(to, POOL_counters, 0, 1, &counters);
 }
@@ -109,7 +112,7 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_release(m.bounce);
 	if (status != SCREE_OK)
 		return status;
-	scree_world_unshare(world); // what another device has is no use to this one
+	world_unshare(world); // another device cannot use that memory
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
 	pipeline_move(&world->pipeline, to);

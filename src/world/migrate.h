@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// migrate.h -- a world from one device to another, between two steps.
+// migrate.h -- moves a world from one device to another, between two steps.
 #ifndef MOVE_H
 #define MOVE_H
 #include "backend/backend.h"
 
-// Copies all that world->backend holds to another device, which may have held a world before, and makes that one
-// world->backend. The old one stays open and is the caller's. On failure the world is where it was; it is broken only
-// if the device that it was on has failed.
+// Copies the pools of world->backend to another device, which may have held a world before, and sets world->backend to it.
+// The old device stays open and belongs to the caller. On failure the world stays on the old device; it is broken only if
+// that device has failed.
 scree_status world_move(scree_world* world, Backend* to);
 
 #endif

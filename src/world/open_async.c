@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
-// open_async.c -- a device opened by a thread of its own, and its bits compared with the CPU's.
-//
-// What a driver says of its arithmetic has been wrong before. So a small world is stepped on the device and on the CPU:
-// shapes of all kinds that fall, bounce, slide and roll. Products that are contracted, divisions that are rounded
-// otherwise and denormals that are flushed all show in its hash.
+// open_async.c -- opens a device on a thread of its own, and compares its bits with the CPU's.
 #include "world/open_async.h"
 #include "device/devices.h"
+#include "platform/error.h"
 #include "platform/processor.h"
 #include "platform/system.h"
-#include "world/world.h"
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
-
-#define SIDE  7  // the sample has this many bodies squared
-#define STEPS 32 // of it: the lowest bodies have landed
 
 struct AsyncOpen
 {
 	Thread thread;
 	scree_world_def def;
 	char name[160]; // of the device, empty for any GPU
+	CompareDevice* compare;
 	Backend* backend;
 	scree_status status;
 	char sentence[1024];
@@ -28,104 +22,11 @@ struct AsyncOpen
 	atomic_bool done;
 };
 
-static scree_status sample_attributes(scree_world* world, scree_attribute attributes[4])
-{
-	const scree_vec corners[3] = {{-0.4f, -0.3f}, {0.45f, -0.3f}, {0.0f, 0.4f}};
-	scree_shape shapes[4];
-	TRY(scree_shape_make_box(0.4f, 0.3f, &shapes[0]));
-	TRY(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.35f, &shapes[1]));
-	TRY(scree_shape_make_capsule((scree_vec){-0.2f, 0.0f}, (scree_vec){0.2f, 0.05f}, 0.2f, &shapes[2]));
-	TRY(scree_shape_make_polygon(corners, 3, 0.05f, &shapes[3]));
-	for (int k = 0; k < 4; ++k)
-	{
-		scree_attribute_def def = scree_attribute_def_default();
-		def.shape = shapes[k];
-		def.restitution = k == 1 ? 0.4f : 0.0f;
-		def.rolling_resistance = k == 1 ? 0.1f : 0.0f;
-		TRY(scree_attribute_create(world, &def, &attributes[k]));
-	}
-	return SCREE_OK;
-}
-
-static scree_status sample_bodies(scree_world* world)
-{
-	scree_attribute attributes[4];
-	scree_attribute_def slab = scree_attribute_def_default();
-	scree_body_def defs[SIDE * SIDE + 1];
-	TRY(sample_attributes(world, attributes));
-	TRY(scree_shape_make_box(12.0f, 0.5f, &slab.shape));
-	for (int k = 0; k <= SIDE * SIDE; ++k)
-	{
-		defs[k] = scree_body_def_default();
-		defs[k].attribute = attributes[k % 4];
-		defs[k].pose.position = (scree_vec){0.83f * (float)(k % SIDE) - 2.5f, 0.97f * (float)(k / SIDE) + 0.9f};
-		defs[k].pose.rotation = scree_rot_make(0.37f * (float)k);
-		defs[k].velocity.linear = (scree_vec){0.3f * (float)(k % 3), -4.0f};
-	}
-	scree_body_def* floor = &defs[SIDE * SIDE];
-	floor->type = SCREE_BODY_STATIC;
-	floor->pose = (scree_pose){{0.0f, -0.5f}, scree_rot_make(0.1f)};
-	TRY(scree_attribute_create(world, &slab, &floor->attribute));
-	return scree_bodies_create(world, defs, SIDE * SIDE + 1, NULL);
-}
-
-static scree_status sample_hash(scree_world* world, uint64_t* hash)
-{
-	TRY(sample_bodies(world));
-	for (int k = 0; k < STEPS; ++k)
-		TRY(scree_world_step(world, 1.0f / 60.0f, 4));
-	return scree_world_get_hash(world, hash);
-}
-
-// Makes a device that has held a world as good as new.
-static scree_status clear(Backend* b)
-{
-	size_t most = 0;
-	for (int pool = 0; pool < POOL_COUNT; ++pool)
-	{
-		size_t bytes = pool_info[pool].bytes * (size_t)b->capacity[pool_info[pool].per];
-		most = bytes > most ? bytes : most;
-	}
-	void* zeros = scree_allocate(most);
-	if (!zeros)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to clear a device");
-	scree_status status = SCREE_OK;
-	for (int pool = 0; pool < POOL_COUNT && status == SCREE_OK; ++pool)
-		status = b->f->write(b, (PoolId)pool, 0, b->capacity[pool_info[pool].per], zeros);
-	if (status == SCREE_OK)
-		status = b->f->wait(b);
-	scree_release(zeros);
-	return status;
-}
-
-static scree_status compare_bits(Backend* b)
-{
-	scree_world_def def = scree_world_def_default();
-	def.device = "cpu";
-	def.threads = 1;
-	scree_world *here, *there;
-	uint64_t expected, hash;
-	TRY(scree_world_create(&def, &here));
-	scree_status status = sample_hash(here, &expected);
-	scree_world_destroy(here);
-	TRY(status);
-
-	TRY(world_create(&def, b, &there));
-	status = sample_hash(there, &hash);
-	there->backend = NULL; // stays open
-	scree_world_destroy(there);
-	TRY(status);
-	if (hash != expected)
-		return fail(SCREE_ERROR_NO_DEVICE, "a small world has the hash %016llx on %s and %016llx on the CPU",
-		            (unsigned long long)hash, b->name, (unsigned long long)expected);
-	return clear(b);
-}
-
 static scree_status open_and_compare(AsyncOpen* o)
 {
 	TRY(o->name[0] ? device_open(&o->def, &o->backend) : device_open_gpu(&o->def, &o->backend));
 	o->milliseconds = processor_milliseconds() - o->begin;
-	scree_status status = compare_bits(o->backend);
+	scree_status status = o->compare(o->backend);
 	if (status == SCREE_OK)
 		return SCREE_OK;
 	o->backend->f->close(o->backend);
@@ -143,12 +44,13 @@ static THREAD_RESULT async_open_main(void* argument)
 	return THREAD_END;
 }
 
-AsyncOpen* async_open_begin(const scree_world_def* def, const char* device)
+AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare)
 {
 	AsyncOpen* o = scree_allocate(sizeof *o);
 	if (!o)
 		return NULL;
 	o->def = *def;
+	o->compare = compare;
 	snprintf(o->name, sizeof o->name, "%s", device ? device : "");
 	o->def.device = o->name;
 	o->def.allow_unequal_bits = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// slots.h -- slots with generations: what handles name. The lowest free slot is taken first.
+// slots.h -- slots with generations, to which handles refer. The lowest free slot is taken first.
 #ifndef SLOTS_H
 #define SLOTS_H
 #include <stdbool.h>

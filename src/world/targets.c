@@ -1,60 +1,26 @@
 // SPDX-License-Identifier: MIT
-// targets.c -- where kinematic bodies are to be at the end of the next step: set by the user, kept, sent with the step.
+// targets.c -- poses of kinematic bodies at the end of the next step: kept on the host, sent with the step.
 #include "world/targets.h"
+#include "platform/error.h"
+#include "world/edits.h"
+#include "world/memory.h"
 #include "world/world.h"
 
-static scree_status check_target(const scree_world* world, Where body, Where value, scree_body handle, scree_pose* pose)
+scree_status targets_reserve(scree_world* world, const char* function, int more)
 {
-	static const char* const types[] = {"static", "kinematic", "dynamic"};
-	int index = 0;
-	TRY(check_body(world, body, "", handle, &index));
-	scree_body_type type = world->host_bodies[index].type;
-	if (type != SCREE_BODY_KINEMATIC)
-		return refuse(SCREE_ERROR_INVALID, body, "", "is %s: only a kinematic body has a target", types[type]);
-	return check_pose(value, "", pose);
+	TRY(GROW(function, world->targets, world->target_capacity, world->target_count + more));
+	return edits_reserve(world, function, 0, 0, more);
 }
 
-static scree_status set(scree_world* world, Where body, Where value, const scree_body* bodies, const scree_pose* poses,
-                        int count)
+void target_put(scree_world* world, int body, scree_pose pose)
 {
-	const char* function = body.function;
-	bool alone = body.index == ALONE;
-	TRY(world_check(world, function));
-	TRY(check_batch(function, body.argument, bodies, count));
-	TRY(check_batch(function, value.argument, poses, count));
-	for (int k = 0; k < count; ++k)
+	HostBody* host = world->host_bodies + body;
+	if (host->target == 0)
 	{
-		scree_pose pose = poses[k];
-		body.index = value.index = alone ? ALONE : k;
-		TRY(check_target(world, body, value, bodies[k], &pose));
+		host->target = ++world->target_count;
+		edits_command(world, COMMAND_VELOCITY, body, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	}
-	TRY(GROW(function, world->targets, world->target_capacity, world->target_count + count));
-	TRY(edits_reserve(world, function, 0, 0, count));
-	for (int k = 0; k < count; ++k)
-	{
-		Target target = {(int)bodies[k].index, poses[k]};
-		check_pose(value, "", &target.pose); // takes rounding out
-		HostBody* host = world->host_bodies + target.body;
-		if (host->target == 0)
-		{
-			host->target = ++world->target_count;
-			edits_command(world, COMMAND_VELOCITY, target.body, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
-		}
-		world->targets[host->target - 1] = target;
-	}
-	return SCREE_OK;
-}
-
-scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
-{
-	const char* function = "scree_bodies_set_targets";
-	return set(world, (Where){function, "bodies", 0}, (Where){function, "poses", 0}, bodies, poses, count);
-}
-
-scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose)
-{
-	const char* function = "scree_body_set_target";
-	return set(world, (Where){function, "body", ALONE}, (Where){function, "pose", ALONE}, &body, &pose, 1);
+	world->targets[host->target - 1] = (Target){body, pose};
 }
 
 // The last target takes the place of this one.

@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
-// targets.h -- poses at which kinematic bodies are to be at the end of the next step that takes time.
-//
-// The speed that takes a body there depends on that step, so a target waits on the host until then.
+// targets.h -- poses of kinematic bodies at the end of the next step that takes time.
 #ifndef TARGETS_H
 #define TARGETS_H
 #include "scree/scree.h"
-#include "step/pipeline.h"
+#include "step/state.h"
 
-typedef struct
-{
-	int body;
-	scree_pose pose; // of the origin
-} Target;
+// The velocity that takes a body to its target depends on dt, so the host keeps targets until the step.
 
-// Forgets the target of a body, if it has one.
+// Room for so many more, after which target_put cannot fail.
+scree_status targets_reserve(scree_world* world, const char* function, int more);
+
+// Sets the target of a kinematic body: the pose of its origin.
+void target_put(scree_world* world, int body, scree_pose pose);
+
+// Removes the target of a body, if it has one.
 void target_drop(scree_world* world, int body);
 
-// What a step does to bodies with targets: before it they get the velocity that takes them there, after it they are there and
-// stand still; where it was refused they stand still and have their targets. Those that are disabled keep theirs for later. The
-// commands are valid until the world's scratch memory is asked for again.
+// The commands of a step for bodies with targets. Before the step they set the velocity that takes the body to its target;
+// after it they set the exact pose and velocity 0. When the step is refused, velocities become 0 and targets stay. Disabled
+// bodies keep their targets. The commands lie in world_scratch.
 scree_status targets_commands(scree_world* world, StepCommands* commands);
-// The step was taken.
+
+// Removes the targets of enabled bodies after a step.
 void targets_arrived(scree_world* world);
 
 #endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// collidable_setting.c -- what the user reads and sets of one collidable: attribute, pose, filter, user word.
+#include "step/tree.h"
+#include "world/collidables.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/mass.h"
+#include <string.h>
+
+static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,
+                           const char* argument, const void* out, HostCollidable** host)
+{
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	*host = world->host_collidables + index;
+	return check_pointer(function, argument, out);
+}
+
+scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_body", collidable, "body", body, &host));
+	*body = host->body < 0 ? (scree_body){0} : body_handle(world, host->body);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
+                                            scree_attribute* attribute)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_attribute", collidable, "attribute", attribute, &host));
+	*attribute = attribute_handle(world, host->attribute);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
+{
+	const char* function = "scree_collidable_set_attribute";
+	TRY(world_check(world, function));
+	int index = 0, now = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &now));
+	HostCollidable* host = world->host_collidables + index;
+	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
+	if (host->attribute == now)
+		return SCREE_OK;
+	TRY(edits_reserve(world, function, 0, 1, 1));
+
+	// shapes of attributes are canonical: equal values, equal bytes
+	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
+	int kind = collidable_kind(world, index);
+	if (!same && kind != KIND_DEAD)
+		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	--world->host_attributes[host->attribute].collidables;
+	++world->host_attributes[now].collidables;
+	host->attribute = now;
+	if (same)
+	{
+		edits_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
+		world->pipeline.mixed = true;
+	}
+	else
+	{
+		host->born = world->pipeline.steps;
+		edits_collidable(world, index);
+	}
+	if ((!same || heavier) && host->body >= 0)
+		masses_update(world, &host->body, 1);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_local_pose", collidable, "pose", pose, &host));
+	*pose = host->pose;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_filter", collidable, "filter", filter, &host));
+	*filter = host->filter;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_user", collidable, "user", user, &host));
+	*user = host->user;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_set_user", collidable, "user", &user, &host));
+	host->user = user;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter)
+{
+	const char* function = "scree_collidable_set_filter";
+	TRY(world_check(world, function));
+	int index = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(edits_reserve(world, function, 0, 1, 0));
+	// its leaf exists already; the call marks the tree, since the box changes
+	int kind = collidable_kind(world, index);
+	if (kind != KIND_DEAD)
+		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	world->host_collidables[index].filter = filter;
+	edits_collidable(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
+                                         const scree_pose* poses, int count)
+{
+	const char* function = "scree_collidables_set_poses";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "collidables", collidables, count));
+	TRY(check_batch(function, "poses", poses, count));
+	for (int k = 0; k < count; ++k)
+	{
+		int index = 0;
+		scree_pose pose = poses[k];
+		TRY(check_collidable(world, (Where){function, "collidables", k}, collidables[k], &index));
+		if (world->host_collidables[index].body >= 0)
+			return refuse(SCREE_ERROR_INVALID, (Where){function, "collidables", k}, "", "belongs to a body: move that");
+		TRY(check_pose((Where){function, "poses", k}, "", &pose));
+	}
+	TRY(edits_reserve(world, function, 0, 0, count));
+	for (int k = 0; k < count; ++k)
+	{
+		int index = (int)collidables[k].index - 1;
+		scree_pose pose = poses[k];
+		check_pose((Where){function, "poses", k}, "", &pose);
+		world->host_collidables[index].pose = pose;
+		Float4 value = make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+		edits_command(world, COMMAND_PLACE, index, value, 0);
+	}
+	return SCREE_OK;
+}

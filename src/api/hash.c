@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// hash.c -- the hash of a world: the device's sum and what only the host knows.
+#include "dialect/hash_word.h"
+#include "world/auto.h"
+#include "world/check.h"
+#include "world/failure.h"
+#include "world/upload.h"
+#include "world/world.h"
+
+static Word64 hash_pose(Word64 h, scree_pose pose)
+{
+	return hash_float4(h, make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s));
+}
+
+// The device does not hash the collidables of a disabled body, nor its gravity scale.
+static Word64 hash_disabled(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	Word64 sum = hash_float(hash_word(hash_begin(5, body), (Word)host->type), host->gravity_scale);
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* c = world->host_collidables + k;
+		Word64 h = hash_pose(hash_word(hash_word(hash_begin(6, k), (Word)body), (Word)c->attribute), c->pose);
+		h = hash_word(hash_word(h, (Word)c->filter.category), (Word)(c->filter.category >> 32));
+		h = hash_word(hash_word(h, (Word)c->filter.mask), (Word)(c->filter.mask >> 32));
+		sum += hash_word(h, (Word)c->filter.group);
+	}
+	return sum;
+}
+
+// The hash of the targets and the disabled bodies, which only the host knows.
+static uint64_t hidden_hash(const scree_world* world)
+{
+	Word64 sum = 0;
+	for (int k = 0; k < world->target_count; ++k)
+		sum += hash_pose(hash_begin(4, world->targets[k].body), world->targets[k].pose);
+	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
+		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
+			sum += hash_disabled(world, k);
+	return sum;
+}
+
+scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
+{
+	const char* function = "scree_world_get_hash";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "hash", hash));
+	TRY(world_upload(world));
+	double begin = auto_clock();
+	scree_status status = pipeline_hash(&world->pipeline, world->bodies.used, world->collidables.used, hash);
+	if (status == SCREE_OK)
+		*hash += hidden_hash(world);
+	auto_count(world, begin);
+	return world_note(world, status);
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// tables.h -- what pools.def, stages.def and kinds.def list, as enumerators and tables.
+#ifndef TABLES_H
+#define TABLES_H
+#include "constraints/schedule.h"
+#include "pools/pools.h"
+#include <stddef.h>
+
+typedef enum // what a pool has an item for
+{
+	ATTRIBUTE,
+	COLLIDABLE,
+	BODY,
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	KIND, KIND##_PLACE, KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	EDGE,        // of any kind
+	SPOKE,       // contact of a hub
+	SPOKE_BLOCK, // of MAX_LANES of them
+	RENDER_ROW,  // collidable, as a renderer sees it
+	LISTED,      // contact of a body that the user asks for
+	TREE,
+	LEAF,
+	NODE,
+	KEY,
+	COMMAND,
+	HASH,
+	ONE,
+	PER_COUNT
+} Per;
+
+typedef enum
+{
+#define X(type, name, per, role) POOL_##name,
+#include "pools/pools.def"
+#undef X
+	POOL_COUNT
+} PoolId;
+
+typedef enum
+{
+#define X(name, width, box) STAGE_##name,
+#include "stages/stages.def"
+#undef X
+	STAGE_COUNT,
+	// Not stages: each backend has its own implementation, with equal results. SORT: sorts items 0 to end of
+	// pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
+	PRIMITIVE_SORT = STAGE_COUNT,
+	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
+	PRIMITIVE_SCAN,
+	RUN_KINDS
+} StageId;
+
+typedef enum // how many lanes process an item of a stage
+{
+	WIDTH_ONE,
+	WIDTH_WIDE,  // one call processes as many items as there are lanes
+	WIDTH_GROUP, // a worker, or a group of work-items; its lanes share the item
+} Width;
+
+typedef enum // the boxes of the figure
+{
+	BOX_transform,
+	BOX_broad_phase,
+	BOX_narrow_phase,
+	BOX_color,
+	BOX_solve,
+	BOX_finalize,
+	BOX_COUNT
+} Box;
+
+typedef enum // lifetime of the items of a pool
+{
+	STATE,   // kept from step to step, copied to another device
+	DERIVED, // kept from step to step, computed from the state on another device
+	SCRATCH, // written before it is read in every step; undefined between steps
+} Role;
+
+typedef struct // of pools.def, in order
+{
+	const char* name;
+	size_t bytes; // an item
+	Per per;
+	Role role;
+} PoolInfo;
+extern const PoolInfo pool_info[POOL_COUNT];
+
+typedef struct // of a kind of constraint
+{
+	Per items, places, blocks;
+	StageId key, edge, range, layout; // which lay it out
+	StageId prepare, prepare_rare, pass[PASS_KINDS], hash;
+} KindInfo;
+extern const KindInfo kind_info[CONSTRAINT_KINDS];
+
+// slots in use of a kind
+int kind_items(const Counters* counters, int kind);
+
+extern const char* const stage_names[RUN_KINDS];
+extern const Box stage_boxes[STAGE_COUNT];
+extern const Width stage_widths[STAGE_COUNT];
+
+// Run.count of a member of Counters
+#define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
+#define NO_COUNT      (-1)
+
+#endif

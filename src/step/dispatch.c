@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// dispatch.c -- passes lists of runs and the solve to the backend.
+#include "step/dispatch.h"
+#include "backend/solve.h"
+#include "platform/error.h"
+#include "step/room.h"
+
+scree_status pipeline_run(Pipeline* pipeline, const Step* step)
+{
+	Backend* b = pipeline->backend;
+	pipeline->begun = true;
+	scree_status status = b->f->run(b, step, pipeline->list.runs, pipeline->list.count);
+	pipeline->list.count = 0;
+	return status;
+}
+
+scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
+{
+	int spokes = layout_spokes(&pipeline->counters), body_bits = 1;
+	TRY(pipeline_reserve(pipeline, KEY, spokes));
+	TRY(pipeline_reserve(pipeline, SPOKE, spokes));
+	TRY(pipeline_reserve(pipeline, SPOKE_BLOCK, spokes / MAX_LANES));
+	while (body_bits < 31 && 1u << body_bits <= (uint32_t)bodies)
+		++body_bits;
+
+	// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
+	RunList* list = &pipeline->list;
+	runs_add(list, STAGE_hub_key, 0, spokes, NO_COUNT, 0);
+	runs_add_sort(list, spokes, NO_COUNT, pipeline->counters.hubs > 1 ? HUB_KEY_TURN : 32, 32 + body_bits);
+	runs_add(list, STAGE_hub_order, 0, spokes, NO_COUNT, spokes);
+	pipeline->split = true;
+	return pipeline_run(pipeline, step);
+}
+
+scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
+{
+	Backend* b = pipeline->backend;
+	const Counters* c = &pipeline->counters;
+	if (c->hubs > 0 && !pipeline->split)
+		TRY(pipeline_split(pipeline, step, request->bodies));
+	Solve solve = {.bodies = request->bodies,
+	               .collidables = request->collidables,
+	               .substeps = request->substeps,
+	               .rare = step->rare,
+	               .bounces = step->bounces,
+	               .counters = c,
+	               .bound = bound};
+	pipeline->begun = true;
+	return b->f->solve(b, step, &solve, &pipeline->list);
+}

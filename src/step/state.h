@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// state.h -- what a step is asked for, and what the host keeps from one step to the next.
+#ifndef STEP_STATE_H
+#define STEP_STATE_H
+#include "backend/backend.h"
+#include "backend/runs.h"
+
+typedef struct // host side of one tree of the broad phase; tree.c
+{
+	Tree tree, sent; // as it is, and as the device has it
+	int* added;      // collidables to append to the leaves in the next step
+	int added_count, added_capacity;
+	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
+	double strayed;   // nodes visited in vain since then because of boxes that jumped
+	int churned;      // steps in a row in which boxes jumped so far that the leaves were put in order
+	bool ordered;     // the current step orders the leaves because boxes will have jumped
+	bool touched;     // the user changed some box of this tree
+	int* left; // collidables that were destroyed or went to the other tree since the leaves were last put in order
+	int left_count, left_capacity;
+	bool shrunk; // left is incomplete: it had no room for more
+} TreeState;
+
+typedef struct // commands of a step, one group each: applied before it, after it, or when it was refused
+{
+	const Command *begin, *end, *undo;
+	const int* groups; // and the end
+	int count;
+} StepCommands;
+
+typedef struct // what a step is asked for
+{
+	float dt; // s; 0 for a step that finds contacts and moves nothing
+	int substeps;
+	scree_vec gravity;
+	scree_tuning tuning;
+	int bodies, collidables; // slots in use
+	int contact_limit;       // 0 for the default
+	StepCommands commands;
+	bool timings;
+	bool details; // contacts tell what they did in the step
+} StepRequest;
+
+typedef struct
+{
+	Backend* backend;
+	Counters counters;  // as read back in the last step
+	TreeState trees[2]; // what moves; what is static
+	uint8_t* member;    // of each collidable slot; tree.c
+	int member_capacity;
+	RunList list;
+	Step step;                    // constants of the last step: kernels that need none keep those
+	int used[PER_COUNT];          // most items that a kind of pool needed since idle was 0
+	int first_contacts;           // slots of contacts that the pools begin with
+	int idle;                     // steps since pools were last looked at for room to give back
+	int sparse;                   // steps with few contacts for their slots
+	bool jumps;                   // the user placed or created something since the last step: boxes may jump
+	bool mixed;                   // some collidable got another attribute of its shape since the last step
+	bool begun;                   // the current step has changed something on the device
+	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
+	bool bounces;                 // some attribute has restitution
+	bool round;                   // some attribute has a radius
+	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
+	bool split;                   // the light ends of the spokes have been split for this layout
+	int rounds;                   // coloring rounds that the last step needed
+	int64_t steps;
+	int grown;               // times that a pool grew
+	double milliseconds;     // of the last step, by the wall clock
+	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
+	scree_traffic traffic;   // of the last step
+} Pipeline;
+
+#endif

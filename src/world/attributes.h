@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// attributes.h -- the table of attributes: equal values share a slot.
+#ifndef ATTRIBUTES_H
+#define ATTRIBUTES_H
+#include "pools/pools.h"
+#include "scree/scree.h"
+
+// The slot of the attribute with these values, which is made when there is none; adds one claim. def is canonical: equal
+// values have equal bytes.
+scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index);
+
+// Removes one claim; the last one frees the slot. No collidable has the attribute then.
+void attribute_disclaim(scree_world* world, int index);
+
+// The rows of an attribute in the pools attribute and thickness.
+void attribute_item(const scree_world* world, int index, Attribute* item);
+float attribute_thickness(const scree_world* world, int index); // m
+
+#endif

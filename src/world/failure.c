@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// failure.c -- the sticky error of a world.
+#include "world/failure.h"
+#include "world/check.h"
+#include "world/world.h"
+
+scree_status world_check(const scree_world* world, const char* function)
+{
+	TRY(check_pointer(function, "world", world));
+	if (world->broken)
+		return fail(world->broken, "%s: %s; the world can only be destroyed", function,
+		            world->broken == SCREE_ERROR_DEVICE_FAILED ? "the device of this world has failed"
+		                                                       : "a step of this world broke off for want of memory");
+	return SCREE_OK;
+}
+
+scree_status world_note(scree_world* world, scree_status status)
+{
+	if (status == SCREE_ERROR_DEVICE_FAILED)
+		world->broken = status;
+	return status;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// handles.c -- handles to slots and back.
+#include "world/handles.h"
+#include "world/world.h"
+
+scree_body body_handle(const scree_world* world, int index)
+{
+	return (scree_body){(uint32_t)index, world->bodies.generation[index]};
+}
+
+bool body_is_valid(const scree_world* world, scree_body body)
+{
+	return body.index < (uint32_t)world->bodies.used && body.generation & 1 &&
+	       world->bodies.generation[body.index] == body.generation;
+}
+
+scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
+{
+	if (scree_body_is_null(body))
+		return refuse(SCREE_ERROR_STALE, at, member, "is null");
+	if (!body_is_valid(world, body))
+		return refuse(SCREE_ERROR_STALE, at, member,
+		              "(index %u, generation %u) was destroyed, or is none of this world's bodies", body.index,
+		              body.generation);
+	*index = (int)body.index;
+	return SCREE_OK;
+}
+
+// The generation already keeps the handle of item 0 from being null. Indices begin at 1 so that a body's handle taken for a
+// collidable's is noticed more easily.
+scree_collidable collidable_handle(const scree_world* world, int index)
+{
+	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
+}
+
+bool collidable_is_valid(const scree_world* world, scree_collidable collidable)
+{
+	return collidable.index >= 1 && collidable.index <= (uint32_t)world->collidables.used &&
+	       collidable.generation & 1 && world->collidables.generation[collidable.index - 1] == collidable.generation;
+}
+
+scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index)
+{
+	if (scree_collidable_is_null(collidable))
+		return refuse(SCREE_ERROR_STALE, at, "", "is null");
+	if (!collidable_is_valid(world, collidable))
+		return refuse(SCREE_ERROR_STALE, at, "",
+		              "(index %u, generation %u) was destroyed, or is none of this world's collidables",
+		              collidable.index, collidable.generation);
+	*index = (int)collidable.index - 1;
+	return SCREE_OK;
+}
+
+// The generation of the first attribute in a slot is its name: a handle of another world is accepted only when its values
+// are the same. A later attribute in the slot has another generation, even with the same values.
+static uint32_t generation_of(const scree_world* world, int index)
+{
+	uint32_t before = world->attribute_slots.generation[index] >> 1;
+	uint32_t generation = world->host_attributes[index].name ^ before * 0x9e3779b9u;
+	return generation ? generation : 1;
+}
+
+scree_attribute attribute_handle(const scree_world* world, int index)
+{
+	return (scree_attribute){(uint32_t)index, generation_of(world, index)};
+}
+
+bool attribute_is_valid(const scree_world* world, scree_attribute attribute)
+{
+	return attribute.index < (uint32_t)world->attribute_slots.used &&
+	       slots_in_use(&world->attribute_slots, (int)attribute.index) &&
+	       generation_of(world, (int)attribute.index) == attribute.generation;
+}
+
+scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
+                             int* index)
+{
+	if (scree_attribute_is_null(attribute))
+		return refuse(SCREE_ERROR_STALE, at, member, "is null");
+	if (!attribute_is_valid(world, attribute))
+		return refuse(SCREE_ERROR_STALE, at, member, "(index %u) is no attribute of this world", attribute.index);
+	*index = (int)attribute.index;
+	return SCREE_OK;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// handles.h -- handles to slots and back.
+#ifndef HANDLES_H
+#define HANDLES_H
+#include "world/check.h"
+
+// The handle of a slot that is in use.
+scree_body body_handle(const scree_world* world, int index);
+scree_collidable collidable_handle(const scree_world* world, int index);
+scree_attribute attribute_handle(const scree_world* world, int index);
+
+bool body_is_valid(const scree_world* world, scree_body body);
+bool collidable_is_valid(const scree_world* world, scree_collidable collidable);
+bool attribute_is_valid(const scree_world* world, scree_attribute attribute);
+
+// The slot of a handle. Fails with SCREE_ERROR_STALE for a null or invalid handle; the sentence names its place in the call.
+scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index);
+scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index);
+scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
+                             int* index);
+
+#endif

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// hull.h -- the convex hull of a few points.
+#ifndef HULL_H
+#define HULL_H
+#include "scree/scree.h"
+
+#define HULL_POINTS 64 // most points that scree_shape_make_hull takes
+
+// The convex hull of 3 to 64 points, counter-clockwise, as indices into points. Returns the number of corners, which is
+// under 3 when the points lie on a line.
+int hull_corners(const scree_vec* points, int count, int* corners);
+
+#endif

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// read.c -- reads pools from the device.
+#include "world/read.h"
+#include "world/auto.h"
+#include "world/failure.h"
+#include "world/world.h"
+
+scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items)
+{
+	Backend* b = world->backend;
+	double begin = auto_clock();
+	scree_status status = b->f->read(b, pool, first, count, items);
+	auto_count(world, begin);
+	return world_note(world, status);
+}

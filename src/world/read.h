@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// read.h -- reads pools from the device.
+#ifndef READ_H
+#define READ_H
+#include "backend/backend.h"
+
+// Reads items of a pool for the user, and counts the time for device "auto".
+scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items);
+
+#endif

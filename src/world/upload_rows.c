@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// upload_rows.c -- writes long runs of rows, pool by pool.
+#include "world/upload_rows.h"
+#include "platform/error.h"
+#include "world/attributes.h"
+#include "world/collidables.h"
+#include "world/edit_order.h"
+#include "world/geometry.h"
+#include "world/mass.h"
+#include <stdlib.h>
+
+static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pose_low, POOL_motion,
+                                    POOL_local_center, POOL_color_mask, POOL_guarded,  POOL_kept};
+
+static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
+{
+	scree_vec center = pose_point(row->pose, row->center);
+	// a disabled body has velocity 0; its own velocity is in the pool kept
+	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
+	switch (pool)
+	{
+	case POOL_body:
+		*(BodyState*)item = (BodyState){.vx = now.linear.x,
+		                                .vy = now.linear.y,
+		                                .w = now.angular,
+		                                .inv_mass = row->inv_mass,
+		                                .inv_inertia = row->inv_inertia};
+		break;
+	case POOL_pose:
+		*(Float4*)item = make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
+		break;
+	case POOL_motion:
+		*(Motion*)item = (Motion){.gravity_scale = row->disabled ? 0.0f : row->gravity_scale,
+		                          .linear_damping = row->linear_damping,
+		                          .angular_damping = row->angular_damping,
+		                          .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
+		                          .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
+		break;
+	case POOL_local_center:
+		*(Float2*)item = make_float2(row->center.x, row->center.y);
+		break;
+	case POOL_guarded:
+		*(Guarded*)item = body_guarded(world, row->index);
+		break;
+	case POOL_kept:
+		*(Float4*)item = make_float4(v.linear.x, v.linear.y, v.angular, 1.0f);
+		if (!row->disabled)
+			*(Float4*)item = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		break;
+	default:
+		*(Word64*)item = 0;
+	}
+}
+
+// the kind is first: of a dead collidable only the kind is written
+static const PoolId collidable_pools[] = {
+    POOL_collidable_kind, POOL_collidable_attribute,
+    POOL_collidable_body, POOL_collidable_pose,
+    POOL_filter,          POOL_box,
+    POOL_old_box,         POOL_moved,
+    POOL_next_collidable,
+};
+
+static void collidable_item(const scree_world* world, PoolId pool, int index, void* item)
+{
+	const HostCollidable* host = world->host_collidables + index;
+	switch (pool)
+	{
+	case POOL_collidable_pose:
+		*(Float4*)item = pose_row(host->pose);
+		break;
+	case POOL_collidable_attribute:
+		*(int*)item = host->attribute;
+		break;
+	case POOL_collidable_body:
+		*(int*)item = host->body;
+		break;
+	case POOL_next_collidable:
+		*(int*)item = host->next + 1;
+		break;
+	case POOL_collidable_kind:
+		*(int*)item = collidable_kind(world, index);
+		break;
+	case POOL_filter:
+		*(Filter*)item = filter_row(host->filter);
+		break;
+	case POOL_box:
+	case POOL_old_box:
+		*(Float4*)item = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
+		break;
+	default:
+		*(int*)item = 0;
+	}
+}
+
+static bool some_have_kept(const scree_world* world, int begin, int end)
+{
+	bool some = false;
+	for (int k = begin; k < end && !some; ++k)
+		some = row_has_kept(world, world->edits.bodies + k);
+	return some;
+}
+
+scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
+{
+	Backend* b = world->backend;
+	const BodyRow* rows = world->edits.bodies;
+	for (size_t p = 0; p < sizeof body_pools / sizeof *body_pools; ++p)
+	{
+		PoolId pool = body_pools[p];
+		if (pool == POOL_kept && !some_have_kept(world, begin, end))
+			continue;
+		for (int k = begin; k < end; ++k)
+			body_item(world, pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
+		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
+	}
+	return SCREE_OK;
+}
+
+scree_status upload_collidables(scree_world* world, int begin, int end, char* stage)
+{
+	Backend* b = world->backend;
+	const CollidableRow* rows = world->edits.collidables;
+	size_t pools = edit_is_dead(world, begin) ? 1 : sizeof collidable_pools / sizeof *collidable_pools;
+	for (size_t p = 0; p < pools; ++p)
+	{
+		PoolId pool = collidable_pools[p];
+		for (int k = begin; k < end; ++k)
+			collidable_item(world, pool, rows[k].index, stage + (size_t)(k - begin) * pool_info[pool].bytes);
+		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
+	}
+	return SCREE_OK;
+}
+
+static scree_status write_attributes(scree_world* world, int first, int count, char* stage)
+{
+	Backend* b = world->backend;
+	for (int k = 0; k < count; ++k)
+		attribute_item(world, first + k, (Attribute*)stage + k);
+	TRY(b->f->write(b, POOL_attribute, first, count, stage));
+	for (int k = 0; k < count; ++k)
+		((float*)stage)[k] = attribute_thickness(world, first + k);
+	return b->f->write(b, POOL_thickness, first, count, stage);
+}
+
+static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
+
+scree_status upload_attributes(scree_world* world, char* stage)
+{
+	Edits* p = &world->edits;
+	if (p->attribute_count > 1)
+		qsort(p->attributes, (size_t)p->attribute_count, sizeof *p->attributes, compare_slots);
+	for (int k = 0, end; k < p->attribute_count; k = end)
+	{
+		for (end = k + 1; end < p->attribute_count && p->attributes[end] == p->attributes[end - 1] + 1;)
+			++end;
+		TRY(write_attributes(world, p->attributes[k], end - k, stage));
+		int rows = p->attributes[end - 1] + 1;
+		p->attribute_rows = rows > p->attribute_rows ? rows : p->attribute_rows;
+	}
+	return SCREE_OK;
+}
