@@ -2,7 +2,13 @@
 // contacts.c -- the contacts and overlaps of the last step, back from the device.
 #include "constraints/kinds.h"
 #include "constraints/rolling.h"
+#include "world/attributes.h"
 #include "world/definition.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/memory.h"
+#include "world/read.h"
+#include "world/upload.h"
 #include "world/world.h"
 
 typedef struct // the pools of contacts, and where their collidables were

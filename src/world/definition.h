@@ -5,13 +5,7 @@
 // fills a result takes the size as an argument.
 #ifndef DEFINITION_H
 #define DEFINITION_H
-#include "world/attributes.h" // these, but for check.h, are for src/api/contacts.c, which includes only this header and world.h
 #include "world/check.h"
-#include "world/failure.h"
-#include "world/handles.h"
-#include "world/memory.h"
-#include "world/read.h"
-#include "world/upload.h"
 
 typedef struct // of one type of definition
 {

@@ -5,7 +5,6 @@
 #include "backend/backend.h"
 #include "platform/error.h"
 #include "step/pipeline.h"
-#include "world/attributes.h" // for reference/import.c, which includes only this header
 #include "world/auto_device.h"
 #include "world/edit_lists.h"
 #include "world/slots.h"
