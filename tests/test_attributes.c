@@ -2,29 +2,6 @@
 // test_attributes.c -- other attributes for collidables, and attributes that go; on the CPU and on OpenCL.
 #include "world_support.h"
 
-static scree_collidable part_of(scree_world* world, scree_body body)
-{
-	scree_collidable part;
-	int count;
-	assert_ok(scree_body_get_collidables(world, body, &part, 1, &count));
-	assert_int_equal(count, 1);
-	return part;
-}
-
-static scree_counters counters_of(scree_world* world)
-{
-	scree_counters counters;
-	assert_ok(scree_world_get_counters(world, &counters));
-	return counters;
-}
-
-static int contacts_with(scree_world* world, scree_body body)
-{
-	int count;
-	assert_ok(scree_body_get_contacts(world, body, NULL, 0, &count));
-	return count;
-}
-
 static scree_attribute surface(scree_world* world, float friction, float density)
 {
 	scree_attribute_def def = scree_attribute_def_default();

@@ -197,13 +197,6 @@ static void settings_are_kept(void** state)
 	scree_world_destroy(world);
 }
 
-static int contacts_with(scree_world* world, scree_body body)
-{
-	int count;
-	assert_ok(scree_body_get_contacts(world, body, NULL, 0, &count));
-	return count;
-}
-
 #define CROWD 1000
 
 // The contacts of a plate under 1,000 crates, and of each crate: those of all in which it is, in the same order.

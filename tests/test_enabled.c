@@ -2,46 +2,6 @@
 // test_enabled.c -- bodies switched off and on; on the CPU and on OpenCL.
 #include "world_support.h"
 
-static scree_collidable part_of(scree_world* world, scree_body body)
-{
-	scree_collidable part;
-	int count;
-	assert_ok(scree_body_get_collidables(world, body, &part, 1, &count));
-	assert_int_equal(count, 1);
-	return part;
-}
-
-static scree_pose pose_at(float x, float y, float radians) { return (scree_pose){{x, y}, scree_rot_make(radians)}; }
-
-static scree_counters counters_of(scree_world* world)
-{
-	scree_counters counters;
-	assert_ok(scree_world_get_counters(world, &counters));
-	return counters;
-}
-
-static int contacts_with(scree_world* world, scree_body body)
-{
-	int count;
-	assert_ok(scree_body_get_contacts(world, body, NULL, 0, &count));
-	return count;
-}
-
-static void assert_pose(scree_world* world, scree_body body, scree_pose expected)
-{
-	scree_pose pose = pose_of(world, body);
-	assert_true(pose.position.x == expected.position.x && pose.position.y == expected.position.y);
-	assert_true(pose.rotation.c == expected.rotation.c && pose.rotation.s == expected.rotation.s);
-}
-
-static void assert_velocity(scree_world* world, scree_body body, float x, float y, float w)
-{
-	scree_velocity v = velocity_of(world, body);
-	assert_true(v.linear.x == x && v.linear.y == y && v.angular == w);
-}
-
-static void look(scree_world* world) { assert_ok(scree_world_step(world, 0.0f, 4)); }
-
 static void disabled_bodies_take_no_part(void** state)
 {
 	(void)state;

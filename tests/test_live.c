@@ -2,24 +2,6 @@
 // test_live.c -- a world that lives on: it does not matter when the device hears of a change; on the CPU and on OpenCL.
 #include "world_support.h"
 
-static scree_collidable part_of(scree_world* world, scree_body body)
-{
-	scree_collidable part;
-	int count;
-	assert_ok(scree_body_get_collidables(world, body, &part, 1, &count));
-	assert_int_equal(count, 1);
-	return part;
-}
-
-static scree_pose pose_at(float x, float y, float radians) { return (scree_pose){{x, y}, scree_rot_make(radians)}; }
-
-static int contacts_with(scree_world* world, scree_body body)
-{
-	int count;
-	assert_ok(scree_body_get_contacts(world, body, NULL, 0, &count));
-	return count;
-}
-
 #define MANY 60
 
 typedef struct

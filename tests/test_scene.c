@@ -453,6 +453,22 @@ static void test_ten_million(void** state)
 	scene_free(scene);
 }
 
+// The world of a scene without mistakes; both are the caller's.
+static scree_world* open_text(const char* text, Scene** scene)
+{
+	char sentence[SCENE_SENTENCE] = "";
+	*scene = load_text(text, NULL, 0, sentence);
+	if (!*scene)
+		fail_msg("%s", sentence);
+	scree_world* world;
+	scree_world_def def = (*scene)->world;
+	def.device = "cpu";
+	def.threads = 1;
+	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
+	assert_int_equal(scene_build(*scene, world), SCREE_OK);
+	return world;
+}
+
 // What a scene says is what a world gets.
 static void test_build(void** state)
 {
@@ -467,16 +483,8 @@ static void test_build(void** state)
 	    " {\"attribute\": \"b\", \"position\": [\"k\", 0], \"repeat\": {\"index\": \"k\", \"to\": 3}},"
 	    " {\"attribute\": \"a\", \"group\": -2, \"category\": [3], \"mask\": [0, 63]}]}],"
 	    "\"collidables\": [{\"attribute\": \"a\", \"position\": [50, 0]}]}";
-	char sentence[SCENE_SENTENCE] = "";
-	Scene* scene = load_text(text, NULL, 0, sentence);
-	if (!scene)
-		fail_msg("%s", sentence);
-	scree_world* world;
-	scree_world_def def = scene->world;
-	def.device = "cpu";
-	def.threads = 1;
-	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
-	assert_int_equal(scene_build(scene, world), SCREE_OK);
+	Scene* scene;
+	scree_world* world = open_text(text, &scene);
 	scree_counters counters;
 	assert_int_equal(scree_world_get_counters(world, &counters), SCREE_OK);
 	assert_int_equal(counters.bodies, 8);
@@ -587,17 +595,9 @@ static void test_churn(void** state)
 	    " \"repeat\": {\"index\": \"i\", \"to\": 10}, \"churn\": {\"moved\": 2, \"replaced\": 3,"
 	    " \"position\": [\"random(1000, 2000)\", 7], \"angle\": \"pi / 2\", \"velocity\": [0, \"random(-3, -1)\"]}},"
 	    "{\"type\": \"kinematic\", \"attribute\": \"a\", \"position\": [0, 60]}]}";
-	char sentence[SCENE_SENTENCE] = "";
-	Scene* scene = load_text(text, NULL, 0, sentence);
-	if (!scene)
-		fail_msg("%s", sentence);
+	Scene* scene;
+	scree_world* world = open_text(text, &scene);
 	assert_true(scene_churns(scene));
-	scree_world* world;
-	scree_world_def def = scene->world;
-	def.device = "cpu";
-	def.threads = 1;
-	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
-	assert_int_equal(scene_build(scene, world), SCREE_OK);
 	int turns[12] = {0};
 	for (int step = 0; step < 20; ++step)
 		check_step(scene, world, step, turns);
@@ -614,16 +614,8 @@ static void test_disabled(void** state)
 	const char* text =
 	    HEAD "\"attributes\": {\"a\": {\"circle\": 1}}, \"bodies\": [{\"attribute\": \"a\", \"disabled\": true},"
 	         "{\"attribute\": \"a\", \"position\": [9, 0], \"disabled\": false}]}";
-	char sentence[SCENE_SENTENCE] = "";
-	Scene* scene = load_text(text, NULL, 0, sentence);
-	if (!scene)
-		fail_msg("%s", sentence);
-	scree_world* world;
-	scree_world_def def = scene->world;
-	def.device = "cpu";
-	def.threads = 1;
-	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
-	assert_int_equal(scene_build(scene, world), SCREE_OK);
+	Scene* scene;
+	scree_world* world = open_text(text, &scene);
 	assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
 	scree_body bodies[2];
 	int count;

@@ -2,23 +2,6 @@
 // test_targets.c -- velocities set apart, and kinematic bodies on their way to a pose; on the CPU and on OpenCL.
 #include "world_support.h"
 
-static scree_pose pose_at(float x, float y, float radians) { return (scree_pose){{x, y}, scree_rot_make(radians)}; }
-
-static void assert_pose(scree_world* world, scree_body body, scree_pose expected)
-{
-	scree_pose pose = pose_of(world, body);
-	assert_true(pose.position.x == expected.position.x && pose.position.y == expected.position.y);
-	assert_true(pose.rotation.c == expected.rotation.c && pose.rotation.s == expected.rotation.s);
-}
-
-static void assert_velocity(scree_world* world, scree_body body, float x, float y, float w)
-{
-	scree_velocity v = velocity_of(world, body);
-	assert_true(v.linear.x == x && v.linear.y == y && v.angular == w);
-}
-
-static void look(scree_world* world) { assert_ok(scree_world_step(world, 0.0f, 4)); }
-
 static void velocities_are_set_apart(void** state)
 {
 	(void)state;

@@ -11,6 +11,12 @@ static Softness softness(float hertz, float ratio, float h)
 	return (Softness){.bias_rate = omega / a1, .mass_scale = a2 * a3, .impulse_scale = a3};
 }
 
+void step_places(Step* step, const Backend* b)
+{
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		step->place_capacity[kind] = b->capacity[kind_info[kind].places];
+}
+
 Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 {
 	const scree_tuning* tuning = &request->tuning;
@@ -55,8 +61,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .walkers = b->walkers < collidables ? b->walkers : collidables,
 	    .key_bits = 1,
 	};
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		step.place_capacity[kind] = b->capacity[kind_info[kind].places];
+	step_places(&step, b);
 	while (step.key_bits < 31 && 1 << step.key_bits < collidables)
 		++step.key_bits;
 	return step;

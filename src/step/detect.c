@@ -5,6 +5,7 @@
 #include "step/detect.h"
 #include "backend/solve.h"
 #include "platform/error.h"
+#include "step/constants.h"
 #include "step/crowd.h"
 #include "step/dispatch.h"
 #include "step/room.h"
@@ -180,13 +181,6 @@ static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status
 	scree_status status = pipeline_run(pipeline, step);
 	pipeline->begun = status != SCREE_OK;
 	return status ? status : why;
-}
-
-// how many constraints of each kind there is room for
-static void step_places(Step* step, const Backend* b)
-{
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		step->place_capacity[kind] = b->capacity[kind_info[kind].places];
 }
 
 // Enlarges the pool that was too small for the pairs or contacts.
