@@ -12,12 +12,12 @@
 		Body a = body_gather(p, ia), b = body_gather(p, ib); \
 		Kind u;                                              \
 		kind##_load(p, i, which, &u);                        \
-		kind##_derive(1 << which, &a, &b, &u);               \
 		if (which == PASS_WARM_START)                        \
+		{                                                    \
+			kind##_derive(1 << which, &a, &b, &u);           \
 			kind##_start(&p->step, &u);                      \
-		else                                                 \
-			kind##_ready(&a, &b, &u);                        \
-		kind##_pass(p, which, i, &u, &a, &b);                \
+		}                                                    \
+		kind##_pass(p, which, i, 0, &u, &a, &b);             \
 		kind##_store(p, i, which, &u);                       \
 		body_scatter(p, ia, a);                              \
 		body_scatter(p, ib, b);                              \

@@ -196,7 +196,7 @@ INLINE void registers_pass(const Pools* p, int pass, Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
-		name##_pass(p, pass, u->at.place, &u->name, &u->a, &u->b);
+		name##_pass(p, pass, u->at.place, 1, &u->name, &u->a, &u->b);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }

@@ -79,7 +79,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
 		int i = p->step.rare || ends ? task_at(p, t->order[j]).place : 0;                                        \
-		kind##_pass(p, pass, i, &u, &a, &b);                                                                     \
+		kind##_pass(p, pass, i, 1, &u, &a, &b);                                                                  \
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \
 		tile_scatter(tile, places >> 16, &b);                                                                    \
 		if (ends)                                                                                                \
