@@ -41,7 +41,10 @@ static inline int open_backends(void** state)
 	}
 	for (int k = 0; k < backend_count; ++k)
 		for (int per = 0; per < PER_COUNT; ++per)
-			OK(backends[k]->f->resize(backends[k], (Per)per, per == ONE ? 1 : per == BODY ? MOST_BODIES : MOST_ITEMS));
+			OK(backends[k]->f->resize(backends[k], (Per)per,
+			                          per == PER_ONE    ? 1
+			                          : per == PER_BODY ? MOST_BODIES
+			                                            : MOST_ITEMS));
 	return 0;
 }
 

@@ -363,17 +363,17 @@ static int items_in_use(const scree_world* world, Per per)
 	const Counters* c = &world->pipeline.counters;
 	switch (per)
 	{
-	case ATTRIBUTE:
+	case PER_ATTRIBUTE:
 		return world->attribute_slots.used;
-	case COLLIDABLE:
+	case PER_COLLIDABLE:
 		return world->collidables.used;
-	case BODY:
+	case PER_BODY:
 		return world->bodies.used;
-	case CONTACT:
+	case PER_CONTACT:
 		return c->contacts;
-	case CONTACT_PLACE:
+	case PER_CONTACT_PLACE:
 		return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1];
-	case CONTACT_BLOCK:
+	case PER_CONTACT_BLOCK:
 		return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
 	default:
 		return 0; // scratch, and trees, which devices may build as they like

@@ -45,7 +45,7 @@ static int open_backends(void** state)
 	{
 		Backend* b = backends[i];
 		print_message("backend: %s\n", b->name);
-		if (b->f->resize(b, KEY, CAPACITY) || b->f->resize(b, CONTACT, CAPACITY) || b->f->resize(b, ONE, 1))
+		if (b->f->resize(b, PER_KEY, CAPACITY) || b->f->resize(b, PER_CONTACT, CAPACITY) || b->f->resize(b, PER_ONE, 1))
 			return -1;
 	}
 	return backend_count > 0 ? 0 : -1;

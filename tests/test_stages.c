@@ -140,7 +140,7 @@ static unsigned char byte_of(int pool, int slot, size_t k)
 	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
 }
 
-static bool is_kept(int pool) { return pool_info[pool].per == CONTACT && !is_scratch(pool); }
+static bool is_kept(int pool) { return pool_info[pool].per == PER_CONTACT && !is_scratch(pool); }
 
 typedef struct
 {

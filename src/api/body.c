@@ -88,7 +88,6 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                   .last_collidable = -1,
 	                   .user = def->user,
 	                   .disabled = def->disabled,
-	                   .kept = host->kept,
 	                   .waiting = host->waiting};
 	if (has_attribute(def))
 	{

@@ -16,11 +16,12 @@ static Word64 hash_pose(Word64 h, scree_pose pose)
 static Word64 hash_disabled(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
-	Word64 sum = hash_float(hash_word(hash_begin(5, body), (Word)host->type), host->gravity_scale);
+	Word64 sum = hash_float(hash_word(hash_begin(HASH_DISABLED, body), (Word)host->type), host->gravity_scale);
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		const HostCollidable* c = world->host_collidables + k;
-		Word64 h = hash_pose(hash_word(hash_word(hash_begin(6, k), (Word)body), (Word)c->attribute), c->pose);
+		Word64 h = hash_pose(
+		    hash_word(hash_word(hash_begin(HASH_DISABLED_COLLIDABLE, k), (Word)body), (Word)c->attribute), c->pose);
 		h = hash_word(hash_word(h, (Word)c->filter.category), (Word)(c->filter.category >> 32));
 		h = hash_word(hash_word(h, (Word)c->filter.mask), (Word)(c->filter.mask >> 32));
 		sum += hash_word(h, (Word)c->filter.group);
@@ -33,7 +34,7 @@ static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
 	for (int k = 0; k < world->target_count; ++k)
-		sum += hash_pose(hash_begin(4, world->targets[k].body), world->targets[k].pose);
+		sum += hash_pose(hash_begin(HASH_TARGET, world->targets[k].body), world->targets[k].pose);
 	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
 		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
 			sum += hash_disabled(world, k);

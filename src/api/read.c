@@ -75,8 +75,10 @@ static scree_status get_poses(scree_world* world, const char* function, const ch
 	return SCREE_OK;
 }
 
-// the velocity of a disabled body, from its row in the pool kept
-static scree_velocity kept_velocity(const Float4* row) { return (scree_velocity){{row->x, row->y}, row->z}; }
+static scree_velocity stored_velocity(const StoredVelocity* row)
+{
+	return (scree_velocity){{row->vx, row->vy}, row->w};
+}
 
 static scree_status get_velocities(scree_world* world, const char* function, const char* argument,
                                    const scree_body* bodies, scree_velocity* velocities, int count, bool alone)
@@ -93,10 +95,10 @@ static scree_status get_velocities(scree_world* world, const char* function, con
 		disabled |= world->host_bodies[bodies[k].index].disabled;
 	if (!disabled)
 		return SCREE_OK;
-	TRY(read_rows(world, function, argument, POOL_kept, bodies, count, alone, &rows));
+	TRY(read_rows(world, function, argument, POOL_stored_velocity, bodies, count, alone, &rows));
 	for (int k = 0; k < count; ++k)
 		if (world->host_bodies[bodies[k].index].disabled)
-			velocities[k] = kept_velocity(row_of(&rows, bodies, k));
+			velocities[k] = stored_velocity(row_of(&rows, bodies, k));
 	return SCREE_OK;
 }
 
@@ -145,18 +147,18 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 	TRY(check_list(function, "states", states, capacity, count));
 	TRY(world_upload(world));
 	int used = world->bodies.used, listed = 0;
-	size_t bytes = (size_t)used * (2 * sizeof(Float4) + sizeof(BodyState));
+	size_t bytes = (size_t)used * (sizeof(Float4) + sizeof(StoredVelocity) + sizeof(BodyState));
 	Float4* poses = world_scratch(world, bytes);
 	if (!poses)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
-	Float4* kept = poses + used;
-	BodyState* rows = (BodyState*)(kept + used);
+	StoredVelocity* stored = (StoredVelocity*)(poses + used);
+	BodyState* rows = (BodyState*)(stored + used);
 	if (capacity > 0)
 	{
 		TRY(world_read(world, POOL_pose, 0, used, poses));
 		TRY(world_read(world, POOL_body, 0, used, rows));
 		if (world->disabled_bodies > 0)
-			TRY(world_read(world, POOL_kept, 0, used, kept));
+			TRY(world_read(world, POOL_stored_velocity, 0, used, stored));
 	}
 	for (int k = 0; k < used && listed < capacity; ++k)
 	{
@@ -165,7 +167,7 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 		states[listed].pose = body_pose(world, k, poses + k);
 		states[listed].velocity = (scree_velocity){{rows[k].vx, rows[k].vy}, rows[k].w};
 		if (world->host_bodies[k].disabled)
-			states[listed].velocity = kept_velocity(kept + k);
+			states[listed].velocity = stored_velocity(stored + k);
 		if (bodies)
 			bodies[listed] = body_handle(world, k);
 		++listed;

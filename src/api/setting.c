@@ -166,7 +166,6 @@ static void enable(scree_world* world, int index, bool enabled)
 	else
 		body_remove_leaves(world, host);
 	host->disabled = !enabled;
-	host->kept = true;
 	world->disabled_bodies += enabled ? -1 : 1;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{

@@ -5,7 +5,7 @@
 
 // clang-format off
 const PoolInfo pool_info[POOL_COUNT] = {
-#define X(type, name, per, role) {#name, sizeof(type), per, role},
+#define X(type, name, per, role) {#name, sizeof(type), PER_##per, role},
 #include "pools/pools.def"
 #undef X
 };
@@ -32,9 +32,9 @@ const Box stage_boxes[STAGE_COUNT] = {
 
 const KindInfo kind_info[CONSTRAINT_KINDS] = {
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                              \
-	{.items = KIND,                                                                                                    \
-	 .places = KIND##_PLACE,                                                                                           \
-	 .blocks = KIND##_BLOCK,                                                                                           \
+	{.items = PER_##KIND,                                                                                                    \
+	 .places = PER_##KIND##_PLACE,                                                                                           \
+	 .blocks = PER_##KIND##_BLOCK,                                                                                           \
 	 .key = STAGE_##kind##_key,                                                                                        \
 	 .edge = STAGE_##kind##_edge,                                                                                      \
 	 .range = STAGE_##kind##_range,                                                                                    \

@@ -4,31 +4,8 @@
 #define TABLES_H
 #include "constraints/schedule.h"
 #include "pools/pools.h"
+#include "pools/roles.h"
 #include <stddef.h>
-
-typedef enum // what a pool has an item for
-{
-	ATTRIBUTE,
-	COLLIDABLE,
-	BODY,
-#define CONSTRAINT_KIND(kind, Kind, KIND) \
-	KIND, KIND##_PLACE, KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
-#include "pools/kinds.def"
-#undef CONSTRAINT_KIND
-	EDGE,        // of any kind
-	SPOKE,       // contact of a hub
-	SPOKE_BLOCK, // of MAX_LANES of them
-	RENDER_ROW,  // collidable, as a renderer sees it
-	LISTED,      // contact of a body that the user asks for
-	TREE,
-	LEAF,
-	NODE,
-	KEY,
-	COMMAND,
-	HASH,
-	ONE,
-	PER_COUNT
-} Per;
 
 typedef enum
 {
@@ -69,13 +46,6 @@ typedef enum // the boxes of the figure
 	BOX_finalize,
 	BOX_COUNT
 } Box;
-
-typedef enum // lifetime of the items of a pool
-{
-	STATE,   // kept from step to step, copied to another device
-	DERIVED, // kept from step to step, computed from the state on another device
-	SCRATCH, // written before it is read in every step; undefined between steps
-} Role;
 
 typedef struct // of pools.def, in order
 {

@@ -3,7 +3,6 @@
 #ifndef CONTACT_ONE_H
 #define CONTACT_ONE_H
 #include "constraints/contact.h"
-#include "dialect/hash_word.h"
 
 // A body as it comes to the step, within the limits.
 INLINE Body prepare_body(const Pools* p, int index)
@@ -85,19 +84,8 @@ INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 		prepare_bounce(p, i, u);
 }
 
-// What the world hash has of a contact beside its impulses; false where there is none.
-INLINE int contact_hash_fields(const Pools* p, int slot, Word64* h)
-{
-	Int2 pair = p->pair[slot], feature = p->contact_feature[slot];
-	LocalManifold found = p->contact_manifold[slot];
-	*h = hash_word(hash_word(hash_begin(3, slot), (Word)pair.x), (Word)pair.y);
-	*h = hash_word(hash_word(*h, p->contact_flags[slot]), (Word)p->contact_color[slot]);
-	*h = hash_word(hash_word(*h, (Word)feature.x), (Word)feature.y);
-	*h = hash_float4(hash_float4(*h, found.normal), found.on_a);
-	*h = hash_float4(hash_float4(*h, found.relative), found.then);
-	*h = hash_float4(*h, p->contact_surface[slot]);
-	return pair.x >= 0;
-}
+// Whether a slot holds a contact.
+INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
 // What the surfaces of two collidables make of the rows.
 INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)

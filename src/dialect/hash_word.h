@@ -21,6 +21,13 @@ INLINE Word64 hash_float4(Word64 h, Float4 v)
 {
 	return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w);
 }
+// The tag tells items of different kinds apart that have the same index.
+#define HASH_BODY                1
+#define HASH_COLLIDABLE          2
+#define HASH_TARGET              4
+#define HASH_DISABLED            5
+#define HASH_DISABLED_COLLIDABLE 6
+#define HASH_CONSTRAINT(kind)    (3 + 8 * (kind))
 INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
 
 #endif

@@ -139,7 +139,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 		TRY(kernels_bind(d, per));
 	}
 	// the scratch buffers of the solve shrink with the constraints
-	if (per == EDGE && capacity < b->capacity[per])
+	if (per == PER_EDGE && capacity < b->capacity[per])
 		TRY(solve_drop(d));
 	b->capacity[per] = capacity;
 	return SCREE_OK;
@@ -170,7 +170,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 		return SCREE_OK;
 	// a world may come from another device
 	Per per = pool_info[pool].per;
-	d->tiles.stale |= per == CONTACT || per == CONTACT_PLACE || per == BODY;
+	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
 	              bytes * (size_t)count);
 }

@@ -60,7 +60,7 @@ static scree_status probe(OpenCl* d, bool* works)
 
 	cl_int fault;
 	size_t at = pool_offset(d, POOL_counters) + offsetof(Counters, fault);
-	cl_mem counters = d->buffers[ONE];
+	cl_mem counters = d->buffers[PER_ONE];
 	TRY(CALL(EnqueueReadBuffer, d->queue, counters, CL_TRUE, at, sizeof fault, &fault, 0, NULL, NULL));
 	*works = fault == 0;
 	if (*works)

@@ -26,13 +26,15 @@ scree_status primitives_bind(OpenCl* d)
 	cl_kernel scans[] = {d->primitives.scan_sum, d->primitives.scan_place};
 	for (int i = 0; i < 2; ++i)
 	{
-		TRY(set_buffers(scans[i], (cl_mem[]){d->buffers[CONTACT], d->buffers[ONE], d->primitives.table}, 3));
+		TRY(set_buffers(scans[i], (cl_mem[]){d->buffers[PER_CONTACT], d->buffers[PER_ONE], d->primitives.table}, 3));
 		TRY(CALL(SetKernelArg, scans[i], 4, sizeof scan, &scan));
 	}
 	cl_ulong from = pool_offset(d, POOL_key_other), to = pool_offset(d, POOL_key);
-	TRY(set_buffers(d->primitives.sort_count, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->primitives.table}, 3));
-	TRY(set_buffers(d->primitives.sort_place, (cl_mem[]){d->buffers[KEY], d->buffers[ONE], d->primitives.table}, 3));
-	TRY(set_buffers(d->primitives.sort_return, (cl_mem[]){d->buffers[KEY], d->buffers[ONE]}, 2));
+	TRY(set_buffers(d->primitives.sort_count, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE], d->primitives.table},
+	                3));
+	TRY(set_buffers(d->primitives.sort_place, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE], d->primitives.table},
+	                3));
+	TRY(set_buffers(d->primitives.sort_return, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE]}, 2));
 	TRY(CALL(SetKernelArg, d->primitives.sort_return, 3, sizeof from, &from));
 	return CALL(SetKernelArg, d->primitives.sort_return, 4, sizeof to, &to);
 }

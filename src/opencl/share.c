@@ -74,9 +74,9 @@ scree_status opencl_show(Backend* b, const Run* run)
 	Shared* shared = &d->shared;
 	const Kernel* kernel = &d->stages[run->stage];
 	TRY(opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
-	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[RENDER_ROW], sizeof(cl_mem), &shared->memory));
+	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem), &shared->memory));
 	TRY(stage_run(d, run));
-	TRY(kernel_bind(d, RENDER_ROW, kernel));
+	TRY(kernel_bind(d, PER_RENDER_ROW, kernel));
 	TRY(opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
 	return finish(d);
 }

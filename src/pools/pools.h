@@ -199,6 +199,12 @@ typedef struct // 32 bytes
 	float free_x, free_y;                  // 1, or 0 where a motion lock holds
 } Motion;
 
+typedef struct // 16 bytes: the velocity of a disabled body
+{
+	float vx, vy, w;
+	float stored; // 1, or 0 for a body that is enabled
+} StoredVelocity;
+
 typedef struct // 32 bytes: a change that the user made between steps
 {
 	int kind;  // COMMAND_*
@@ -221,7 +227,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin stays
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity stays
-#define COMMAND_BODY            12 // a new row, without mass: pose of the origin x, y, cos, sin; whole[0]: clears kept
+#define COMMAND_BODY            12 // a new row, without mass: pose of the origin x, y, cos, sin
 #define COMMAND_GUARDED         13 // Guarded: whole first, parts; x way, y reach
 #define COMMAND_ENABLED         14 // whole[0]: 1, or 0 for a body that takes no part from now on
 #define COMMAND_TARGET          15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks

@@ -3,7 +3,7 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "constraints/sweep_closing.h"
-#include "pools/pools.h"
+#include "stages/item.h"
 #include "stages/pose.h"
 
 // Sets the velocity of a body; 0 along locked axes.
@@ -67,12 +67,13 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
-// Disables a body: its velocity is kept in a pool of its own, and neither forces nor gravity act on it.
+// Disables a body: its velocity is stored in a pool of its own, and neither forces nor gravity act on it.
 INLINE void command_rest(const Pools* p, int i)
 {
 	BodyState state = p->body[i];
 	GLOBAL Motion* motion = p->motion + i;
-	p->kept[i] = make_float4(state.vx, state.vy, state.w, 1.0f);
+	StoredVelocity stored = {state.vx, state.vy, state.w, 1.0f};
+	p->stored_velocity[i] = stored;
 	p->body[i].vx = 0.0f;
 	p->body[i].vy = 0.0f;
 	p->body[i].w = 0.0f;
@@ -85,10 +86,10 @@ INLINE void command_rest(const Pools* p, int i)
 // Restores the velocity of a disabled body, while a command is applied or for good.
 INLINE void command_wake(const Pools* p, int i)
 {
-	Float4 kept = p->kept[i];
-	p->body[i].vx = kept.x;
-	p->body[i].vy = kept.y;
-	p->body[i].w = kept.z;
+	StoredVelocity stored = p->stored_velocity[i];
+	p->body[i].vx = stored.vx;
+	p->body[i].vy = stored.vy;
+	p->body[i].w = stored.w;
 }
 
 // The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to pi / 8; half a turn is pi.
@@ -146,29 +147,23 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 }
 
 // A new row: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose, int kept)
+INLINE void command_body(const Pools* p, int i, Float4 pose)
 {
-	BodyState state = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-	Motion motion = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f};
-	p->body[i] = state;
-	p->motion[i] = motion;
+	item_clear(p, PER_BODY, i);
 	p->pose[i] = pose;
-	p->pose_low[i] = make_float2(0.0f, 0.0f);
-	p->local_center[i] = make_float2(0.0f, 0.0f);
-	p->color_mask[i] = 0;
-	if (kept)
-		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	p->motion[i].free_x = 1.0f;
+	p->motion[i].free_y = 1.0f;
 }
 
 // A new row. Its box is empty, so that its pairs are found as new ones.
 INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute, int body)
 {
+	item_clear(p, PER_COLLIDABLE, i);
 	p->collidable_pose[i] = pose;
 	p->collidable_attribute[i] = attribute;
 	p->collidable_body[i] = body;
 	p->box[i] = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
 	p->old_box[i] = p->box[i];
-	p->moved[i] = 0;
 }
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
@@ -194,7 +189,7 @@ INLINE void command_body_change(const Pools* p, Command c)
 			break;
 		}
 		command_wake(p, i);
-		p->kept[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		p->stored_velocity[i].stored = 0.0f;
 		break;
 	case COMMAND_TARGET:
 		command_target(p, i, value, c.whole[0]);
@@ -209,7 +204,7 @@ INLINE void command_body_change(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value, c.whole[0]);
+		command_body(p, i, value);
 		break;
 	case COMMAND_GUARDED:
 		p->guarded[i].first = c.whole[0];
@@ -313,23 +308,9 @@ STAGE(command)
 	{
 		int first = p->command_group[i + COMMAND_SOON], soon = p->command[first].index;
 		if (p->command[first].kind == COMMAND_BODY)
-		{
-			fetch_soon(p->body + soon);
-			fetch_soon(p->motion + soon);
-			fetch_soon(p->pose + soon);
-			fetch_soon(p->guarded + soon);
-			fetch_soon(p->local_center + soon);
-			fetch_soon(p->color_mask + soon);
-		}
+			item_fetch(p, PER_BODY, soon);
 		if (p->command[first].kind == COMMAND_COLLIDABLE)
-		{
-			fetch_soon(p->collidable_pose + soon);
-			fetch_soon(p->collidable_attribute + soon);
-			fetch_soon(p->collidable_body + soon);
-			fetch_soon(p->box + soon);
-			fetch_soon(p->old_box + soon);
-			fetch_soon(p->filter + soon);
-		}
+			item_fetch(p, PER_COLLIDABLE, soon);
 	}
 	for (int k = p->command_group[i]; k < p->command_group[i + 1]; ++k)
 		command_apply(p, p->command[k]);

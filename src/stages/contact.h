@@ -6,8 +6,8 @@
 #ifndef CONTACT_H
 #define CONTACT_H
 #include "constraints/contact_one.h"
-#include "constraints/kinds.h"
 #include "dialect/finite.h"
+#include "stages/item.h"
 
 // Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
 // and so on no device.
@@ -55,8 +55,7 @@ STAGE(contact_begin)
 }
 
 // Moves contacts in slots from alive on into the free slots before alive, the first into the lowest, so that the first
-// slots hold all contacts. Sources and destinations have no slot in common. All that outlives a step moves: the arrays
-// of the pool except scan, free_slot, began and uncolored.
+// slots hold all contacts. Sources and destinations have no slot in common.
 STAGE(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -64,16 +63,7 @@ STAGE(contact_pack)
 	if (i < alive || p->pair[i].x < 0)
 		return;
 	int to = p->free_slot[(i - alive) - (p->scan[i] - p->scan[alive])], constraint = p->contact_place[i];
-	p->pair[to] = p->pair[i];
-	p->contact_bodies[to] = p->contact_bodies[i];
-	p->contact_flags[to] = p->contact_flags[i];
-	p->contact_color[to] = p->contact_color[i];
-	p->contact_feature[to] = p->contact_feature[i];
-	p->contact_manifold[to] = p->contact_manifold[i];
-	p->contact_kept[to] = p->contact_kept[i];
-	p->contact_rare_kept[to] = p->contact_rare_kept[i];
-	p->contact_surface[to] = p->contact_surface[i];
-	p->contact_place[to] = constraint;
+	item_move(p, PER_CONTACT, to, i);
 	if (constraint >= 0)
 		p->contact_place_slot[constraint] = to;
 	p->pair[i] = make_int2(-1, -1);
@@ -127,12 +117,12 @@ STAGE(contact_create)
 		a = first;
 	}
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
+	item_clear(p, PER_CONTACT, slot);
 	p->pair[slot] = make_int2(a, b);
 	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
 	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0 ? CONTACT_DETECTED : 0u);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
-	contact_forget(p, slot);
 	p->contact_place[slot] = -1;
 	p->contact_surface[slot] =
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);

@@ -132,9 +132,9 @@ static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 // Coloring rounds from one to the other, then the layout of the constraints if none is left. Keys of contacts have so many bits.
 static void color(RunList* list, const Backend* b, const Counters* c, int from, int to, int bits)
 {
-	int edges = b->capacity[EDGE];
+	int edges = b->capacity[PER_EDGE];
 	if (from == 0)
-		runs_add(list, STAGE_hub_enter, 0, b->capacity[CONTACT], COUNT(gathered), 0);
+		runs_add(list, STAGE_hub_enter, 0, b->capacity[PER_CONTACT], COUNT(gathered), 0);
 	for (int round = from; round < to; ++round)
 	{
 		if (round > 0 && round % MAX_ROUNDS == 0)
@@ -190,10 +190,10 @@ static scree_status make_room(Pipeline* pipeline, Step* step)
 	const Counters* c = &pipeline->counters;
 	if (c->crowded)
 		return crowd_fail(pipeline, step);
-	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, KEY, c->pairs)
-	                                   : pipeline_reserve(pipeline, CONTACT, c->needed + 1));
-	step->pair_capacity = b->capacity[KEY];
-	step->contact_capacity = b->capacity[CONTACT];
+	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, PER_KEY, c->pairs)
+	                                   : pipeline_reserve(pipeline, PER_CONTACT, c->needed + 1));
+	step->pair_capacity = b->capacity[PER_KEY];
+	step->contact_capacity = b->capacity[PER_CONTACT];
 	step_places(step, b);
 	return SCREE_OK;
 }

@@ -17,9 +17,9 @@ scree_status pipeline_run(Pipeline* pipeline, const Step* step)
 scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
 {
 	int spokes = layout_spokes(&pipeline->counters), body_bits = 1;
-	TRY(pipeline_reserve(pipeline, KEY, spokes));
-	TRY(pipeline_reserve(pipeline, SPOKE, spokes));
-	TRY(pipeline_reserve(pipeline, SPOKE_BLOCK, spokes / MAX_LANES));
+	TRY(pipeline_reserve(pipeline, PER_KEY, spokes));
+	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
+	TRY(pipeline_reserve(pipeline, PER_SPOKE_BLOCK, spokes / MAX_LANES));
 	while (body_bits < 31 && 1u << body_bits <= (uint32_t)bodies)
 		++body_bits;
 

@@ -22,14 +22,14 @@ scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int
 	pipeline->backend = backend;
 	pipeline->guard_way = INFINITY;
 	pipeline->first_contacts = contacts > 0 ? contacts + 1 : 512;
-	TRY(pipeline_reserve(pipeline, ONE, 1));
-	TRY(pipeline_reserve(pipeline, HASH, HASH_SUMS));
-	TRY(pipeline_reserve(pipeline, TREE, 2));
-	TRY(pipeline_reserve(pipeline, ATTRIBUTE, 16));
-	TRY(pipeline_reserve(pipeline, BODY, bodies > 0 ? bodies + 1 : 256));
-	TRY(pipeline_reserve(pipeline, COLLIDABLE, bodies > 0 ? bodies : 256));
-	TRY(pipeline_reserve(pipeline, CONTACT, pipeline->first_contacts));
-	return pipeline_reserve(pipeline, COMMAND, LEAST_ROOM);
+	TRY(pipeline_reserve(pipeline, PER_ONE, 1));
+	TRY(pipeline_reserve(pipeline, PER_HASH, HASH_SUMS));
+	TRY(pipeline_reserve(pipeline, PER_TREE, 2));
+	TRY(pipeline_reserve(pipeline, PER_ATTRIBUTE, 16));
+	TRY(pipeline_reserve(pipeline, PER_BODY, bodies > 0 ? bodies + 1 : 256));
+	TRY(pipeline_reserve(pipeline, PER_COLLIDABLE, bodies > 0 ? bodies : 256));
+	TRY(pipeline_reserve(pipeline, PER_CONTACT, pipeline->first_contacts));
+	return pipeline_reserve(pipeline, PER_COMMAND, LEAST_ROOM);
 }
 
 // Packs the contacts into the first slots.
@@ -66,7 +66,7 @@ static scree_status command(Pipeline* pipeline, const Step* step, const StepComm
 	Backend* b = pipeline->backend;
 	if (all->count == 0)
 		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, COMMAND, all->count + 1));
+	TRY(pipeline_reserve(pipeline, PER_COMMAND, all->count + 1));
 	TRY(b->f->write(b, POOL_command, 0, all->count, commands));
 	TRY(b->f->write(b, POOL_command_group, 0, all->count + 1, all->groups));
 	Run run = {.stage = STAGE_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
@@ -177,7 +177,7 @@ scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared)
 	Run run = {.stage = STAGE_show, .end = collidables, .count = NO_COUNT};
 	if (shared)
 		return b->f->show(b, &run);
-	TRY(pipeline_reserve(pipeline, RENDER_ROW, run.end));
+	TRY(pipeline_reserve(pipeline, PER_RENDER_ROW, run.end));
 	return b->f->run(b, &pipeline->step, &run, 1);
 }
 
@@ -191,7 +191,7 @@ scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count)
 	TRY(b->f->read(b, POOL_scan, slots, 1, count));
 	if (*count == 0)
 		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, LISTED, *count));
+	TRY(pipeline_reserve(pipeline, PER_LISTED, *count));
 	Run list = {.stage = STAGE_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
 	return b->f->run(b, &pipeline->step, &list, 1);
 }

@@ -55,8 +55,8 @@ static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per p
 		return SCREE_OK;
 	TRY(resize(pipeline, kind->places, constraints_of(wanted)));
 	TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
-	TRY(resize(pipeline, EDGE, edges(b) - b->capacity[per] + wanted));
-	return resize(pipeline, KEY, wanted);
+	TRY(resize(pipeline, PER_EDGE, edges(b) - b->capacity[per] + wanted));
+	return resize(pipeline, PER_KEY, wanted);
 }
 
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
@@ -73,19 +73,19 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	int* leaves = NULL;
 	for (int kind = 0; kind < CONSTRAINT_KINDS && !status; ++kind)
 		status = reserve_kind(pipeline, &kind_info[kind], per, wanted);
-	if (per == COLLIDABLE)
+	if (per == PER_COLLIDABLE)
 	{
 		status = tree_save(pipeline, &leaves);
 		if (!status)
-			status = resize(pipeline, LEAF, 2 * wanted);
+			status = resize(pipeline, PER_LEAF, 2 * wanted);
 		if (!status)
-			status = resize(pipeline, NODE, 2 * (int64_t)tree_nodes((int)wanted));
+			status = resize(pipeline, PER_NODE, 2 * (int64_t)tree_nodes((int)wanted));
 		if (!status)
-			status = resize(pipeline, KEY, wanted);
+			status = resize(pipeline, PER_KEY, wanted);
 	}
 	if (!status)
 		status = resize(pipeline, per, wanted);
-	if (!status && per == COLLIDABLE)
+	if (!status && per == PER_COLLIDABLE)
 		status = tree_restore(pipeline, leaves);
 	scree_release(leaves);
 	return status;
@@ -111,14 +111,14 @@ static void shrink_all(Pipeline* pipeline)
 	{
 		const KindInfo* info = &kind_info[kind];
 		if (shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_ROOM))
-			b->f->resize(b, EDGE, edges(b));
+			b->f->resize(b, PER_EDGE, edges(b));
 		if (shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])))
 			b->f->resize(b, info->blocks, b->capacity[info->places] / MAX_LANES);
 	}
-	shrink(pipeline, KEY, larger(b->capacity[CONTACT], b->capacity[COLLIDABLE]));
-	shrink(pipeline, SPOKE, LEAST_ROOM);
-	shrink(pipeline, SPOKE_BLOCK, LEAST_ROOM);
-	shrink(pipeline, COMMAND, LEAST_ROOM);
+	shrink(pipeline, PER_KEY, larger(b->capacity[PER_CONTACT], b->capacity[PER_COLLIDABLE]));
+	shrink(pipeline, PER_SPOKE, LEAST_ROOM);
+	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_ROOM);
+	shrink(pipeline, PER_COMMAND, LEAST_ROOM);
 }
 
 bool pipeline_sparse(Pipeline* pipeline)
@@ -137,9 +137,9 @@ void pipeline_trim(Pipeline* pipeline)
 		note(pipeline, kind_info[kind].items, kind_items(c, kind) + 1);
 		note(pipeline, kind_info[kind].places, c->layout[kind].begin[COLORS + 1]);
 	}
-	note(pipeline, SPOKE, layout_spokes(c));
-	note(pipeline, SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
-	note(pipeline, KEY, larger(c->pairs, layout_spokes(c)));
+	note(pipeline, PER_SPOKE, layout_spokes(c));
+	note(pipeline, PER_SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
+	note(pipeline, PER_KEY, larger(c->pairs, layout_spokes(c)));
 	if (++pipeline->idle < IDLE_STEPS)
 		return;
 	shrink_all(pipeline);

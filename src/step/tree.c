@@ -34,7 +34,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	Backend* b = pipeline->backend;
 	TreeState* state = &pipeline->trees[t];
 	Tree* tree = &state->tree;
-	int capacity = pipeline->backend->capacity[COLLIDABLE];
+	int capacity = pipeline->backend->capacity[PER_COLLIDABLE];
 	tree->leaf_begin = t * capacity;
 	int begin = t * tree_nodes(capacity), count = tree->leaves;
 	for (tree->top = 0;; ++tree->top)
@@ -133,7 +133,7 @@ scree_status tree_upload(Pipeline* pipeline)
 		TreeState* state = &pipeline->trees[t];
 		if (state->added_count > 0)
 		{
-			int first = t * b->capacity[COLLIDABLE] + state->tree.leaves;
+			int first = t * b->capacity[PER_COLLIDABLE] + state->tree.leaves;
 			scree_status status = b->f->write(b, POOL_leaf, first, state->added_count, state->added);
 			if (status)
 				return status;
@@ -213,7 +213,8 @@ scree_status tree_save(Pipeline* pipeline, int** leaves)
 	for (int t = 0; t < 2; ++t)
 	{
 		int count = trees[t].tree.leaves;
-		scree_status status = count > 0 ? b->f->read(b, POOL_leaf, t * b->capacity[COLLIDABLE], count, to) : SCREE_OK;
+		scree_status status =
+		    count > 0 ? b->f->read(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], count, to) : SCREE_OK;
 		if (status)
 			return status;
 		to += count;
@@ -230,7 +231,7 @@ scree_status tree_restore(Pipeline* pipeline, int* leaves)
 	{
 		TreeState* state = &pipeline->trees[t];
 		if (state->tree.leaves > 0)
-			status = b->f->write(b, POOL_leaf, t * b->capacity[COLLIDABLE], state->tree.leaves, from);
+			status = b->f->write(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], state->tree.leaves, from);
 		from += state->tree.leaves;
 		state->touched = true;
 		if (!status)

@@ -22,23 +22,23 @@ static int lasting_items(const scree_world* world, Per per)
 	const Backend* b = world->backend;
 	switch (per)
 	{
-	case ATTRIBUTE:
+	case PER_ATTRIBUTE:
 		return world->edits.attribute_rows;
-	case COLLIDABLE:
+	case PER_COLLIDABLE:
 		return smaller(world->collidables.used, b->capacity[per]);
-	case BODY:
+	case PER_BODY:
 		// wide stages touch the padding, which must be inert
 		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
 #define CONSTRAINT_KIND(kind, Kind, KIND)                      \
-	case KIND:                                                 \
+	case PER_##KIND:                                           \
 		return c->kind##s;                                     \
-	case KIND##_PLACE:                                         \
+	case PER_##KIND##_PLACE:                                   \
 		return c->layout[CONSTRAINT_##KIND].begin[COLORS + 1]; \
-	case KIND##_BLOCK:                                         \
+	case PER_##KIND##_BLOCK:                                   \
 		return (c->layout[CONSTRAINT_##KIND].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	case ONE:
+	case PER_ONE:
 		return 1;
 	default:
 		return 0; // scratch; the nodes of the trees are looked up again, and their leaves have places of their own
@@ -94,10 +94,10 @@ static scree_status copy_all(Move* m)
 		if (from->capacity[per] > to->capacity[per])
 			TRY(to->f->resize(to, (Per)per, from->capacity[per]));
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
-		if (pool_info[pool].role == STATE)
+		if (pool_info[pool].role <= STANDING)
 			TRY(copy(m, (PoolId)pool, 0, 0, lasting_items(world, pool_info[pool].per)));
 	for (int t = 0; t < 2; ++t)
-		TRY(copy(m, POOL_leaf, t * from->capacity[COLLIDABLE], t * to->capacity[COLLIDABLE],
+		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
 	// the backend stores the counters that it returns; the read also waits for the writes, so their failures show here

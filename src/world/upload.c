@@ -45,10 +45,10 @@ static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 // Makes room on the device, and in *memory on the host.
 static scree_status reserve(scree_world* world, const Demand* demand, char** memory)
 {
-	TRY(pipeline_reserve(&world->pipeline, ATTRIBUTE, world->attribute_slots.used));
-	TRY(pipeline_reserve(&world->pipeline, BODY, world->bodies.used));
-	TRY(pipeline_reserve(&world->pipeline, COLLIDABLE, world->collidables.used));
-	TRY(pipeline_reserve(&world->pipeline, COMMAND, demand->commands + 1));
+	TRY(pipeline_reserve(&world->pipeline, PER_ATTRIBUTE, world->attribute_slots.used));
+	TRY(pipeline_reserve(&world->pipeline, PER_BODY, world->bodies.used));
+	TRY(pipeline_reserve(&world->pipeline, PER_COLLIDABLE, world->collidables.used));
+	TRY(pipeline_reserve(&world->pipeline, PER_COMMAND, demand->commands + 1));
 	size_t bytes = (size_t)world->edits.attribute_count * sizeof(Attribute);
 	bytes = larger(bytes, (size_t)demand->body_rows * sizeof(BodyState));
 	bytes = larger(bytes, (size_t)demand->collidable_rows * sizeof(Filter));
@@ -90,11 +90,7 @@ static void clear(scree_world* world)
 {
 	Edits* p = &world->edits;
 	for (int k = 0; k < p->body_count; ++k)
-	{
-		HostBody* host = world->host_bodies + p->bodies[k].index;
-		host->waiting.row = 0;
-		host->kept = host->disabled;
-	}
+		world->host_bodies[p->bodies[k].index].waiting.row = 0;
 	for (int k = 0; k < p->collidable_count; ++k)
 		world->host_collidables[p->collidables[k].index].waiting.row = 0;
 	for (int k = 0; k < p->attribute_count; ++k)

@@ -8,14 +8,13 @@
 #include "world/geometry.h"
 #include "world/mass.h"
 #include <stdlib.h>
+#include <string.h>
 
-static const PoolId body_pools[] = {POOL_body,         POOL_pose,       POOL_pose_low, POOL_motion,
-                                    POOL_local_center, POOL_color_mask, POOL_guarded,  POOL_kept};
-
+// What is not zero of a new body in a pool.
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	scree_vec center = pose_point(row->pose, row->center);
-	// a disabled body has velocity 0; its own velocity is in the pool kept
+	// a disabled body has velocity 0; its own velocity is in the pool stored_velocity
 	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
 	{
@@ -42,24 +41,14 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 	case POOL_guarded:
 		*(Guarded*)item = body_guarded(world, row->index);
 		break;
-	case POOL_kept:
-		*(Float4*)item = make_float4(v.linear.x, v.linear.y, v.angular, 1.0f);
-		if (!row->disabled)
-			*(Float4*)item = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	case POOL_stored_velocity:
+		if (row->disabled)
+			*(StoredVelocity*)item = (StoredVelocity){v.linear.x, v.linear.y, v.angular, 1.0f};
 		break;
 	default:
-		*(Word64*)item = 0;
+		break;
 	}
 }
-
-// the kind is first: of a dead collidable only the kind is written
-static const PoolId collidable_pools[] = {
-    POOL_collidable_kind, POOL_collidable_attribute,
-    POOL_collidable_body, POOL_collidable_pose,
-    POOL_filter,          POOL_box,
-    POOL_old_box,         POOL_moved,
-    POOL_next_collidable,
-};
 
 static void collidable_item(const scree_world* world, PoolId pool, int index, void* item)
 {
@@ -89,30 +78,26 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 		*(Float4*)item = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
 		break;
 	default:
-		*(int*)item = 0;
+		break;
 	}
 }
 
-static bool some_have_kept(const scree_world* world, int begin, int end)
-{
-	bool some = false;
-	for (int k = begin; k < end && !some; ++k)
-		some = row_has_kept(world, world->edits.bodies + k);
-	return some;
-}
+// Whether a new item has to be written in this pool.
+static bool is_cleared(int pool, Per per) { return pool_info[pool].per == per && pool_info[pool].role <= STATE; }
 
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
 	const BodyRow* rows = world->edits.bodies;
-	for (size_t p = 0; p < sizeof body_pools / sizeof *body_pools; ++p)
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
-		PoolId pool = body_pools[p];
-		if (pool == POOL_kept && !some_have_kept(world, begin, end))
+		size_t bytes = pool_info[pool].bytes;
+		if (!is_cleared(pool, PER_BODY))
 			continue;
+		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)
-			body_item(world, pool, rows + k, stage + (size_t)(k - begin) * pool_info[pool].bytes);
-		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
+			body_item(world, (PoolId)pool, rows + k, stage + (size_t)(k - begin) * bytes);
+		TRY(b->f->write(b, (PoolId)pool, rows[begin].index, end - begin, stage));
 	}
 	return SCREE_OK;
 }
@@ -121,13 +106,16 @@ scree_status upload_collidables(scree_world* world, int begin, int end, char* st
 {
 	Backend* b = world->backend;
 	const CollidableRow* rows = world->edits.collidables;
-	size_t pools = edit_is_dead(world, begin) ? 1 : sizeof collidable_pools / sizeof *collidable_pools;
-	for (size_t p = 0; p < pools; ++p)
+	bool dead = edit_is_dead(world, begin);
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
-		PoolId pool = collidable_pools[p];
+		size_t bytes = pool_info[pool].bytes;
+		if (dead ? pool != POOL_collidable_kind : !is_cleared(pool, PER_COLLIDABLE))
+			continue;
+		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)
-			collidable_item(world, pool, rows[k].index, stage + (size_t)(k - begin) * pool_info[pool].bytes);
-		TRY(b->f->write(b, pool, rows[begin].index, end - begin, stage));
+			collidable_item(world, (PoolId)pool, rows[k].index, stage + (size_t)(k - begin) * bytes);
+		TRY(b->f->write(b, (PoolId)pool, rows[begin].index, end - begin, stage));
 	}
 	return SCREE_OK;
 }

@@ -10,12 +10,6 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage);
 scree_status upload_collidables(scree_world* world, int begin, int end, char* stage);
 scree_status upload_attributes(scree_world* world, char* stage);
 
-// Whether the row of a body in the pool kept has to be written or cleared.
-static inline bool row_has_kept(const scree_world* world, const BodyRow* row)
-{
-	return row->disabled || world->host_bodies[row->index].kept;
-}
-
 static inline Filter filter_row(scree_filter filter)
 {
 	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group};

@@ -20,7 +20,6 @@ typedef struct // host data of a body
 	uint64_t user;
 	int target;    // 1 + its place among the targets, 0 for none
 	bool disabled; // not simulated: its collidables are KIND_DEAD on the device
-	bool kept;     // the row of this slot in the pool kept may be nonzero on the device
 	Waiting waiting;
 	bool marked; // within one call: already seen in the batch
 } HostBody;

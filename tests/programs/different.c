@@ -20,7 +20,7 @@ static const Named named[] = {
     {POOL_pose_low, {"low_x", "low_y"}},
     {POOL_motion, {"fx", "fy", "torque", "gravity_scale", "linear_damping", "angular_damping", "free_x", "free_y"}},
     {POOL_local_center, {"x", "y"}},
-    {POOL_kept, {"vx", "vy", "w", "disabled"}},
+    {POOL_stored_velocity, {"vx", "vy", "w", "stored"}},
     {POOL_color_mask, {"low", "high"}},
     {POOL_collidable_pose, {"x", "y", "cos", "sin"}},
     {POOL_collidable_kind, {"kind"}},
@@ -57,7 +57,7 @@ static void* read_items(scree_world* world, PoolId pool, int count)
 static int items_of(const scree_world* world, const Counters* c, PoolId pool)
 {
 	Per per = pool_info[pool].per;
-	return per == BODY ? world->bodies.used : per == COLLIDABLE ? world->collidables.used : c->contacts;
+	return per == PER_BODY ? world->bodies.used : per == PER_COLLIDABLE ? world->collidables.used : c->contacts;
 }
 
 static void print_pool(scree_world* const worlds[2], const Named* n, int count, FILE* file)

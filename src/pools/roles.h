@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// roles.h -- what a pool has an item for, and what becomes of an item between two steps.
+#ifndef ROLES_H
+#define ROLES_H
+
+typedef enum // what a pool has an item for
+{
+	PER_ATTRIBUTE,
+	PER_COLLIDABLE,
+	PER_BODY,
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	PER_EDGE,        // of any kind
+	PER_SPOKE,       // contact of a hub
+	PER_SPOKE_BLOCK, // of MAX_LANES of them
+	PER_RENDER_ROW,  // collidable, as a renderer sees it
+	PER_LISTED,      // contact of a body that the user asks for
+	PER_TREE,
+	PER_LEAF,
+	PER_NODE,
+	PER_KEY,
+	PER_COMMAND,
+	PER_HASH,
+	PER_ONE,
+	PER_COUNT
+} Per;
+
+typedef enum // the first three outlive a step, and are copied to another device
+{
+	HASHED,   // in the world hash; zero in a new item, until its maker writes it
+	STATE,    // zero in a new item, until its maker writes it
+	STANDING, // a new item takes over what its slot holds
+	DERIVED,  // outlives a step; computed from the others on another device
+	SCRATCH,  // written before it is read in every step; undefined between steps
+} Role;
+
+#endif
