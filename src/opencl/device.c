@@ -110,6 +110,7 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 	snprintf(d->identity, sizeof d->identity, "%s|%s|%s|%s|%s", d->platform_name, platform_version, name, version,
 	         driver);
 	d->type = device_number(id, CL_DEVICE_TYPE);
+	d->compiles_at_launch = strcmp(d->platform_name, "Portable Computing Language") == 0;
 	d->about.units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
 	d->about.memory = device_number(id, CL_DEVICE_GLOBAL_MEM_SIZE);
 	find_sharing(d);

@@ -12,7 +12,8 @@ typedef struct
 	cl_device_type type;
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
 	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; takes memory by file descriptor
-	bool usable;                       // false if Scree cannot run on it with any option; about.reason says why
+	bool compiles_at_launch; // PoCL: its binaries hold kernels for sizes that no launch uses; it has its own cache
+	bool usable;             // false if Scree cannot run on it with any option; about.reason says why
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions: part of the key of the program cache
 	scree_device about; // what scree_devices_get returns

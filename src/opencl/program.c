@@ -83,7 +83,9 @@ scree_status program_build(cl_context context, const Device* device, const char*
 	char options[OPTION_BYTES];
 	all_options(device, more, options);
 	Digest key = program_key(device, options, text, length);
-	*program = from_cache(context, device, options, key);
+	*program = NULL;
+	if (!device->compiles_at_launch)
+		*program = from_cache(context, device, options, key);
 	if (*program)
 		return SCREE_OK;
 
@@ -100,6 +102,7 @@ scree_status program_build(cl_context context, const Device* device, const char*
 		            "The stages do not build on %s: clBuildProgram: %s (%d); the log has the messages.",
 		            device->about.name, opencl_error_name(error), (int)error);
 	}
-	to_cache(*program, key);
+	if (!device->compiles_at_launch)
+		to_cache(*program, key);
 	return SCREE_OK;
 }

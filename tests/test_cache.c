@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// test_cache.c -- compiled OpenCL programs on disk: what was written is read, what is damaged is not.
+#include "opencl/cache.h"
+#include "opencl/device.h"
+#include "opencl/program.h"
+#include "platform/error.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static Digest key_of(const char* text)
+{
+	Digest key = digest_begin();
+	digest_add(&key, text, strlen(text));
+	return key;
+}
+
+static void path_of(Digest key, char path[512])
+{
+	snprintf(path, 512, "%s/%016llx%016llx.bin", getenv("SCREE_CACHE"), (unsigned long long)key.a,
+	         (unsigned long long)key.b);
+}
+
+// Changes the byte at a place of a file; a place beyond its end makes it longer.
+static void damage(const char* path, long place)
+{
+	FILE* file = fopen(path, "r+b");
+	assert_non_null(file);
+	assert_int_equal(fseek(file, place, SEEK_SET), 0);
+	int byte = fgetc(file);
+	assert_int_equal(fseek(file, place, SEEK_SET), 0);
+	fputc(byte == EOF ? 'x' : byte ^ 1, file);
+	assert_int_equal(fclose(file), 0);
+}
+
+static void check_read(Digest key, const char* expected)
+{
+	size_t count = 0;
+	unsigned char* bytes = cache_read(key, &count);
+	if (!expected)
+	{
+		assert_null(bytes);
+		return;
+	}
+	assert_non_null(bytes);
+	assert_int_equal(count, strlen(expected));
+	assert_memory_equal(bytes, expected, count);
+	scree_release(bytes);
+}
+
+// A file of 48 bytes and the content: magic, key, digest of the content, length. Any changed byte makes it count as
+// missing, and so does one byte more or less.
+static void damaged_files_are_not_read(void** state)
+{
+	(void)state;
+	const char* content = "a program, or what a compiler made of one";
+	Digest key = key_of("damaged");
+	char path[512];
+	path_of(key, path);
+	remove(path);
+	check_read(key, NULL);
+	long length = 48 + (long)strlen(content);
+	for (long place = 0; place <= length; ++place)
+	{
+		cache_write(key, (const unsigned char*)content, strlen(content));
+		check_read(key, content);
+		damage(path, place);
+		check_read(key, NULL);
+	}
+	check_read(key_of("another"), NULL);
+}
+
+static void no_folder_no_cache(void** state)
+{
+	(void)state;
+	char folder[512];
+	snprintf(folder, sizeof folder, "%s", getenv("SCREE_CACHE"));
+	Digest key = key_of("nowhere");
+	setenv("SCREE_CACHE", "", 1);
+	cache_write(key, (const unsigned char*)"x", 1);
+	check_read(key, NULL);
+	setenv("SCREE_CACHE", "/proc/nowhere", 1);
+	cache_write(key, (const unsigned char*)"x", 1);
+	check_read(key, NULL);
+	setenv("SCREE_CACHE", folder, 1);
+	check_read(key, NULL);
+}
+
+static int built(const Device* device, cl_context context, const char* text, const char* kernel_name)
+{
+	cl_program program = NULL;
+	if (program_build(context, device, "", text, strlen(text), &program))
+		return 0;
+	cl_int error;
+	cl_kernel kernel = opencl.CreateKernel(program, kernel_name, &error);
+	assert_int_equal(error, CL_SUCCESS);
+	opencl.ReleaseKernel(kernel);
+	opencl.ReleaseProgram(program);
+	return 1;
+}
+
+// A program is taken from its file, and built again when the file is damaged or holds no program.
+static void programs_are_kept(void** state)
+{
+	(void)state;
+	Device device;
+	if (device_choose(&(BackendOptions){0}, &device))
+		skip();
+	device.compiles_at_launch = false;
+	snprintf(device.identity, sizeof device.identity, "test_cache");
+	cl_int error;
+	cl_context context = opencl.CreateContext(NULL, 1, &device.id, NULL, NULL, &error);
+	assert_int_equal(error, CL_SUCCESS);
+
+	const char* text = "kernel void answer(global int* x) { x[get_global_id(0)] = 42; }\n";
+	const char* division = device.correct_division ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
+	char options[128], path[512];
+	snprintf(options, sizeof options, "-cl-std=CL1.2%s", division);
+	Digest key = key_of(text);
+	digest_add(&key, options, strlen(options) + 1);
+	digest_add(&key, device.identity, strlen(device.identity) + 1);
+	path_of(key, path);
+	remove(path);
+	for (int k = 0; k < 4; ++k)
+	{
+		if (k == 2)
+			damage(path, 60);
+		if (k == 3)
+			cache_write(key, (const unsigned char*)"no program", 10);
+		assert_true(built(&device, context, text, "answer"));
+		size_t count = 0;
+		unsigned char* bytes = cache_read(key, &count);
+		assert_non_null(bytes);
+		assert_true(count > 10);
+		scree_release(bytes);
+	}
+	assert_false(built(&device, context, "kernel void answer(global int* x) { x[0] = y; }\n", "answer"));
+	opencl.ReleaseContext(context);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(damaged_files_are_not_read),
+	    cmocka_unit_test(no_folder_no_cache),
+	    cmocka_unit_test(programs_are_kept),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
