@@ -95,7 +95,7 @@ static void attributes_are_destroyed(void** state)
 	assert_ok(scree_attribute_destroy(world, first)); // made twice
 	assert_int_equal(scree_attribute_destroy(world, first), SCREE_ERROR_INVALID);
 	assert_non_null(
-	    strstr(scree_error(), "scree_attribute_destroy: attribute (index 0) is still that of 1 collidable"));
+	    strstr(scree_error(), "scree_attribute_destroy: attribute (index 0) is still used by 1 collidable"));
 	assert_true(scree_attribute_is_valid(world, first));
 	assert_ok(scree_collidable_set_attribute(world, part_of(world, body), second));
 	assert_ok(scree_attribute_destroy(world, first));

@@ -338,7 +338,7 @@ static void test_shared_memory(void** state)
 	// a world that has grown wants more; memory that the driver refuses leaves what there was
 	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
-	               "there are 42 rows, and what is shared has room for 41");
+	               "there are 42 rows, and the shared memory has room for 41");
 	assert_int_equal(count, BODIES + 2);
 	creation_fails = true;
 	expect_refusal(scree_world_share_memory(world, larger_file, large), SCREE_ERROR_NOT_SUPPORTED, "CL_INVALID_VALUE");

@@ -24,7 +24,7 @@ for name in $("$scree" validate --names); do
 	esac
 done
 # in the slow builds of the other presets not what is large
-[ "${SCREE_QUICK:-0}" = 1 ] && names=(limits rest bounce motion)
+[ "${SCREE_QUICK:-0}" = 1 ] && names=(limits bounce motion)
 
 "$scree" validate --quick --device cpu --threads 1 "${names[@]}" >rows.csv 2>err
 code=$?

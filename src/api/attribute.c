@@ -87,7 +87,7 @@ scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribu
 	TRY(check_attribute(world, at, "", attribute, &index));
 	const HostAttribute* host = world->host_attributes + index;
 	if (host->claims == 1 && host->collidables > 0)
-		return refuse(SCREE_ERROR_INVALID, at, "", "(index %u) is still that of %d collidable%s", attribute.index,
+		return refuse(SCREE_ERROR_INVALID, at, "", "(index %u) is still used by %d collidable%s", attribute.index,
 		              host->collidables, host->collidables == 1 ? "" : "s");
 	attribute_disclaim(world, index);
 	return SCREE_OK;

@@ -96,7 +96,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		Where at = {function, argument, alone ? ALONE : marked};
 		status = check_collidable(world, at, collidables[marked], &index);
 		if (status == SCREE_OK && world->host_collidables[index].marked)
-			status = refuse(SCREE_ERROR_STALE, at, "", "is in the batch a second time");
+			status = refuse(SCREE_ERROR_STALE, at, "", "is twice in the batch");
 		if (status == SCREE_OK)
 		{
 			world->host_collidables[index].marked = true;

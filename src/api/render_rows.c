@@ -77,7 +77,7 @@ scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_
 {
 	const char* function = "scree_world_share_opengl";
 	if (buffer == 0)
-		return fail(SCREE_ERROR_INVALID, "%s: buffer is 0, which names no buffer object", function);
+		return fail(SCREE_ERROR_INVALID, "%s: buffer is 0, not the name of a buffer object", function);
 	return share(world, function, &(SharedMemory){.how = SCREE_SHARING_OPENGL, .buffer = buffer, .bytes = bytes});
 }
 
@@ -99,7 +99,7 @@ scree_status scree_world_write_render_rows(scree_world* world, int* count)
 	TRY(world_upload(world));
 	*count = world->collidables.used;
 	if (*count > world->shared_rows)
-		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and what is shared has room for %d", function, *count,
-		            world->shared_rows);
+		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and the shared memory has room for %d", function,
+		            *count, world->shared_rows);
 	return *count > 0 ? world_note(world, pipeline_show(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
 }

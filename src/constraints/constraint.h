@@ -55,7 +55,6 @@
 #define ROW_STOW(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(store(&rows->name[lane], 0, u->name);)
 #define ROW_KEEP(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(kept.name = rows->name[lane];)
 #define ROW_PUT_BACK(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(rows->name[lane] = kept.name;)
-#define ROW_FORGET(name, gate, life, inert, read, written)   ROW_IF_KEPT_##life(kept.name = 0.0f;)
 #define ROW_FETCH(name, gate, life, inert, read, written)    ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)
 #define ROW_HASH(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(h = hash_float(h, rows->name[lane]);)
 

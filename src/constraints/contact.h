@@ -58,9 +58,9 @@
 	X(approach1, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)                                       \
 	X(approach2, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)
 
-// Columns of a stream (src/opencl/forms/registers.cl), for who does not hold contacts in registers: QUAD(k, four numbers), where
-// the first of all is not the contact's own; PAIR(k, passes that read and write it, two numbers). What was read by the last
-// pass of a step goes back to the rows.
+// Columns of the stream (src/opencl/forms/registers.cl), for forms of the solve that do not hold contacts in registers:
+// QUAD(k, four numbers), the first number of column 0 not being the contact's own; PAIR(k, passes that read it, passes that
+// write it, two numbers). The last pass of a step writes to the rows instead.
 #define CONTACT_STREAM(QUAD, PAIR)                                      \
 	QUAD(0, name, u->friction, u->normal_x, u->normal_y)                \
 	QUAD(1, u->anchor1_x, u->anchor1_y, u->anchor2_x, u->anchor2_y)     \
@@ -70,7 +70,8 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that preparing it gathers: collidables, what is found there, flags that say what is round; of bodies, for restitution.
+// Bytes that prepare gathers for a contact: collidables, world shapes, manifold, flags if there are round shapes; then of its
+// bodies, in a world with restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
@@ -104,7 +105,7 @@ typedef struct // a contact in registers
 	Real gap1, gap2;                                               // m: of the points, now
 } Contact;
 
-typedef struct // its bodies, and where it pushes them
+typedef struct // its bodies, and the lever arms of its points
 {
 	Body a, b;
 	Vec n, t;         // normal from a to b; tangent
@@ -132,7 +133,7 @@ INLINE Real pair_approach(ContactArms c, int k, Vec n)
 	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
 }
 
-// how far the bodies are apart at point k, now
+// m: the separation of point k now
 INLINE Real pair_gap(const ContactArms* c, int k, Real separation)
 {
 	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
@@ -144,13 +145,14 @@ INLINE Real pair_mass(const ContactArms* c, int k, Vec n)
 	return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n);
 }
 
-typedef struct // of a point's push: what it adds to the normal velocity, and how soft it is
+typedef struct // the goal of a point's impulse: a velocity bias, m/s, and its softness
 {
 	Real bias, mass_scale, impulse_scale;
 } PairGoal;
 
-// Of a point s apart. With soft null the overlap is left alone: what bodies gained by being pushed out is taken from them
-// again. Contacts with what is fixed, cannot move, are stiffer, so that nothing sinks into the ground.
+// The goal of a point with separation s. Without soft, in the relaxing pass, the overlap is ignored, which removes the velocity
+// that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are stiffer, so that nothing
+// sinks into the ground.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
 {
 	Int apart = s > splat(0.0f);
@@ -175,15 +177,15 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
 	return goal;
 }
 
-// Whether a point that is to bounce has not met yet.
+// Whether a point that will bounce has not touched yet.
 INLINE Int pair_waits(Real s, Real old, Real rebound)
 {
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-// One point's push along the normal, s apart. Returns the new accumulated impulse, which never pulls. What is to bounce
-// (rebound) and did not meet within this substep keeps its speed when it is relaxed, or it would bounce before it is there,
-// or not at all.
+// The normal impulse of one point with separation s. Returns the new accumulated impulse, never negative. A point that will
+// bounce (rebound > 0) and has not touched within this substep gets none in the relaxing pass. Otherwise it would bounce too
+// early, or not at all.
 INLINE Real pair_normal(ContactArms* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
@@ -196,7 +198,7 @@ INLINE Real pair_normal(ContactArms* c, int k, Real s, Real mass, Real old, cons
 	return impulse;
 }
 
-// One point's friction: Coulomb's cone with the normal impulse of the pass before.
+// One point's friction: Coulomb's cone with the normal impulse of the previous pass.
 INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
 	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
@@ -204,8 +206,8 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 	return impulse;
 }
 
-// Rolling resistance: a torque against the relative spin, limited by the load times a lever; by the load without its
-// bias, or a fast roller, whose load is uneven within a step, would stop too early.
+// Rolling resistance: a torque against the relative spin, at most the load times a lever. The load is that of the relaxing
+// pass: with its bias it varies within a step, and a fast roller would stop too early.
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
@@ -238,8 +240,8 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// The impulses that give two points what they lack (m/s) at once. What one does to the other is cross; without it 1/mass
-// is what it resists. Two points that are nearly one are one.
+// Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. cross is the velocity
+// that a unit impulse at one point causes at the other. If the points nearly coincide, the first takes the whole impulse.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
@@ -252,8 +254,8 @@ INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1,
 	*impulse2 = choose(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
 }
 
-// Two points that will bounce are slowed down at once. One after the other they would turn what lands flat, and friction
-// would make of that a speed along the surface.
+// Stops two points that will bounce at once. Solved one after the other, they would rotate a body that lands flat, and friction
+// would turn that rotation into a velocity along the surface.
 INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                       Real* normal1, Real* normal2)
 {
@@ -264,7 +266,7 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	Int meet = (load(&contact_rare(p, rebound1, i), 0) > zero) & (load(&contact_rare(p, rebound2, i), 0) > zero);
 	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
 
-	// where one pushes alone, one after the other is right
+	// if only one of them pushes, sequential impulses are correct
 	meet = meet & ((new1 < zero) == (new2 < zero));
 	new1 = choose(*normal1, push_of(new1), meet);
 	new2 = choose(*normal2, push_of(new2), meet);
@@ -274,14 +276,14 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	*normal2 = new2;
 }
 
-// m/s: what a point that leaves the surface at some speed has where it is, a gap above
+// m/s: the speed, at height gap, of a point that left the surface with the speed rebound
 INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
 {
 	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
 }
 
-// Restitution of the points that were pushed. What bounces leaves, so that the next step must not begin with the impulse
-// of this one.
+// Restitution of the points that got an impulse. A point that bounces separates, so the next step must not be warm started
+// with its impulse.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -306,9 +308,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	*normal2 = choose(*normal2, zero, hit2);
 }
 
-// Of max_speed: what an impulse of the last step may give a point alone. In a jam between bodies that do not give way
-// impulses add up from step to step, and what is let go at last would be shot out with all of them. Of 300 bodies at one
-// point, in 20 runs, the fastest leaves with 104, 92 and 95 m/s with 0.25, 0.2 and 0.15 of 400.
+// The velocity that a warm starting impulse may give a point, as a share of max_speed. In a jam between immovable bodies
+// impulses add up from step to step, and a body that gets free would leave with all of them. 300 bodies at one point, 20 runs,
+// max_speed 400 m/s: the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
 #define START_SHARE 0.2f
 
 INLINE Real pair_start(const Step* step, Real impulse, Real mass)
@@ -325,8 +327,8 @@ INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
 	u->normal_impulse2 = pair_normal(c, 1, u->gap2, u->normal_mass2, u->normal_impulse2, &p->step, 1, splat(0.0f));
 }
 
-// What is not held is derived where it is used: all of it at the top would need more registers than a CPU has, which costs
-// 5 % of the pass.
+// Masses and separations that are not held are derived where they are used. Deriving all of them first needs more registers
+// than a CPU has; the pass then takes 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound1 = splat(0.0f), rebound2 = splat(0.0f);
@@ -359,7 +361,7 @@ INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact*
 // what every kind of constraint has
 // ---------------------------------------------------------------------------------------------------------------
 
-// What some passes need of its bodies, which is the same in all substeps.
+// Derives the effective masses that some passes need; they are constant within a step.
 INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 {
 	ContactArms c = pair_of(u, a, b);
@@ -372,14 +374,14 @@ INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 	}
 }
 
-// The impulses of the last step, as far as this one begins with them.
+// Limits the impulses of the last step, with which this one is warm started.
 INLINE void contact_start(const Step* step, Contact* u)
 {
 	u->normal_impulse1 = pair_start(step, u->normal_impulse1, u->normal_mass1);
 	u->normal_impulse2 = pair_start(step, u->normal_impulse2, u->normal_mass2);
 }
 
-// What a pass needs of where the bodies are; their velocities may still be on their way.
+// Derives the separations from the positions of the bodies. Their velocities need not be known yet.
 INLINE void contact_ready(const Body* a, const Body* b, Contact* u)
 {
 	ContactArms c = pair_of(u, a, b);
@@ -387,8 +389,8 @@ INLINE void contact_ready(const Body* a, const Body* b, Contact* u)
 	u->gap2 = pair_gap(&c, 1, u->separation2);
 }
 
-// A pass of constraint i. Whoever holds u over a step has called derive and, where the bodies are now, ready; for the others
-// the pass does so itself.
+// A pass of constraint i. If the caller holds u in registers over a step, it has called contact_derive, and contact_ready for
+// this pass; otherwise (held is 0) the pass derives what it needs.
 INLINE void contact_pass(const Pools* p, int pass, int i, int held, Contact* u, Body* a, Body* b)
 {
 	ContactArms c = pair_of(u, a, b);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// contact_one.h -- what a contact needs one at a time: what may bounce, and how fast; rows that the layout brings.
+// contact_one.h -- stages of contacts that take one contact at a time: restitution, approach speeds, rows that the layout sets.
 #ifndef CONTACT_ONE_H
 #define CONTACT_ONE_H
 #include "constraints/contact.h"
 
-// A body as it comes to the step, within the limits.
+// A body at the start of the step, with its speed within the limits.
 INLINE Body prepare_body(const Pools* p, int index)
 {
 	Body b = body_gather(p, index);
@@ -13,8 +13,8 @@ INLINE Body prepare_body(const Pools* p, int index)
 	return b;
 }
 
-// m/s^2: of a body by gravity and the user's forces. What is slower than gravity would make it within a step, and touches
-// something else, is held up by that.
+// m/s^2: of a body by gravity and the user's forces. A body that is slower than gravity would make it in one step, and that
+// touches something else, is assumed to be supported: 0.
 INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
 {
 	Motion motion = p->motion[body];
@@ -26,9 +26,9 @@ INLINE Vec prepare_acceleration(const Pools* p, int body, Body b)
 	           motion.free_y * (motion.gravity_scale * gravity.y + b.inv_mass * motion.fy));
 }
 
-// Newton's law of impact: how fast a point leaves that comes with a normal velocity (negative) and has a gap to go. A body
-// that falls in substeps is at points of a parabola, on which its speed is that of a substep's middle: half of what a
-// substep adds is put to the speed before, and taken from the speed after (bounce_speed). Between, energy is kept.
+// Newton's law of impact, m/s: the speed with which a point leaves that approaches with a normal velocity (negative) and is a
+// gap away. Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. So
+// half of a substep's acceleration is added before the impact and subtracted after it (bounce_speed), which conserves energy.
 INLINE float prepare_rebound(const Step* step, float restitution, float velocity, float fall, float gap)
 {
 	float before = velocity + 0.5f * step->h * fall;
@@ -36,10 +36,10 @@ INLINE float prepare_rebound(const Step* step, float restitution, float velocity
 	return before < 0.0f && square > threshold * threshold ? restitution * square_root(square) : 0.0f;
 }
 
-// m/s^2: with the longest gap and step it is still a float, and so is its square
+// m/s^2: with the largest gap and step the square of a speed is still finite
 #define MOST_FALL 1.0e18f
 
-// What may bounce within the step, and how fast. What hardly moves will not in one step.
+// Rebound speeds of the points that may bounce within the step. Points that hardly move are left out.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 {
 	float e = contact_rare(p, restitution, i), fall = 0.0f, rebound1 = 0.0f, rebound2 = 0.0f;
@@ -63,7 +63,7 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 	contact_rare(p, rebound2, i) = rebound2;
 }
 
-// m/s: how fast the points draw near before anything pushes them.
+// m/s: approach speeds of the points at the start of the step.
 INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 {
 	Body a = prepare_body(p, contact_row(p, body_a, i)), b = prepare_body(p, contact_row(p, body_b, i));
@@ -87,7 +87,7 @@ INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 // Whether a slot holds a contact.
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// What the surfaces of two collidables make of the rows.
+// Rows that come from the surfaces of the two collidables.
 INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 {
 	contact_row(p, friction, i) = surface.x;
@@ -96,7 +96,7 @@ INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 	contact_rare(p, tangent_speed, i) = surface.w;
 }
 
-// The rows that stay while the layout stands.
+// Rows that are valid until the next layout.
 INLINE void contact_set_place(const Pools* p, int slot, int i)
 {
 	p->contact_place_pair[i] = p->pair[slot];

@@ -3,118 +3,99 @@
 #ifndef KINDS_H
 #define KINDS_H
 #include "constraints/contact.h"
+#include "dialect/hash_word.h"
+
+// Does ROW (constraint.h) for each row of constraint i, or for each rare row.
+#define EACH_ROW(kind, Kind, KIND, ROW)                           \
+	{                                                             \
+		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
+		int lane = i % MAX_LANES;                                 \
+		(void)rows, (void)lane;                                   \
+		KIND##_ROWS(ROW)                                          \
+	}
+#define EACH_RARE_ROW(kind, Kind, KIND, ROW)                               \
+	{                                                                      \
+		GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+		int lane = i % MAX_LANES;                                          \
+		(void)rows, (void)lane;                                            \
+		KIND##_RARE_ROWS(ROW)                                              \
+	}
 
 // The rows of constraint i that a pass reads, and writes.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                               \
-	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u)   \
-	{                                                                   \
-		const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
-		int lane = i % MAX_LANES;                                       \
-		KIND##_ROWS(ROW_LOAD)                                           \
-	}                                                                   \
-	INLINE void kind##_store(const Pools* p, int i, int pass, Kind* u)  \
-	{                                                                   \
-		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;       \
-		int lane = i % MAX_LANES;                                       \
-		KIND##_ROWS(ROW_STORE)                                          \
-	}
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                       \
+	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD); } \
+	INLINE void kind##_store(const Pools* p, int i, int pass, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE); }
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
 // For forms of the solve that keep constraints in registers over a step: all rows that are not prepared, and at the end
 // the kept ones.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                               \
-	INLINE void kind##_take(const Pools* p, int i, Kind* u)             \
-	{                                                                   \
-		const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
-		int lane = i % MAX_LANES;                                       \
-		KIND##_ROWS(ROW_TAKE)                                           \
-	}                                                                   \
-	INLINE void kind##_stow(const Pools* p, int i, const Kind* u)       \
-	{                                                                   \
-		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;       \
-		int lane = i % MAX_LANES;                                       \
-		KIND##_ROWS(ROW_STOW)                                           \
-	}
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                             \
+	INLINE void kind##_take(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_TAKE); } \
+	INLINE void kind##_stow(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STOW); }
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
 // Padding: place i gets an inert constraint between the ground and itself.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                      \
-	INLINE void kind##_pad(const Pools* p, int i)                              \
-	{                                                                          \
-		int lane = i % MAX_LANES;                                              \
-		p->kind##_place_slot[i] = -1;                                          \
-		kind##_row(p, body_a, i) = 0;                                          \
-		kind##_row(p, body_b, i) = 0;                                          \
-		{                                                                      \
-			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
-			KIND##_ROWS(ROW_PAD)                                               \
-		}                                                                      \
-		{                                                                      \
-			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
-			KIND##_RARE_ROWS(ROW_PAD)                                          \
-		}                                                                      \
+#define CONSTRAINT_KIND(kind, Kind, KIND)         \
+	INLINE void kind##_pad(const Pools* p, int i) \
+	{                                             \
+		p->kind##_place_slot[i] = -1;             \
+		kind##_row(p, body_a, i) = 0;             \
+		kind##_row(p, body_b, i) = 0;             \
+		EACH_ROW(kind, Kind, KIND, ROW_PAD);      \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_PAD); \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
 // While constraints are laid out, their kept rows are copied from the old place to a slot, and from there to the new
 // place.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
-	INLINE void kind##_keep(const Pools* p, int slot, int i)                         \
-	{                                                                                \
-		int lane = i % MAX_LANES;                                                    \
-		{                                                                            \
-			const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
-			Kind##Kept kept;                                                         \
-			KIND##_ROWS(ROW_KEEP) p->kind##_kept[slot] = kept;                       \
-		}                                                                            \
-		{                                                                            \
-			const GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
-			Kind##RareKept kept;                                                     \
-			KIND##_RARE_ROWS(ROW_KEEP) p->kind##_rare_kept[slot] = kept;             \
-		}                                                                            \
-	}                                                                                \
-	INLINE void kind##_put_back(const Pools* p, int slot, int i)                     \
-	{                                                                                \
-		int lane = i % MAX_LANES;                                                    \
-		{                                                                            \
-			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;                \
-			Kind##Kept kept = p->kind##_kept[slot];                                  \
-			KIND##_ROWS(ROW_PUT_BACK)                                                \
-		}                                                                            \
-		{                                                                            \
-			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES;       \
-			Kind##RareKept kept = p->kind##_rare_kept[slot];                         \
-			KIND##_RARE_ROWS(ROW_PUT_BACK)                                           \
-		}                                                                            \
-	}                                                                                \
-	/* A new item has nothing to keep. */                                            \
-	INLINE void kind##_forget(const Pools* p, int slot)                              \
-	{                                                                                \
-		{                                                                            \
-			Kind##Kept kept;                                                         \
-			KIND##_ROWS(ROW_FORGET) p->kind##_kept[slot] = kept;                     \
-		}                                                                            \
-		{                                                                            \
-			Kind##RareKept kept;                                                     \
-			KIND##_RARE_ROWS(ROW_FORGET) p->kind##_rare_kept[slot] = kept;           \
-		}                                                                            \
-	}                                                                                \
-	/* What is kept of place i is fetched from memory. */                            \
-	INLINE void kind##_fetch_kept(const Pools* p, int i)                             \
-	{                                                                                \
-		int lane = i % MAX_LANES;                                                    \
-		{                                                                            \
-			GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;                \
-			KIND##_ROWS(ROW_FETCH)                                                   \
-		}                                                                            \
-		{                                                                            \
-			GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES;       \
-			KIND##_RARE_ROWS(ROW_FETCH)                                              \
-		}                                                                            \
-		(void)lane;                                                                  \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                \
+	INLINE void kind##_keep(const Pools* p, int slot, int i)             \
+	{                                                                    \
+		{                                                                \
+			Kind##Kept kept;                                             \
+			EACH_ROW(kind, Kind, KIND, ROW_KEEP);                        \
+			p->kind##_kept[slot] = kept;                                 \
+		}                                                                \
+		{                                                                \
+			Kind##RareKept kept;                                         \
+			EACH_RARE_ROW(kind, Kind, KIND, ROW_KEEP);                   \
+			p->kind##_rare_kept[slot] = kept;                            \
+		}                                                                \
+	}                                                                    \
+	INLINE void kind##_put_back(const Pools* p, int slot, int i)         \
+	{                                                                    \
+		{                                                                \
+			Kind##Kept kept = p->kind##_kept[slot];                      \
+			EACH_ROW(kind, Kind, KIND, ROW_PUT_BACK);                    \
+		}                                                                \
+		{                                                                \
+			Kind##RareKept kept = p->kind##_rare_kept[slot];             \
+			EACH_RARE_ROW(kind, Kind, KIND, ROW_PUT_BACK);               \
+		}                                                                \
+	}                                                                    \
+	/* A constraint that ended has nothing to keep. */                   \
+	INLINE void kind##_forget(const Pools* p, int slot)                  \
+	{                                                                    \
+		const Kind##Kept none = {0};                                     \
+		const Kind##RareKept rare_none = {0};                            \
+		p->kind##_kept[slot] = none;                                     \
+		p->kind##_rare_kept[slot] = rare_none;                           \
+	}                                                                    \
+	/* What is kept of place i is fetched from memory. */                \
+	INLINE void kind##_fetch_kept(const Pools* p, int i)                 \
+	{                                                                    \
+		EACH_ROW(kind, Kind, KIND, ROW_FETCH);                           \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_FETCH);                      \
+	}                                                                    \
+	/* The hash of what is kept of place i, in the order of the rows. */ \
+	INLINE Word64 kind##_hash_kept(Word64 h, const Pools* p, int i)      \
+	{                                                                    \
+		EACH_ROW(kind, Kind, KIND, ROW_HASH);                            \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_HASH);                       \
+		return h;                                                        \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

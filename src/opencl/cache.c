@@ -142,7 +142,7 @@ void cache_write(Digest key, const unsigned char* bytes, size_t count)
 	good = good && rename(temporary, path) == 0;
 	if (!good)
 	{
-		log_sentence(SCREE_LOG_INFO, "The built program could not be kept in %s: %s.", folder, strerror(errno));
+		log_sentence(SCREE_LOG_INFO, "The compiled program could not be cached in %s: %s.", folder, strerror(errno));
 		remove(temporary);
 	}
 }

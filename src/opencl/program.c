@@ -41,8 +41,7 @@ static cl_program from_cache(cl_context context, const Device* device, const cha
 	scree_release(bytes);
 	if (!error && !binary_error)
 		return program;
-	log_sentence(SCREE_LOG_INFO, "%s does not take the program that was kept for it; it is built again.",
-	             device->about.name);
+	log_sentence(SCREE_LOG_INFO, "%s rejects its cached program; it is built again.", device->about.name);
 	if (program)
 		opencl.ReleaseProgram(program);
 	return NULL;

@@ -24,8 +24,8 @@ static scree_status counters_note(Backend* b, const Counters* counters)
 	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
-	return fail(SCREE_ERROR_DEVICE_FAILED, "The work-groups of %s did not meet (SCREE_PERSISTENT=0 avoids it).",
-	            b->name);
+	return fail(SCREE_ERROR_DEVICE_FAILED,
+	            "The work-groups of %s timed out waiting for each other (SCREE_PERSISTENT=0 avoids it).", b->name);
 }
 
 scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)

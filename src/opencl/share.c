@@ -56,7 +56,7 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory)
 		cl_int error = CL_SUCCESS;
 		made.memory = import(d, create, memory, &error);
 		if (error)
-			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s does not take the memory to share: %s says %s (%d).", b->name,
+			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s cannot import the shared memory: %s says %s (%d).", b->name,
 			            extension.create, opencl_error_name(error), (int)error);
 	}
 	scree_status status = finish(d);

@@ -3,26 +3,7 @@
 #ifndef HASH_H
 #define HASH_H
 #include "constraints/contact_one.h"
-#include "constraints/kinds.h"
 #include "stages/item.h"
-
-// What is kept of a constraint, in the order of its rows.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                            \
-	INLINE Word64 kind##_hash_kept(Word64 h, const Pools* p, int i)                  \
-	{                                                                                \
-		int lane = i % MAX_LANES;                                                    \
-		{                                                                            \
-			const GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES;          \
-			KIND##_ROWS(ROW_HASH)                                                    \
-		}                                                                            \
-		{                                                                            \
-			const GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
-			KIND##_RARE_ROWS(ROW_HASH)                                               \
-		}                                                                            \
-		return h;                                                                    \
-	}
-#include "pools/kinds.def"
-#undef CONSTRAINT_KIND
 
 // Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies starts the sums, the other stages add to them.
 STAGE(hash_bodies)

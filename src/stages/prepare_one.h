@@ -5,6 +5,14 @@
 #include "constraints/contact_one.h"
 #include "constraints/kinds.h"
 
+// What finalize counts; the host has read that of the last step.
+INLINE void counters_clear(const Pools* p)
+{
+	p->counters->nonfinite = 0;
+	p->counters->held = 0;
+	p->counters->first_nonfinite = 0x7fffffff;
+}
+
 STAGE(solve_begin)
 {
 	GLOBAL BodyState* body = p->body + i;
@@ -12,14 +20,8 @@ STAGE(solve_begin)
 	body->dx = 0.0f;
 	body->dy = 0.0f;
 	body->da = 0.0f;
-
-	// the host has read what finalize counted in the last step
 	if (i == 0)
-	{
-		p->counters->nonfinite = 0;
-		p->counters->held = 0;
-		p->counters->first_nonfinite = 0x7fffffff;
-	}
+		counters_clear(p);
 }
 
 // Uses the rows that prepare wrote.

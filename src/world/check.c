@@ -67,8 +67,9 @@ scree_status check_pose(Where at, const char* member, scree_pose* pose)
 	{
 		char name[64];
 		snprintf(name, sizeof name, "%s.rotation", member);
-		return refuse(SCREE_ERROR_INVALID, at, name, "is (%s, %s), the cosine and sine of no angle: see scree_rot_make",
-		              decimal(q.c).text, decimal(q.s).text);
+		return refuse(SCREE_ERROR_INVALID, at, name,
+		              "is (%s, %s), not the cosine and sine of an angle: see scree_rot_make", decimal(q.c).text,
+		              decimal(q.s).text);
 	}
 	if (square < 1.0 - 5e-7 || square > 1.0 + 5e-7)
 	{
@@ -124,7 +125,7 @@ scree_status check_type(Where at, const char* member, scree_body_type type)
 {
 	if ((unsigned)type <= SCREE_BODY_DYNAMIC)
 		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, which is no scree_body_type", (int)type);
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, not a scree_body_type", (int)type);
 }
 
 scree_status check_locks(Where at, const char* member, uint32_t locks)

@@ -80,7 +80,7 @@ scree_status edits_sort(scree_world* world)
 	size_t bytes = 1 + (bodies > collidables ? bodies : collidables);
 	char* memory = world_scratch(world, bytes);
 	if (!memory)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to upload %zu bytes of changes", bytes);
 	sort_rows(p->bodies, p->body_count, sizeof *p->bodies, memory);
 	for (int k = 0; k < p->body_count; ++k)
 		world->host_bodies[p->bodies[k].index].waiting.row = k + 1;

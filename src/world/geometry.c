@@ -174,7 +174,7 @@ scree_status shape_finish(Where at, scree_shape* shape)
 	              [SCREE_SHAPE_POLYGON] = {3, 8}};
 
 	if ((unsigned)shape->kind > SCREE_SHAPE_POLYGON)
-		return refuse(SCREE_ERROR_INVALID, at, ".kind", "is %d, which is no scree_shape_kind", (int)shape->kind);
+		return refuse(SCREE_ERROR_INVALID, at, ".kind", "is %d, not a scree_shape_kind", (int)shape->kind);
 	if (shape->count < counts[shape->kind].low || shape->count > counts[shape->kind].high)
 		return refuse(SCREE_ERROR_INVALID, at, ".count", "is %d, must be from %d to %d for this kind", shape->count,
 		              counts[shape->kind].low, counts[shape->kind].high);

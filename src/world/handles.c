@@ -20,7 +20,7 @@ scree_status check_body(const scree_world* world, Where at, const char* member, 
 		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (!body_is_valid(world, body))
 		return refuse(SCREE_ERROR_STALE, at, member,
-		              "(index %u, generation %u) was destroyed, or is none of this world's bodies", body.index,
+		              "(index %u, generation %u) was destroyed, or belongs to another world", body.index,
 		              body.generation);
 	*index = (int)body.index;
 	return SCREE_OK;
@@ -44,8 +44,7 @@ scree_status check_collidable(const scree_world* world, Where at, scree_collidab
 	if (scree_collidable_is_null(collidable))
 		return refuse(SCREE_ERROR_STALE, at, "", "is null");
 	if (!collidable_is_valid(world, collidable))
-		return refuse(SCREE_ERROR_STALE, at, "",
-		              "(index %u, generation %u) was destroyed, or is none of this world's collidables",
+		return refuse(SCREE_ERROR_STALE, at, "", "(index %u, generation %u) was destroyed, or belongs to another world",
 		              collidable.index, collidable.generation);
 	*index = (int)collidable.index - 1;
 	return SCREE_OK;
@@ -78,7 +77,7 @@ scree_status check_attribute(const scree_world* world, Where at, const char* mem
 	if (scree_attribute_is_null(attribute))
 		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (!attribute_is_valid(world, attribute))
-		return refuse(SCREE_ERROR_STALE, at, member, "(index %u) is no attribute of this world", attribute.index);
+		return refuse(SCREE_ERROR_STALE, at, member, "(index %u) is not an attribute of this world", attribute.index);
 	*index = (int)attribute.index;
 	return SCREE_OK;
 }

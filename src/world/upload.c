@@ -55,7 +55,7 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	bytes = larger(bytes, (size_t)demand->commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
 	*memory = world_scratch(world, bytes);
 	if (!*memory)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of changes on their way to the device", bytes);
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to upload %zu bytes of changes", bytes);
 	return SCREE_OK;
 }
 

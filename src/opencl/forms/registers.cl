@@ -48,14 +48,6 @@ INLINE void body_keep(const Pools* p, int body, const float row[8])
 	state->da = row[6];
 }
 
-// Clears the counters of a solve.
-INLINE void counters_clear(const Pools* p)
-{
-	p->counters->nonfinite = 0;
-	p->counters->held = 0;
-	p->counters->first_nonfinite = 0x7fffffff;
-}
-
 // whether all are +0
 INLINE bool all_zero(const float* values, int count)
 {

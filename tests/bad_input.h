@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// bad_input.h -- a world whose functions are called with bad input, and what a refusal must be.
+#ifndef BAD_INPUT_H
+#define BAD_INPUT_H
+#include "scree/scree.h"
+
+// A world of two crates on the ground, with handles of each sort.
+extern scree_world *world, *other;
+extern scree_attribute crate, foreign;
+extern scree_body body, second, fixed, stale;
+extern scree_collidable part, zone, stale_part;
+extern uint64_t before; // hash of the world
+
+static const scree_pose good_pose = {{1, 2}, {0, 1}};
+
+int set_up_bad_input(void** state);
+int tear_down_bad_input(void** state);
+
+void assert_ok(scree_status status);
+// The status, a sentence with each of two parts, and a world as it was.
+void assert_refused(scree_status status, scree_status expected, const char* function, const char* part_of);
+
+// call: function(arguments)
+#define REFUSED(function, arguments, status, sentence) \
+	assert_refused(function arguments, status, #function ": ", sentence)
+#define INVALID(function, arguments, sentence) REFUSED(function, arguments, SCREE_ERROR_INVALID, sentence)
+#define STALE(function, arguments, sentence)   REFUSED(function, arguments, SCREE_ERROR_STALE, sentence)
+
+#endif

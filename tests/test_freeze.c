@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// test_freeze.c -- bodies whose numbers are not finite: they stop for a step, the log says so, and the others go on.
+#include "world/upload.h"
+#include "world/world.h" // before cmocka, which makes a macro of fail
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int warnings;
+static char warning[256];
+
+static void note_warning(scree_log_level level, const char* sentence, void* context)
+{
+	(void)context;
+	warnings += level == SCREE_LOG_WARNING;
+	snprintf(warning, sizeof warning, "%s", sentence);
+}
+
+static int set_log(void** state)
+{
+	(void)state;
+	scree_hooks hooks = {.log = note_warning};
+	warnings = 0;
+	return scree_hooks_set(&hooks);
+}
+
+static int reset_log(void** state)
+{
+	(void)state;
+	return scree_hooks_set(NULL);
+}
+
+// The rows of a body, changed behind the library's back.
+static void poke_velocity(scree_world* world, scree_body body, float vx, float w)
+{
+	Backend* b = world->backend;
+	BodyState row;
+	OK(world_upload(world));
+	OK(b->f->read(b, POOL_body, (int)body.index, 1, &row));
+	row.vx = vx;
+	row.w = w;
+	OK(b->f->write(b, POOL_body, (int)body.index, 1, &row));
+}
+
+// One body goes out of bounds, far from the others and amid them: what it touches may freeze with it, for one step; a
+// body beyond those must not notice, and the step after that all go on.
+static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body body))
+{
+	scree_world* world = open_world(-10.0f);
+	add_floor(world);
+	scree_body row[8];
+	for (int k = 0; k < 8; ++k)
+		row[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.5f);
+	scree_body above = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 9.0f, 1.5f);
+	scree_body falling = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -20.0f, 1000.0f);
+	run_steps(world, 20);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+
+	scree_body victim = amid ? row[3] : falling;
+	scree_vec before = position_of(world, victim);
+	warnings = 0;
+	hurt(world, victim);
+	run_steps(world, 1);
+	scree_counters counters = counters_of(world);
+	assert_in_range(counters.nonfinite, 1, amid ? 2 : 1);
+	check_finite(world);
+	scree_vec after = position_of(world, victim);
+	assert_true(before.x == after.x && before.y == after.y);
+	scree_velocity velocity = velocity_of(world, victim);
+	assert_true(velocity.linear.x == 0.0f && velocity.linear.y == 0.0f && velocity.angular == 0.0f);
+
+	// the host hears of it with the next step's counters
+	run_steps(world, 1);
+	assert_int_equal(warnings, 1);
+	char name[32];
+	snprintf(name, sizeof name, "body %u", victim.index);
+	assert_non_null(strstr(warning, name));
+
+	// and the world goes on
+	run_steps(world, 119);
+	assert_int_equal(warnings, 1);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+	check_finite(world);
+	for (int k = 0; k < 8; ++k)
+	{
+		NEAR(position_of(world, row[k]).x, 3.0 * k, 0.01);
+		NEAR(position_of(world, row[k]).y, 0.5, 0.01);
+	}
+	NEAR(position_of(world, above).y, 1.5, 0.01);
+	double seconds = (amid ? 141.0 : 120.0) / 60.0;
+	NEAR(velocity_of(world, falling).linear.y, -10.0 * seconds, 0.02);
+	scree_world_destroy(world);
+}
+
+// two forces that the interface takes, whose sum is beyond a float
+static void hurt_by_force(scree_world* world, scree_body body)
+{
+	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
+	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
+}
+
+static void hurt_by_torque(scree_world* world, scree_body body)
+{
+	OK(scree_body_apply_torque(world, body, FLT_MAX));
+	OK(scree_body_apply_torque(world, body, FLT_MAX));
+	OK(scree_body_apply_torque(world, body, -FLT_MAX));
+	OK(scree_body_apply_force_at(world, body, (scree_vec){-FLT_MAX, FLT_MAX}, (scree_vec){1e4f, 1e4f}));
+	OK(scree_body_apply_force_at(world, body, (scree_vec){FLT_MAX, -FLT_MAX}, (scree_vec){1e4f, -1e4f}));
+}
+
+static void hurt_by_impulse(scree_world* world, scree_body body)
+{
+	OK(scree_body_apply_impulse_at(world, body, (scree_vec){FLT_MAX, 0.0f}, (scree_vec){0.0f, SCREE_HUGE}));
+	OK(scree_body_apply_impulse_at(world, body, (scree_vec){FLT_MAX, 0.0f}, (scree_vec){0.0f, -SCREE_HUGE}));
+}
+
+static void hurt_by_nan(scree_world* world, scree_body body) { poke_velocity(world, body, NAN, 0.0f); }
+static void hurt_by_spin(scree_world* world, scree_body body) { poke_velocity(world, body, 0.0f, NAN); }
+
+static void bodies_freeze(void** state)
+{
+	(void)state;
+	for (int amid = 0; amid <= 1; ++amid)
+	{
+		check_frozen(amid, hurt_by_force);
+		check_frozen(amid, hurt_by_torque);
+		check_frozen(amid, hurt_by_impulse);
+		check_frozen(amid, hurt_by_nan);
+		check_frozen(amid, hurt_by_spin);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_freeze)};
+	return cmocka_run_group_tests(tests, set_log, reset_log);
+}
