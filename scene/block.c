@@ -66,12 +66,6 @@ static bool read_locks(Reader* reader, const Location* location, const json_t* v
 	return true;
 }
 
-static bool read_disabled(Reader* reader, const Location* location, const json_t* value, bool* disabled)
-{
-	*disabled = json_is_true(value);
-	return !value || json_is_boolean(value) || reader_fail_value(reader, location, value, "must be true or false");
-}
-
 static bool read_body(Reader* reader, const Location* location, const json_t* value, Block* block)
 {
 	return read_type(reader, KEY(location, "type"), json_object_get(value, "type"), &block->type) &&
@@ -83,7 +77,7 @@ static bool read_body(Reader* reader, const Location* location, const json_t* va
 	       reader_member(reader, location, value, "linear_damping", not_negative, 0, &block->linear_damping) &&
 	       reader_member(reader, location, value, "angular_damping", not_negative, 0, &block->angular_damping) &&
 	       read_locks(reader, KEY(location, "locks"), json_object_get(value, "locks"), &block->locks) &&
-	       read_disabled(reader, KEY(location, "disabled"), json_object_get(value, "disabled"), &block->disabled);
+	       reader_boolean(reader, KEY(location, "disabled"), json_object_get(value, "disabled"), &block->disabled);
 }
 
 static bool read_share(Reader* reader, const Location* location, const json_t* object, const char* key, int* share)

@@ -31,6 +31,7 @@ static const char* const world_keys[] = {"gravity",
                                          "contact_push_speed",
                                          "restitution_threshold",
                                          "max_speed",
+                                         "contact_details",
                                          NULL};
 
 static bool read_optional(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
@@ -54,6 +55,9 @@ static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 		return false;
 	if (!read_optional(reader, location, world, "dt", (Range){1e-5, 1, false, false}, &dt) ||
 	    !read_optional(reader, location, world, "substeps", (Range){1, 64, true, false}, &substeps))
+		return false;
+	if (!reader_boolean(reader, KEY(location, "contact_details"), json_object_get(world, "contact_details"),
+	                    &scene->world.contact_details))
 		return false;
 	scene->dt = (float)dt;
 	scene->substeps = (int)substeps;

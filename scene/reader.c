@@ -188,6 +188,12 @@ bool reader_string(Reader* reader, const Location* location, const json_t* value
 	                           : reader_fail_value(reader, location, value, "must be a string that is not empty");
 }
 
+bool reader_boolean(Reader* reader, const Location* location, const json_t* value, bool* boolean)
+{
+	*boolean = json_is_true(value);
+	return !value || json_is_boolean(value) || reader_fail_value(reader, location, value, "must be true or false");
+}
+
 void number_free(Number* number)
 {
 	free(number->code);

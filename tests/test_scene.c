@@ -129,6 +129,8 @@ static void test_bad_values(void** state)
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1e300*1e300\""),
 	     "bodies[1].angle: \"1e300*1e300\" is inf, must be finite"},
 	    {HEAD "\"world\": {\"dt\": 0}, " GOOD_ATTRIBUTES "\"bodies\": []}", "world.dt: 0 must be positive"},
+	    {HEAD "\"world\": {\"contact_details\": 1}, " GOOD_ATTRIBUTES "\"bodies\": []}",
+	     "world.contact_details: 1 must be true or false"},
 	    {HEAD "\"world\": {\"substeps\": 1.5}, " GOOD_ATTRIBUTES "\"bodies\": []}",
 	     "world.substeps: 1.5 must be a whole"},
 	    {HEAD "\"view\": [0, 0, 0, 1], " GOOD_ATTRIBUTES "\"bodies\": []}", "view: [0,0,0,1] is empty"},
@@ -448,6 +450,32 @@ static void test_churn(void** state)
 	scene_free(scene);
 }
 
+// A ball that lands reports its approach speed, 5 m/s, if the scene wants it.
+static void test_contact_details(void** state)
+{
+	(void)state;
+	for (int wanted = 0; wanted <= 1; ++wanted)
+	{
+		char text[512];
+		snprintf(text, sizeof text,
+		         HEAD "\"world\": {\"contact_details\": %s}, \"attributes\": {\"a\": {\"circle\": 1}, \"b\": {\"box\": "
+		              "[9, 1]}}, \"bodies\": [{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, -1]},"
+		              "{\"attribute\": \"a\", \"position\": [0, 1.01], \"velocity\": [0, -5]}]}",
+		         wanted ? "true" : "false");
+		Scene* scene;
+		scree_world* world = open_text(text, &scene);
+		assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
+		scree_contact contact;
+		int count;
+		assert_int_equal(scree_world_get_contacts(world, &contact, 1, &count), SCREE_OK);
+		assert_int_equal(count, 1);
+		float speed = contact.details[0].approach_speed;
+		assert_true(wanted ? fabsf(speed - 5.0f) < 0.2f : speed == 0.0f);
+		scree_world_destroy(world);
+		scene_free(scene);
+	}
+}
+
 // Of two bodies one is disabled, and does not fall.
 static void test_disabled(void** state)
 {
@@ -475,11 +503,14 @@ static void test_disabled(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_bad_syntax), cmocka_unit_test(test_bad_keys),       cmocka_unit_test(test_bad_references),
-	    cmocka_unit_test(test_bad_values), cmocka_unit_test(test_bad_attributes), cmocka_unit_test(test_bad_parameters),
-	    cmocka_unit_test(test_bad_loops),  cmocka_unit_test(test_missing_file),   cmocka_unit_test(test_settings),
-	    cmocka_unit_test(test_shipped),    cmocka_unit_test(test_ten_million),    cmocka_unit_test(test_build),
-	    cmocka_unit_test(test_churn),      cmocka_unit_test(test_disabled),
+	    cmocka_unit_test(test_bad_syntax),      cmocka_unit_test(test_bad_keys),
+	    cmocka_unit_test(test_bad_references),  cmocka_unit_test(test_bad_values),
+	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
+	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_missing_file),
+	    cmocka_unit_test(test_settings),        cmocka_unit_test(test_shipped),
+	    cmocka_unit_test(test_ten_million),     cmocka_unit_test(test_build),
+	    cmocka_unit_test(test_churn),           cmocka_unit_test(test_disabled),
+	    cmocka_unit_test(test_contact_details),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -218,8 +218,9 @@ typedef struct scree_world_def
 	int contact_capacity;       // the same for contacts
 	int contact_limit;          // maximum number of contacts, 300 bytes each; a step that finds more fails with
 	                            // SCREE_ERROR_CROWDED. 0 (default): 32 per collidable, but at least 2 million
-	bool contact_details; // contacts tell what they did in the last step: scree_contact.details. Costs up to 5 % of the
-	                      // solve and 36 bytes per contact; changes no motion. Default false
+	bool
+	    contact_details; // contacts report what they did in the last step: scree_contact.details. Costs up to 5 % of the
+	                     // solve and 36 bytes per contact; changes no motion. Default false
 } scree_world_def;
 
 static inline scree_world_def scree_world_def_default(void);
