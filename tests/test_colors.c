@@ -108,7 +108,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 				run_one(b, &(Step){0}, STAGE_color_wrap, 1, NO_COUNT, 0);
 			int count = done == 0 ? COUNT(began) : COUNT(uncolored) + done % MAX_ROUNDS;
 			run_one(b, &(Step){0}, STAGE_color_claim, g->contacts, count, done);
-			run_one(b, &(Step){0}, STAGE_color_take, g->contacts, count, done);
+			run_one(b, &(Step){0}, STAGE_color_assign, g->contacts, count, done);
 		}
 		get(b, POOL_counters, 1, counters);
 	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);

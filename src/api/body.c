@@ -150,10 +150,10 @@ static scree_status create(scree_world* world, const char* function, const char*
 		if (has_attribute(def))
 			slots[next++] = def->disabled ? KIND_DEAD : kind_of_type(def->type);
 	}
-	TRY(collidables_take(world, slots, collidables));
+	TRY(collidables_allocate(world, slots, collidables));
 	int* indices = slots + collidables;
 	for (int k = 0; k < count; ++k)
-		indices[k] = slots_take(&world->bodies);
+		indices[k] = slots_allocate(&world->bodies);
 
 	for (int k = 0, next = 0; k < count; ++k)
 	{

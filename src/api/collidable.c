@@ -56,7 +56,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 		bodies[k] = made.body;
 		slots[k] = kind_on_body(world, made.body);
 	}
-	TRY(collidables_take(world, slots, count));
+	TRY(collidables_allocate(world, slots, count));
 	for (int k = 0; k < count; ++k)
 	{
 		check_def(world, (Where){function, argument, k}, defs, k, &made);

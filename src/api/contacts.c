@@ -16,7 +16,7 @@ typedef struct // the pools of contacts, and where their collidables were
 	Word* flags;
 	Int2* pair;
 	Int2* feature;
-	LocalManifold* found;
+	LocalManifold* manifold;
 	int* color;
 	int* place;
 	ContactRows* blocks;
@@ -37,7 +37,7 @@ static void release(Rows* rows)
 	scree_release(rows->flags);
 	scree_release(rows->pair);
 	scree_release(rows->feature);
-	scree_release(rows->found);
+	scree_release(rows->manifold);
 	scree_release(rows->color);
 	scree_release(rows->place);
 	scree_release(rows->blocks);
@@ -77,7 +77,7 @@ static Listed listed_at(const Rows* rows, int k)
 	              .flags = rows->flags[k],
 	              .color = rows->color[k],
 	              .place = c,
-	              .found = rows->found[k],
+	              .manifold = rows->manifold[k],
 	              .a = rows->placed[rows->pair[k].x],
 	              .b = rows->placed[rows->pair[k].y]};
 	if (c >= 0)
@@ -105,12 +105,12 @@ static scree_contact contact_at(const scree_world* world, const Listed* row)
 {
 	Int2 pair = row->pair;
 	Int feature[2] = {row->feature.x, row->feature.y};
-	Real row_a[8], row_b[8], found[16];
+	Real row_a[8], row_b[8], manifold[16];
 	gather_rows8((const float*)&row->a, 0, row_a);
 	gather_rows8((const float*)&row->b, 0, row_b);
-	gather_rows8((const float*)&row->found, 0, found);
-	gather_rows8((const float*)&row->found, 1, found + 8);
-	ContactPoints at = contact_points_held(row_a, row_b, found);
+	gather_rows8((const float*)&row->manifold, 0, manifold);
+	gather_rows8((const float*)&row->manifold, 1, manifold + 8);
+	ContactPoints at = contact_points_held(row_a, row_b, manifold);
 	if (row->flags & MANIFOLD_ROLLS)
 	{
 		// the shapes are those of the last step, though the attributes may have changed since
@@ -120,7 +120,7 @@ static scree_contact contact_at(const scree_world* world, const Listed* row)
 		row_a[6] = bits_float(0);
 		row_b[6] = bits_float(1);
 		const Advance rests = {{0.0f, 0.0f}, 0.0f};
-		at = rolling_points(shapes, row_a, row_b, found, (Int)row->flags, feature, rests, rests);
+		at = rolling_points(shapes, row_a, row_b, manifold, (Int)row->flags, feature, rests, rests);
 	}
 	scree_contact contact = {.a = collidable_handle(world, pair.x),
 	                         .b = collidable_handle(world, pair.y),
@@ -160,7 +160,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 	if (total > 0 && capacity > 0)
 	{
 		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
-		TRY(read_pool(world, function, POOL_contact_manifold, slots, (void**)&rows->found));
+		TRY(read_pool(world, function, POOL_contact_manifold, slots, (void**)&rows->manifold));
 		TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
 		TRY(read_pool(world, function, POOL_contact_place, slots, (void**)&rows->place));
 		int blocks = world->pipeline.counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;

@@ -42,26 +42,26 @@ INLINE Vec contact_points_ahead(Vec turn, Vec arm)
 	return vec_sub(contact_points_swing(turn, arm), contact_points_swing(turn, vec_turn_back(turn, arm)));
 }
 
-// From rows of the pools world_shape and contact_manifold; found has both rows of the contact, one behind the other.
+// From rows of the pools world_shape and contact_manifold; manifold has both rows of the contact, one behind the other.
 //
 // The two places of a point coincided when it was found. Their distance along the normal since then is added to the
 // separation. The solver turns arms by the turns of bodies within the step; for poses in the future, that motion is
 // subtracted from the separation.
-INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real found[16])
+INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);
-	Vec normal = vec(found[0], found[1]), shift = vec(found[8], found[9]), turn = vec(found[10], found[11]),
-	    then_a = vec(found[12], found[13]);
+	Vec normal = vec(manifold[0], manifold[1]), shift = vec(manifold[8], manifold[9]),
+	    turn = vec(manifold[10], manifold[11]), then_a = vec(manifold[12], manifold[13]);
 	Vec then_b = vec_turn(then_a, turn);
 	Vec turned_a = vec_turn_back(axes_a, then_a), turned_b = vec_turn_back(axes_b, then_b);
 	Vec center_a = vec_turn(turned_a, vec(a[4], a[5])), center_b = vec_turn(turned_b, vec(b[4], b[5]));
-	Int ahead = found[15] < splat(0.0f);
+	Int ahead = manifold[15] < splat(0.0f);
 	ContactPoints points;
 	points.normal = vec_turn(then_a, normal);
 	points.offset = vec_sub(center_a, vec_add(vec_turn(then_a, shift), center_b));
 	for (int k = 0; k < 2; ++k)
 	{
-		Vec on_a = vec(found[4 + 2 * k], found[5 + 2 * k]);
+		Vec on_a = vec(manifold[4 + 2 * k], manifold[5 + 2 * k]);
 		Vec at_a = vec_turn(axes_a, on_a);
 		Vec at_b = vec_add(from_a, vec_turn(axes_b, vec_turn_back(turn, vec_sub(on_a, shift))));
 		points.point[k] = vec_scale(splat(0.5f), vec_add(at_a, at_b));
@@ -74,7 +74,7 @@ INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const
 			    vec_sub(parted, vec_sub(contact_points_ahead(turned_b, arm_b), contact_points_ahead(turned_a, arm_a)));
 			parted = vec_choose(parted, less, ahead);
 		}
-		points.separation[k] = found[2 + k] + vec_dot(points.normal, parted);
+		points.separation[k] = manifold[2 + k] + vec_dot(points.normal, parted);
 	}
 	return points;
 }

@@ -20,11 +20,11 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	Int there = slot >= 0, ia, ib;
 	load_int2(p->contact_place_pair, i, &ia, &ib);
 	slot = slot & ~(slot >> 31);
-	Real a[8], b[8], found[16];
+	Real a[8], b[8], manifold[16];
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, a);
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, b);
-	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot, found);
-	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot + 1, found + 8);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot, manifold);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot + 1, manifold + 8);
 	Int flags = there & 0, rolls = flags;
 	if (p->step.round)
 	{
@@ -33,14 +33,14 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	}
 	ContactPoints points;
 	if (LANES > 1 || !lane_bits(rolls))
-		points = contact_points_held(a, b, found);
+		points = contact_points_held(a, b, manifold);
 	if (lane_bits(rolls))
 	{
 		Int feature[2];
 		feature[0] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot);
 		feature[1] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot + 1);
 		ContactPoints rolling =
-		    rolling_step(p, a, b, found, flags, feature, load(&contact_row(p, normal_impulse1, i), 0),
+		    rolling_step(p, a, b, manifold, flags, feature, load(&contact_row(p, normal_impulse1, i), 0),
 		                 load(&contact_row(p, normal_impulse2, i), 0));
 		points = LANES > 1 ? contact_points_choose(points, rolling, rolls) : rolling;
 	}

@@ -30,9 +30,9 @@
 
 // For forms of the solve that keep constraints in registers over a step: all rows that are not prepared, and at the end
 // the kept ones.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                                             \
-	INLINE void kind##_take(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_TAKE); } \
-	INLINE void kind##_stow(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STOW); }
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                     \
+	INLINE void kind##_load_all(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD_ALL); } \
+	INLINE void kind##_store_kept(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE_KEPT); }
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 

@@ -35,13 +35,13 @@ typedef struct // of a body until the end of the step, from the origin of collid
 	Vec origin;       // of its collidable, now, m
 } Rolling;
 
-// placed: a row of the pool world_shape
-INLINE Rolling rolling_of(Vec origin, const Real placed[8], Advance advance)
+// world_shape: a row of the pool world_shape
+INLINE Rolling rolling_of(Vec origin, const Real world_shape[8], Advance advance)
 {
 	Rolling r;
 	r.origin = origin;
-	r.axes = vec(placed[2], placed[3]);
-	r.center = vec_add(origin, vec(placed[4], placed[5]));
+	r.axes = vec(world_shape[2], world_shape[3]);
+	r.center = vec_add(origin, vec(world_shape[4], world_shape[5]));
 	r.then = vec_add(r.center, advance.path);
 	r.turn = vec_rotation(advance.turn);
 	return r;
@@ -60,24 +60,25 @@ INLINE Vec rolling_moves(Rolling r, Vec arm)
 }
 
 // The corner of a core that a feature names: more exact than the point that was found. Not every feature is a corner.
-INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec found, Int wanted)
+INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
 	const GLOBAL float* vertices = (const GLOBAL float*)shapes->vertices;
-	return vec_choose(found, vec(gather(vertices, vertex), gather(vertices, vertex + 1)),
+	return vec_choose(point, vec(gather(vertices, vertex), gather(vertices, vertex + 1)),
 	                  wanted & (name < MAX_CORNERS));
 }
 
-// a, b, found, flags and feature are those of contact_points.h, from the pools of these names.
+// a, b, manifold, flags and feature are those of contact_points.h, from the pools of these names.
 INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
-                                    const Real found[16], Int flags, const Int feature[2], Advance advance_a,
+                                    const Real manifold[16], Int flags, const Int feature[2], Advance advance_a,
                                     Advance advance_b)
 {
 	Int shape_a = real_bits(a[6]), shape_b = real_bits(b[6]);
 	Real radius_a = sweep_shape(&shapes->radius, shape_a), radius_b = sweep_shape(&shapes->radius, shape_b);
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	Rolling ra = rolling_of(zero, a, advance_a), rb = rolling_of(vec(b[0] - a[0], b[1] - a[1]), b, advance_b);
-	Vec normal = vec(found[0], found[1]), shift = vec(found[8], found[9]), turn = vec(found[10], found[11]);
+	Vec normal = vec(manifold[0], manifold[1]), shift = vec(manifold[8], manifold[9]),
+	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
 	points.normal = vec_choose(vec_turn(ra.turn, vec_turn(ra.axes, normal)),
@@ -86,9 +87,9 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	for (int k = 0; k < 2; ++k)
 	{
 		Int corner_a = (flags & (int)(k ? MANIFOLD_CORNER2 : MANIFOLD_CORNER1)) != 0, by_a = corner_a | corners;
-		Int missing = found[2 + k] == splat(NO_POINT);
-		Real above = 0.5f * found[2 + k]; // the surface, m
-		Vec place = vec(found[4 + 2 * k], found[5 + 2 * k]);
+		Int missing = manifold[2 + k] == splat(NO_POINT);
+		Real above = 0.5f * manifold[2 + k]; // the surface, m
+		Vec place = vec(manifold[4 + 2 * k], manifold[5 + 2 * k]);
 		Vec core_a = vec_sub(place, vec_scale(radius_a + above, normal));
 		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place, vec_scale(radius_b + above, normal)), shift));
 		core_a = rolling_corner(shapes, shape_a, feature[k] >> 8 & 255, core_a, by_a);
@@ -122,7 +123,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
 // The points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
-INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real found[16], Int flags,
+INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real manifold[16], Int flags,
                                   const Int feature[2], Real load1, Real load2)
 {
 	Real body_a[8], body_b[8];
@@ -130,7 +131,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	gather_fixed_rows8((GLOBAL float*)p->body, real_bits(b[7]), body_b);
 	Advance advance_a = sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]),
 	        advance_b = sweep_advance_of(&p->step, vec(body_b[0], body_b[1]), body_b[2]);
-	ContactPoints points = rolling_points(p->attribute, a, b, found, flags, feature, advance_a, advance_b);
+	ContactPoints points = rolling_points(p->attribute, a, b, manifold, flags, feature, advance_a, advance_b);
 	Real load = load1 + load2;
 	Int loaded = load > splat(0.0f);
 	if (!lane_bits(loaded))
@@ -152,7 +153,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real most = choose(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
 	Real lever = -reach * minimum(maximum(turn, -most), most);
 	Vec along = vec_scale(lever, vec(points.normal.y, -points.normal.x));
-	ContactPoints held = contact_points_held(a, b, found), both = points;
+	ContactPoints held = contact_points_held(a, b, manifold), both = points;
 	both.normal = rolling_between(held.normal, points.normal, share);
 	both.offset = rolling_between(held.offset, points.offset, share);
 	for (int k = 0; k < 2; ++k)

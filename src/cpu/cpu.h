@@ -37,8 +37,8 @@ typedef struct // the state of the backend
 	double milliseconds[BOX_COUNT];
 
 	// between read_begin and read_end
-	size_t held_count;
-	unsigned char held[READ_ASYNC_BYTES];
+	size_t async_count;
+	unsigned char async_bytes[READ_ASYNC_BYTES];
 
 	// between copy_reserve and copy_release
 	char *copy_from, *copy_to;

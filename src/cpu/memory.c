@@ -67,15 +67,15 @@ scree_status cpu_read(Backend* b, PoolId pool, int first, int count, void* items
 scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count)
 {
 	Cpu* cpu = b->state;
-	cpu->held_count = (size_t)count * pool_info[pool].bytes;
-	ASSERT(cpu->held_count <= READ_ASYNC_BYTES);
-	return cpu_read(b, pool, first, count, cpu->held);
+	cpu->async_count = (size_t)count * pool_info[pool].bytes;
+	ASSERT(cpu->async_count <= READ_ASYNC_BYTES);
+	return cpu_read(b, pool, first, count, cpu->async_bytes);
 }
 
 scree_status cpu_read_end(Backend* b, void* items)
 {
 	const Cpu* cpu = b->state;
-	memcpy(items, cpu->held, cpu->held_count);
+	memcpy(items, cpu->async_bytes, cpu->async_count);
 	return SCREE_OK;
 }
 

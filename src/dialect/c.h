@@ -118,12 +118,12 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 	INLINE int name##_listed(const Pools* p, int i);                                                                 \
 	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end)                                          \
 	{                                                                                                                \
-		int found[HANDED_ITEMS], count = 0;                                                                          \
+		int found[CHUNK_ITEMS], count = 0;                                                                           \
 		for (int i = begin; i < end; ++i)                                                                            \
 		{                                                                                                            \
 			found[count] = i;                                                                                        \
 			count += name##_listed(p, i);                                                                            \
-			if (count < HANDED_ITEMS && i + 1 < end)                                                                 \
+			if (count < CHUNK_ITEMS && i + 1 < end)                                                                  \
 				continue;                                                                                            \
 			if (count > 0)                                                                                           \
 				memcpy(p->list + atomic_add_int(&p->counters->length, count), found, (size_t)count * sizeof *found); \

@@ -29,7 +29,7 @@
 // STAGE(name) { ... }: the code for item i of the pools p. WIDE_STAGE(name): for items i to i + LANES - 1.
 //
 // LIST_STAGE(name, list, length) { ... }: a stage that appends the items for which it returns 1 to a list of the pools, in any
-// order. A CPU worker counts HANDED_ITEMS of them at once: with 16 workers, one atomic counter per item took half of a step.
+// order. A CPU worker counts CHUNK_ITEMS of them at once: with 16 workers, one atomic counter per item took half of a step.
 //
 // GROUP_STAGE(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of shared memory,
 // bench. The parts of the item are split among the work-items: group_lane() is the first index of one, group_width() its

@@ -46,7 +46,7 @@
 #define FETCH_COLLIDABLES 8192
 
 // Items of broad and narrow phase in a chunk of a CPU worker; chunks begin at a multiple of it.
-#define HANDED_ITEMS 64
+#define CHUNK_ITEMS 64
 
 #define MAX_CORNERS 8 // of a core
 
@@ -160,7 +160,7 @@ typedef struct // 192 bytes: a contact, as reported to the user
 	int color, place, unused;
 	Float4 impulse; // normal 1, 2, tangent 1, 2, N s
 	Float4 detail;  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
-	LocalManifold found;
+	LocalManifold manifold;
 	WorldShape a, b;
 } Listed;
 

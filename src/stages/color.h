@@ -45,7 +45,7 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// argument is the round, here and in color_take.
+// argument is the round, here and in color_assign.
 STAGE(color_claim)
 {
 	int edge = color_source(p, i);
@@ -60,7 +60,7 @@ STAGE(color_claim)
 		atomic_max_word(&claim[bodies.y], priority);
 }
 
-STAGE(color_take)
+STAGE(color_assign)
 {
 	int edge = color_source(p, i), round = p->argument;
 	Int2 bodies = edge_bodies(p, edge);

@@ -65,19 +65,19 @@ INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, f
 // The share of its path that collidable i moves, with its body's displacement.
 INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 {
-	WorldShape placed = p->world_shape[i];
-	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
-	float thickness = p->thickness[placed.attribute];
+	WorldShape world_shape = p->world_shape[i];
+	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
+	float thickness = p->thickness[world_shape.attribute];
 	Sweep way;
 	way.path = path;
 	way.turn = turn;
-	way.center = vec(placed.center_x, placed.center_y);
+	way.center = vec(world_shape.center_x, world_shape.center_y);
 	way.reach = attribute->reach - attribute->radius + absolute(way.center.x) + absolute(way.center.y);
 	float swing = absolute(turn) * way.reach;
 	if (!(absolute(path.x) + absolute(path.y) + swing > GUARD_TRAVEL * thickness))
 		return 1.0f;
 
-	Float4 box = world_box(placed, attribute, 0.0f);
+	Float4 box = world_box(world_shape, attribute, 0.0f);
 	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
 	box = box_grow(box_union(box, then), swing);
 	const GLOBAL Tree* tree = p->tree + 1;
@@ -88,7 +88,7 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 		{
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
 			if (filter_accepts(p->filter[i], p->filter[j]))
-				least = minimum(least, guard_time(p, p->world_shape[j], placed, way, thickness));
+				least = minimum(least, guard_time(p, p->world_shape[j], world_shape, way, thickness));
 		}
 	return least;
 }

@@ -39,7 +39,7 @@ STAGE(contact_list)
 	if (c >= 0 && p->step.details)
 		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),
 		                            contact_rare(p, approach1, c), contact_rare(p, approach2, c));
-	listed.found = p->contact_manifold[i];
+	listed.manifold = p->contact_manifold[i];
 	listed.a = p->world_shape[listed.pair.x];
 	listed.b = p->world_shape[listed.pair.y];
 	p->listed[row] = listed;

@@ -269,18 +269,18 @@ INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Fr
 	int swap = on_b.separation + bias > on_a.separation;
 	const GLOBAL Attribute* reference = a;
 	const GLOBAL Attribute* incident = b;
-	Frame placed = f;
+	Frame frame = f;
 	Axis axis = on_a;
 	Reach facing_reach = reach;
 	if (swap)
 	{
 		reference = b;
 		incident = a;
-		placed = back;
+		frame = back;
 		axis = on_b;
 		facing_reach = back_reach;
 	}
-	Manifold m = edge_manifold(reference, incident, axis, separation, placed, facing_reach);
+	Manifold m = edge_manifold(reference, incident, axis, separation, frame, facing_reach);
 	if (swap)
 		m = manifold_swap(m, f);
 	m.gap = none.gap;

@@ -183,13 +183,13 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 {
 	const Manifold* m = &at->m;
 	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
-	LocalManifold found;
-	found.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
-	found.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
-	found.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
-	found.then =
+	LocalManifold manifold;
+	manifold.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
+	manifold.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
+	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
+	manifold.then =
 	    make_float4(at->axes.x, at->axes.y, a->reach, at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap));
-	p->contact_manifold[i] = found;
+	p->contact_manifold[i] = manifold;
 }
 
 // Counts and lists a contact that begins to touch; it gets a color later in the step.
@@ -239,7 +239,7 @@ STAGE(narrow_phase)
 {
 	int soon = i + NARROW_PHASE_SOON;
 	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&
-	    soon / HANDED_ITEMS == i / HANDED_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)
+	    soon / CHUNK_ITEMS == i / CHUNK_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)
 	{
 		Int2 pair = p->pair[soon], bodies = p->contact_bodies[soon];
 		fetch_soon(p->world_shape + pair.x);

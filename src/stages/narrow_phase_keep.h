@@ -123,18 +123,18 @@ WIDE_STAGE(narrow_phase_keep)
 	ib = ib & ~(ib >> 31);
 	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
 	Keep c;
-	Real found[8];
+	Real manifold[8];
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, c.a);
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, c.b);
-	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i) + 1, found);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i) + 1, manifold);
 
 	Vec axes_a = vec(c.a[2], c.a[3]), axes_b = vec(c.b[2], c.b[3]);
-	c.then_a = vec(found[4], found[5]);
-	Vec turn = vec(found[2], found[3]), then_b = vec_turn(c.then_a, turn);
-	c.shift =
-	    narrow_phase_moved(vec(found[0], found[1]), turn, vec_turn_back(axes_a, vec(c.b[0] - c.a[0], c.b[1] - c.a[1])),
-	                       vec_turn_back(axes_a, axes_b), found[6]);
-	c.limit = found[7];
+	c.then_a = vec(manifold[4], manifold[5]);
+	Vec turn = vec(manifold[2], manifold[3]), then_b = vec_turn(c.then_a, turn);
+	c.shift = narrow_phase_moved(vec(manifold[0], manifold[1]), turn,
+	                             vec_turn_back(axes_a, vec(c.b[0] - c.a[0], c.b[1] - c.a[1])),
+	                             vec_turn_back(axes_a, axes_b), manifold[6]);
+	c.limit = manifold[7];
 	Int points = (flags & (int)CONTACT_COUNT) != 0;
 	Real cosine = minimum(vec_dot(c.then_a, axes_a), vec_dot(then_b, axes_b));
 	Int upright = cosine >= splat(HOLD_COSINE);

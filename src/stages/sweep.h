@@ -29,9 +29,9 @@ INLINE Advance sweep_advance(const Pools* p, int index)
 	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
 }
 
-INLINE Sweep sweep_of(const Pools* p, WorldShape placed, const GLOBAL Attribute* attribute)
+INLINE Sweep sweep_of(const Pools* p, WorldShape world_shape, const GLOBAL Attribute* attribute)
 {
-	return sweep_with(sweep_advance(p, placed.body), vec(placed.center_x, placed.center_y),
+	return sweep_with(sweep_advance(p, world_shape.body), vec(world_shape.center_x, world_shape.center_y),
 	                  attribute->reach - attribute->radius);
 }
 

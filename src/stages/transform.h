@@ -50,11 +50,11 @@ STAGE(step_begin)
 // The world pose of collidable i. Without a body its local pose is its world pose.
 INLINE WorldShape collidable_place(const Pools* p, int i)
 {
-	WorldShape placed;
+	WorldShape world_shape;
 	Float4 own = p->collidable_pose[i];
 	int body = p->collidable_body[i];
-	placed.attribute = p->collidable_attribute[i];
-	placed.body = body;
+	world_shape.attribute = p->collidable_attribute[i];
+	world_shape.body = body;
 	Vec position = vec(own.x, own.y), rotation = vec(own.z, own.w), center = vec(0.0f, 0.0f);
 	if (body >= 0)
 	{
@@ -66,29 +66,29 @@ INLINE WorldShape collidable_place(const Pools* p, int i)
 		rotation = vec_turn(turn, rotation);
 		center = vec_neg(arm);
 	}
-	placed.x = position.x;
-	placed.y = position.y;
-	placed.c = rotation.x;
-	placed.s = rotation.y;
-	placed.center_x = center.x;
-	placed.center_y = center.y;
-	return placed;
+	world_shape.x = position.x;
+	world_shape.y = position.y;
+	world_shape.c = rotation.x;
+	world_shape.s = rotation.y;
+	world_shape.center_x = center.x;
+	world_shape.center_y = center.y;
+	return world_shape;
 }
 
 // World vertex k of a shape.
-INLINE Vec world_vertex(WorldShape placed, const GLOBAL Attribute* attribute, int k)
+INLINE Vec world_vertex(WorldShape world_shape, const GLOBAL Attribute* attribute, int k)
 {
 	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
-	return vec_add(vec(placed.x, placed.y), vec_turn(vec(placed.c, placed.s), vertex));
+	return vec_add(vec(world_shape.x, world_shape.y), vec_turn(vec(world_shape.c, world_shape.s), vertex));
 }
 
 // The box of a shape, enlarged by extra metres.
-INLINE Float4 world_box(WorldShape placed, const GLOBAL Attribute* attribute, float extra)
+INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribute, float extra)
 {
 	Float4 box = box_empty();
 	for (int k = 0; k < attribute->count; ++k)
 	{
-		Vec v = world_vertex(placed, attribute, k);
+		Vec v = world_vertex(world_shape, attribute, k);
 		box = box_union(box, make_float4(v.x, v.y, v.x, v.y));
 	}
 	return box_grow(box, attribute->radius + extra);
@@ -108,19 +108,19 @@ LIST_STAGE(transform, moved_list, moved)
 	}
 
 	// a collidable without a body moves as little as body 0, the ground
-	WorldShape placed = collidable_place(p, i);
-	int moves = placed.body >= 0;
-	placed.body = moves ? placed.body : 0;
-	p->world_shape[i] = placed;
-	const GLOBAL Attribute* attribute = p->attribute + placed.attribute;
+	WorldShape world_shape = collidable_place(p, i);
+	int moves = world_shape.body >= 0;
+	world_shape.body = moves ? world_shape.body : 0;
+	p->world_shape[i] = world_shape;
+	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
 
 	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
-	Float4 tight = world_box(placed, attribute, 0.5f * SPECULATIVE_DISTANCE);
+	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
 	int how = 0;
 	if (moves)
 	{
-		Sweep sweep = sweep_of(p, placed, attribute);
+		Sweep sweep = sweep_of(p, world_shape, attribute);
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
@@ -168,10 +168,10 @@ STAGE(transform_undo)
 // The pose of a collidable now. The pool world_shape has the pose at which the contacts of the last step were found.
 STAGE(show)
 {
-	WorldShape placed = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
+	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
 	if (p->collidable_kind[i] != KIND_DEAD)
-		placed = collidable_place(p, i);
-	p->render_row[i] = placed;
+		world_shape = collidable_place(p, i);
+	p->render_row[i] = world_shape;
 }
 
 #endif

@@ -8,7 +8,7 @@
 #define WAVE_H
 #include "stages/tree.h"
 
-#define WAVE_WALKS  32  // walks at a time; HANDED_ITEMS is a multiple of it
+#define WAVE_WALKS  32  // walks at a time; CHUNK_ITEMS is a multiple of it
 #define WAVE_SHARE  16  // most nodes of one level per walk; a walk with more goes by itself
 #define WAVE_LEAVES 128 // most overlapping leaves before they are processed
 

@@ -141,7 +141,7 @@ static void color(RunList* list, const Backend* b, const Counters* c, int from, 
 			runs_add_single(list, STAGE_color_wrap);
 		int count = round == 0 ? COUNT(began) : COUNT(uncolored) + round % MAX_ROUNDS;
 		runs_add(list, STAGE_color_claim, 0, edges, count, round);
-		runs_add(list, STAGE_color_take, 0, edges, count, round);
+		runs_add(list, STAGE_color_assign, 0, edges, count, round);
 	}
 	runs_add(list, STAGE_color_reset, 0, edges, COUNT(began), 0);
 	runs_add(list, STAGE_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);

@@ -82,7 +82,7 @@ static scree_status reserve(scree_world* world, const char* function)
 static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
 {
 	Edits* p = &world->edits;
-	int index = slots_take(&world->attribute_slots);
+	int index = slots_allocate(&world->attribute_slots);
 	HostAttribute* host = world->host_attributes + index;
 	if (!host->waiting)
 		p->attributes[p->attribute_count++] = index;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // auto.h -- device "auto": where a world is faster, and how it gets there; docs/auto.md.
-#ifndef AUTOMATIC_H
-#define AUTOMATIC_H
+#ifndef AUTO_H
+#define AUTO_H
 #include "world/auto_device.h"
 
 // Turns device "auto" on and off. compare is that of async_open_begin.

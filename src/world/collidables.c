@@ -35,13 +35,13 @@ scree_status collidables_reserve(scree_world* world, const char* function, int m
 	return GROW(function, world->host_collidables, world->host_collidable_capacity, world->collidables.capacity);
 }
 
-scree_status collidables_take(scree_world* world, int* slots, int count)
+scree_status collidables_allocate(scree_world* world, int* slots, int count)
 {
 	int used = world->collidables.used;
 	for (int k = 0; k < count; ++k)
 	{
 		int kind = slots[k];
-		slots[k] = slots_take(&world->collidables);
+		slots[k] = slots_allocate(&world->collidables);
 		scree_status status =
 		    kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), slots[k]);
 		if (status == SCREE_OK)

@@ -9,7 +9,7 @@ scree_status collidables_reserve(scree_world* world, const char* function, int m
 
 // Takes count slots, with leaves in the trees except for KIND_DEAD. slots holds the kinds (KIND_*) before the call and the
 // slots after it. On failure no slot is taken.
-scree_status collidables_take(scree_world* world, int* slots, int count);
+scree_status collidables_allocate(scree_world* world, int* slots, int count);
 
 // Makes a collidable in a slot, last in its body's list (body -1: none).
 void collidable_put(scree_world* world, int index, const HostCollidable* made);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // open_async.h -- opens a device on a thread of its own.
-#ifndef OPENING_H
-#define OPENING_H
+#ifndef OPEN_ASYNC_H
+#define OPEN_ASYNC_H
 #include "world/auto_device.h"
 
 // Begins to open a GPU, or the device of this name unless it is null. compare is called on the open device, on the same

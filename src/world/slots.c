@@ -68,7 +68,7 @@ static int pop(Slots* slots)
 	return lowest;
 }
 
-int slots_take(Slots* slots)
+int slots_allocate(Slots* slots)
 {
 	int slot = slots->free_count > 0 ? pop(slots) : slots->used++;
 	++slots->generation[slot];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// slots.h -- slots with generations, to which handles refer. The lowest free slot is taken first.
+// slots.h -- slots with generations, to which handles refer. The lowest free slot is allocated first.
 #ifndef SLOTS_H
 #define SLOTS_H
 #include <stdbool.h>
@@ -16,14 +16,14 @@ typedef struct
 	int free_count, used, capacity, alive;
 } Slots;
 
-// Room for more slots to be taken without failing; false when there is no memory.
+// Room for more slots to be allocated without failing; false when there is no memory.
 bool slots_reserve(Slots* slots, int more);
 void slots_close(Slots* slots);
 
-int slots_take(Slots* slots);
+int slots_allocate(Slots* slots);
 void slots_free(Slots* slots, int slot);
 
-// Undoes slots_take, the last taken first. used is what Slots.used was before the first.
+// Undoes slots_allocate, the last one first. used is what Slots.used was before the first.
 void slots_put_back(Slots* slots, int slot, int used);
 
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }

@@ -98,7 +98,7 @@ static void clear(scree_world* world)
 	p->body_count = p->collidable_count = p->command_count = p->attribute_count = 0;
 }
 
-static scree_status flush(scree_world* world)
+static scree_status upload_all(scree_world* world)
 {
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
@@ -118,7 +118,7 @@ scree_status world_upload(scree_world* world)
 	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count == 0)
 		return SCREE_OK;
 	double begin = auto_clock();
-	scree_status status = world_note(world, flush(world));
+	scree_status status = world_note(world, upload_all(world));
 	auto_count(world, begin);
 	return status;
 }

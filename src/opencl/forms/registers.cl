@@ -148,7 +148,7 @@ INLINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 		name##_setup(p, at.place, slot, &u.name);      \
 		if (p->step.rare)                              \
 			name##_setup_rare(p, at.place, &u.name);   \
-		name##_take(p, at.place, &u.name);             \
+		name##_load_all(p, at.place, &u.name);         \
 		name##_derive(IN_PASSES, &u.a, &u.b, &u.name); \
 		name##_start(&p->step, &u.name);               \
 	}
@@ -194,11 +194,11 @@ INLINE void registers_pass(const Pools* p, int pass, Registers* u)
 }
 
 // Stores what the next step needs.
-INLINE void registers_stow(const Pools* p, const Registers* u)
+INLINE void registers_store_kept(const Pools* p, const Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
-		name##_stow(p, u->at.place, &u->name);
+		name##_store_kept(p, u->at.place, &u->name);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }

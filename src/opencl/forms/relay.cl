@@ -235,7 +235,7 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 			if (!relay_task(p, r, q, &u, true, fault))
 				return;
 		if (!u.inert)
-			registers_stow(p, &u);
+			registers_store_kept(p, &u);
 	}
 	else
 		for (int q = 0; q < r->passes; ++q)
@@ -247,7 +247,7 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 				if (u.inert)
 					continue;
 				if (q + 1 == r->passes)
-					registers_stow(p, &u);
+					registers_store_kept(p, &u);
 				else
 					registers_update(&u, schedule_pass(r->substeps, q), stream, constraints, i);
 			}

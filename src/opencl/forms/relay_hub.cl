@@ -260,7 +260,7 @@ INLINE void hub_tasks_stow_colors(const Pools* p, const HubTasks* t, Registers* 
 		if (t->streamed)
 			*u = registers_load(p, i, t->stream, t->constraints, i);
 		if (!u->inert)
-			registers_stow(p, u);
+			registers_store_kept(p, u);
 	}
 }
 

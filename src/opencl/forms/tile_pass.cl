@@ -83,7 +83,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \
 		tile_scatter(tile, places >> 16, &b);                                                                    \
 		if (ends)                                                                                                \
-			kind##_stow(p, i, &u);                                                                               \
+			kind##_store_kept(p, i, &u);                                                                         \
 		else                                                                                                     \
 			kind##_stream_update(&u, 1 << pass, t->stream, t->stride, j);                                        \
 	}
@@ -261,7 +261,7 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 	for (int k = 0; k < 2; ++k)
 		tile_border_send(p, r, u.side[k], q, k ? u.b : u.a);
 	if (q + 1 == r->passes)
-		registers_stow(p, &u);
+		registers_store_kept(p, &u);
 	else
 		registers_update(&u, schedule_pass(r->substeps, q), t->stream, t->stride, j);
 	return true;
