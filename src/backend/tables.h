@@ -33,6 +33,7 @@ typedef enum // how many lanes process an item of a stage
 {
 	WIDTH_ONE,
 	WIDTH_WIDE,  // one call processes as many items as there are lanes
+	WIDTH_ALONE, // as WIDTH_ONE, for what is rare or on request: the persistent kernel of OpenCL does without it
 	WIDTH_GROUP, // a worker, or a group of work-items; its lanes share the item
 } Width;
 

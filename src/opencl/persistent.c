@@ -121,7 +121,8 @@ void persistent_close(OpenCl* d)
 
 static int item_count(const Run* run) { return run->end - run->begin; }
 
-static bool takes_group(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] == WIDTH_GROUP; }
+// whether the persistent kernel does without the stage
+static bool is_left_out(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] >= WIDTH_ALONE; }
 
 // how many items a run will have if the counters do not change
 static int likely_items(const OpenCl* d, const Run* run)
@@ -148,7 +149,7 @@ int persistent_length(const OpenCl* d, const Run* runs, int count)
 	{
 		Box own = box_of(&runs[k], box);
 		bool long_one = likely_items(d, &runs[k]) > (own == BOX_solve ? PERSISTENT_SOLVE : PERSISTENT_ITEMS);
-		if ((long_one && !d->persistent.any_size) || (d->timing.laps && own != box) || takes_group(&runs[k]))
+		if ((long_one && !d->persistent.any_size) || (d->timing.laps && own != box) || is_left_out(&runs[k]))
 			break;
 	}
 	return k > 1 ? k : 0;

@@ -146,14 +146,15 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 	return true;
 }
 
-// Items of a run, one per work-item. Stages of one work-group per item are launched by themselves: with them
-// compilation for a CPU takes twice as long.
+// Items of a run, one per work-item. Stages of one work-group per item, and rare ones, are launched by themselves: with the
+// former compilation for a CPU takes twice as long.
 #define CASE_ONE(name)                                   \
 	case STAGE_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
 			name##_item(&pools, i);                      \
 		break;
 #define CASE_WIDE(name) CASE_ONE(name)
+#define CASE_ALONE(name)
 #define CASE_GROUP(name)
 
 // End of a run. Its bound may change until the next barrier.
