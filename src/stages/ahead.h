@@ -20,6 +20,19 @@ typedef struct // a manifold and the poses that it is of
 // otherwise a body that sags by less at a seam would seem to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
+// The manifold of a later pose, if it overlaps much less than now predicts for it (said, m).
+RARE Ahead ahead_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now, Real time, Real said)
+{
+	Ahead later = now;
+	Vec turn = sweep_frame(a, b, closing, time, &later.f);
+	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(SPECULATIVE_DISTANCE));
+	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
+		return now;
+	later.axes = vec_turn(turn, now.axes);
+	later.ahead = 1;
+	return later;
+}
+
 // A manifold pushes along its normal as if both shapes were flat. If a pair passes by a corner, it predicts an overlap
 // that will not happen, and would stop a body that slides over a seam between two floors. Then the manifold of the later
 // pose is used.
@@ -32,16 +45,7 @@ INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing clos
 		return now;
 	Real time = maximum(sweep_end(&p->step), PAST_MOTION / closing.most);
 	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
-	if (said > -PAST_ERROR)
-		return now;
-	Ahead later = now;
-	Vec turn = sweep_frame(a, b, closing, time, &later.f);
-	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(SPECULATIVE_DISTANCE));
-	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
-		return now;
-	later.axes = vec_turn(turn, now.axes);
-	later.ahead = 1;
-	return later;
+	return said > -PAST_ERROR ? now : ahead_later(p, a, b, closing, now, time, said);
 }
 
 // The manifold of a pair that may approach by more than the speculative distance: of the poses where they meet, with the
