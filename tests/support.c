@@ -58,6 +58,32 @@ void count_allocations(void)
 	OK(scree_hooks_set(&hooks));
 }
 
+int warnings;
+char warning[256];
+
+static void note_warning(scree_log_level level, const char* sentence, void* context)
+{
+	(void)context;
+	if (level != SCREE_LOG_WARNING)
+		return;
+	++warnings;
+	snprintf(warning, sizeof warning, "%s", sentence);
+}
+
+int set_warnings(void** state)
+{
+	(void)state;
+	const scree_hooks hooks = {.log = note_warning};
+	warnings = 0;
+	return scree_hooks_set(&hooks);
+}
+
+int reset_warnings(void** state)
+{
+	(void)state;
+	return scree_hooks_set(NULL);
+}
+
 uint64_t random_word(uint64_t* seed) // xorshift64*, George Marsaglia and Sebastiano Vigna; seed is not 0
 {
 	*seed ^= *seed >> 12;

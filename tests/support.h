@@ -36,6 +36,12 @@ int random_below(uint64_t* seed, int count);
 // ---------------------------------------------------------------------------------------------------------------
 
 scree_world* open_world(float gravity_y);
+// Set-up and tear-down of tests that count the warnings of the log: how many, and the last sentence.
+extern int warnings;
+extern char warning[256];
+int set_warnings(void** state);
+int reset_warnings(void** state);
+
 void run_steps(scree_world* world, int steps); // of STEP in SUBSTEPS
 
 // an attribute of this shape with the default surface, made other by the members that a test sets

@@ -120,12 +120,8 @@ static void programs_are_kept(void** state)
 	assert_int_equal(error, CL_SUCCESS);
 
 	const char* text = "kernel void answer(global int* x) { x[get_global_id(0)] = 42; }\n";
-	const char* division = device.correct_division ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
-	char options[128], path[512];
-	snprintf(options, sizeof options, "-cl-std=CL1.2%s", division);
-	Digest key = key_of(text);
-	digest_add(&key, options, strlen(options) + 1);
-	digest_add(&key, device.identity, strlen(device.identity) + 1);
+	char path[512];
+	Digest key = program_key(&device, "", text, strlen(text));
 	path_of(key, path);
 	remove(path);
 	for (int k = 0; k < 4; ++k)

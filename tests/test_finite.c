@@ -12,29 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static int warnings;
-
-static void note_warning(scree_log_level level, const char* sentence, void* context)
-{
-	(void)sentence;
-	(void)context;
-	warnings += level == SCREE_LOG_WARNING;
-}
-
-static int set_log(void** state)
-{
-	(void)state;
-	scree_hooks hooks = {.log = note_warning};
-	warnings = 0;
-	return scree_hooks_set(&hooks);
-}
-
-static int reset_log(void** state)
-{
-	(void)state;
-	return scree_hooks_set(NULL);
-}
-
 // A box of 1 kg, alone.
 static scree_world* open_lonely(scree_body* body)
 {
@@ -139,10 +116,10 @@ static void one_body_freezes(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test_setup_teardown(forces_lead_to_the_limit, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(gravity_leads_to_the_limit, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(surfaces_may_be_extreme, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(one_body_freezes, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(forces_lead_to_the_limit, set_warnings, reset_warnings),
+	    cmocka_unit_test_setup_teardown(gravity_leads_to_the_limit, set_warnings, reset_warnings),
+	    cmocka_unit_test_setup_teardown(surfaces_may_be_extreme, set_warnings, reset_warnings),
+	    cmocka_unit_test_setup_teardown(one_body_freezes, set_warnings, reset_warnings),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

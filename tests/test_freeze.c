@@ -15,30 +15,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static int warnings;
-static char warning[256];
-
-static void note_warning(scree_log_level level, const char* sentence, void* context)
-{
-	(void)context;
-	warnings += level == SCREE_LOG_WARNING;
-	snprintf(warning, sizeof warning, "%s", sentence);
-}
-
-static int set_log(void** state)
-{
-	(void)state;
-	scree_hooks hooks = {.log = note_warning};
-	warnings = 0;
-	return scree_hooks_set(&hooks);
-}
-
-static int reset_log(void** state)
-{
-	(void)state;
-	return scree_hooks_set(NULL);
-}
-
 // The rows of a body, changed behind the library's back.
 static void poke_velocity(scree_world* world, scree_body body, float vx, float w)
 {
@@ -142,5 +118,5 @@ static void bodies_freeze(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_freeze)};
-	return cmocka_run_group_tests(tests, set_log, reset_log);
+	return cmocka_run_group_tests(tests, set_warnings, reset_warnings);
 }

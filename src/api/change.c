@@ -7,6 +7,7 @@
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/handles.h"
+#include "world/rows.h"
 #include "world/targets.h"
 #include "world/world.h"
 
@@ -65,7 +66,7 @@ static scree_status value_at(const Call* call, const Values* values, int k, Floa
 	}
 	scree_pose pose = values->poses[k];
 	scree_status status = check_pose(at, "", &pose);
-	*value = make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+	*value = pose_row(pose);
 	return status;
 }
 

@@ -6,6 +6,7 @@
 #include "world/failure.h"
 #include "world/handles.h"
 #include "world/mass.h"
+#include "world/rows.h"
 #include <string.h>
 
 static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,
@@ -142,7 +143,7 @@ scree_status scree_collidables_set_poses(scree_world* world, const scree_collida
 		scree_pose pose = poses[k];
 		check_pose((Where){function, "poses", k}, "", &pose);
 		world->host_collidables[index].pose = pose;
-		Float4 value = make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+		Float4 value = pose_row(pose);
 		edits_command(world, COMMAND_PLACE, index, value, 0);
 	}
 	return SCREE_OK;

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // hash.c -- the hash of a world: the device's sum and what only the host knows.
-#include "dialect/hash_word.h"
+#include "pools/hash_types.h"
 #include "world/auto.h"
 #include "world/check.h"
 #include "world/failure.h"
+#include "world/rows.h"
 #include "world/upload.h"
 #include "world/world.h"
 
-static Word64 hash_pose(Word64 h, scree_pose pose)
-{
-	return hash_float4(h, make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s));
-}
+static Word64 hash_pose(Word64 h, scree_pose pose) { return hash_float4(h, pose_row(pose)); }
 
 // The device does not hash the collidables of a disabled body, nor its gravity scale.
 static Word64 hash_disabled(const scree_world* world, int body)
@@ -22,9 +20,7 @@ static Word64 hash_disabled(const scree_world* world, int body)
 		const HostCollidable* c = world->host_collidables + k;
 		Word64 h = hash_pose(
 		    hash_word(hash_word(hash_begin(HASH_DISABLED_COLLIDABLE, k), (Word)body), (Word)c->attribute), c->pose);
-		h = hash_word(hash_word(h, (Word)c->filter.category), (Word)(c->filter.category >> 32));
-		h = hash_word(hash_word(h, (Word)c->filter.mask), (Word)(c->filter.mask >> 32));
-		sum += hash_word(h, (Word)c->filter.group);
+		sum += hash_Filter(h, filter_row(c->filter));
 	}
 	return sum;
 }

@@ -32,9 +32,9 @@ const Box stage_boxes[STAGE_COUNT] = {
 
 const KindInfo kind_info[CONSTRAINT_KINDS] = {
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                              \
-	{.items = PER_##KIND,                                                                                                    \
-	 .places = PER_##KIND##_PLACE,                                                                                           \
-	 .blocks = PER_##KIND##_BLOCK,                                                                                           \
+	{.items = PER_##KIND,                                                                                              \
+	 .places = PER_##KIND##_PLACE,                                                                                     \
+	 .blocks = PER_##KIND##_BLOCK,                                                                                     \
 	 .key = STAGE_##kind##_key,                                                                                        \
 	 .edge = STAGE_##kind##_edge,                                                                                      \
 	 .range = STAGE_##kind##_range,                                                                                    \

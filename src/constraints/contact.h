@@ -394,10 +394,13 @@ INLINE void contact_ready(const Body* a, const Body* b, Contact* u)
 INLINE void contact_pass(const Pools* p, int pass, int i, int held, Contact* u, Body* a, Body* b)
 {
 	ContactArms c = pair_of(u, a, b);
-	if (!held && (pass == PASS_BIAS || pass == PASS_BOUNCE))
+	if (!held && pass != PASS_RELAX)
 	{
 		contact_derive(1 << pass, a, b, u);
-		contact_ready(a, b, u);
+		if (pass == PASS_WARM_START)
+			contact_start(&p->step, u);
+		else
+			contact_ready(a, b, u);
 	}
 	if (pass == PASS_WARM_START)
 		pair_push(p, i, &c, u->normal_impulse1, u->normal_impulse2, u->tangent_impulse1, u->tangent_impulse2);

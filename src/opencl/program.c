@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // program.c -- builds an embedded OpenCL program, or takes it from the cache.
 #include "opencl/program.h"
-#include "opencl/cache.h"
 #include "platform/error.h"
 #include <stdio.h>
 #include <string.h>
@@ -17,9 +16,10 @@ static void all_options(const Device* device, const char* more, char text[OPTION
 	snprintf(text, OPTION_BYTES, "-cl-std=CL1.2%s%s", division, more);
 }
 
-// A digest of all that can change the binary.
-static Digest program_key(const Device* device, const char* options, const char* text, size_t length)
+Digest program_key(const Device* device, const char* more, const char* text, size_t length)
 {
+	char options[OPTION_BYTES];
+	all_options(device, more, options);
 	Digest key = digest_begin();
 	digest_add(&key, text, length);
 	digest_add(&key, options, strlen(options) + 1);
@@ -81,7 +81,7 @@ scree_status program_build(cl_context context, const Device* device, const char*
 {
 	char options[OPTION_BYTES];
 	all_options(device, more, options);
-	Digest key = program_key(device, options, text, length);
+	Digest key = program_key(device, more, text, length);
 	*program = NULL;
 	if (!device->compiles_at_launch)
 		*program = from_cache(context, device, options, key);

@@ -12,11 +12,6 @@
 		Body a = body_gather(p, ia), b = body_gather(p, ib); \
 		Kind u;                                              \
 		kind##_load(p, i, which, &u);                        \
-		if (which == PASS_WARM_START)                        \
-		{                                                    \
-			kind##_derive(1 << which, &a, &b, &u);           \
-			kind##_start(&p->step, &u);                      \
-		}                                                    \
 		kind##_pass(p, which, i, 0, &u, &a, &b);             \
 		kind##_store(p, i, which, &u);                       \
 		body_scatter(p, ia, a);                              \

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "world/edits.h"
 #include "world/memory.h"
+#include "world/rows.h"
 #include "world/world.h"
 
 scree_status targets_reserve(scree_world* world, const char* function, int more)
@@ -71,7 +72,7 @@ scree_status targets_commands(scree_world* world, StepCommands* commands)
 			continue;
 		begin[sent] = (Command){.kind = COMMAND_TARGET, .index = target->body};
 		begin[sent].whole[0] = (int)world->host_bodies[target->body].locks;
-		begin[sent].value = make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+		begin[sent].value = pose_row(pose);
 		end[sent] = begin[sent];
 		end[sent].kind = COMMAND_ARRIVE;
 		undo[sent] = (Command){.kind = COMMAND_VELOCITY, .index = target->body};

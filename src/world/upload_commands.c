@@ -5,6 +5,7 @@
 #include "world/collidables.h"
 #include "world/edit_order.h"
 #include "world/mass.h"
+#include "world/rows.h"
 #include "world/upload_rows.h"
 #include <string.h>
 

@@ -7,6 +7,7 @@
 #include "world/edit_order.h"
 #include "world/geometry.h"
 #include "world/mass.h"
+#include "world/rows.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -10,14 +10,4 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage);
 scree_status upload_collidables(scree_world* world, int begin, int end, char* stage);
 scree_status upload_attributes(scree_world* world, char* stage);
 
-static inline Filter filter_row(scree_filter filter)
-{
-	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group};
-}
-
-static inline Float4 pose_row(scree_pose pose)
-{
-	return make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
-}
-
 #endif

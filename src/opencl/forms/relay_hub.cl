@@ -253,7 +253,7 @@ INLINE bool hub_tasks_pass_colors(const Pools* p, const Relay* r, const HubTasks
 	return ok;
 }
 
-INLINE void hub_tasks_stow_colors(const Pools* p, const HubTasks* t, Registers* u)
+INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers* u)
 {
 	for (int i = t->begin; i < t->constraints; i += t->stride)
 	{
@@ -300,5 +300,5 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __
 			return;
 	}
 	if (tasks.colors)
-		hub_tasks_stow_colors(p, &tasks, &u);
+		hub_tasks_store_colors(p, &tasks, &u);
 }

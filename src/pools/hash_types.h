@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// hash_types.h -- hashes of the types of hashed pools.
+#ifndef HASH_TYPES_H
+#define HASH_TYPES_H
+#include "dialect/hash_word.h"
+#include "pools/pools.h"
+
+INLINE Word64 hash_int(Word64 h, int x) { return hash_word(h, (Word)x); }
+INLINE Word64 hash_Word(Word64 h, Word x) { return hash_word(h, x); }
+INLINE Word64 hash_Int2(Word64 h, Int2 v) { return hash_int(hash_int(h, v.x), v.y); }
+INLINE Word64 hash_Float2(Word64 h, Float2 v) { return hash_float(hash_float(h, v.x), v.y); }
+INLINE Word64 hash_Float4(Word64 h, Float4 v) { return hash_float4(h, v); }
+INLINE Word64 hash_Filter(Word64 h, Filter v)
+{
+	h = hash_word(hash_word(h, (Word)v.category), (Word)(v.category >> 32));
+	h = hash_word(hash_word(h, (Word)v.mask), (Word)(v.mask >> 32));
+	return hash_int(h, v.group);
+}
+// not the motion within the step
+INLINE Word64 hash_BodyState(Word64 h, BodyState v)
+{
+	h = hash_float(hash_float(hash_float(h, v.vx), v.vy), v.w);
+	return hash_float(hash_float(h, v.inv_mass), v.inv_inertia);
+}
+INLINE Word64 hash_Motion(Word64 h, Motion v)
+{
+	h = hash_float(hash_float(hash_float(hash_float(h, v.fx), v.fy), v.torque), v.gravity_scale);
+	return hash_float(hash_float(hash_float(hash_float(h, v.linear_damping), v.angular_damping), v.free_x), v.free_y);
+}
+// a body that is enabled has none
+INLINE Word64 hash_StoredVelocity(Word64 h, StoredVelocity v)
+{
+	return v.stored != 0.0f ? hash_float4(h, make_float4(v.vx, v.vy, v.w, v.stored)) : h;
+}
+INLINE Word64 hash_LocalManifold(Word64 h, LocalManifold v)
+{
+	return hash_float4(hash_float4(hash_float4(hash_float4(h, v.normal), v.on_a), v.relative), v.then);
+}
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// rows.h -- values of the interface as the pools hold them.
+#ifndef ROWS_H
+#define ROWS_H
+#include "pools/pools.h"
+#include "scree/scree.h"
+
+static inline Filter filter_row(scree_filter filter)
+{
+	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group};
+}
+
+static inline Float4 pose_row(scree_pose pose)
+{
+	return make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+}
+
+#endif
