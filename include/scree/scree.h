@@ -709,6 +709,181 @@ SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scr
                                                    const scree_pose* poses, int count);
 
 // ---------------------------------------------------------------------------------------------------------------
+// Joints
+//
+// A joint holds two frames together: frame A in body A, frame B in body B. It measures three coordinates of frame B in
+// frame A: the translation along the x axis of frame A, the translation across it (along its y axis), and the angle. Each
+// coordinate can be locked, and can have limits, a spring and a motor. A type of joint (scree_joint_def_make) is a choice
+// of these, which can be changed.
+//
+// A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the distance.
+// Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual; between two
+// bodies that cannot move, or with a disabled body, a joint rests.
+//
+// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/joints.md has the formulas, and what each type of
+// other engines corresponds to.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_joint
+{
+	uint32_t index, generation;
+} scree_joint;
+
+static const scree_joint SCREE_NULL_JOINT = {0, 0};
+static inline bool scree_joint_is_null(scree_joint joint) { return joint.index == 0 && joint.generation == 0; }
+static inline bool scree_joint_equals(scree_joint a, scree_joint b)
+{
+	return a.index == b.index && a.generation == b.generation;
+}
+
+typedef enum scree_joint_type // which coordinates are locked, and what else scree_joint_def_make sets
+{
+	SCREE_JOINT_FREE,      // none: a start for joints of your own
+	SCREE_JOINT_DISTANCE,  // along, at along.target (1 m); unlock it for a spring, or for a rope with limits
+	SCREE_JOINT_REVOLUTE,  // along and across: a hinge
+	SCREE_JOINT_PRISMATIC, // across and angle: a slider along the x axis of frame A
+	SCREE_JOINT_SLOT,      // across: a pin in a slot along the x axis of frame A
+	SCREE_JOINT_WELD,      // all; lock_hertz makes it soft
+	SCREE_JOINT_WHEEL,     // across; spring along the x axis of frame A of 1 Hz and damping ratio 0.7
+	SCREE_JOINT_MOTOR,     // none; motors of speed 0 and of no force on all three: friction, or a drive
+	SCREE_JOINT_TARGET,    // none; springs of 5 Hz and damping ratio 1 along and across: pulls a body to frame A
+	SCREE_JOINT_FILTER,    // none: the two bodies do not collide, and that is all
+} scree_joint_type;
+
+// "free", "distance", ...; never null.
+SCREE_API const char* scree_joint_type_name(scree_joint_type type);
+
+typedef enum scree_coordinate // of frame B in frame A
+{
+	SCREE_ALONG,
+	SCREE_ACROSS,
+	SCREE_ANGLE,
+} scree_coordinate;
+
+typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the angle
+{
+	float target; // at which a lock holds it, to which a spring pulls it; default 0
+	bool locked;
+	bool limited; // to the range from lower to upper; the angle counts all turns
+	bool spring;
+	bool motor;
+	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): as stiff as the joint
+	float lock_damping_ratio;   // 0 to 1e6, default 0
+	float lower, upper;         // lower <= upper; default 0
+	float spring_hertz;         // 0 to 1e6, default 0; a spring of 0 Hz does nothing
+	float spring_damping_ratio; // 0 to 1e6, default 0
+	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
+	float motor_speed;          // m/s, rad/s; default 0
+	float motor_max;            // largest force or torque of the motor, >= 0, default 0; with speed 0 it is friction
+} scree_joint_coordinate;
+
+typedef struct scree_joint_def
+{
+	uint32_t size; // set by scree_joint_def_make
+	scree_joint_type type;
+	scree_body body_a, body_b;         // null: the world; not the same body
+	scree_pose frame_a, frame_b;       // in the bodies' frames; default: the bodies' origins
+	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
+	float hertz;          // stiffness of locks and limits, Hz, 0 to 1e6, default 60; limited to a quarter of the substep rate
+	float damping_ratio;  // of them, 0 to 1e6, default 2
+	bool collide_connected; // whether the two bodies may touch each other; default false
+	bool breaks;            // ends when a threshold is exceeded; default false
+	float force_threshold;  // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
+	float torque_threshold; // N m, likewise
+	uint64_t user;          // user data, not simulated; default 0
+} scree_joint_def;
+
+// A definition with the defaults of a type, between the world and the world: set bodies and frames. An unknown type gives
+// one that is refused.
+static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
+
+// Sets frame_a and frame_b of a definition, whose bodies are set, so that both lie at a pose in the world, where the bodies
+// are now. Locks and springs whose target is 0 then hold the bodies as they are.
+SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
+
+// Creates count joints from count definitions and writes their handles to joints (may be null). On failure no joint is
+// created.
+SCREE_API scree_status scree_joints_create(scree_world* world, const scree_joint_def* defs, int count,
+                                           scree_joint* joints);
+SCREE_API scree_status scree_joint_create(scree_world* world, const scree_joint_def* def, scree_joint* joint);
+
+// Destroys joints. Destroying a body destroys its joints. On failure, for instance because a joint is named twice, none is
+// destroyed.
+SCREE_API scree_status scree_joints_destroy(scree_world* world, const scree_joint* joints, int count);
+SCREE_API scree_status scree_joint_destroy(scree_world* world, scree_joint joint);
+
+SCREE_API bool scree_joint_is_valid(const scree_world* world, scree_joint joint); // also one that broke
+
+// Writes the handles of up to capacity joints in ascending index order, and sets count to their number: all joints, or those
+// of one body.
+SCREE_API scree_status scree_world_get_joints(const scree_world* world, scree_joint* joints, int capacity, int* count);
+SCREE_API scree_status scree_body_get_joints(const scree_world* world, scree_body body, scree_joint* joints,
+                                             int capacity, int* count);
+
+// The values from which a joint was created, with all later changes. Bodies are null where they were.
+static inline scree_status scree_joint_get_def(const scree_world* world, scree_joint joint, scree_joint_def* def);
+
+// Changes. Each takes count joints and count values; on failure nothing has changed. Impulses stay, so that a motor can get
+// another speed in every step. A joint that broke can be changed, and stays broken.
+SCREE_API scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints,
+                                                    scree_coordinate which, const scree_joint_coordinate* values,
+                                                    int count);
+SCREE_API scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                                const float* targets, int count); // of locks and springs, m or rad
+SCREE_API scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints,
+                                                     scree_coordinate which, const float* speeds,
+                                                     int count); // m/s or rad/s
+SCREE_API scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
+                                               const scree_pose* frames_b, int count);
+
+// The same for one joint.
+SCREE_API scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
+                                                  const scree_joint_coordinate* value);
+SCREE_API scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
+                                                  scree_joint_coordinate* value);
+SCREE_API scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which,
+                                              float target);
+SCREE_API scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which,
+                                                   float speed);
+SCREE_API scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a,
+                                              scree_pose frame_b);
+
+// Settings of one joint; units and ranges as in scree_joint_def.
+SCREE_API scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz,
+                                                 float damping_ratio);
+SCREE_API scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
+                                                  bool breaks);
+SCREE_API scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides);
+SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user);
+
+typedef struct scree_joint_state
+{
+	float values[3]; // by scree_coordinate: m, m, rad; the angle counts all turns
+	float speeds[3]; // m/s, m/s, rad/s
+	scree_vec force; // N: on body b, in the world, of the last substep; its opposite acts on body a
+	float torque;    // N m: likewise
+	bool broken;     // the joint broke, and does nothing
+} scree_joint_state;
+
+// The states of count joints at the current poses. Forces are 0 before the first step.
+static inline scree_status scree_joints_get_states(scree_world* world, const scree_joint* joints,
+                                                   scree_joint_state* states, int count);
+static inline scree_status scree_joint_get_state(scree_world* world, scree_joint joint, scree_joint_state* state);
+
+typedef struct scree_joint_event // a joint whose force or torque exceeded its threshold in the last step
+{
+	scree_joint joint;
+	float force, torque; // N, N m: the largest of the substeps
+	bool broken;         // it broke in this step
+	uint64_t user;       // user data of the joint
+} scree_joint_event;
+
+// Writes up to capacity events of the last step, in ascending index order, and sets count to their number. Joints that were
+// destroyed since are left out.
+static inline scree_status scree_world_get_joint_events(scree_world* world, scree_joint_event* events, int capacity,
+                                                        int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
 // Contacts and overlaps
 // ---------------------------------------------------------------------------------------------------------------
 
@@ -903,6 +1078,41 @@ static inline scree_status scree_attribute_get_def(const scree_world* world, scr
                                                    scree_attribute_def* def)
 {
 	return scree_attribute_get_def_sized(world, attribute, def, sizeof *def);
+}
+
+SCREE_API void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, size_t size);
+static inline scree_joint_def scree_joint_def_make(scree_joint_type type)
+{
+	scree_joint_def def;
+	scree_joint_def_make_sized(type, &def, sizeof def);
+	return def;
+}
+
+SCREE_API scree_status scree_joint_get_def_sized(const scree_world* world, scree_joint joint, scree_joint_def* def,
+                                                 size_t size);
+static inline scree_status scree_joint_get_def(const scree_world* world, scree_joint joint, scree_joint_def* def)
+{
+	return scree_joint_get_def_sized(world, joint, def, sizeof *def);
+}
+
+SCREE_API scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint* joints,
+                                                     scree_joint_state* states, size_t size, int count);
+static inline scree_status scree_joints_get_states(scree_world* world, const scree_joint* joints,
+                                                   scree_joint_state* states, int count)
+{
+	return scree_joints_get_states_sized(world, joints, states, sizeof *states, count);
+}
+static inline scree_status scree_joint_get_state(scree_world* world, scree_joint joint, scree_joint_state* state)
+{
+	return scree_joints_get_states_sized(world, &joint, state, sizeof *state, 1);
+}
+
+SCREE_API scree_status scree_world_get_joint_events_sized(scree_world* world, scree_joint_event* events, size_t size,
+                                                          int capacity, int* count);
+static inline scree_status scree_world_get_joint_events(scree_world* world, scree_joint_event* events, int capacity,
+                                                        int* count)
+{
+	return scree_world_get_joint_events_sized(world, events, sizeof *events, capacity, count);
 }
 
 #ifdef __cplusplus

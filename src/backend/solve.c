@@ -11,7 +11,7 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 int solve_runs_most(int substeps)
 {
 	// a run a color and kind, two a turn of hubs and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 1) + 2 * CONSTRAINT_KINDS + 8;
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 2) + 2 * CONSTRAINT_KINDS + 8;
 }
 
 // A pass over the hubs, then the colors. Whether any body is split is known on the host only when nothing changed.
@@ -27,6 +27,8 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 		else if (c->split > 0)
 			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
 	}
+	if (c->layout[CONSTRAINT_JOINT].count[COLORS] > 0)
+		runs_add(list, STAGE_joint_overflow, 0, 1, bound, pass);
 	for (int color = 0; color < COLORS; ++color)
 		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		{
@@ -44,7 +46,7 @@ void solve_list(const Solve* solve, RunList* list)
 	{
 		int constraints = solve->counters->layout[kind].begin[COLORS + 1];
 		runs_add(list, kind_info[kind].prepare, 0, constraints, bound, 0);
-		if (solve->rare)
+		if (solve->rare[kind])
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
 	}
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
@@ -58,4 +60,6 @@ void solve_list(const Solve* solve, RunList* list)
 	}
 	runs_add(list, STAGE_finalize, 0, solve->bodies, bound, 0);
 	runs_add(list, STAGE_guard, 0, solve->collidables, COUNT(guarded), 0);
+	if (solve->rare[CONSTRAINT_JOINT])
+		runs_add(list, STAGE_joint_finalize, 0, solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1], bound, 0);
 }

@@ -76,6 +76,9 @@
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
 
+// whether a step uses the rare rows
+#define CONTACT_RARE(step) ((step)->rare)
+
 struct ContactRows
 {
 	CONSTRAINT_ENDS

@@ -3,6 +3,7 @@
 #ifndef KINDS_H
 #define KINDS_H
 #include "constraints/contact.h"
+#include "constraints/joint_pass.h"
 #include "dialect/hash_word.h"
 
 // Does ROW (constraint.h) for each row of constraint i, or for each rare row.

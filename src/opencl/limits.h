@@ -52,8 +52,8 @@
 #define RELAY_MAX_SPINS (1 << 22)
 // Columns of float4 and of float2 in the stream of constraints that are not in registers, and float4s in total. The
 // last column of each type is common to all kinds of constraint.
-#define STREAM_QUADS   4
-#define STREAM_PAIRS   5
+#define STREAM_QUADS   5
+#define STREAM_PAIRS   6
 #define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
 // Bodies of a tile, in local memory during a pass: 36 bytes each. More bodies mean fewer border constraints; fewer

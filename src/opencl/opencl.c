@@ -113,7 +113,9 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 		TRY(kernel_bind(d, per, &d->persistent.kernel));
 		TRY(kernel_bind(d, per, &d->relay.colors));
 		TRY(kernel_bind(d, per, &d->relay.plain));
+		TRY(kernel_bind(d, per, &d->relay.joints));
 		TRY(kernel_bind(d, per, &d->relay.hubs));
+		TRY(kernel_bind(d, per, &d->relay.hubs_joints));
 		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));
 	}
@@ -213,7 +215,9 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
 		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay.plain));
+		TRY(kernel_create(d, "relay_joints", RELAY_GROUP, &d->relay.joints));
 		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay.hubs));
+		TRY(kernel_create(d, "relay_hubs_joints", HUB_GROUP, &d->relay.hubs_joints));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}

@@ -85,7 +85,8 @@ typedef struct
 
 typedef struct
 {
-	Kernel colors, plain, hubs; // kernels relay, relay_plain and relay_hubs
+	Kernel colors, plain, joints; // kernels relay, relay_plain and relay_joints
+	Kernel hubs, hubs_joints;     // relay_hubs and relay_hubs_joints
 	Scratch mailboxes;          // MAILBOX_WORDS words per body; also for the border of the tiles
 	Scratch stream;             // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
 	Scratch parts;              // two words per spoke and per hub
@@ -101,6 +102,9 @@ enum // kernels of tiles.cl that take all pools, in launch order
 	TILE_PREPARE_PLAIN, // for plain worlds instead of TILE_PREPARE
 	TILE_PASS,          // one per kind of pass, in the order of the kinds
 	TILE_BORDER = TILE_PASS + PASS_KINDS,
+	TILE_PREPARE_JOINTS, // for worlds with joints: these instead
+	TILE_PASS_JOINTS,
+	TILE_BORDER_JOINTS = TILE_PASS_JOINTS + PASS_KINDS,
 	TILE_KERNELS
 };
 

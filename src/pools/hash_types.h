@@ -37,4 +37,13 @@ INLINE Word64 hash_LocalManifold(Word64 h, LocalManifold v)
 	return hash_float4(hash_float4(hash_float4(hash_float4(h, v.normal), v.on_a), v.relative), v.then);
 }
 
+INLINE Word64 hash_JointData(Word64 h, JointData v)
+{
+	const float* numbers = &v.modes;
+	h = hash_int(hash_int(h, v.body_a), v.body_b);
+	for (int k = 0; k < JOINT_FLOATS - JOINT_AT_MODES; ++k)
+		h = hash_float(h, numbers[k]);
+	return h;
+}
+
 #endif

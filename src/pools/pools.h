@@ -88,6 +88,7 @@
 #define CONTACT_FRESH    4u  // created in this step
 #define CONTACT_DETECTED 8u  // gets no impulses: one side has no body
 #define CONTACT_TOUCHING 16u // has points
+#define CONTACT_JOINED   8192u // a joint keeps the two bodies from touching
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -183,6 +184,74 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 // a component of spoke k of the pools p
 #define spoke_at(p, component, k) ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
 
+// bits of joint_flags
+#define JOINT_THERE    1  // the slot holds a joint
+#define JOINT_ACTIVE   2  // both bodies are enabled, at least one of them moves
+#define JOINT_RESTARTS 4  // its constraint has to start anew
+#define JOINT_BROKEN   8  // it broke
+#define JOINT_COLLIDES 16 // its bodies may touch each other
+#define JOINT_BREAKS   32 // it breaks when its force or torque exceeds its threshold
+#define JOINT_ACTS     64 // it has something to solve: a lock, a limit, a spring or a motor
+
+// JointData.modes: a whole number, of four bits for each coordinate, and more
+#define JOINT_LOCKED(k)  (1 << (4 * (k)))
+#define JOINT_LIMITED(k) (2 << (4 * (k)))
+#define JOINT_SPRING(k)  (4 << (4 * (k)))
+#define JOINT_MOTOR(k)   (8 << (4 * (k)))
+#define JOINT_EXTRAS     0xeee  // limits, springs and motors
+#define JOINT_RADIAL     0x1000 // its axis lies along the line between the two anchors
+#define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring
+#define JOINT_TURNS      0x10000 // its axis turns with body a
+
+// coordinates of frame b in frame a
+#define JOINT_ALONG       0
+#define JOINT_ACROSS      1
+#define JOINT_ANGLE       2
+#define JOINT_COORDINATES 3
+
+typedef struct // 48 bytes: a coordinate of a joint, in m or rad, N or N m
+{
+	float target;                  // at which a lock holds it, to which a spring pulls it
+	float lock_hertz, lock_ratio;  // 0 Hz: as stiff as the joint
+	float lower, upper;
+	float spring_hertz, spring_ratio, spring_most;
+	float speed, motor_most;
+	float unused[2];
+} JointCoordinate;
+
+// places in JointData, in floats
+#define JOINT_FLOATS        52
+#define JOINT_AT_MODES      2
+#define JOINT_AT_FRAME_A    4
+#define JOINT_AT_FRAME_B    8
+#define JOINT_AT_HERTZ      12
+#define JOINT_AT_COORDINATE 16
+#define JOINT_AT_TARGET(k)  (JOINT_AT_COORDINATE + 12 * (k))
+
+typedef struct // 208 bytes
+{
+	int body_a, body_b;        // 0 for the world
+	float modes;               // JOINT_* bits, as a number
+	float unused;
+	float frame_a[4], frame_b[4]; // in the frames of the bodies: x, y (m), cos, sin
+	float hertz, ratio;        // of rigid locks and limits
+	float most_force, most_torque; // N, N m: thresholds
+	JointCoordinate coordinate[JOINT_COORDINATES];
+} JointData;
+
+typedef struct // 224 bytes: a joint as the user wants it
+{
+	int slot, flags, unused[2];
+	JointData data;
+} JointEdit;
+
+typedef struct // 16 bytes
+{
+	int slot;
+	float force, torque; // N, N m: the largest of the step
+	int broken;
+} JointEvent;
+
 typedef struct // 32 bytes: one sector, gathered at random by the solver
 {
 	float vx, vy, w;   // m/s, rad/s
@@ -274,6 +343,8 @@ typedef struct // constants of one step, passed by value to every stage
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step
 	int bounces;          // some attribute has restitution
+	int joints;           // there may be joints among the constraints
+	int drives;           // some joint has a limit, a spring, a motor or a threshold
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach
@@ -338,6 +409,9 @@ typedef struct
 	int first_nonfinite;           // lowest index of these
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
 	int held;                      // bodies that guard stopped before something static
+	int joint_stir;                // INT_MAX if some joint was made, changed or broke since the last step, else 0
+	int joined;                    // pairs of bodies that joints keep from touching
+	int joint_events;              // joints whose force exceeded a threshold in the step
 	int fault; // set by a device that failed during a run; its backend reads it with the other counters
 } Counters;
 

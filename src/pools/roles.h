@@ -13,6 +13,7 @@ typedef enum // what a pool has an item for
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	PER_EDGE,        // of any kind
+	PER_JOINT_EDIT,  // joint that the user made or changed
 	PER_SPOKE,       // contact of a hub
 	PER_SPOKE_BLOCK, // of MAX_LANES of them
 	PER_RENDER_ROW,  // collidable, as a renderer sees it

@@ -15,6 +15,7 @@
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
+#include "constraints/joint_one.h"
 #include "stages/edge.h"
 #include "stages/spoke.h"
 
@@ -45,11 +46,27 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// argument is the round, here and in color_assign.
+// Whether an edge gets no color because its bodies have none in common. Contacts always have one: they become spokes
+// before. argument is the round, here and in color_claim and color_assign.
+INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
+{
+	if (edge_kind(edge) == CONSTRAINT_CONTACT)
+		return 0;
+	Word64 mask_a = p->body[bodies.x].inv_mass > 0.0f ? p->color_mask[bodies.x] : (Word64)0;
+	Word64 mask_b = p->body[bodies.y].inv_mass > 0.0f ? p->color_mask[bodies.y] : (Word64)0;
+	return (mask_a | mask_b) == (Word64)COLOR_MASK;
+}
+
 STAGE(color_claim)
 {
 	int edge = color_source(p, i);
 	Int2 bodies = edge_bodies(p, edge);
+	// decided here, where no mask changes
+	if (color_overflows(p, edge, bodies))
+	{
+		edge_set_color(p, edge, COLORS);
+		return;
+	}
 	Word priority = color_priority(edge);
 	GLOBAL Word* claim = p->argument & 1 ? p->claim1 : p->claim0;
 	if (color_spoke(p, edge, bodies))
@@ -64,6 +81,8 @@ STAGE(color_assign)
 {
 	int edge = color_source(p, i), round = p->argument;
 	Int2 bodies = edge_bodies(p, edge);
+	if (edge_color(p, edge_kind(edge), edge_slot(edge)) == COLORS)
+		return;
 	if (color_spoke(p, edge, bodies))
 	{
 		edge_set_color(p, edge, COLORS);
@@ -169,7 +188,7 @@ STAGE(color_arrange)
 	}                                                                            \
 	int color = p->kind##_color[i], place = p->kind##_place[i];                  \
 	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \
-	if (color == COLORS)                                                         \
+	if (color == COLORS && CONSTRAINT_##KIND == CONSTRAINT_CONTACT)              \
 		name += (Word64)hub_owner(p, p->kind##_bodies[i]);                       \
 	p->key[i] = name << 32 | (Word64)i;                                          \
 	if (place >= 0)                                                              \
@@ -192,7 +211,7 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		layout->first[color] = i;
 	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
 		layout->last[color] = i + 1;
-	if (color != COLORS)
+	if (color != COLORS || kind != CONSTRAINT_CONTACT)
 		return;
 	p->scan[i] = begins;
 	// two work-items write the two halves, and an OpenCL compiler may write a whole vector for one component
@@ -271,7 +290,8 @@ INLINE int color_place_spoke(const Pools* p, int i)
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \
 	if (color > COLORS)                                                                                        \
 		return;                                                                                                \
-	int place = color == COLORS ? color_place_spoke(p, i) : layout->begin[color] + (i - layout->first[color]); \
+	int spoke = color == COLORS && CONSTRAINT_##KIND == CONSTRAINT_CONTACT;                                    \
+	int place = spoke ? color_place_spoke(p, i) : layout->begin[color] + (i - layout->first[color]);           \
 	Int2 bodies = p->kind##_bodies[slot];                                                                      \
 	p->kind##_place[slot] = place;                                                                             \
 	p->kind##_place_slot[place] = slot;                                                                        \
@@ -279,7 +299,7 @@ INLINE int color_place_spoke(const Pools* p, int i)
 	kind##_row(p, body_b, place) = bodies.y;                                                                   \
 	kind##_set_place(p, slot, place);                                                                          \
 	kind##_put_back(p, slot, place);                                                                           \
-	if (color < COLORS && i + 1 == layout->last[color])                                                        \
+	if (!spoke && i + 1 == layout->last[color])                                                        \
 		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                             \
 			kind##_pad(p, k);
 

@@ -2,6 +2,7 @@
 // command.h -- the user's changes since the last step; those of one item in the order in which they were made.
 #ifndef COMMAND_H
 #define COMMAND_H
+#include "constraints/angle.h"
 #include "constraints/sweep_closing.h"
 #include "stages/item.h"
 #include "stages/pose.h"
@@ -92,25 +93,6 @@ INLINE void command_wake(const Pools* p, int i)
 	p->body[i].w = stored.w;
 }
 
-// The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to pi / 8; half a turn is pi.
-INLINE float command_angle(Vec rotation)
-{
-	float x = absolute(rotation.x), y = absolute(rotation.y), base = 0.0f, sum = 0.0f;
-	float t = y < x ? y / x : x / y;
-	if (t > 0.414f)
-	{
-		t = (t - 1.0f) / (t + 1.0f);
-		base = 0.785398163f;
-	}
-	float q = t * t;
-	for (int k = 13; k >= 1; k -= 2)
-		sum = 1.0f / (float)k - q * sum;
-	float angle = base + t * sum;
-	angle = y < x ? angle : 1.57079633f - angle;
-	angle = rotation.x < 0.0f ? 3.14159265f - angle : angle;
-	return rotation.y < 0.0f ? -angle : angle;
-}
-
 // The center of mass of a body whose origin is at a pose.
 INLINE Vec command_center(const Pools* p, int i, Float4 pose)
 {
@@ -126,7 +108,7 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	Vec to = command_center(p, i, target);
 	float rate = 1.0f / p->step.dt;
 	Vec v = vec(((to.x - pose.x) - low.x) * rate, ((to.y - pose.y) - low.y) * rate);
-	float turn = command_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
+	float turn = angle_of(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
 	command_velocity(p, i, sweep_velocity(&p->step, v));
 	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
 }

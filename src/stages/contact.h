@@ -8,6 +8,7 @@
 #include "constraints/contact_one.h"
 #include "dialect/finite.h"
 #include "stages/item.h"
+#include "stages/joint.h"
 
 // Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
 // and so on no device.
@@ -120,7 +121,9 @@ STAGE(contact_create)
 	item_clear(p, PER_CONTACT, slot);
 	p->pair[slot] = make_int2(a, b);
 	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
-	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0 ? CONTACT_DETECTED : 0u);
+	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0                           ? CONTACT_DETECTED
+	                                          : joint_parts(p, make_int2(body_a, body_b)) ? CONTACT_JOINED
+	                                                                                      : 0u);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
 	p->contact_place[slot] = -1;

@@ -19,6 +19,43 @@ INLINE Int2 edge_bodies(const Pools* p, int edge)
 	return make_int2(0, 0);
 }
 
+// A constraint of a kind began or ended: the kind has to be laid out again.
+INLINE void edge_stir(const Pools* p, int kind)
+{
+	raise_int(&p->counters->changed, 1);
+	raise_int(&p->counters->stirred[kind], 1);
+}
+
+// Frees the color of an edge on its bodies.
+INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
+{
+	Word64 others = ~((Word64)1 << color);
+	if (color >= COLORS)
+		return;
+	atomic_and_word64(&p->color_mask[bodies.x], others);
+	atomic_and_word64(&p->color_mask[bodies.y], others);
+}
+
+// Ends constraint i of a kind, if it has begun.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                  \
+	INLINE void kind##_end(const Pools* p, int i)          \
+	{                                                      \
+		int color = p->kind##_color[i];                    \
+		if (color == COLOR_NONE)                           \
+			return;                                        \
+		Int2 bodies = p->kind##_bodies[i];                 \
+		edge_free_color(p, bodies, color);                 \
+		atomic_add_int(&p->touching[bodies.x], -1);        \
+		atomic_add_int(&p->touching[bodies.y], -1);        \
+		p->kind##_color[i] = COLOR_NONE;                   \
+		p->kind##_place[i] = -1;                           \
+		kind##_forget(p, i);                               \
+		atomic_add_int(&p->counters->ended, 1);            \
+		edge_stir(p, CONSTRAINT_##KIND);                   \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
 INLINE void edge_set_color(const Pools* p, int edge, int color)
 {
 	int slot = edge_slot(edge);
@@ -83,7 +120,7 @@ INLINE KindPlace task_at(const Pools* p, int t)
 	KindPlace task;
 	task.kind = 0;
 	task.place = t;
-	if (CONSTRAINT_KINDS == 1)
+	if (CONSTRAINT_KINDS == 1 || !p->step.joints)
 		return task;
 	const GLOBAL Counters* c = p->counters;
 	int low = 0, high = COLORS;

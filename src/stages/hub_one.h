@@ -3,6 +3,7 @@
 #ifndef HUB_ONE_H
 #define HUB_ONE_H
 #include "constraints/body.h"
+#include "stages/edge.h"
 #include "stages/spoke.h"
 
 // All contacts of a body that became a hub free their colors.
@@ -12,9 +13,7 @@ STAGE(hub_enter)
 	Int2 bodies = p->contact_bodies[i];
 	if (color == COLOR_NONE || color == COLORS || !hub_wants(p, bodies))
 		return;
-	Word64 others = ~((Word64)1 << color);
-	atomic_and_word64(&p->color_mask[bodies.x], others);
-	atomic_and_word64(&p->color_mask[bodies.y], others);
+	edge_free_color(p, bodies, color);
 	p->contact_color[i] = COLORS;
 	raise_int(&p->counters->entered, 1);
 }

@@ -30,35 +30,6 @@ INLINE void contact_count(const Pools* p, int body)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
-// Some contact began or ceased to touch: contacts have to be laid out again.
-INLINE void contact_stir(const Pools* p)
-{
-	raise_int(&p->counters->changed, 1);
-	raise_int(&p->counters->stirred[CONSTRAINT_CONTACT], 1);
-}
-
-// Ends the touching of a contact: frees its color on its bodies.
-INLINE void contact_uncolor(const Pools* p, int i)
-{
-	int color = p->contact_color[i];
-	if (color == COLOR_NONE)
-		return;
-	Int2 bodies = p->contact_bodies[i];
-	if (color < COLORS)
-	{
-		Word64 others = ~((Word64)1 << color);
-		atomic_and_word64(&p->color_mask[bodies.x], others);
-		atomic_and_word64(&p->color_mask[bodies.y], others);
-	}
-	atomic_add_int(&p->touching[bodies.x], -1);
-	atomic_add_int(&p->touching[bodies.y], -1);
-	p->contact_color[i] = COLOR_NONE;
-	p->contact_place[i] = -1;
-	contact_forget(p, i);
-	atomic_add_int(&p->counters->ended, 1);
-	contact_stir(p);
-}
-
 // The old point that new point k inherits from: by feature, then the nearest within MATCH_DISTANCE; -1 for none. Points
 // in taken are excluded.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
@@ -100,7 +71,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	// if the old boxes do not overlap, one of the collidables was created anew
 	if (box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
 		return 0;
-	contact_uncolor(p, i);
+	contact_end(p, i);
 	p->pair[i] = make_int2(-1, -1);
 	p->contact_flags[i] = 0;
 	atomic_add_int(&p->counters->released, 1);
@@ -199,7 +170,7 @@ INLINE void narrow_phase_began(const Pools* p, int i)
 	contact_count(p, bodies.x);
 	contact_count(p, bodies.y);
 	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
-	contact_stir(p);
+	edge_stir(p, CONSTRAINT_CONTACT);
 }
 
 RARE void narrow_phase_look(const Pools* p, int i, Word flags)
@@ -208,6 +179,11 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	int moved = p->moved[pair.x] | p->moved[pair.y];
 	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX) && narrow_phase_parted(p, i, pair))
 		return;
+	if (flags & CONTACT_JOINED)
+	{
+		p->contact_flags[i] = flags & (CONTACT_JOINED | CONTACT_DETECTED);
+		return;
+	}
 	if (!(flags & CONTACT_ANEW))
 	{
 		p->contact_flags[i] = flags & ~CONTACT_LOOK;
@@ -226,7 +202,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	p->contact_feature[i] = features;
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute);
 	if (!touching)
-		contact_uncolor(p, i);
+		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
 		narrow_phase_began(p, i);
 }

@@ -3,6 +3,7 @@
 #ifndef PREPARE_H
 #define PREPARE_H
 #include "constraints/contact_prepare.h"
+#include "constraints/joint_prepare.h"
 #include "constraints/kinds.h"
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                          \

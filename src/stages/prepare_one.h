@@ -3,6 +3,7 @@
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
 #include "constraints/contact_one.h"
+#include "constraints/joint_one.h"
 #include "constraints/kinds.h"
 
 // What finalize counts; the host has read that of the last step.

@@ -42,6 +42,7 @@ STAGE(step_begin)
 	c->entered = 0;
 	c->guarded = 0;
 	c->penetration = 0;
+	c->joint_events = 0;
 	for (int k = 0; k <= MAX_ROUNDS; ++k)
 		c->uncolored[k] = 0;
 	(void)i;

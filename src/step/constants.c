@@ -50,6 +50,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .rolls = pipeline->rolls,
 	    .details = request->details,
 	    .bounces = pipeline->bounces,
+	    .joints = pipeline->counters.joints > 0,
+	    .drives = pipeline->drives,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,
 	    .guard_reach = pipeline->guard_reach,

@@ -99,10 +99,30 @@ static void broad_phase(RunList* list, const Step* step)
 	runs_add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
 }
 
+
+// The pairs of bodies that joints keep apart, sorted by two indices of bodies.
+static void join(RunList* list, int joints, int bodies)
+{
+	int bits = 1, count = COUNT(joint_stir);
+	while (bits < 31 && 1 << bits < bodies)
+		++bits;
+	runs_add(list, STAGE_joint_pair_key, 0, joints, count, 0);
+	runs_add_sort(list, joints, count, 0, bits);
+	runs_add_sort(list, joints, count, 32, 32 + bits);
+	runs_add(list, STAGE_joint_pair, 0, joints, count, joints);
+}
+
 static void narrow_phase(RunList* list, const Step* step)
 {
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+}
+
+// Constraints of joints begin and end.
+static void update_joints(RunList* list, int joints)
+{
+	runs_add(list, STAGE_joint_update, 0, joints, COUNT(joint_stir), 0);
+	runs_add(list, STAGE_joint_updated, 0, 1, COUNT(joint_stir), 0);
 }
 
 // bits of the sort key of contacts: the color, and with hubs also an index of a body
@@ -208,8 +228,15 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	bool ahead = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
+		bool joints = c->joints > 0 && (pipeline->stirred || pipeline->breaks);
+		if (joints)
+			join(list, c->joints, request->bodies);
 		broad_phase(list, step);
+		if (joints)
+			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
 		narrow_phase(list, step);
+		if (joints)
+			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));
 		TRY(ahead ? solve_ahead(pipeline, step, request) : read_back(pipeline, step));
 		*solved = ahead && c->kept;
@@ -262,6 +289,7 @@ scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* 
 	int rounds = pipeline->rounds + SPARE_ROUNDS, done = rounds;
 	TRY(search(pipeline, step, request, rounds, solved));
 	TRY(finish_colors(pipeline, step, request->bodies, &done));
+	pipeline->stirred = false;
 	pipeline->split = pipeline->split && c->arrange[CONSTRAINT_CONTACT] == 0;
 	if (done > rounds)
 		pipeline->rounds = done < MAX_ROUNDS ? done : MAX_ROUNDS;

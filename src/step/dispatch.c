@@ -2,6 +2,7 @@
 // dispatch.c -- passes lists of runs and the solve to the backend.
 #include "step/dispatch.h"
 #include "backend/solve.h"
+#include "constraints/kinds.h"
 #include "platform/error.h"
 #include "step/room.h"
 
@@ -41,10 +42,12 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	Solve solve = {.bodies = request->bodies,
 	               .collidables = request->collidables,
 	               .substeps = request->substeps,
-	               .rare = step->rare,
 	               .bounces = step->bounces,
 	               .counters = c,
 	               .bound = bound};
+#define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 	pipeline->begun = true;
 	return b->f->solve(b, step, &solve, &pipeline->list);
 }

@@ -94,7 +94,7 @@ static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 	{
 		int constraints = c->layout[kind].begin[COLORS + 1];
 		runs_add(list, kind_info[kind].prepare, 0, constraints, NO_COUNT, 0);
-		if (step->details)
+		if (step->details && kind == CONSTRAINT_CONTACT)
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, NO_COUNT, 0);
 	}
 	return pipeline_run(pipeline, step);

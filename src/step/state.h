@@ -59,6 +59,9 @@ typedef struct
 	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
+	bool drives;                  // some joint has a limit, a spring, a motor or a threshold
+	bool breaks;                  // some joint may break
+	bool stirred;                 // joints were made, changed or destroyed since the last step
 	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
 	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed

@@ -30,15 +30,15 @@ typedef struct // of one constraint in a step
 	{                                                                          \
 		const struct                                                           \
 		{                                                                      \
-			int always, rare, rolls, details, bounces;                         \
-		} on = {1, step->rare, step->rolls, step->details, step->bounces};     \
+			int always, rare, rolls, details, bounces, drives;                 \
+		} on = {1, step->rare, step->rolls, step->details, step->bounces, step->drives}; \
 		size_t bytes = pass == PREPARE ? 0 : ENDS_BYTES;                       \
 		KIND##_ROWS(COUNT_ROW) KIND##_RARE_ROWS(COUNT_ROW) return bytes;       \
 	}                                                                          \
 	static Bytes kind##_bytes(int substeps, const Step* step)                  \
 	{                                                                          \
 		/* its slot, once more for rare rows; what setup gathers */            \
-		Bytes count = {(step->rare ? 2 : 1) * sizeof(int), 0};                 \
+		Bytes count = {(KIND##_RARE(step) ? 2 : 1) * sizeof(int), 0};                 \
 		count.rows += KIND##_GATHERS(step);                                    \
 		count.rows += kind##_pass_bytes(PREPARE, step);                        \
 		if (step->bounces)                                                     \

@@ -44,7 +44,9 @@ static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 // The fastest form that the device supports.
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
-	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES)
+	// joints without a color are solved one after the other
+	bool overflow = solve->counters->layout[CONSTRAINT_JOINT].count[COLORS] > 0;
+	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES || overflow)
 		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
@@ -68,7 +70,10 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	size_t group = d->solve_end.group;
 	d->timing.box = BOX_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
-	return stage_run_within(d, &guard, GUARD_GROUPS);
+	TRY(stage_run_within(d, &guard, GUARD_GROUPS));
+	int joints = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
+	Run joint = {.stage = STAGE_joint_finalize, .end = joints, .count = solve->bound};
+	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? stage_run(d, &joint) : SCREE_OK;
 }
 
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)

@@ -33,16 +33,18 @@ scree_status mailboxes_reserve(OpenCl* d, const Solve* solve)
 	return scratch_reserve(d, &d->relay.mailboxes, (size_t)solve->bodies * MAILBOX_WORDS * sizeof(cl_ulong));
 }
 
+static Kernel* hubs_kernel(OpenCl* d) { return d->constants.step.joints ? &d->relay.hubs_joints : &d->relay.hubs; }
+
 // work-groups for hubs, at least one; other_groups are for the other constraints; if only one is resident, it does both
-static size_t hub_groups(const OpenCl* d, const Solve* solve)
+static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
-	size_t most = d->relay.hubs.groups > 1 ? (size_t)d->relay.hubs.groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
+	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
 	return hubs < most ? hubs : most;
 }
 
-static size_t other_most(const OpenCl* d, const Solve* solve)
+static size_t other_most(OpenCl* d, const Solve* solve)
 {
-	return (size_t)d->relay.hubs.groups - hub_groups(d, solve);
+	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
 // Work-items per constraint, as the device has room. One of them works.
@@ -54,9 +56,9 @@ static int spread_of(int constraints, size_t places)
 	return spread;
 }
 
-static size_t other_groups(const OpenCl* d, const Solve* solve)
+static size_t other_groups(OpenCl* d, const Solve* solve)
 {
-	size_t most = other_most(d, solve), group = d->relay.hubs.group;
+	size_t most = other_most(d, solve), group = hubs_kernel(d)->group;
 	int constraints = solve_constraints(solve), spread = spread_of(constraints, most * group);
 	size_t groups = groups_of(constraints * spread, group);
 	return groups < most ? groups : most;
@@ -64,10 +66,15 @@ static size_t other_groups(const OpenCl* d, const Solve* solve)
 
 bool solve_plain(const OpenCl* d)
 {
-	return !d->constants.step.rare && !d->constants.step.bounces && !d->constants.step.round;
+	return !d->constants.step.joints && !d->constants.step.rare && !d->constants.step.bounces && !d->constants.step.round;
 }
 
-static Kernel* relay_kernel(OpenCl* d) { return solve_plain(d) ? &d->relay.plain : &d->relay.colors; }
+static Kernel* relay_kernel(OpenCl* d)
+{
+	if (d->constants.step.joints)
+		return &d->relay.joints;
+	return solve_plain(d) ? &d->relay.plain : &d->relay.colors;
+}
 
 scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
@@ -78,7 +85,7 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 	if (hubs > 0)
 	{
 		TRY(scratch_reserve(d, &d->relay.parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));
-		registers = (size_t)constraints <= other_groups(d, solve) * d->relay.hubs.group;
+		registers = (size_t)constraints <= other_groups(d, solve) * hubs_kernel(d)->group;
 	}
 	return scratch_reserve(d, &d->relay.stream,
 	                       registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
@@ -120,7 +127,9 @@ scree_status relay_open(OpenCl* d)
 		return SCREE_OK;
 	TRY(count_groups(d, &d->relay.colors));
 	TRY(count_groups(d, &d->relay.plain));
+	TRY(count_groups(d, &d->relay.joints));
 	TRY(count_groups(d, &d->relay.hubs));
+	TRY(count_groups(d, &d->relay.hubs_joints));
 
 	cl_int error;
 	cl_mem mailboxes = NULL, fault = NULL;
@@ -147,8 +156,9 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel, d->relay.hubs.kernel, d->solve_end.kernel};
-	for (int i = 0; i < 4; ++i)
+	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel,  d->relay.joints.kernel,
+	                       d->relay.hubs.kernel,   d->relay.hubs_joints.kernel, d->solve_end.kernel};
+	for (int i = 0; i < 6; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
 	scratch_release(&d->relay.mailboxes);
@@ -171,15 +181,15 @@ static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel ker
 
 static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 {
-	cl_kernel kernel = d->relay.hubs.kernel;
+	cl_kernel kernel = hubs_kernel(d)->kernel;
 	cl_int groups = (cl_int)hub_groups(d, solve),
-	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * d->relay.hubs.group);
-	TRY(kernel_step(d, &d->relay.hubs));
+	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * hubs_kernel(d)->group);
+	TRY(kernel_step(d, hubs_kernel(d)));
 	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
 	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->relay.parts.buffer));
 	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
-	size_t all = d->relay.hubs.groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
-	return launch(d, kernel, all * d->relay.hubs.group, d->relay.hubs.group);
+	size_t all = hubs_kernel(d)->groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
+	return launch(d, kernel, all * hubs_kernel(d)->group, hubs_kernel(d)->group);
 }
 
 scree_status relay_run(OpenCl* d, const Solve* solve)

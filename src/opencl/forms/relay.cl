@@ -253,19 +253,19 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 			}
 }
 
-#define RELAY_KERNEL(name, plain)                                                                                     \
+#define RELAY_KERNEL(name, specialize)                                                                                \
 	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int constraints, \
 	                   int substeps, int passes, int bound, int spins, int spread)                                    \
 	{                                                                                                                 \
 		volatile __local int fault;                                                                                   \
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		Relay r = {mailboxes, substeps, passes, spins};                                                               \
-		if (plain)                                                                                                    \
-			STEP_PLAIN(pools.step);                                                                                   \
+		specialize(pools.step);                                                                                       \
 		relay_tasks(&pools, &r, stream, constraints, bound, spread, &fault);                                          \
 	}
-RELAY_KERNEL(relay, 0)
-RELAY_KERNEL(relay_plain, 1)
+RELAY_KERNEL(relay, STEP_CONTACTS)
+RELAY_KERNEL(relay_plain, STEP_PLAIN)
+RELAY_KERNEL(relay_joints, STEP_JOINTS)
 
 // Tests whether work-items make progress independently and whether words arrive whole. In round k each work-item
 // waits for round k of its neighbor's words; one in four waits for round k - 1 of another group's words instead.

@@ -266,21 +266,16 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 
 // As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does
 // both. parts has two words per spoke and per hub.
-__kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps,
-                         int passes, int bound, int spins, int spread, __global ulong* parts, int hub_groups)
+INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
+                            __global ulong* parts, int hub_groups, BENCH float* bench, volatile BENCH int* fault)
 {
-	volatile __local int fault;
-	__local float bench[GROUP_FLOATS];
-	Pools pools = {POOL_NAMES step, 0};
-	const Pools* p = &pools;
-	Relay r = {mailboxes, substeps, passes, spins};
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
 	HubTasks tasks = hub_tasks(p, stream, spread, hub_groups);
 	if (get_global_id(0) == 0)
 		counters_clear(p);
 	if (group_lane() == 0)
-		fault = 0;
+		*fault = 0;
 	group_meet();
 
 	Registers u;
@@ -288,17 +283,31 @@ __kernel void relay_hubs(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __
 		hub_tasks_prepare_hubs(p, &tasks);
 	if (tasks.colors)
 		hub_tasks_prepare_colors(p, &tasks, &u);
-	for (int q = 0; q < passes; ++q)
+	for (int q = 0; q < r->passes; ++q)
 	{
-		if (tasks.hubs && !hub_tasks_pass_hubs(p, &r, &tasks, parts, q, bench, &fault))
+		if (tasks.hubs && !hub_tasks_pass_hubs(p, r, &tasks, parts, q, bench, fault))
 		{
 			// spin-waits elsewhere poll it
 			*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
 			return;
 		}
-		if (!hub_tasks_pass_colors(p, &r, &tasks, q, &u, &fault) && !tasks.hubs)
+		if (!hub_tasks_pass_colors(p, r, &tasks, q, &u, fault) && !tasks.hubs)
 			return;
 	}
 	if (tasks.colors)
 		hub_tasks_store_colors(p, &tasks, &u);
 }
+
+#define RELAY_HUBS_KERNEL(name, specialize)                                                                      \
+	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global float4* stream, int substeps, \
+	                   int passes, int bound, int spins, int spread, __global ulong* parts, int hub_groups)        \
+	{                                                                                                            \
+		volatile __local int fault;                                                                              \
+		__local float bench[GROUP_FLOATS];                                                                       \
+		Pools pools = {POOL_NAMES step, 0};                                                                      \
+		Relay r = {mailboxes, substeps, passes, spins};                                                          \
+		specialize(pools.step);                                                                                  \
+		relay_hub_tasks(&pools, &r, stream, bound, spread, parts, hub_groups, bench, &fault);                    \
+	}
+RELAY_HUBS_KERNEL(relay_hubs, STEP_CONTACTS)
+RELAY_HUBS_KERNEL(relay_hubs_joints, STEP_JOINTS)

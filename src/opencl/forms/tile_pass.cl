@@ -78,7 +78,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 		tile_gather(tile, places >> 16, &b);                                                                     \
 		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
-		int i = p->step.rare || ends ? task_at(p, t->order[j]).place : 0;                                        \
+		int i = KIND##_RARE(&p->step) || ends ? task_at(p, t->order[j]).place : 0;                                        \
 		kind##_pass(p, pass, i, 1, &u, &a, &b);                                                                  \
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \
 		tile_scatter(tile, places >> 16, &b);                                                                    \
@@ -93,12 +93,12 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
 // the place of the next constraints of a work-group: in the same column, or in the next column that is not empty
-INLINE int tile_next(BENCH const int* range, int at, int* column)
+INLINE int tile_next(const Pools* p, BENCH const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
 		return at;
 	do
-		++*column;
+		*column += p->step.joints ? 1 : CONSTRAINT_KINDS;
 	while (*column < TILE_LAST_COLUMN && range[*column] == range[*column + 1]);
 	return range[*column];
 }
@@ -158,10 +158,10 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 		tile->inv_inertia[TILE_RESTS] = 0.0f;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
-	int column = 0, at = tile_next(range, range[0], &column);
+	int column = 0, at = tile_next(p, range, range[0], &column);
 	while (column < TILE_LAST_COLUMN)
 	{
-		int next_column = column, next = tile_next(range, at + TILE_GROUP, &next_column);
+		int next_column = column, next = tile_next(p, range, at + TILE_GROUP, &next_column);
 		if (next_column < TILE_LAST_COLUMN && next + lane < range[next_column + 1])
 			tile_fetch_ahead(t, next_column % CONSTRAINT_KINDS, next + lane, lane, pass);
 #define CONSTRAINT_KIND(name, Name, NAME)                                                    \
@@ -182,7 +182,7 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	}
 }
 
-#define TILE_PASS_KERNEL(name, pass)                                                                                  \
+#define TILE_PASS_KERNEL(name, pass, specialize)                                                                      \
 	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                       \
 	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
 	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                              \
@@ -190,15 +190,19 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 		__local Tile tile;                                                                                            \
 		__local int range[TILE_COLUMNS + 1];                                                                          \
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
+		specialize(pools.step);                                                                                       \
 		Relay r = {0, substeps, passes, 0};                                                                           \
 		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
 		if (tile_wanted(&pools, bound))                                                                               \
 			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                         \
 	}
-TILE_PASS_KERNEL(tile_warm_start, PASS_WARM_START)
-TILE_PASS_KERNEL(tile_bias, PASS_BIAS)
-TILE_PASS_KERNEL(tile_relax, PASS_RELAX)
-TILE_PASS_KERNEL(tile_bounce, PASS_BOUNCE)
+#define TILE_PASS_KERNELS(end, specialize)                           \
+	TILE_PASS_KERNEL(tile_warm_start##end, PASS_WARM_START, specialize) \
+	TILE_PASS_KERNEL(tile_bias##end, PASS_BIAS, specialize)             \
+	TILE_PASS_KERNEL(tile_relax##end, PASS_RELAX, specialize)           \
+	TILE_PASS_KERNEL(tile_bounce##end, PASS_BOUNCE, specialize)
+TILE_PASS_KERNELS(, STEP_CONTACTS)
+TILE_PASS_KERNELS(_joints, STEP_JOINTS)
 
 // Sends a body to its next border constraint in pass q, or writes it to the pool after the last one.
 INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, Body b)
@@ -267,22 +271,30 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 	return true;
 }
 
-__kernel void tile_border(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global const int* table,
-                          __global const int* order, __global float4* stream, int stride, int rows, int substeps,
-                          int passes, int q, int bound, int spins)
+// Pass q of the border constraints of a work-item.
+INLINE void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile BENCH int* fault)
 {
-	volatile __local int fault;
-	Pools pools = {POOL_NAMES step, 0};
-	const Pools* p = &pools;
-	Relay r = {mailboxes, substeps, passes, spins};
-	Tiles t = {0, 0, 0, table, order, stream, stride, rows};
-	if (!tile_wanted(p, bound))
-		return;
 	if (get_local_id(0) == 0)
-		fault = 0;
+		*fault = 0;
 	barrier(CLK_LOCAL_MEM_FENCE);
-	int begin = table[rows * TILE_COLUMNS], end = table[(rows + 1) * TILE_COLUMNS];
+	int begin = t->table[t->rows * TILE_COLUMNS], end = t->table[(t->rows + 1) * TILE_COLUMNS];
 	for (int j = begin + (int)get_global_id(0); j < end; j += (int)get_global_size(0))
-		if (!tile_border_task(p, &r, &t, j, q, &fault))
+		if (!tile_border_task(p, r, t, j, q, fault))
 			return;
 }
+
+#define TILE_BORDER_KERNEL(name, specialize)                                                                      \
+	__kernel void name(POOL_ARGUMENTS Step step, __global ulong* mailboxes, __global const int* table,            \
+	                   __global const int* order, __global float4* stream, int stride, int rows, int substeps,    \
+	                   int passes, int q, int bound, int spins)                                                   \
+	{                                                                                                             \
+		volatile __local int fault;                                                                               \
+		Pools pools = {POOL_NAMES step, 0};                                                                       \
+		Relay r = {mailboxes, substeps, passes, spins};                                                           \
+		Tiles t = {0, 0, 0, table, order, stream, stride, rows};                                                  \
+		specialize(pools.step);                                                                                   \
+		if (tile_wanted(&pools, bound))                                                                           \
+			tile_border_work(&pools, &r, &t, q, &fault);                                                          \
+	}
+TILE_BORDER_KERNEL(tile_border, STEP_CONTACTS)
+TILE_BORDER_KERNEL(tile_border_joints, STEP_JOINTS)

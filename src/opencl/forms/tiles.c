@@ -32,6 +32,12 @@ static const struct
     [TILE_PASS + PASS_RELAX] = {"tile_relax", TILE_GROUP},
     [TILE_PASS + PASS_BOUNCE] = {"tile_bounce", TILE_GROUP},
     [TILE_BORDER] = {"tile_border", RELAY_GROUP},
+    [TILE_PREPARE_JOINTS] = {"tile_prepare_joints", STAGE_GROUP},
+    [TILE_PASS_JOINTS + PASS_WARM_START] = {"tile_warm_start_joints", TILE_GROUP},
+    [TILE_PASS_JOINTS + PASS_BIAS] = {"tile_bias_joints", TILE_GROUP},
+    [TILE_PASS_JOINTS + PASS_RELAX] = {"tile_relax_joints", TILE_GROUP},
+    [TILE_PASS_JOINTS + PASS_BOUNCE] = {"tile_bounce_joints", TILE_GROUP},
+    [TILE_BORDER_JOINTS] = {"tile_border_joints", RELAY_GROUP},
 };
 
 scree_status tiles_open(OpenCl* d)
@@ -204,7 +210,9 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,
 	       order = t->buffers[TILE_ORDER_BUFFER].buffer;
 	cl_mem stream = d->relay.stream.buffer;
-	TRY(tile_run(d, solve_plain(d) ? TILE_PREPARE_PLAIN : TILE_PREPARE, stride,
+	bool joints = d->constants.step.joints;
+	int prepare = joints ? TILE_PREPARE_JOINTS : solve_plain(d) ? TILE_PREPARE_PLAIN : TILE_PREPARE;
+	TRY(tile_run(d, prepare, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 	                    VALUE(rows), VALUE(solve->bound))));
 	int border = d->relay.colors.groups * RELAY_GROUP;
@@ -213,10 +221,10 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	for (cl_int q = 0; q < passes; ++q)
 	{
-		TRY(tile_run(d, TILE_PASS + schedule_pass(solve->substeps, q), rows * TILE_GROUP,
+		TRY(tile_run(d, (joints ? TILE_PASS_JOINTS : TILE_PASS) + schedule_pass(solve->substeps, q), rows * TILE_GROUP,
 		             VALUES(VALUE(resident), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 		                    VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound))));
-		TRY(tile_run(d, TILE_BORDER, border,
+		TRY(tile_run(d, joints ? TILE_BORDER_JOINTS : TILE_BORDER, border,
 		             VALUES(VALUE(d->relay.mailboxes.buffer), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 		                    VALUE(rows), VALUE(solve->substeps), VALUE(passes), VALUE(q), VALUE(solve->bound),
 		                    VALUE(spins))));

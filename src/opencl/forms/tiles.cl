@@ -276,23 +276,23 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 		uint places = tile_place(p, t, u.side[0].body) | tile_place(p, t, u.side[1].body) << 16;
 #define CONSTRAINT_KIND(name, Name, NAME) \
 		if (at.kind == CONSTRAINT_##NAME) \
-			name##_stream_store(&u.name, as_float(places), t->stream, t->stride, j);
+			name##_stream_store(&u.of.name, as_float(places), t->stream, t->stride, j);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	}
 }
 
-#define TILE_PREPARE_KERNEL(name, plain)                                                                          \
+#define TILE_PREPARE_KERNEL(name, specialize)                                                                        \
 	__kernel void name(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,           \
 	                   __global const int* table, __global const int* order, __global float4* stream, int stride, \
 	                   int rows, int bound)                                                                       \
 	{                                                                                                             \
 		Pools pools = {POOL_NAMES step, 0};                                                                       \
 		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                         \
-		if (plain)                                                                                                \
-			STEP_PLAIN(pools.step);                                                                               \
+		specialize(pools.step);                                                                                   \
 		if (tile_wanted(&pools, bound))                                                                           \
 			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                   \
 	}
-TILE_PREPARE_KERNEL(tile_prepare, 0)
-TILE_PREPARE_KERNEL(tile_prepare_plain, 1)
+TILE_PREPARE_KERNEL(tile_prepare, STEP_CONTACTS)
+TILE_PREPARE_KERNEL(tile_prepare_plain, STEP_PLAIN)
+TILE_PREPARE_KERNEL(tile_prepare_joints, STEP_JOINTS)

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// joint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a, some of them locked.
+//
+//     d = anchor of b - anchor of a      u = axis      w = left of u
+//     along = u . d      across = w . d      angle = angle of b - angle of a
+//
+// The locked coordinates are solved together, as a symmetric 3 x 3 system. Limits, springs and motors (joint_drive.h) come
+// before it, so that the locks have the last word.
+//
+// Warm starting. Arms turn within a step, so the same impulses do not change velocities by the same amount in each substep,
+// as integrate.h assumes. A joint therefore stores what its impulses have given its two bodies, and in its biased pass first
+// gives the difference to what they are worth at the current arms.
+//
+// This work is based on:
+// Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a biased and a relaxing pass per substep.
+// Thomas Jakobsen, Advanced Character Physics, 2001; Jan Bender, Matthias Mueller et al., A Survey on Position-Based
+// Simulation Methods in Computer Graphics, 2014: coordinates that are free, locked or driven.
+#ifndef CONSTRAINT_JOINT_H
+#define CONSTRAINT_JOINT_H
+#include "constraints/body.h"
+#include "constraints/constraint.h"
+#include "dialect/finite.h"
+
+#define IN_POSED (IN_WARM_START | IN_BIAS | IN_RELAX)
+#define IN_TURNS (IN_BIAS | IN_RELAX)
+
+// what every pass streams
+#define JOINT_ROWS(X)                                                           \
+	/* at the start of the step: axis; m: anchors from the centers of mass */   \
+	X(axis_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                     \
+	X(axis_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                     \
+	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	/* m: from anchor to anchor; of a radial joint: what its lock holds */      \
+	X(gap_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
+	X(gap_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
+	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                     \
+	/* rad: the angle, less that at which it is locked */                       \
+	X(angle, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
+	/* rad: the angle over all turns */                                         \
+	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                       \
+	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */           \
+	X(modes, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
+	X(rate_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(rate_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                \
+	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(soft_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(soft_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                \
+	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	/* N s, N m s */                                                            \
+	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
+	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                   \
+	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
+	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */    \
+	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)         \
+	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)         \
+	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)         \
+	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
+
+// what a limit, a spring and a motor along one coordinate need: in m or rad, 1/s, N s or N m s
+#define JOINT_DRIVE_ROWS(X, of)                                                       \
+	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                       \
+	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                       \
+	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                      \
+	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(of##_spring_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                       \
+	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)                     \
+	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
+	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
+
+#define JOINT_RARE_ROWS(X)                                                            \
+	JOINT_DRIVE_ROWS(X, along)                                                        \
+	JOINT_DRIVE_ROWS(X, across)                                                       \
+	JOINT_DRIVE_ROWS(X, angle)                                                        \
+	/* N s, N m s: the largest of all substeps */                                     \
+	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)            \
+	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)
+
+#define JOINT_STREAM(QUAD, PAIR)                                                \
+	QUAD(0, name, u->modes, u->axis_x, u->axis_y)                               \
+	QUAD(1, u->arm_a_x, u->arm_a_y, u->arm_b_x, u->arm_b_y)                     \
+	QUAD(2, u->gap_x, u->gap_y, u->length, u->angle)                            \
+	QUAD(3, u->rate_along, u->rate_across, u->rate_angle, u->soft_along)        \
+	PAIR(0, IN_TURNS, IN_NONE, u->soft_across, u->soft_angle)                   \
+	PAIR(1, IN_PASSES, IN_POSED, u->impulse_along, u->impulse_across)            \
+	PAIR(2, IN_PASSES, IN_POSED, u->impulse_angle, u->given_x)                   \
+	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                         \
+	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->turned)
+
+// Bytes that prepare gathers for a joint: its data, the poses and centers of its bodies.
+#define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))
+#define JOINT_BOUNCE_GATHERS 0
+
+#define JOINT_RARE(step)     ((step)->drives)
+
+struct JointRows
+{
+	CONSTRAINT_ENDS
+	JOINT_ROWS(ROW_MEMBER)
+};
+struct JointRareRows
+{
+	JOINT_RARE_ROWS(ROW_MEMBER)
+};
+struct JointKept
+{
+	JOINT_ROWS(ROW_KEPT_MEMBER)
+} KEPT_ALIGNED;
+struct JointRareKept
+{
+	JOINT_RARE_ROWS(ROW_KEPT_MEMBER)
+};
+
+// a component of joint i of the pools p
+#define joint_row(p, name, i)  ((p)->joint_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
+#define joint_rare(p, name, i) ((p)->joint_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
+
+typedef struct // a joint in registers
+{
+	JOINT_ROWS(ROW_REGISTER)
+} Joint;
+
+typedef struct // its bodies and its coordinates now
+{
+	Body a, b;
+	Vec axis[2];                                  // along, across
+	Vec arm_a, arm_b;                             // from the centers of mass to the anchor of b
+	Real lever_a[2], lever_b[2];                  // of a unit impulse along the axes
+	Real mass, value[JOINT_COORDINATES];          // 1/kg: sum; m, m, rad
+} JointPose;
+
+// Whether some lanes have one of these modes.
+INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
+
+INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
+{
+	JointPose c;
+	Vec arm_a = vec(u->arm_a_x, u->arm_a_y), arm_b = vec(u->arm_b_x, u->arm_b_y), axis = vec(u->axis_x, u->axis_y);
+	Vec swing_a = vec_sub(body_displacement(*a, arm_a), a->d), swing_b = vec_sub(body_displacement(*b, arm_b), b->d);
+	Vec d = vec_add(vec(u->gap_x, u->gap_y), vec_add(vec_sub(b->d, a->d), vec_sub(swing_b, swing_a)));
+	Real angle = u->angle + (b->da - a->da);
+
+	// a body whose state is not finite must not take the other one with it
+	Int sound = absolute(((d.x + d.y) + (swing_a.x + swing_b.x)) + angle) <= splat(MOST_FLOAT);
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	d = vec_choose(zero, d, sound);
+	swing_a = vec_choose(zero, swing_a, sound);
+	swing_b = vec_choose(zero, swing_b, sound);
+	c.a = *a;
+	c.b = *b;
+	c.arm_a = vec_add(vec_add(arm_a, swing_a), d);
+	c.arm_b = vec_add(arm_b, swing_b);
+
+	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
+	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
+	Real square = vec_dot(d, d);
+	Int apart = joint_has(u, JOINT_RADIAL) & (square > splat(1.0e-12f)) & (square < splat(1.0e30f));
+	axis = vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
+	c.axis[0] = axis;
+	c.axis[1] = vec(-axis.y, axis.x);
+	for (int k = 0; k < 2; ++k)
+	{
+		c.lever_a[k] = vec_cross(c.arm_a, c.axis[k]);
+		c.lever_b[k] = vec_cross(c.arm_b, c.axis[k]);
+		c.value[k] = vec_dot(d, c.axis[k]);
+	}
+	c.value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
+	c.mass = a->inv_mass + b->inv_mass;
+	return c;
+}
+
+// m/s, rad/s: the speed of coordinate k, a constant
+INLINE Real joint_speed(const JointPose* c, int k)
+{
+	if (k == JOINT_ANGLE)
+		return c->b.w - c->a.w;
+	return vec_dot(vec_sub(c->b.v, c->a.v), c->axis[k]) + (c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w);
+}
+
+// 1/kg, 1/(kg m^2): the speed of coordinate k by a unit impulse along it
+INLINE Real joint_yield(const JointPose* c, int k)
+{
+	if (k == JOINT_ANGLE)
+		return c->a.inv_inertia + c->b.inv_inertia;
+	return c->mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] +
+	       c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
+}
+
+typedef struct // impulses on body b, their opposite on a: N s, N m s
+{
+	Vec push;
+	Real angular_a, angular_b;
+} JointImpulse;
+
+INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, Real angle)
+{
+	JointImpulse j;
+	j.push = vec_add(vec_scale(along, c->axis[0]), vec_scale(across, c->axis[1]));
+	j.angular_a = vec_cross(c->arm_a, j.push) + angle;
+	j.angular_b = vec_cross(c->arm_b, j.push) + angle;
+	return j;
+}
+
+// Applies impulses, and adds them to what the joint has given.
+INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
+{
+	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, j.push));
+	c->a.w = c->a.w - c->a.inv_inertia * j.angular_a;
+	c->b.v = vec_add(c->b.v, vec_scale(c->b.inv_mass, j.push));
+	c->b.w = c->b.w + c->b.inv_inertia * j.angular_b;
+	u->given_x = u->given_x + j.push.x;
+	u->given_y = u->given_y + j.push.y;
+	u->given_a = u->given_a + j.angular_a;
+	u->given_b = u->given_b + j.angular_b;
+}
+
+// An impulse of either sign; none in place of NaN, and of one that is beyond all bounds.
+INLINE Real hold_of(Real x) { return choose(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
+
+#endif

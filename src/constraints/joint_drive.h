@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// joint_drive.h -- limits, springs and motors of a joint, each along one coordinate.
+#ifndef JOINT_DRIVE_H
+#define JOINT_DRIVE_H
+#include "constraints/joint.h"
+
+typedef struct // the rows of one coordinate
+{
+	Real lower, upper, limit_rate, limit_soft;
+	Real target, spring_rate, spring_soft, spring_most;
+	Real speed, motor_most;
+	Real limit_impulse, spring_impulse, motor_impulse;
+} JointDrive;
+
+#define JOINT_DRIVE_LOAD(of)                                                  \
+	d.lower = load(&joint_rare(p, of##_lower, i), 0);                         \
+	d.upper = load(&joint_rare(p, of##_upper, i), 0);                         \
+	d.limit_rate = load(&joint_rare(p, of##_limit_rate, i), 0);               \
+	d.limit_soft = load(&joint_rare(p, of##_limit_soft, i), 0);               \
+	d.target = load(&joint_rare(p, of##_target, i), 0);                       \
+	d.spring_rate = load(&joint_rare(p, of##_spring_rate, i), 0);             \
+	d.spring_soft = load(&joint_rare(p, of##_spring_soft, i), 0);             \
+	d.spring_most = load(&joint_rare(p, of##_spring_most, i), 0);             \
+	d.speed = load(&joint_rare(p, of##_speed, i), 0);                         \
+	d.motor_most = load(&joint_rare(p, of##_motor_most, i), 0);               \
+	d.limit_impulse = load(&joint_rare(p, of##_limit_impulse, i), 0);         \
+	d.spring_impulse = load(&joint_rare(p, of##_spring_impulse, i), 0);       \
+	d.motor_impulse = load(&joint_rare(p, of##_motor_impulse, i), 0);
+#define JOINT_DRIVE_STORE(of)                                                 \
+	store(&joint_rare(p, of##_limit_impulse, i), 0, d->limit_impulse);        \
+	store(&joint_rare(p, of##_spring_impulse, i), 0, d->spring_impulse);      \
+	store(&joint_rare(p, of##_motor_impulse, i), 0, d->motor_impulse);
+
+// k is a constant
+INLINE JointDrive joint_drive_load(const Pools* p, int i, int k)
+{
+	JointDrive d;
+	if (k == JOINT_ALONG)
+	{
+		JOINT_DRIVE_LOAD(along)
+	}
+	else if (k == JOINT_ACROSS)
+	{
+		JOINT_DRIVE_LOAD(across)
+	}
+	else
+	{
+		JOINT_DRIVE_LOAD(angle)
+	}
+	return d;
+}
+
+INLINE void joint_drive_store(const Pools* p, int i, int k, const JointDrive* d)
+{
+	if (k == JOINT_ALONG)
+	{
+		JOINT_DRIVE_STORE(along)
+	}
+	else if (k == JOINT_ACROSS)
+	{
+		JOINT_DRIVE_STORE(across)
+	}
+	else
+	{
+		JOINT_DRIVE_STORE(angle)
+	}
+}
+
+// Whether some lane has a limit, a spring or a motor along coordinate k.
+INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
+{
+	int modes = JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k);
+	return p->step.drives ? lane_bits(joint_has(u, modes)) : 0u;
+}
+
+// The impulses along coordinate k.
+INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d->motor_impulse + d->limit_impulse; }
+
+// The impulse of a spring: soft in both passes, because it is no error to be corrected.
+INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
+{
+	Real stiff = yield + d->spring_soft * yield;
+	Real change = -(speed + d->spring_rate * error + d->spring_soft * yield * d->spring_impulse) / stiff;
+	return grip_of(hold_of(d->spring_impulse + change), d->spring_most);
+}
+
+// The impulse of a limit: the nearer one, from which it pushes away. It ends an approach just there (s > 0), and is as soft
+// as a lock behind it.
+INLINE Real joint_limit(const Pools* p, const JointDrive* d, Real yield, Real speed, Real value, int soft)
+{
+	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
+	Int low = below < above;
+	Real s = choose(above, below, low), sign = choose(splat(-1.0f), splat(1.0f), low);
+	Int inside = s > zero;
+	Real rate = choose(soft ? d->limit_rate : zero, splat(p->step.inv_h), inside);
+	Real yields = choose(soft ? d->limit_soft : zero, zero, inside);
+	Real bias = choose(maximum(rate * s, splat(-p->step.max_speed)), rate * s, inside);
+	Real old = maximum(sign * d->limit_impulse, zero);
+	return sign * push_of(old - (sign * speed + bias + yields * yield * old) / (yield + yields * yield));
+}
+
+// Solves the spring, the motor and the limit of coordinate k, one after the other.
+INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointPose* c)
+{
+	JointDrive d = joint_drive_load(p, i, k), old = d;
+	Real zero = splat(0.0f), yield = joint_yield(c, k), speed = joint_speed(c, k);
+	Int yields = yield > zero;
+	Real safe = choose(splat(1.0f), yield, yields);
+	Int spring = joint_has(u, JOINT_SPRING(k)) & yields, motor = joint_has(u, JOINT_MOTOR(k)) & yields,
+	    limit = joint_has(u, JOINT_LIMITED(k)) & yields;
+	d.spring_impulse = choose(zero, joint_spring(&d, safe, speed, c->value[k] - d.target), spring);
+	speed = speed + yield * (d.spring_impulse - old.spring_impulse);
+	d.motor_impulse =
+	    choose(zero, grip_of(hold_of(d.motor_impulse - (speed - d.speed) / safe), d.motor_most), motor);
+	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
+	d.limit_impulse = choose(zero, joint_limit(p, &d, safe, speed, c->value[k], soft), limit);
+	joint_drive_store(p, i, k, &d);
+	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
+	joint_give(u, c, joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
+	                               k == JOINT_ANGLE ? change : zero));
+}
+
+// The impulses along all coordinates, of locks too.
+INLINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COORDINATES])
+{
+	sum[JOINT_ALONG] = u->impulse_along;
+	sum[JOINT_ACROSS] = u->impulse_across;
+	sum[JOINT_ANGLE] = u->impulse_angle;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		if (!joint_drives(p, u, k))
+			continue;
+		JointDrive d = joint_drive_load(p, i, k);
+		sum[k] = sum[k] + joint_drive_sum(&d);
+	}
+}
+
+// Scales all impulses of the last step, which are too large to start this one with.
+INLINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
+{
+	u->impulse_along = part * u->impulse_along;
+	u->impulse_across = part * u->impulse_across;
+	u->impulse_angle = part * u->impulse_angle;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		if (!joint_drives(p, u, k))
+			continue;
+		JointDrive d = joint_drive_load(p, i, k);
+		d.limit_impulse = part * d.limit_impulse;
+		d.spring_impulse = part * d.spring_impulse;
+		d.motor_impulse = part * d.motor_impulse;
+		joint_drive_store(p, i, k, &d);
+	}
+}
+
+#endif

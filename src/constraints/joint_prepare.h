@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// joint_prepare.h -- the rows of a joint for the step, from its data and the poses of its bodies.
+#ifndef JOINT_PREPARE_H
+#define JOINT_PREPARE_H
+#include "constraints/angle.h"
+#include "constraints/joint.h"
+
+#define TURN 6.28318531f
+
+// A number of joint `slot`, at a place in JointData.
+INLINE Real joint_datum(const Pools* p, Int slot, int place)
+{
+	return gather((const GLOBAL float*)p->joint_data, slot * JOINT_FLOATS + place);
+}
+
+// The nearest whole number of a number below 2^22.
+INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
+
+// Softness of so many hertz with a damping ratio: Catto, Soft Constraints, GDC 2011. Stiffer than a share of the substep
+// rate it would not get stiffer, but shake. rate is 1/s.
+#define JOINT_STIFFEST 0.25f
+
+INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, Real* soft)
+{
+	Real omega = splat(TURN) * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h));
+	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
+	Int some = a2 > splat(0.0f);
+	*rate = choose(splat(0.0f), omega / a1, some);
+	*soft = choose(splat(0.0f), 1.0f / a2, some);
+}
+
+// The softness of the lock of coordinate k.
+INLINE void joint_lock(const Pools* p, Int slot, int k, Real* rate, Real* soft)
+{
+	Real hertz = joint_datum(p, slot, JOINT_AT_TARGET(k) + 1), ratio = joint_datum(p, slot, JOINT_AT_TARGET(k) + 2);
+	Int own = hertz > splat(0.0f);
+	hertz = choose(joint_datum(p, slot, JOINT_AT_HERTZ), hertz, own);
+	ratio = choose(joint_datum(p, slot, JOINT_AT_HERTZ + 1), ratio, own);
+	joint_softness(p, hertz, ratio, rate, soft);
+}
+
+typedef struct // where a frame is in the world
+{
+	Vec arm, turn;      // from the center of mass; cos, sin
+	Vec position, rest; // of the center of mass, and what rounding it left over
+} JointFrame;
+
+// The frame at a place of JointData, moved by an offset in the frame.
+INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
+{
+	JointFrame end;
+	Vec own = vec(joint_datum(p, slot, place), joint_datum(p, slot, place + 1));
+	Vec frame = vec(joint_datum(p, slot, place + 2), joint_datum(p, slot, place + 3));
+	const GLOBAL float *pose = (const GLOBAL float*)p->pose, *center = (const GLOBAL float*)p->local_center,
+	                   *low = (const GLOBAL float*)p->pose_low;
+	Vec turn = vec(gather(pose, body * 4 + 2), gather(pose, body * 4 + 3));
+	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
+	end.arm = vec_turn(turn, own);
+	end.turn = vec_turn(turn, frame);
+	end.position = vec(gather(pose, body * 4), gather(pose, body * 4 + 1));
+	end.rest = vec(gather(low, body * 2), gather(low, body * 2 + 1));
+	return end;
+}
+
+// All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
+INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), target[JOINT_COORDINATES];
+	Int there = slot >= 0, ia = load_int(&joint_row(p, body_a, i), 0), ib = load_int(&joint_row(p, body_b, i), 0);
+	slot = slot & ~(slot >> 31);
+	u->modes = choose(zero, joint_datum(p, slot, JOINT_AT_MODES), there);
+	Int radial = joint_has(u, JOINT_RADIAL);
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		target[k] = choose(zero, joint_datum(p, slot, JOINT_AT_TARGET(k)), joint_has(u, JOINT_LOCKED(k)));
+	u->length = choose(zero, target[JOINT_ALONG], radial);
+
+	// a lock that holds another value than 0 moves the frame
+	Vec offset = vec(choose(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
+	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME_A, ia, offset);
+	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME_B, ib, vec(zero, zero));
+	Vec gap = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
+	Int both = joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS));
+
+	// where both translations are locked any axes will do, and impulses of the world last longer than those of a body
+	Vec axis = vec_choose(a.turn, vec(one, zero), both);
+	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, both | radial | (there == 0));
+	u->axis_x = axis.x;
+	u->axis_y = axis.y;
+	u->arm_a_x = a.arm.x;
+	u->arm_a_y = a.arm.y;
+	u->arm_b_x = b.arm.x;
+	u->arm_b_y = b.arm.y;
+	u->gap_x = gap.x;
+	u->gap_y = gap.y;
+
+	// over all turns: the one that is nearest to the last angle
+	Real angle = angle_of(vec_turn_back(a.turn, b.turn)), old = load(&joint_row(p, turned, i), 0);
+	u->turned = angle + splat(TURN) * joint_round((old - angle) * splat(1.0f / TURN));
+	u->angle = u->turned - target[JOINT_ANGLE];
+	joint_lock(p, slot, JOINT_ALONG, &u->rate_along, &u->soft_along);
+	joint_lock(p, slot, JOINT_ACROSS, &u->rate_across, &u->soft_across);
+	joint_lock(p, slot, JOINT_ANGLE, &u->rate_angle, &u->soft_angle);
+	u->given_x = zero;
+	u->given_y = zero;
+	u->given_a = zero;
+	u->given_b = zero;
+
+	// forms that hold joints in registers load it again with the impulses
+	store(&joint_row(p, turned, i), 0, u->turned);
+}
+
+#endif

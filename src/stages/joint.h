@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// joint.h -- joints that the user made or changed: their rows, their beginning and end, and the pairs that they keep apart.
+#ifndef JOINT_H
+#define JOINT_H
+#include "constraints/joint_one.h"
+#include "stages/edge.h"
+
+// Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
+// joint that broke stays broken.
+STAGE(joint_apply)
+{
+	JointEdit edit = p->joint_edit[i];
+	int slot = edit.slot, restarts = edit.flags & JOINT_RESTARTS;
+	if (slot >= p->argument)
+	{
+		p->joint_color[slot] = COLOR_NONE;
+		p->joint_place[slot] = -1;
+	}
+	else if (!restarts)
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS);
+	p->joint_flags[slot] = edit.flags;
+	p->joint_data[slot] = edit.data;
+	raise_int(&p->counters->joints, slot + 1);
+	raise_int(&p->counters->joint_stir, 0x7fffffff);
+}
+
+// Constraints of joints begin and end.
+STAGE(joint_update)
+{
+	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
+	if (p->counters->stalled)
+		return;
+	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
+	if (!wanted || flags & JOINT_RESTARTS)
+		joint_end(p, i);
+	p->joint_flags[i] = flags & ~JOINT_RESTARTS;
+	if (!wanted || p->joint_color[i] != COLOR_NONE)
+		return;
+	int a = p->joint_data[i].body_a, b = p->joint_data[i].body_b;
+	p->joint_bodies[i] = make_int2(a, b);
+	atomic_add_int(&p->touching[a], 1);
+	atomic_add_int(&p->touching[b], 1);
+	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_JOINT, i);
+	edge_stir(p, CONSTRAINT_JOINT);
+}
+
+STAGE(joint_updated)
+{
+	if (!p->counters->stalled)
+		p->counters->joint_stir = 0;
+	(void)i;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// pairs of bodies that joints keep from touching
+// ---------------------------------------------------------------------------------------------------------------
+
+#define JOINT_NO_PAIR (~(Word64)0)
+
+INLINE Word64 joint_pair_of(int a, int b)
+{
+	int low = a < b ? a : b, high = a < b ? b : a;
+	return (Word64)low << 32 | (Word64)high;
+}
+
+// The pair of joint i, to be sorted.
+STAGE(joint_pair_key)
+{
+	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
+	p->key[i] = (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b)
+	                                           : JOINT_NO_PAIR;
+}
+
+// The sorted pairs. argument is the number of joints.
+STAGE(joint_pair)
+{
+	Word64 key = p->key[i];
+	p->joined[i] = key;
+	if (key != JOINT_NO_PAIR && (i + 1 == p->argument || p->key[i + 1] == JOINT_NO_PAIR))
+		p->counters->joined = i + 1;
+	if (i == 0 && key == JOINT_NO_PAIR)
+		p->counters->joined = 0;
+}
+
+// Whether a joint keeps two bodies from touching.
+INLINE int joint_parts(const Pools* p, Int2 bodies)
+{
+	Word64 key = joint_pair_of(bodies.x, bodies.y);
+	int low = 0, high = p->counters->joined, count = high;
+	while (low < high)
+	{
+		int middle = low + (high - low) / 2;
+		if (p->joined[middle] < key)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low < count && p->joined[low] == key;
+}
+
+// Pairs changed: contact i ends or begins.
+STAGE(contact_join)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || p->pair[i].x < 0)
+		return;
+	Word joined = joint_parts(p, p->contact_bodies[i]) ? CONTACT_JOINED : 0u;
+	if ((flags & CONTACT_JOINED) == joined)
+		return;
+	contact_end(p, i);
+	p->contact_flags[i] = (flags & CONTACT_DETECTED) | CONTACT_FRESH | joined;
+	p->contact_feature[i] = make_int2(-1, -1);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// thresholds
+// ---------------------------------------------------------------------------------------------------------------
+
+// The joint at place i: reports, and breaks, when its force or its torque exceeded its threshold.
+STAGE(joint_finalize)
+{
+	int slot = p->joint_place_slot[i];
+	if (slot < 0)
+		return;
+	const GLOBAL JointData* data = p->joint_data + slot;
+	JointEvent event;
+	event.slot = slot;
+	event.force = joint_rare(p, peak_force, i) * p->step.inv_h;
+	event.torque = joint_rare(p, peak_torque, i) * p->step.inv_h;
+	event.broken = (p->joint_flags[slot] & JOINT_BREAKS) != 0;
+	if (!(event.force > data->most_force || event.torque > data->most_torque))
+		return;
+	p->joint_event[atomic_add_int(&p->counters->joint_events, 1)] = event;
+	if (!event.broken)
+		return;
+	p->joint_flags[slot] |= JOINT_BROKEN;
+	raise_int(&p->counters->joint_stir, 0x7fffffff);
+}
+
+#endif
