@@ -214,8 +214,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	// a world may come from another device
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
-	return upload(d, pool_buffer(d, pool), pool_offset(d, pool) + bytes * (size_t)first, items,
-	              bytes * (size_t)count);
+	return upload(d, pool_buffer(d, pool), pool_offset(d, pool) + bytes * (size_t)first, items, bytes * (size_t)count);
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }

@@ -87,9 +87,9 @@ typedef struct
 {
 	Kernel colors, plain, joints; // kernels relay, relay_plain and relay_joints
 	Kernel hubs, hubs_joints;     // relay_hubs and relay_hubs_joints
-	Scratch mailboxes;          // MAILBOX_WORDS words per body; also for the border of the tiles
-	Scratch stream;             // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
-	Scratch parts;              // two words per spoke and per hub
+	Scratch mailboxes;            // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;               // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;                // two words per spoke and per hub
 } RelayState;
 
 enum // kernels of tiles.cl that take all pools, in launch order
