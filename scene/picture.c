@@ -15,7 +15,7 @@
 #define SMALL    1.0 // px: a shape of less reach is a square of its area, not a path
 #define OUTLINED 3.5 // px: a shape of less reach has no outline
 #define LINKED   1.0 // px: the line of a joint is not drawn if it is shorter
-#define PINNED   1.5 // px: an anchor of less radius has no dot
+#define PINNED   1.2 // px: an anchor of less radius has no dot
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134}, ink = {58, 54, 50};
 
@@ -207,14 +207,18 @@ static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 		y[k] = p->height - BAND - (points[k].y - p->viewport.bottom) * p->viewport.scale;
 		length += k ? hypot(x[k] - x[k - 1], y[k] - y[k - 1]) : 0;
 	}
-	double pin = fmin(0.05 * p->viewport.scale, 2.5);
+	double pin = fmin(0.04 * p->viewport.scale, 2.5);
 	cairo_new_path(p->cairo);
 	for (int k = 0; length >= LINKED && k < count; ++k)
 		cairo_line_to(p->cairo, x[k], y[k]);
 	cairo_stroke(p->cairo);
 	for (int end = 0; pin >= PINNED && end < 2; ++end)
 	{
-		cairo_arc(p->cairo, x[anchors[end]], y[anchors[end]], pin, 0, 2 * M_PI);
+		// a dot in the middle of a body would only hide it
+		int at = anchors[end], center = end ? count - 1 : 0;
+		if (center != at && hypot(x[at] - x[center], y[at] - y[center]) < pin)
+			continue;
+		cairo_arc(p->cairo, x[at], y[at], pin, 0, 2 * M_PI);
 		cairo_fill(p->cairo);
 	}
 }
