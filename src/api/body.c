@@ -6,6 +6,7 @@
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/handles.h"
+#include "world/joints.h"
 #include "world/mass.h"
 #include "world/memory.h"
 #include "world/targets.h"
@@ -225,6 +226,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		world->disabled_bodies -= host->disabled;
 		host->disabled = false;
 		target_drop(world, index);
+		body_joints_remove(world, index);
 		slots_free(&world->bodies, index);
 		edits_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}

@@ -6,6 +6,7 @@
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/handles.h"
+#include "world/joints.h"
 #include "world/mass.h"
 #include "world/targets.h"
 #include "world/world.h"
@@ -60,6 +61,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	if (type == SCREE_BODY_STATIC)
 		edits_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
 	mass_set(world, index, mass_of_body(world, index));
+	body_joints_changed(world, index);
 	body_send_motion(world, index);
 	return SCREE_OK;
 }
@@ -172,6 +174,7 @@ static void enable(scree_world* world, int index, bool enabled)
 		world->host_collidables[k].born = world->pipeline.steps;
 		edits_collidable(world, k);
 	}
+	body_joints_changed(world, index);
 	edits_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
 	body_send_motion(world, index);
 }

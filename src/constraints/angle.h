@@ -5,7 +5,7 @@
 #include "dialect/vec.h"
 
 // The angle of a rotation, from -pi to pi, by Gregory's series after a reduction to pi / 8; half a turn is pi.
-INLINE Real angle_of(Vec rotation)
+INLINE Real vec_angle(Vec rotation)
 {
 	Real x = absolute(rotation.x), y = absolute(rotation.y), sum = splat(0.0f);
 	Int steep = (y < x) == 0;

@@ -60,7 +60,7 @@ INLINE void joint_hold(const Pools* p, int soft, Joint* u, JointPose* c)
 }
 
 // Starts the step with the impulses of the last one, unless they would make the bodies faster than a share of max_speed.
-INLINE void joint_warm_start(const Pools* p, int i, Joint* u, JointPose* c)
+INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, i, u, sum);
@@ -134,7 +134,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		return;
 	JointPose c = joint_pose(u, a, b);
 	if (pass == PASS_WARM_START)
-		joint_warm_start(p, i, u, &c);
+		joint_warm(p, i, u, &c);
 	else
 	{
 		if (pass == PASS_BIAS)

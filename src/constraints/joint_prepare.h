@@ -94,7 +94,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->gap_y = gap.y;
 
 	// over all turns: the one that is nearest to the last angle
-	Real angle = angle_of(vec_turn_back(a.turn, b.turn)), old = load(&joint_row(p, turned, i), 0);
+	Real angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = load(&joint_row(p, turned, i), 0);
 	u->turned = angle + splat(TURN) * joint_round((old - angle) * splat(1.0f / TURN));
 	u->angle = u->turned - target[JOINT_ANGLE];
 	joint_lock(p, slot, JOINT_ALONG, &u->rate_along, &u->soft_along);

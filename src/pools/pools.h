@@ -245,6 +245,15 @@ typedef struct // 224 bytes: a joint as the user wants it
 	JointData data;
 } JointEdit;
 
+typedef struct // 48 bytes: what the user reads of a joint
+{
+	float value[3], speed[3];     // of the coordinates: m, m, rad; m/s, m/s, rad/s
+	float force_x, force_y;       // N: on body b
+	float torque;                 // N m
+	int broken;
+	float unused[2];
+} JointState;
+
 typedef struct // 16 bytes
 {
 	int slot;

@@ -25,4 +25,5 @@
 #include "stages/guard.h"
 #include "stages/finalize.h"
 #include "stages/listed.h"
+#include "stages/joint_show.h"
 #include "stages/hash.h"

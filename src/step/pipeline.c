@@ -181,6 +181,15 @@ scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared)
 	return b->f->run(b, &pipeline->step, &run, 1);
 }
 
+scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
+{
+	Backend* b = pipeline->backend;
+	Run run = {.stage = STAGE_joint_show, .begin = first, .end = first + count, .count = NO_COUNT};
+	Step step = pipeline->step;
+	step.drives = pipeline->drives;
+	return b->f->run(b, &step, &run, 1);
+}
+
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count)
 {
 	Backend* b = pipeline->backend;

@@ -36,6 +36,8 @@ void world_destroy(scree_world* world)
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);
+	slots_close(&world->joints);
+	scree_release(world->host_joints);
 	scree_release(world->targets);
 	scree_release(world->scratch);
 	scree_release(world);

@@ -20,6 +20,7 @@ void edits_close(Edits* edits)
 	scree_release(edits->collidables);
 	scree_release(edits->commands);
 	scree_release(edits->attributes);
+	scree_release(edits->joints);
 }
 
 void edits_body(scree_world* world, BodyRow row)

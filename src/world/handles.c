@@ -81,3 +81,26 @@ scree_status check_attribute(const scree_world* world, Where at, const char* mem
 	*index = (int)attribute.index;
 	return SCREE_OK;
 }
+
+// Indices begin at 1, like those of collidables.
+scree_joint joint_handle(const scree_world* world, int index)
+{
+	return (scree_joint){(uint32_t)index + 1, world->joints.generation[index]};
+}
+
+bool joint_is_valid(const scree_world* world, scree_joint joint)
+{
+	return joint.index >= 1 && joint.index <= (uint32_t)world->joints.used && joint.generation & 1 &&
+	       world->joints.generation[joint.index - 1] == joint.generation;
+}
+
+scree_status check_joint(const scree_world* world, Where at, scree_joint joint, int* index)
+{
+	if (scree_joint_is_null(joint))
+		return refuse(SCREE_ERROR_STALE, at, "", "is null");
+	if (!joint_is_valid(world, joint))
+		return refuse(SCREE_ERROR_STALE, at, "", "(index %u, generation %u) was destroyed, or belongs to another world",
+		              joint.index, joint.generation);
+	*index = (int)joint.index - 1;
+	return SCREE_OK;
+}

@@ -8,13 +8,16 @@
 scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
+scree_joint joint_handle(const scree_world* world, int index);
 
 bool body_is_valid(const scree_world* world, scree_body body);
 bool collidable_is_valid(const scree_world* world, scree_collidable collidable);
 bool attribute_is_valid(const scree_world* world, scree_attribute attribute);
+bool joint_is_valid(const scree_world* world, scree_joint joint);
 
 // The slot of a handle. Fails with SCREE_ERROR_STALE for a null or invalid handle; the sentence names its place in the call.
 scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index);
+scree_status check_joint(const scree_world* world, Where at, scree_joint joint, int* index);
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index);
 scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
                              int* index);

@@ -6,6 +6,7 @@
 #include "world/auto.h"
 #include "world/edit_order.h"
 #include "world/failure.h"
+#include "world/joints.h"
 #include "world/memory.h"
 #include "world/upload_commands.h"
 #include "world/upload_rows.h"
@@ -49,7 +50,13 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	TRY(pipeline_reserve(&world->pipeline, PER_BODY, world->bodies.used));
 	TRY(pipeline_reserve(&world->pipeline, PER_COLLIDABLE, world->collidables.used));
 	TRY(pipeline_reserve(&world->pipeline, PER_COMMAND, demand->commands + 1));
+	if (world->edits.joint_count > 0)
+	{
+		TRY(pipeline_reserve(&world->pipeline, PER_JOINT, world->joints.used + 1));
+		TRY(pipeline_reserve(&world->pipeline, PER_JOINT_EDIT, world->edits.joint_count));
+	}
 	size_t bytes = (size_t)world->edits.attribute_count * sizeof(Attribute);
+	bytes = larger(bytes, (size_t)world->edits.joint_count * sizeof(JointEdit));
 	bytes = larger(bytes, (size_t)demand->body_rows * sizeof(BodyState));
 	bytes = larger(bytes, (size_t)demand->collidable_rows * sizeof(Filter));
 	bytes = larger(bytes, (size_t)demand->commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
@@ -95,7 +102,12 @@ static void clear(scree_world* world)
 		world->host_collidables[p->collidables[k].index].waiting.row = 0;
 	for (int k = 0; k < p->attribute_count; ++k)
 		world->host_attributes[p->attributes[k]].waiting = false;
-	p->body_count = p->collidable_count = p->command_count = p->attribute_count = 0;
+	for (int k = 0; k < p->joint_count; ++k)
+	{
+		world->host_joints[p->joints[k]].waiting = false;
+		world->host_joints[p->joints[k]].restarts = false;
+	}
+	p->body_count = p->collidable_count = p->command_count = p->attribute_count = p->joint_count = 0;
 }
 
 static scree_status upload_all(scree_world* world)
@@ -108,6 +120,7 @@ static scree_status upload_all(scree_world* world)
 	TRY(upload_attributes(world, memory));
 	TRY(upload_long_runs(world, memory));
 	TRY(upload_commands(world, demand.commands, memory));
+	TRY(upload_joints(world, memory));
 	clear(world);
 	return SCREE_OK;
 }
@@ -115,7 +128,7 @@ static scree_status upload_all(scree_world* world)
 scree_status world_upload(scree_world* world)
 {
 	const Edits* p = &world->edits;
-	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count == 0)
+	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count + p->joint_count == 0)
 		return SCREE_OK;
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world));

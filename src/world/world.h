@@ -18,6 +18,7 @@ typedef struct // host data of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
+	int first_joint; // 1 + end (joints.h) of its first joint, 0 for none
 	int target;    // 1 + its place among the targets, 0 for none
 	bool disabled; // not simulated: its collidables are KIND_DEAD on the device
 	Waiting waiting;
@@ -36,6 +37,17 @@ typedef struct // host data of a collidable
 	Waiting waiting;
 	bool marked;
 } HostCollidable;
+
+typedef struct // host data of a joint
+{
+	scree_joint_def def; // frames normalized
+	int bodies[2];       // a, b; 0 for the world
+	int next[2], previous[2]; // 1 + end of the next joint of each body, 0 for none
+	int64_t born;        // Pipeline.steps when it was made
+	bool restarts;       // its constraint starts anew
+	bool waiting;        // for the next upload
+	bool marked;         // within one call: already seen in the batch
+} HostJoint;
 
 typedef struct // host data of an attribute, beside its definition
 {
@@ -66,6 +78,9 @@ struct scree_world
 	HostAttribute* host_attributes;  // the same
 	int* attribute_table;            // 1 + attribute by name, 0 for none; open addressing
 	int attribute_capacity, host_attribute_capacity, attribute_table_size;
+	Slots joints;
+	HostJoint* host_joints; // of each slot
+	int host_joint_capacity;
 	int dynamic_bodies, disabled_bodies;
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// joint_change.c -- joints: coordinates, frames and settings, changed and read by the user.
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/handles.h"
+#include "world/joint_check.h"
+#include "world/joints.h"
+
+typedef struct // a batch of changes
+{
+	scree_world* world;
+	Where joint, value;
+	const scree_joint* joints;
+	int count;
+	scree_coordinate which;
+} Change;
+
+// Value k of a batch, checked and written to a definition.
+typedef scree_status (*Setter)(const Change* change, Where at, const void* values, int k, scree_joint_def* def);
+
+// Checks all joints and values, then writes all.
+static scree_status change_all(const Change* change, const void* values, Setter set)
+{
+	scree_world* world = change->world;
+	Where at = change->joint, value = change->value;
+	TRY(world_check(world, at.function));
+	TRY(check_batch(at.function, at.argument, change->joints, change->count));
+	TRY(check_batch(at.function, value.argument, values, change->count));
+	TRY(check_which((Where){at.function, "which", ALONE}, change->which));
+	for (int k = 0, index = 0; k < change->count; ++k)
+	{
+		if (at.index != ALONE)
+			at.index = value.index = k;
+		TRY(check_joint(world, at, change->joints[k], &index));
+		scree_joint_def def = world->host_joints[index].def;
+		TRY(set(change, value, values, k, &def));
+	}
+	for (int k = 0; k < change->count; ++k)
+	{
+		int index = (int)change->joints[k].index - 1;
+		set(change, value, values, k, &world->host_joints[index].def);
+		joint_changed(world, index, false);
+	}
+	return SCREE_OK;
+}
+
+static Change batch(scree_world* world, const char* function, const char* value, const scree_joint* joints, int count,
+                    scree_coordinate which)
+{
+	return (Change){world, {function, "joints", 0}, {function, value, 0}, joints, count, which};
+}
+
+static Change single(scree_world* world, const char* function, const char* value, const scree_joint* joint,
+                     scree_coordinate which)
+{
+	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which};
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// coordinates
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status set_coordinate(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
+	TRY(check_coordinate(at, change->which, value));
+	def->coordinates[change->which] = *value;
+	return SCREE_OK;
+}
+
+scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                          const scree_joint_coordinate* values, int count)
+{
+	Change change = batch(world, "scree_joints_set_coordinates", "values", joints, count, which);
+	return change_all(&change, values, set_coordinate);
+}
+
+scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
+                                        const scree_joint_coordinate* value)
+{
+	Change change = single(world, "scree_joint_set_coordinate", "value", &joint, which);
+	return change_all(&change, value, set_coordinate);
+}
+
+scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
+                                        scree_joint_coordinate* value)
+{
+	const char* function = "scree_joint_get_coordinate";
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, &index));
+	TRY(check_which((Where){function, "which", ALONE}, which));
+	TRY(check_pointer(function, "value", value));
+	*value = world->host_joints[index].def.coordinates[which];
+	return SCREE_OK;
+}
+
+static scree_status set_target(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	def->coordinates[change->which].target = ((const float*)values)[k];
+	return check_real(at, "", ((const float*)values)[k], -SCREE_HUGE, SCREE_HUGE);
+}
+
+static scree_status set_speed(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	def->coordinates[change->which].motor_speed = ((const float*)values)[k];
+	return check_real(at, "", ((const float*)values)[k], -SCREE_HUGE, SCREE_HUGE);
+}
+
+scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                      const float* targets, int count)
+{
+	Change change = batch(world, "scree_joints_set_targets", "targets", joints, count, which);
+	return change_all(&change, targets, set_target);
+}
+
+scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which, float target)
+{
+	Change change = single(world, "scree_joint_set_target", "target", &joint, which);
+	return change_all(&change, &target, set_target);
+}
+
+scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                           const float* speeds, int count)
+{
+	Change change = batch(world, "scree_joints_set_motor_speeds", "speeds", joints, count, which);
+	return change_all(&change, speeds, set_speed);
+}
+
+scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which, float speed)
+{
+	Change change = single(world, "scree_joint_set_motor_speed", "speed", &joint, which);
+	return change_all(&change, &speed, set_speed);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// frames
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	const scree_pose *a, *b;
+	const char *name_a, *name_b;
+} Frames;
+
+static scree_status set_frames(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	const Frames* frames = values;
+	def->frame_a = frames->a[k];
+	def->frame_b = frames->b[k];
+	at.argument = frames->name_a;
+	TRY(check_pose(at, "", &def->frame_a));
+	at.argument = frames->name_b;
+	(void)change;
+	return check_pose(at, "", &def->frame_b);
+}
+
+scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
+                                     const scree_pose* frames_b, int count)
+{
+	const char* function = "scree_joints_set_frames";
+	Frames frames = {frames_a, frames_b, "frames_a", "frames_b"};
+	Change change = batch(world, function, "frames_a", joints, count, SCREE_ALONG);
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "frames_a", frames_a, count));
+	TRY(check_batch(function, "frames_b", frames_b, count));
+	return change_all(&change, &frames, set_frames);
+}
+
+scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a, scree_pose frame_b)
+{
+	Frames frames = {&frame_a, &frame_b, "frame_a", "frame_b"};
+	Change change = single(world, "scree_joint_set_frames", "frame_a", &joint, SCREE_ALONG);
+	return change_all(&change, &frames, set_frames);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// settings
+// ---------------------------------------------------------------------------------------------------------------
+
+// The definition of a joint, to be changed.
+static scree_status lookup(scree_world* world, const char* function, scree_joint joint, int* index,
+                           scree_joint_def* def)
+{
+	TRY(world_check(world, function));
+	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, index));
+	*def = world->host_joints[*index].def;
+	return SCREE_OK;
+}
+
+scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
+{
+	const char* function = "scree_joint_set_stiffness";
+	int index = 0;
+	scree_joint_def def;
+	TRY(lookup(world, function, joint, &index, &def));
+	TRY(check_real((Where){function, "hertz", ALONE}, "", hertz, 0.0f, 1e6f));
+	TRY(check_real((Where){function, "damping_ratio", ALONE}, "", damping_ratio, 0.0f, 1e6f));
+	world->host_joints[index].def.hertz = hertz;
+	world->host_joints[index].def.damping_ratio = damping_ratio;
+	joint_changed(world, index, false);
+	return SCREE_OK;
+}
+
+scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque, bool breaks)
+{
+	const char* function = "scree_joint_set_thresholds";
+	int index = 0;
+	scree_joint_def def;
+	TRY(lookup(world, function, joint, &index, &def));
+	TRY(check_real((Where){function, "force", ALONE}, "", force, 0.0f, FLT_MAX));
+	TRY(check_real((Where){function, "torque", ALONE}, "", torque, 0.0f, FLT_MAX));
+	HostJoint* host = world->host_joints + index;
+	host->def.force_threshold = force;
+	host->def.torque_threshold = torque;
+	host->def.breaks = breaks;
+	joint_changed(world, index, false);
+	return SCREE_OK;
+}
+
+scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides)
+{
+	int index = 0;
+	scree_joint_def def;
+	TRY(lookup(world, "scree_joint_set_collide_connected", joint, &index, &def));
+	world->host_joints[index].def.collide_connected = collides;
+	joint_changed(world, index, false);
+	return SCREE_OK;
+}
+
+scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user)
+{
+	int index = 0;
+	scree_joint_def def;
+	TRY(lookup(world, "scree_joint_set_user", joint, &index, &def));
+	world->host_joints[index].def.user = user;
+	return SCREE_OK;
+}
+
+scree_status scree_joint_get_def_sized(const scree_world* world, scree_joint joint, scree_joint_def* def, size_t size)
+{
+	const char* function = "scree_joint_get_def";
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, &index));
+	TRY(check_pointer(function, "def", def));
+	scree_joint_def now = world->host_joints[index].def;
+	now.size = (uint32_t)size;
+	write_result(def, size, &now, sizeof now);
+	return SCREE_OK;
+}

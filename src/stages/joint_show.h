@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// joint_show.h -- the coordinates and forces of joints at the current poses, for the user. No step reads them.
+#ifndef JOINT_SHOW_H
+#define JOINT_SHOW_H
+#include "constraints/joint_one.h"
+#include "constraints/kinds.h"
+
+// The impulses of the last substep along the axes, N s; 0 without a constraint.
+INLINE void joint_show_force(const Pools* p, int i, Vec axis, GLOBAL JointState* state)
+{
+	int place = p->joint_place[i];
+	if (place < 0)
+		return;
+	Joint u;
+	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
+	joint_load(p, place, PASS_RELAX, &u);
+	joint_sums(p, place, &u, sum);
+	if (!(joint_has(&u, JOINT_TURNS) || joint_has(&u, JOINT_RADIAL)))
+		axis = vec(1.0f, 0.0f);
+	state->force_x = rate * (sum[0] * axis.x - sum[1] * axis.y);
+	state->force_y = rate * (sum[0] * axis.y + sum[1] * axis.x);
+	state->torque = rate * sum[2];
+}
+
+STAGE(joint_show)
+{
+	GLOBAL JointState* state = p->joint_state + i;
+	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
+	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME_A, ia, vec(0.0f, 0.0f));
+	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME_B, ib, vec(0.0f, 0.0f));
+	Vec d = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
+	Vec axis = a.turn;
+	float square = vec_dot(d, d);
+	if (modes & JOINT_RADIAL && square > 1.0e-12f && square < 1.0e30f)
+		axis = vec_scale(1.0f / square_root(square), d);
+	Vec across = vec(-axis.y, axis.x);
+	BodyState va = p->body[ia], vb = p->body[ib];
+	Vec at_a = vec_add(vec(va.vx, va.vy), vec_spin(va.w, vec_add(a.arm, d)));
+	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
+
+	// over all turns, where the last step left them
+	int place = p->joint_place[i];
+	float angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = place < 0 ? 0.0f : joint_row(p, turned, place);
+	state->value[0] = vec_dot(d, axis);
+	state->value[1] = vec_dot(d, across);
+	state->value[2] = angle + TURN * joint_round((old - angle) * (1.0f / TURN));
+	state->speed[0] = vec_dot(apart, axis);
+	state->speed[1] = vec_dot(apart, across);
+	state->speed[2] = vb.w - va.w;
+	state->force_x = 0.0f;
+	state->force_y = 0.0f;
+	state->torque = 0.0f;
+	state->broken = (p->joint_flags[i] & JOINT_BROKEN) != 0;
+	joint_show_force(p, i, axis, state);
+}
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// joint_check.h -- checks of the numbers of joints.
+#ifndef JOINT_CHECK_H
+#define JOINT_CHECK_H
+#include "world/check.h"
+
+// A coordinate; the sentence names it as a member of the definition at at, or alone.
+scree_status check_coordinate(Where at, scree_coordinate which, const scree_joint_coordinate* c);
+
+// Stiffness and thresholds of a definition.
+scree_status check_joint_numbers(Where at, const scree_joint_def* def);
+scree_status check_which(Where at, scree_coordinate which);
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// joints.c -- slots of joints, their lists by body, and what waits for the upload.
+#include "world/joints.h"
+#include "platform/error.h"
+#include "step/room.h"
+#include "world/memory.h"
+#include <float.h>
+#include <stdlib.h>
+
+scree_status joints_reserve(scree_world* world, const char* function, int more)
+{
+	if (world->joints.alive + more > MAX_ITEMS)
+		return fail(SCREE_ERROR_INVALID, "%s: %d more joints beside %d: a world holds at most %d", function, more,
+		            world->joints.alive, MAX_ITEMS);
+	if (!slots_reserve(&world->joints, more))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more joints", function, more);
+	// every joint waits at most once
+	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
+	return GROW(function, world->host_joints, world->host_joint_capacity, world->joints.capacity);
+}
+
+void joint_changed(scree_world* world, int index, bool restarts)
+{
+	HostJoint* host = world->host_joints + index;
+	host->restarts |= restarts;
+	if (!host->waiting)
+		world->edits.joints[world->edits.joint_count++] = index;
+	host->waiting = true;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// lists by body
+// ---------------------------------------------------------------------------------------------------------------
+
+static void link_end(scree_world* world, int index, int side)
+{
+	HostJoint* host = world->host_joints + index;
+	int end = 2 * index + side + 1, body = host->bodies[side];
+	host->next[side] = host->previous[side] = 0;
+	if (body == 0)
+		return;
+	HostBody* at = world->host_bodies + body;
+	host->next[side] = at->first_joint;
+	if (at->first_joint > 0)
+		world->host_joints[joint_of_end(at->first_joint)].previous[(at->first_joint - 1) % 2] = end;
+	at->first_joint = end;
+}
+
+static void unlink_end(scree_world* world, int index, int side)
+{
+	HostJoint* host = world->host_joints + index;
+	int next = host->next[side], previous = host->previous[side];
+	if (host->bodies[side] == 0)
+		return;
+	if (previous > 0)
+		world->host_joints[joint_of_end(previous)].next[(previous - 1) % 2] = next;
+	else
+		world->host_bodies[host->bodies[side]].first_joint = next;
+	if (next > 0)
+		world->host_joints[joint_of_end(next)].previous[(next - 1) % 2] = previous;
+}
+
+int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b)
+{
+	int index = slots_allocate(&world->joints);
+	HostJoint* host = world->host_joints + index;
+	*host = (HostJoint){.def = *def,
+	                    .bodies = {body_a, body_b},
+	                    .born = world->pipeline.steps,
+	                    .waiting = host->waiting};
+	link_end(world, index, 0);
+	link_end(world, index, 1);
+	joint_changed(world, index, true);
+	return index;
+}
+
+void joint_remove(scree_world* world, int index)
+{
+	unlink_end(world, index, 0);
+	unlink_end(world, index, 1);
+	slots_free(&world->joints, index);
+	joint_changed(world, index, true);
+}
+
+void body_joints_changed(scree_world* world, int body)
+{
+	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
+		joint_changed(world, joint_of_end(end), true);
+}
+
+void body_joints_remove(scree_world* world, int body)
+{
+	while (world->host_bodies[body].first_joint > 0)
+		joint_remove(world, joint_of_end(world->host_bodies[body].first_joint));
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// rows
+// ---------------------------------------------------------------------------------------------------------------
+
+static void put_pose(float row[4], scree_pose pose)
+{
+	row[0] = pose.position.x;
+	row[1] = pose.position.y;
+	row[2] = pose.rotation.c;
+	row[3] = pose.rotation.s;
+}
+
+// What is set of a coordinate, as JOINT_* bits. A locked one has no drives.
+static int coordinate_modes(const scree_joint_coordinate* from, int k)
+{
+	if (from->locked)
+		return JOINT_LOCKED(k) | (from->lock_hertz > 0.0f ? JOINT_SOFT(k) : 0);
+	return (from->limited ? JOINT_LIMITED(k) : 0) | (from->spring && from->spring_hertz > 0.0f ? JOINT_SPRING(k) : 0) |
+	       (from->motor ? JOINT_MOTOR(k) : 0);
+}
+
+static JointCoordinate coordinate_row(const scree_joint_coordinate* from)
+{
+	return (JointCoordinate){.target = from->target,
+	                         .lock_hertz = from->lock_hertz,
+	                         .lock_ratio = from->lock_damping_ratio,
+	                         .lower = from->lower,
+	                         .upper = from->upper,
+	                         .spring_hertz = from->spring_hertz,
+	                         .spring_ratio = from->spring_damping_ratio,
+	                         .spring_most = from->spring_max,
+	                         .speed = from->motor_speed,
+	                         .motor_most = from->motor_max};
+}
+
+static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMIC; }
+
+static int joint_modes(const scree_joint_def* def)
+{
+	int modes = def->type == SCREE_JOINT_DISTANCE ? JOINT_RADIAL : 0;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		modes |= coordinate_modes(def->coordinates + k, k);
+	return modes;
+}
+
+JointEdit joint_edit(const scree_world* world, int index)
+{
+	const HostJoint* host = world->host_joints + index;
+	const scree_joint_def* def = &host->def;
+	JointEdit edit = {.slot = index, .flags = host->restarts ? JOINT_RESTARTS : 0};
+	if (!slots_in_use(&world->joints, index))
+		return edit;
+	const HostBody *a = world->host_bodies + host->bodies[0], *b = world->host_bodies + host->bodies[1];
+	int modes = joint_modes(def), acts = JOINT_EXTRAS | JOINT_LOCKED(0) | JOINT_LOCKED(1) | JOINT_LOCKED(2);
+	edit.flags |= JOINT_THERE;
+	edit.flags |= (moves(a) || moves(b)) && !a->disabled && !b->disabled ? JOINT_ACTIVE : 0;
+	edit.flags |= def->collide_connected ? JOINT_COLLIDES : 0;
+	edit.flags |= def->breaks ? JOINT_BREAKS : 0;
+	edit.flags |= modes & acts ? JOINT_ACTS : 0;
+	edit.data = (JointData){.body_a = host->bodies[0],
+	                        .body_b = host->bodies[1],
+	                        .modes = (float)modes,
+	                        .hertz = def->hertz,
+	                        .ratio = def->damping_ratio,
+	                        .most_force = def->force_threshold,
+	                        .most_torque = def->torque_threshold};
+	put_pose(edit.data.frame_a, def->frame_a);
+	put_pose(edit.data.frame_b, def->frame_b);
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		edit.data.coordinate[k] = coordinate_row(def->coordinates + k);
+	return edit;
+}
+
+// Whether a step has to look at rare rows because of the joint.
+static bool drives(const JointEdit* edit)
+{
+	return (int)edit->data.modes & JOINT_EXTRAS || edit->data.most_force < FLT_MAX || edit->data.most_torque < FLT_MAX;
+}
+
+static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
+
+scree_status upload_joints(scree_world* world, void* memory)
+{
+	Edits* p = &world->edits;
+	Pipeline* pipeline = &world->pipeline;
+	Backend* b = world->backend;
+	JointEdit* rows = memory;
+	if (p->joint_count == 0)
+		return SCREE_OK;
+	qsort(p->joints, (size_t)p->joint_count, sizeof *p->joints, compare_slots);
+	for (int k = 0; k < p->joint_count; ++k)
+	{
+		rows[k] = joint_edit(world, p->joints[k]);
+		pipeline->drives |= drives(rows + k);
+		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
+	}
+	TRY(b->f->write(b, POOL_joint_edit, 0, p->joint_count, rows));
+	Step step = {0};
+	Counters* c = &pipeline->counters;
+	Run run = {.stage = STAGE_joint_apply, .end = p->joint_count, .count = NO_COUNT, .argument = c->joints};
+	TRY(b->f->run(b, &step, &run, 1));
+	int used = p->joints[p->joint_count - 1] + 1;
+	c->joints = used > c->joints ? used : c->joints;
+	pipeline->stirred = true;
+	return SCREE_OK;
+}

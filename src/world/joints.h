@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// joints.h -- slots of joints, their lists by body, and what waits for the upload.
+//
+// Each joint has two ends, of its two bodies: end 2 k + 0 and 2 k + 1 of joint k. The lists of bodies link ends. The host knows
+// all of a joint but whether it broke, so what is uploaded is its whole row.
+#ifndef JOINTS_H
+#define JOINTS_H
+#include "world/world.h"
+
+scree_status joints_reserve(scree_world* world, const char* function, int more);
+
+// Takes a slot, for which room is reserved. The definition is checked.
+int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b);
+void joint_remove(scree_world* world, int index);
+
+// A joint waits for the upload; restarts: its constraint starts anew.
+void joint_changed(scree_world* world, int index, bool restarts);
+
+// The joints of a body start anew: it can move now, or no longer.
+void body_joints_changed(scree_world* world, int body);
+void body_joints_remove(scree_world* world, int body);
+
+// The first joint of a body, and the next one after an end, as 1 + end; 0 for none.
+static inline int joint_of_end(int end) { return (end - 1) / 2; }
+static inline int joint_next(const scree_world* world, int end)
+{
+	return world->host_joints[joint_of_end(end)].next[(end - 1) % 2];
+}
+
+// The row of a joint, and its flags.
+JointEdit joint_edit(const scree_world* world, int index);
+
+// Sends the joints that wait. memory has room for as many rows.
+scree_status upload_joints(scree_world* world, void* memory);
+
+#endif
