@@ -31,6 +31,13 @@ INLINE void joint_solve(const Real yield[3], Real k01, Real k02, Real k12, Real 
 	x[0] = (y0 / d0 - l01 * x[1]) - l02 * x[2];
 }
 
+// The share of the yield between coordinates i and j by which it grows: rigid locks are soft together, whatever their axes.
+// Each by itself, two that pull at a long arm aslant of both axes would give way along the arm by the yield of the lever.
+INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
+{
+	return choose(softness[i], splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
+}
+
 // The locks: in the biased pass as soft as each is, in the relaxing pass rigid, but for those that are springs.
 INLINE void joint_hold(const Pools* p, int soft, Joint* u, JointPose* c)
 {
@@ -39,20 +46,26 @@ INLINE void joint_hold(const Pools* p, int soft, Joint* u, JointPose* c)
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
 	Real softness[3] = {u->soft_along, u->soft_across, u->soft_angle};
 	Real error[3] = {c->value[0] - u->length, c->value[1], c->value[2]};
-	Real yield[3], goal[3], x[3];
+	Real yield[3], softer[3], goal[3], x[3];
 	Int locked[3];
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Int yields = soft ? joint_has(u, JOINT_LOCKED(k)) : joint_has(u, JOINT_SOFT(k));
-		Real own = joint_yield(c, k), rates = choose(zero, rate[k], yields),
-		     softer = own * choose(zero, softness[k], yields);
+		Real own = joint_yield(c, k);
+		softness[k] = choose(zero, softness[k], yields);
+		softer[k] = softness[k] * own;
 		locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
-		goal[k] = -((joint_speed(c, k) + within(rates * error[k], most)) + softer * old[k]);
-		yield[k] = own + softer;
+		goal[k] = joint_speed(c, k) + within(choose(zero, rate[k], yields) * error[k], most);
+		yield[k] = own + softer[k];
 	}
 	Real k01 = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
 	Real k02 = ia * c->lever_a[0] + ib * c->lever_b[0], k12 = ia * c->lever_a[1] + ib * c->lever_b[1];
-	joint_solve(yield, k01, k02, k12, c->mass, locked, goal, x);
+	Real softer01 = joint_soft_pair(u, softness, 0, 1) * k01, softer02 = joint_soft_pair(u, softness, 0, 2) * k02,
+	     softer12 = joint_soft_pair(u, softness, 1, 2) * k12;
+	goal[0] = -(goal[0] + (softer[0] * old[0] + softer01 * old[1] + softer02 * old[2]));
+	goal[1] = -(goal[1] + (softer01 * old[0] + softer[1] * old[1] + softer12 * old[2]));
+	goal[2] = -(goal[2] + (softer02 * old[0] + softer12 * old[1] + softer[2] * old[2]));
+	joint_solve(yield, k01 + softer01, k02 + softer02, k12 + softer12, c->mass, locked, goal, x);
 	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), locked[0]);
 	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), locked[1]);
 	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), locked[2]);
