@@ -54,7 +54,8 @@ INLINE void joint_hold(const Pools* p, int soft, Joint* u, JointPose* c)
 		Real own = joint_yield(c, k);
 		softness[k] = choose(zero, softness[k], yields);
 		softer[k] = softness[k] * own;
-		locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
+		// one as soft as nothing must not spoil the others
+		locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero) & (softer[k] <= splat(MOST_FLOAT));
 		goal[k] = joint_speed(c, k) + within(choose(zero, rate[k], yields) * error[k], most);
 		yield[k] = own + softer[k];
 	}

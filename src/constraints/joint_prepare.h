@@ -19,14 +19,17 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 // Softness of so many hertz with a damping ratio: Catto, Soft Constraints, GDC 2011. Stiffer than a share of the substep
 // rate it would not get stiffer, but shake. rate is 1/s.
 #define JOINT_STIFFEST 0.25f
+// of 1 / a2, which would be infinite; what it makes of a yield is beyond all bounds
+#define JOINT_SOFTEST  1.0e30f
 
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, Real* soft)
 {
 	Real omega = splat(TURN) * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h));
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
-	Int some = a2 > splat(0.0f);
-	*rate = choose(splat(0.0f), omega / a1, some);
-	*soft = choose(splat(0.0f), 1.0f / a2, some);
+
+	// what is next to nothing is soft, and no lock: only 0 Hz is rigid
+	*rate = choose(splat(0.0f), omega / a1, a2 > splat(0.0f));
+	*soft = choose(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
 // The softness of the lock of coordinate k.
@@ -81,7 +84,8 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Vec gap = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
 	Int both = joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS));
 
-	// where both translations are locked any axes will do, and impulses of the world last longer than those of a body
+	// where both translations are rigid any axes will do, and impulses of the world last longer than those of a body
+	both = both & (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS)) == 0);
 	Vec axis = vec_choose(a.turn, vec(one, zero), both);
 	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, both | radial | (there == 0));
 	u->axis_x = axis.x;

@@ -104,11 +104,14 @@ STAGE(contact_join)
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live || p->pair[i].x < 0)
 		return;
+	// where a side has no body, its index is that of the world
+	if (flags & CONTACT_DETECTED)
+		return;
 	Word joined = joint_parts(p, p->contact_bodies[i]) ? CONTACT_JOINED : 0u;
 	if ((flags & CONTACT_JOINED) == joined)
 		return;
 	contact_end(p, i);
-	p->contact_flags[i] = (flags & CONTACT_DETECTED) | CONTACT_FRESH | joined;
+	p->contact_flags[i] = CONTACT_FRESH | joined;
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 
