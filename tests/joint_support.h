@@ -12,11 +12,11 @@
 #include <cmocka.h>
 
 // Fails the test with the sentence of scree_error.
-#define GOOD(call)                                                        \
-	do                                                                    \
-	{                                                                     \
-		scree_status status_ = (call);                                    \
-		if (status_ != SCREE_OK)                                          \
+#define GOOD(call)                                                         \
+	do                                                                     \
+	{                                                                      \
+		scree_status status_ = (call);                                     \
+		if (status_ != SCREE_OK)                                           \
 			fail_msg("%s: %s", scree_status_name(status_), scree_error()); \
 	} while (0)
 
