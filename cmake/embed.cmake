@@ -42,8 +42,16 @@ function(inline path out)
 	set(${out} "${result}${text}" PARENT_SCOPE)
 endfunction()
 
-# The arguments of every kernel: one buffer a kind of item, which holds the pools of that kind one behind the other, and
-# the items that each kind has room for. One argument a pool would cost 15 us a launch (75 buffers, NVIDIA).
+# The arguments of every kernel: buffers, each of which holds the pools of some kinds of items one behind the other
+# (src/pools/buffers.def), and for each kind where it begins and how many items it has room for. One argument a pool would
+# cost 15 us a launch (75 buffers, NVIDIA).
+file(READ "${ROOT}/src/pools/buffers.def" sharing)
+string(REGEX REPLACE "//[^\n]*" "" sharing "${sharing}")
+string(REGEX MATCHALL "SHARES\\([A-Z_]+, [A-Z_]+\\)" sharing "${sharing}")
+foreach(share IN LISTS sharing)
+	string(REGEX MATCH "([A-Z_]+), ([A-Z_]+)" _ "${share}")
+	set(home_of_${CMAKE_MATCH_1} of_${CMAKE_MATCH_2})
+endforeach()
 include("${ROOT}/cmake/pools.cmake")
 scree_pools(pools "${ROOT}")
 foreach(pool IN LISTS pools)
@@ -51,17 +59,23 @@ foreach(pool IN LISTS pools)
 	set(type ${CMAKE_MATCH_1})
 	set(kind of_${CMAKE_MATCH_3})
 	if(NOT DEFINED before_${kind})
-		string(APPEND arguments "__global uchar* ${kind}, ")
 		string(APPEND rooms "int ${kind}; ")
 		set(before_${kind} "0")
+		if(DEFINED home_${kind})
+			set(place_${kind} "${home_${kind}} + rooms.begin_${kind}")
+			string(APPEND begins "ulong begin_${kind}; ")
+		else()
+			set(place_${kind} "${kind}")
+			string(APPEND arguments "__global uchar* ${kind}, ")
+		endif()
 	endif()
-	string(APPEND names "(__global ${type}*)(${kind} + (ulong)rooms.${kind} * (${before_${kind}})), ")
+	string(APPEND names "(__global ${type}*)(${place_${kind}} + (ulong)rooms.${kind} * (${before_${kind}})), ")
 	string(APPEND before_${kind} " + sizeof(${type})")
 endforeach()
 string(APPEND arguments "Rooms rooms, ")
 
 inline("${ENTRY}" program)
-set(program "typedef struct { ${rooms}} Rooms;
+set(program "typedef struct { ${begins}${rooms}} Rooms;
 #define POOL_ARGUMENTS ${arguments}
 #define POOL_NAMES ${names}
 ${program}")

@@ -781,11 +781,11 @@ typedef struct scree_joint_def
 {
 	uint32_t size; // set by scree_joint_def_make
 	scree_joint_type type;
-	scree_body body_a, body_b;         // null: the world; not the same body
-	scree_pose frame_a, frame_b;       // in the bodies' frames; default: the bodies' origins
+	scree_body body_a, body_b;             // null: the world; not the same body
+	scree_pose frame_a, frame_b;           // in the bodies' frames; default: the bodies' origins
 	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
-	float hertz;          // stiffness of locks and limits, Hz, 0 to 1e6, default 60; limited to a quarter of the substep rate
-	float damping_ratio;  // of them, 0 to 1e6, default 2
+	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; limited to a quarter of the substep rate
+	float damping_ratio;    // of them, 0 to 1e6, default 2
 	bool collide_connected; // whether the two bodies may touch each other; default false
 	bool breaks;            // ends when a threshold is exceeded; default false
 	float force_threshold;  // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
@@ -833,8 +833,8 @@ SCREE_API scree_status scree_joints_set_targets(scree_world* world, const scree_
 SCREE_API scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints,
                                                      scree_coordinate which, const float* speeds,
                                                      int count); // m/s or rad/s
-SCREE_API scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
-                                               const scree_pose* frames_b, int count);
+SCREE_API scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints,
+                                               const scree_pose* frames_a, const scree_pose* frames_b, int count);
 
 // The same for one joint.
 SCREE_API scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,

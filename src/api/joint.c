@@ -4,15 +4,15 @@
 #include "world/failure.h"
 #include "world/geometry.h"
 #include "world/handles.h"
+#include "world/joint_check.h"
 #include "world/joints.h"
 #include "world/memory.h"
-#include "world/joint_check.h"
 #include <stdlib.h>
 
 static const char* const type_names[] = {
-    [SCREE_JOINT_FREE] = "free",         [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
-    [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",       [SCREE_JOINT_WELD] = "weld",
-    [SCREE_JOINT_WHEEL] = "wheel",       [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
+    [SCREE_JOINT_FREE] = "free",           [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
+    [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",         [SCREE_JOINT_WELD] = "weld",
+    [SCREE_JOINT_WHEEL] = "wheel",         [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
     [SCREE_JOINT_FILTER] = "filter",
 };
 #define JOINT_TYPES (sizeof type_names / sizeof type_names[0])
@@ -124,7 +124,8 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 	TRY(check_end(world, at, ".body_a", made->body_a, bodies));
 	TRY(check_end(world, at, ".body_b", made->body_b, bodies + 1));
 	if (bodies[0] == bodies[1])
-		return refuse(SCREE_ERROR_INVALID, at, ".body_b", "is body_a too: a joint needs two bodies, or one and the world");
+		return refuse(SCREE_ERROR_INVALID, at, ".body_b",
+		              "is body_a too: a joint needs two bodies, or one and the world");
 	TRY(check_pose(at, ".frame_a", &made->frame_a));
 	TRY(check_pose(at, ".frame_b", &made->frame_b));
 	for (int c = 0; c < JOINT_COORDINATES; ++c)

@@ -25,80 +25,80 @@
 #define IN_TURNS (IN_BIAS | IN_RELAX)
 
 // what every pass streams
-#define JOINT_ROWS(X)                                                           \
-	/* at the start of the step: axis; m: anchors from the centers of mass */   \
-	X(axis_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                     \
-	X(axis_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                     \
-	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	/* m: from anchor to anchor; of a radial joint: what its lock holds */      \
-	X(gap_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
-	X(gap_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
-	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                     \
-	/* rad: the angle, less that at which it is locked */                       \
-	X(angle, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
-	/* rad: the angle over all turns */                                         \
-	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                       \
-	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */           \
-	X(modes, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                      \
-	X(rate_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(rate_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                \
-	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(soft_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(soft_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                \
-	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	/* N s, N m s */                                                            \
-	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
-	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                   \
-	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
-	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */    \
-	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)         \
-	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)         \
-	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)         \
+#define JOINT_ROWS(X)                                                         \
+	/* at the start of the step: axis; m: anchors from the centers of mass */ \
+	X(axis_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                   \
+	X(axis_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                   \
+	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
+	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
+	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
+	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
+	/* m: from anchor to anchor; of a radial joint: what its lock holds */    \
+	X(gap_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	X(gap_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                   \
+	/* rad: the angle, less that at which it is locked */                     \
+	X(angle, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	/* rad: the angle over all turns */                                       \
+	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                     \
+	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */         \
+	X(modes, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
+	X(rate_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
+	X(rate_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)              \
+	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
+	X(soft_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
+	X(soft_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)              \
+	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
+	/* N s, N m s */                                                          \
+	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                  \
+	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                 \
+	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                  \
+	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */  \
+	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
+	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
+	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
 // what a limit, a spring and a motor along one coordinate need: in m or rad, 1/s, N s or N m s
-#define JOINT_DRIVE_ROWS(X, of)                                                       \
-	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                       \
-	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                       \
-	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                      \
-	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(of##_spring_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                       \
-	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)                     \
-	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
+#define JOINT_DRIVE_ROWS(X, of)                                       \
+	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
+	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
+	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
+	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
+	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)      \
+	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
+	X(of##_spring_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
+	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
+	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
+	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
+	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)     \
+	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)    \
 	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
-#define JOINT_RARE_ROWS(X)                                                            \
-	JOINT_DRIVE_ROWS(X, along)                                                        \
-	JOINT_DRIVE_ROWS(X, across)                                                       \
-	JOINT_DRIVE_ROWS(X, angle)                                                        \
-	/* N s, N m s: the largest of all substeps */                                     \
-	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)            \
+#define JOINT_RARE_ROWS(X)                                                 \
+	JOINT_DRIVE_ROWS(X, along)                                             \
+	JOINT_DRIVE_ROWS(X, across)                                            \
+	JOINT_DRIVE_ROWS(X, angle)                                             \
+	/* N s, N m s: the largest of all substeps */                          \
+	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
 	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)
 
-#define JOINT_STREAM(QUAD, PAIR)                                                \
-	QUAD(0, name, u->modes, u->axis_x, u->axis_y)                               \
-	QUAD(1, u->arm_a_x, u->arm_a_y, u->arm_b_x, u->arm_b_y)                     \
-	QUAD(2, u->gap_x, u->gap_y, u->length, u->angle)                            \
-	QUAD(3, u->rate_along, u->rate_across, u->rate_angle, u->soft_along)        \
-	PAIR(0, IN_TURNS, IN_NONE, u->soft_across, u->soft_angle)                   \
-	PAIR(1, IN_PASSES, IN_POSED, u->impulse_along, u->impulse_across)            \
-	PAIR(2, IN_PASSES, IN_POSED, u->impulse_angle, u->given_x)                   \
-	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                         \
+#define JOINT_STREAM(QUAD, PAIR)                                         \
+	QUAD(0, name, u->modes, u->axis_x, u->axis_y)                        \
+	QUAD(1, u->arm_a_x, u->arm_a_y, u->arm_b_x, u->arm_b_y)              \
+	QUAD(2, u->gap_x, u->gap_y, u->length, u->angle)                     \
+	QUAD(3, u->rate_along, u->rate_across, u->rate_angle, u->soft_along) \
+	PAIR(0, IN_TURNS, IN_NONE, u->soft_across, u->soft_angle)            \
+	PAIR(1, IN_PASSES, IN_POSED, u->impulse_along, u->impulse_across)    \
+	PAIR(2, IN_PASSES, IN_POSED, u->impulse_angle, u->given_x)           \
+	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                  \
 	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->turned)
 
 // Bytes that prepare gathers for a joint: its data, the poses and centers of its bodies.
 #define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))
 #define JOINT_BOUNCE_GATHERS 0
 
-#define JOINT_RARE(step)     ((step)->drives)
+#define JOINT_RARE(step) ((step)->drives)
 
 struct JointRows
 {
@@ -130,10 +130,10 @@ typedef struct // a joint in registers
 typedef struct // its bodies and its coordinates now
 {
 	Body a, b;
-	Vec axis[2];                                  // along, across
-	Vec arm_a, arm_b;                             // from the centers of mass to the anchor of b
-	Real lever_a[2], lever_b[2];                  // of a unit impulse along the axes
-	Real mass, value[JOINT_COORDINATES];          // 1/kg: sum; m, m, rad
+	Vec axis[2];                         // along, across
+	Vec arm_a, arm_b;                    // from the centers of mass to the anchor of b
+	Real lever_a[2], lever_b[2];         // of a unit impulse along the axes
+	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum; m, m, rad
 } JointPose;
 
 // Whether some lanes have one of these modes.

@@ -12,23 +12,23 @@ typedef struct // the rows of one coordinate
 	Real limit_impulse, spring_impulse, motor_impulse;
 } JointDrive;
 
-#define JOINT_DRIVE_LOAD(of)                                                  \
-	d.lower = load(&joint_rare(p, of##_lower, i), 0);                         \
-	d.upper = load(&joint_rare(p, of##_upper, i), 0);                         \
-	d.limit_rate = load(&joint_rare(p, of##_limit_rate, i), 0);               \
-	d.limit_soft = load(&joint_rare(p, of##_limit_soft, i), 0);               \
-	d.target = load(&joint_rare(p, of##_target, i), 0);                       \
-	d.spring_rate = load(&joint_rare(p, of##_spring_rate, i), 0);             \
-	d.spring_soft = load(&joint_rare(p, of##_spring_soft, i), 0);             \
-	d.spring_most = load(&joint_rare(p, of##_spring_most, i), 0);             \
-	d.speed = load(&joint_rare(p, of##_speed, i), 0);                         \
-	d.motor_most = load(&joint_rare(p, of##_motor_most, i), 0);               \
-	d.limit_impulse = load(&joint_rare(p, of##_limit_impulse, i), 0);         \
-	d.spring_impulse = load(&joint_rare(p, of##_spring_impulse, i), 0);       \
+#define JOINT_DRIVE_LOAD(of)                                            \
+	d.lower = load(&joint_rare(p, of##_lower, i), 0);                   \
+	d.upper = load(&joint_rare(p, of##_upper, i), 0);                   \
+	d.limit_rate = load(&joint_rare(p, of##_limit_rate, i), 0);         \
+	d.limit_soft = load(&joint_rare(p, of##_limit_soft, i), 0);         \
+	d.target = load(&joint_rare(p, of##_target, i), 0);                 \
+	d.spring_rate = load(&joint_rare(p, of##_spring_rate, i), 0);       \
+	d.spring_soft = load(&joint_rare(p, of##_spring_soft, i), 0);       \
+	d.spring_most = load(&joint_rare(p, of##_spring_most, i), 0);       \
+	d.speed = load(&joint_rare(p, of##_speed, i), 0);                   \
+	d.motor_most = load(&joint_rare(p, of##_motor_most, i), 0);         \
+	d.limit_impulse = load(&joint_rare(p, of##_limit_impulse, i), 0);   \
+	d.spring_impulse = load(&joint_rare(p, of##_spring_impulse, i), 0); \
 	d.motor_impulse = load(&joint_rare(p, of##_motor_impulse, i), 0);
-#define JOINT_DRIVE_STORE(of)                                                 \
-	store(&joint_rare(p, of##_limit_impulse, i), 0, d->limit_impulse);        \
-	store(&joint_rare(p, of##_spring_impulse, i), 0, d->spring_impulse);      \
+#define JOINT_DRIVE_STORE(of)                                            \
+	store(&joint_rare(p, of##_limit_impulse, i), 0, d->limit_impulse);   \
+	store(&joint_rare(p, of##_spring_impulse, i), 0, d->spring_impulse); \
 	store(&joint_rare(p, of##_motor_impulse, i), 0, d->motor_impulse);
 
 // k is a constant
@@ -110,14 +110,14 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointP
 	    limit = joint_has(u, JOINT_LIMITED(k)) & yields;
 	d.spring_impulse = choose(zero, joint_spring(&d, safe, speed, c->value[k] - d.target), spring);
 	speed = speed + yield * (d.spring_impulse - old.spring_impulse);
-	d.motor_impulse =
-	    choose(zero, grip_of(hold_of(d.motor_impulse - (speed - d.speed) / safe), d.motor_most), motor);
+	d.motor_impulse = choose(zero, grip_of(hold_of(d.motor_impulse - (speed - d.speed) / safe), d.motor_most), motor);
 	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
 	d.limit_impulse = choose(zero, joint_limit(p, &d, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
 	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
-	joint_give(u, c, joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
-	                               k == JOINT_ANGLE ? change : zero));
+	joint_give(u, c,
+	           joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
+	                         k == JOINT_ANGLE ? change : zero));
 }
 
 // The impulses along all coordinates, of locks too.

@@ -70,7 +70,8 @@ INLINE void joint_hold(const Pools* p, int soft, Joint* u, JointPose* c)
 	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), locked[0]);
 	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), locked[1]);
 	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), locked[2]);
-	joint_give(u, c, joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
+	joint_give(u, c,
+	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
 
 // Starts the step with the impulses of the last one, unless they would make the bodies faster than a share of max_speed.
@@ -82,7 +83,8 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	Real most = splat(START_SHARE * p->step.max_speed), spin = splat(START_SHARE * p->step.max_spin);
 	Real faster = c->mass * (absolute(j.push.x) + absolute(j.push.y));
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
-	Real part = minimum(choose(splat(1.0f), most / faster, faster > most), choose(splat(1.0f), spin / spins, spins > spin));
+	Real part =
+	    minimum(choose(splat(1.0f), most / faster, faster > most), choose(splat(1.0f), spin / spins, spins > spin));
 	part = choose(splat(0.0f), part, (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT)));
 	if (lane_bits(part < splat(1.0f)))
 	{

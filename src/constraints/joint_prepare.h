@@ -20,7 +20,7 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 // rate it would not get stiffer, but shake. rate is 1/s.
 #define JOINT_STIFFEST 0.25f
 // of 1 / a2, which would be infinite; what it makes of a yield is beyond all bounds
-#define JOINT_SOFTEST  1.0e30f
+#define JOINT_SOFTEST 1.0e30f
 
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, Real* soft)
 {

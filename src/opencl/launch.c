@@ -27,15 +27,32 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 	return SCREE_OK;
 }
 
-size_t pool_offset(const OpenCl* d, PoolId pool) { return d->before[pool] * (size_t)d->room[pool_info[pool].per]; }
+cl_mem pool_buffer(const OpenCl* d, PoolId pool) { return d->buffers[d->home[pool_info[pool].per]]; }
+
+size_t pool_offset(const OpenCl* d, PoolId pool)
+{
+	Per per = pool_info[pool].per;
+	return d->begin[per] + d->before[pool] * (size_t)d->room[per];
+}
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	int rooms[PER_COUNT];
+	// Rooms of cmake/embed.cmake: where the kinds begin that share a buffer, then the rooms of all kinds
+	struct
+	{
+		cl_ulong begins[PER_COUNT - BUFFERS];
+		cl_int rooms[PER_COUNT + PER_COUNT % 2];
+	} rooms = {0};
+	int sharing = 0;
+	for (int place = 0; place < PER_COUNT; ++place)
+		for (int i = 0; i < PER_COUNT; ++i)
+			if (d->place[i] == place && d->home[i] != (Per)i)
+				rooms.begins[sharing++] = d->begin[i];
 	for (int i = 0; i < PER_COUNT; ++i)
-		rooms[d->argument[i]] = d->room[i];
-	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[per], sizeof(cl_mem), &d->buffers[per]));
-	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_ROOMS, sizeof rooms, rooms);
+		rooms.rooms[d->place[i]] = d->room[i];
+	Per home = d->home[per];
+	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[home], sizeof(cl_mem), &d->buffers[home]));
+	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_ROOMS, sizeof rooms, &rooms);
 }
 
 void step_set(OpenCl* d, const Step* step)

@@ -4,10 +4,18 @@
 #define OPENCL_LAUNCH_H
 #include "opencl/state.h"
 
+enum
+{
+#define SHARES(kind, with) -1
+	BUFFERS = PER_COUNT
+#include "pools/buffers.def"
+#undef SHARES
+};
+
 // arguments of a kernel after the buffers
 enum
 {
-	ARGUMENT_ROOMS = PER_COUNT,
+	ARGUMENT_ROOMS = BUFFERS,
 	ARGUMENT_STEP,
 	ARGUMENT_FIRST // of the kernel's own
 };
@@ -15,7 +23,8 @@ enum
 // Creates a kernel that takes all pools, and sets the size of its work-groups: at most largest.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);
 
-// where a pool begins in its buffer, in bytes
+// the buffer of a pool, and where the pool begins in it, in bytes
+cl_mem pool_buffer(const OpenCl* d, PoolId pool);
 size_t pool_offset(const OpenCl* d, PoolId pool);
 
 // Sets the buffer of a kind, after it has been replaced, in a kernel that takes all pools.

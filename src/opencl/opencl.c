@@ -57,24 +57,48 @@ static void opencl_close(Backend* b)
 	scree_release(b);
 }
 
-// Replaces the buffer of a kind by one with another room. Copies the items; new ones are zero.
-static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
+// bytes of an item of a kind in all its pools
+static size_t item_bytes(Per per)
+{
+	size_t bytes = 0;
+	for (int i = 0; i < POOL_COUNT; ++i)
+		bytes += pool_info[i].per == per ? pool_info[i].bytes : 0;
+	return bytes;
+}
+
+typedef struct // of a buffer: where each of its kinds begins, and how many items it has room for
+{
+	size_t begin[PER_COUNT], bytes;
+	int room[PER_COUNT];
+} Plan;
+
+// Copies the items of a pool to the same pool of another buffer.
+static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem copied)
+{
+	Per per = pool_info[pool].per;
+	int items = plan->room[per] < d->room[per] ? plan->room[per] : d->room[per];
+	return CALL(EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), copied, pool_offset(d, pool),
+	            plan->begin[per] + d->before[pool] * (size_t)plan->room[per], pool_info[pool].bytes * (size_t)items, 0,
+	            NULL, NULL);
+}
+
+// Replaces a buffer by one with other rooms. Copies the items; new ones are zero.
+static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 {
 	cl_mem copied;
-	int items = room < d->room[per] ? room : d->room[per];
-	scree_status status = buffer_create(d, item_bytes * (size_t)room, &copied);
+	scree_status status = buffer_create(d, plan->bytes, &copied);
 	for (int i = 0; i < POOL_COUNT && status == SCREE_OK; ++i)
-		if (pool_info[i].per == per && d->buffers[per])
-			status = CALL(EnqueueCopyBuffer, d->queue, d->buffers[per], copied, pool_offset(d, (PoolId)i),
-			              d->before[i] * (size_t)room, pool_info[i].bytes * (size_t)items, 0, NULL, NULL);
+		if (d->home[pool_info[i].per] == home && d->buffers[home] && d->room[pool_info[i].per] > 0)
+			status = pool_copy(d, (PoolId)i, plan, copied);
 	if (status == SCREE_OK)
 		status = finish(d); // drivers that allocate on first use fail here
 	cl_mem dropped = copied;
 	if (status == SCREE_OK)
 	{
-		dropped = d->buffers[per];
-		d->buffers[per] = copied;
-		d->room[per] = room;
+		dropped = d->buffers[home];
+		d->buffers[home] = copied;
+		memcpy(d->begin, plan->begin, sizeof d->begin);
+		memcpy(d->room, plan->room, sizeof d->room);
 	}
 	if (dropped)
 		opencl.ReleaseMemObject(dropped);
@@ -85,21 +109,29 @@ static scree_status buffer_copy(OpenCl* d, Per per, int room, size_t item_bytes)
 static scree_status make_room(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
-	size_t item_bytes = 0;
-	for (int i = 0; i < POOL_COUNT; ++i)
-		if (pool_info[i].per == per)
-			item_bytes += pool_info[i].bytes;
-
 	// both buffers exist during the copy
-	uint64_t wanted = (uint64_t)item_bytes * (uint64_t)capacity, old = (uint64_t)item_bytes * (uint64_t)d->room[per];
+	size_t bytes = item_bytes(per);
+	uint64_t wanted = (uint64_t)bytes * (uint64_t)capacity, old = (uint64_t)bytes * (uint64_t)d->room[per];
 	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY,
 		            "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.", b->name,
 		            (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
 		            (unsigned long long)(wanted >> 20));
-	int room = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
-	TRY(buffer_copy(d, per, room, item_bytes));
-	b->bytes += (uint64_t)item_bytes * (uint64_t)room - old;
+	Plan plan = {.bytes = 0};
+	memcpy(plan.begin, d->begin, sizeof plan.begin);
+	memcpy(plan.room, d->room, sizeof plan.room);
+	plan.room[per] = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
+	Per home = d->home[per];
+	plan.bytes = item_bytes(home) * (size_t)plan.room[home];
+	for (int i = 0; i < PER_COUNT; ++i)
+	{
+		if (d->home[i] != home || i == (int)home)
+			continue;
+		plan.begin[i] = plan.bytes;
+		plan.bytes += item_bytes((Per)i) * (size_t)plan.room[i];
+	}
+	TRY(buffer_copy(d, home, &plan));
+	b->bytes += (uint64_t)bytes * (uint64_t)d->room[per] - old;
 	return SCREE_OK;
 }
 
@@ -147,20 +179,29 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
-// Computes the offset of each pool in the buffer of its kind, and the argument index of each kind.
+// Which buffer holds which kinds; the offset of each pool among those of its kind; the arguments.
 static void lay_out(OpenCl* d)
 {
-	size_t item_bytes[PER_COUNT] = {0};
-	int kinds = 0;
+	size_t before[PER_COUNT] = {0};
+	int kinds = 0, buffers = 0;
+	for (int i = 0; i < PER_COUNT; ++i)
+		d->home[i] = (Per)i;
+#define SHARES(kind, with) d->home[PER_##kind] = PER_##with;
+#include "pools/buffers.def"
+#undef SHARES
 	for (int i = 0; i < POOL_COUNT; ++i)
 	{
 		Per per = pool_info[i].per;
-		if (item_bytes[per] == 0)
-			d->argument[per] = kinds++;
-		d->before[i] = item_bytes[per];
-		item_bytes[per] += pool_info[i].bytes;
+		if (before[per] == 0)
+		{
+			d->place[per] = kinds++;
+			if (d->home[per] == per)
+				d->argument[per] = buffers++;
+		}
+		d->before[i] = before[per];
+		before[per] += pool_info[i].bytes;
 	}
-	ASSERT(kinds == PER_COUNT);
+	ASSERT(kinds == PER_COUNT && buffers == BUFFERS);
 }
 
 static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, const void* items)
@@ -173,8 +214,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	// a world may come from another device
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
-	return upload(d, d->buffers[pool_info[pool].per], pool_offset(d, pool) + bytes * (size_t)first, items,
-	              bytes * (size_t)count);
+	return upload(d, pool_buffer(d, pool), pool_offset(d, pool) + bytes * (size_t)first, items, bytes * (size_t)count);
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }

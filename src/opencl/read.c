@@ -35,8 +35,8 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_TRUE,
-	         pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, items, 0, NULL, NULL));
+	TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, pool_offset(d, pool) + bytes * (size_t)first,
+	         bytes * (size_t)count, items, 0, NULL, NULL));
 	d->staging.used = 0;
 	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
 }
@@ -48,9 +48,8 @@ scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
 	d->read.bytes = bytes * (size_t)count;
 	d->read.staged = d->staging.used;
 	ASSERT(d->read.bytes <= READ_ASYNC_BYTES && !d->read.event);
-	TRY(CALL(EnqueueReadBuffer, d->queue, d->buffers[pool_info[pool].per], CL_FALSE,
-	         pool_offset(d, pool) + bytes * (size_t)first, d->read.bytes, d->read.pinned.memory, 0, NULL,
-	         &d->read.event));
+	TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_FALSE, pool_offset(d, pool) + bytes * (size_t)first,
+	         d->read.bytes, d->read.pinned.memory, 0, NULL, &d->read.event));
 	return CALL(Flush, d->queue);
 }
 

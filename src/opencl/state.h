@@ -87,9 +87,9 @@ typedef struct
 {
 	Kernel colors, plain, joints; // kernels relay, relay_plain and relay_joints
 	Kernel hubs, hubs_joints;     // relay_hubs and relay_hubs_joints
-	Scratch mailboxes;          // MAILBOX_WORDS words per body; also for the border of the tiles
-	Scratch stream;             // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
-	Scratch parts;              // two words per spoke and per hub
+	Scratch mailboxes;            // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;               // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;                // two words per spoke and per hub
 } RelayState;
 
 enum // kernels of tiles.cl that take all pools, in launch order
@@ -161,12 +161,15 @@ typedef struct
 	cl_command_queue queue; // in order
 	cl_program program;
 
-	// One buffer per kind of item holds the pools of that kind, all with the same room. Kernels take the kinds in the
-	// order in which pools.def names them (cmake/embed.cmake).
-	cl_mem buffers[PER_COUNT];
+	// A buffer holds the pools of some kinds of items, those of one kind with the same room (pools/buffers.def). Kernels
+	// take buffers and rooms in the order in which pools.def names the kinds (cmake/embed.cmake).
+	cl_mem buffers[PER_COUNT]; // of the kinds that have one
+	Per home[PER_COUNT];       // the kind whose buffer the pools of a kind lie in
+	size_t begin[PER_COUNT];   // where they begin there, bytes
+	int place[PER_COUNT];      // position of a kind in pools.def
 	int room[PER_COUNT];       // items, rounded up
-	int argument[PER_COUNT];   // argument index of each kind's buffer
-	size_t before[POOL_COUNT]; // bytes per item of the pools before this one in its buffer
+	int argument[PER_COUNT];   // argument index of each buffer
+	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind before this one
 
 	Kernel stages[STAGE_COUNT];
 	Constants constants;

@@ -84,10 +84,10 @@
 #define KIND_FREE      4 // without a body
 
 // contact_flags
-#define CONTACT_COUNT    3u  // mask of the number of points
-#define CONTACT_FRESH    4u  // created in this step
-#define CONTACT_DETECTED 8u  // gets no impulses: one side has no body
-#define CONTACT_TOUCHING 16u // has points
+#define CONTACT_COUNT    3u    // mask of the number of points
+#define CONTACT_FRESH    4u    // created in this step
+#define CONTACT_DETECTED 8u    // gets no impulses: one side has no body
+#define CONTACT_TOUCHING 16u   // has points
 #define CONTACT_JOINED   8192u // a joint keeps the two bodies from touching
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
@@ -198,10 +198,10 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_LIMITED(k) (2 << (4 * (k)))
 #define JOINT_SPRING(k)  (4 << (4 * (k)))
 #define JOINT_MOTOR(k)   (8 << (4 * (k)))
-#define JOINT_EXTRAS     0xeee  // limits, springs and motors
-#define JOINT_RADIAL     0x1000 // its axis lies along the line between the two anchors
+#define JOINT_EXTRAS     0xeee           // limits, springs and motors
+#define JOINT_RADIAL     0x1000          // its axis lies along the line between the two anchors
 #define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring
-#define JOINT_TURNS      0x10000 // its axis turns with body a
+#define JOINT_TURNS      0x10000         // its axis turns with body a
 
 // coordinates of frame b in frame a
 #define JOINT_ALONG       0
@@ -211,8 +211,8 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 
 typedef struct // 48 bytes: a coordinate of a joint, in m or rad, N or N m
 {
-	float target;                  // at which a lock holds it, to which a spring pulls it
-	float lock_hertz, lock_ratio;  // 0 Hz: as stiff as the joint
+	float target;                 // at which a lock holds it, to which a spring pulls it
+	float lock_hertz, lock_ratio; // 0 Hz: as stiff as the joint
 	float lower, upper;
 	float spring_hertz, spring_ratio, spring_most;
 	float speed, motor_most;
@@ -230,11 +230,11 @@ typedef struct // 48 bytes: a coordinate of a joint, in m or rad, N or N m
 
 typedef struct // 208 bytes
 {
-	int body_a, body_b;        // 0 for the world
-	float modes;               // JOINT_* bits, as a number
+	int body_a, body_b; // 0 for the world
+	float modes;        // JOINT_* bits, as a number
 	float unused;
-	float frame_a[4], frame_b[4]; // in the frames of the bodies: x, y (m), cos, sin
-	float hertz, ratio;        // of rigid locks and limits
+	float frame_a[4], frame_b[4];  // in the frames of the bodies: x, y (m), cos, sin
+	float hertz, ratio;            // of rigid locks and limits
 	float most_force, most_torque; // N, N m: thresholds
 	JointCoordinate coordinate[JOINT_COORDINATES];
 } JointData;
@@ -247,9 +247,9 @@ typedef struct // 224 bytes: a joint as the user wants it
 
 typedef struct // 48 bytes: what the user reads of a joint
 {
-	float value[3], speed[3];     // of the coordinates: m, m, rad; m/s, m/s, rad/s
-	float force_x, force_y;       // N: on body b
-	float torque;                 // N m
+	float value[3], speed[3]; // of the coordinates: m, m, rad; m/s, m/s, rad/s
+	float force_x, force_y;   // N: on body b
+	float torque;             // N m
 	int broken;
 	float unused[2];
 } JointState;

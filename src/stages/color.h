@@ -285,22 +285,22 @@ INLINE int color_place_spoke(const Pools* p, int i)
 }
 
 // What does not change while the layout stands.
-#define COLOR_PLACE(kind, KIND)                                                                                \
-	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
-	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \
-	if (color > COLORS)                                                                                        \
-		return;                                                                                                \
-	int spoke = color == COLORS && CONSTRAINT_##KIND == CONSTRAINT_CONTACT;                                    \
-	int place = spoke ? color_place_spoke(p, i) : layout->begin[color] + (i - layout->first[color]);           \
-	Int2 bodies = p->kind##_bodies[slot];                                                                      \
-	p->kind##_place[slot] = place;                                                                             \
-	p->kind##_place_slot[place] = slot;                                                                        \
-	kind##_row(p, body_a, place) = bodies.x;                                                                   \
-	kind##_row(p, body_b, place) = bodies.y;                                                                   \
-	kind##_set_place(p, slot, place);                                                                          \
-	kind##_put_back(p, slot, place);                                                                           \
-	if (!spoke && i + 1 == layout->last[color])                                                        \
-		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                             \
+#define COLOR_PLACE(kind, KIND)                                                                      \
+	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu); \
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                       \
+	if (color > COLORS)                                                                              \
+		return;                                                                                      \
+	int spoke = color == COLORS && CONSTRAINT_##KIND == CONSTRAINT_CONTACT;                          \
+	int place = spoke ? color_place_spoke(p, i) : layout->begin[color] + (i - layout->first[color]); \
+	Int2 bodies = p->kind##_bodies[slot];                                                            \
+	p->kind##_place[slot] = place;                                                                   \
+	p->kind##_place_slot[place] = slot;                                                              \
+	kind##_row(p, body_a, place) = bodies.x;                                                         \
+	kind##_row(p, body_b, place) = bodies.y;                                                         \
+	kind##_set_place(p, slot, place);                                                                \
+	kind##_put_back(p, slot, place);                                                                 \
+	if (!spoke && i + 1 == layout->last[color])                                                      \
+		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                   \
 			kind##_pad(p, k);
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \

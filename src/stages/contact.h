@@ -121,7 +121,7 @@ STAGE(contact_create)
 	item_clear(p, PER_CONTACT, slot);
 	p->pair[slot] = make_int2(a, b);
 	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
-	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0                           ? CONTACT_DETECTED
+	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0                    ? CONTACT_DETECTED
 	                                          : joint_parts(p, make_int2(body_a, body_b)) ? CONTACT_JOINED
 	                                                                                      : 0u);
 	p->contact_color[slot] = COLOR_NONE;

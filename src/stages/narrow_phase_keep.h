@@ -147,7 +147,9 @@ WIDE_STAGE(narrow_phase_keep)
 	Word wanders = there & stays & ~joined & lane_bits(answers & (c.far | c.on));
 	if (wanders)
 		anew |= narrow_phase_wander(p, i, flags, wanders, &c);
-	Word look = anew | (there & (lane_bits((moved & MOVED_BOX) != 0) | (joined & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
+	Word look =
+	    anew |
+	    (there & (lane_bits((moved & MOVED_BOX) != 0) | (joined & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
 	if (look == 0)
 		return;
 	raise_int(&p->counters->look, live);

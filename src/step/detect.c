@@ -99,7 +99,6 @@ static void broad_phase(RunList* list, const Step* step)
 	runs_add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
 }
 
-
 // The pairs of bodies that joints keep apart, sorted by two indices of bodies.
 static void join(RunList* list, int joints, int bodies)
 {

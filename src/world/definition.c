@@ -20,7 +20,8 @@ const DefinitionType body_definition = {sizeof(scree_body_def), END_OF(scree_bod
 const DefinitionType collidable_definition = {sizeof(scree_collidable_def), END_OF(scree_collidable_def, user),
                                               "scree_collidable_def_default"};
 
-const DefinitionType joint_definition = {sizeof(scree_joint_def), END_OF(scree_joint_def, user), "scree_joint_def_make"};
+const DefinitionType joint_definition = {sizeof(scree_joint_def), END_OF(scree_joint_def, user),
+                                         "scree_joint_def_make"};
 
 static uint32_t size_of(const void* def)
 {

@@ -41,7 +41,7 @@ typedef struct
 	int command_count, command_capacity;
 	int* attributes; // slots to upload, each once
 	int attribute_count, attribute_capacity;
-	int* joints;        // the same
+	int* joints; // the same
 	int joint_count, joint_capacity;
 	int attribute_rows; // rows of the device that have ever been written
 } Edits;

@@ -64,10 +64,8 @@ int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int bo
 {
 	int index = slots_allocate(&world->joints);
 	HostJoint* host = world->host_joints + index;
-	*host = (HostJoint){.def = *def,
-	                    .bodies = {body_a, body_b},
-	                    .born = world->pipeline.steps,
-	                    .waiting = host->waiting};
+	*host =
+	    (HostJoint){.def = *def, .bodies = {body_a, body_b}, .born = world->pipeline.steps, .waiting = host->waiting};
 	link_end(world, index, 0);
 	link_end(world, index, 1);
 	joint_changed(world, index, true);

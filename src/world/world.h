@@ -19,8 +19,8 @@ typedef struct // host data of a body
 	int collidables;                       // how many
 	uint64_t user;
 	int first_joint; // 1 + end (joints.h) of its first joint, 0 for none
-	int target;    // 1 + its place among the targets, 0 for none
-	bool disabled; // not simulated: its collidables are KIND_DEAD on the device
+	int target;      // 1 + its place among the targets, 0 for none
+	bool disabled;   // not simulated: its collidables are KIND_DEAD on the device
 	Waiting waiting;
 	bool marked; // within one call: already seen in the batch
 } HostBody;
@@ -40,13 +40,13 @@ typedef struct // host data of a collidable
 
 typedef struct // host data of a joint
 {
-	scree_joint_def def; // frames normalized
-	int bodies[2];       // a, b; 0 for the world
+	scree_joint_def def;      // frames normalized
+	int bodies[2];            // a, b; 0 for the world
 	int next[2], previous[2]; // 1 + end of the next joint of each body, 0 for none
-	int64_t born;        // Pipeline.steps when it was made
-	bool restarts;       // its constraint starts anew
-	bool waiting;        // for the next upload
-	bool marked;         // within one call: already seen in the batch
+	int64_t born;             // Pipeline.steps when it was made
+	bool restarts;            // its constraint starts anew
+	bool waiting;             // for the next upload
+	bool marked;              // within one call: already seen in the batch
 } HostJoint;
 
 typedef struct // host data of an attribute, beside its definition

@@ -38,7 +38,8 @@ static Kernel* hubs_kernel(OpenCl* d) { return d->constants.step.joints ? &d->re
 // work-groups for hubs, at least one; other_groups are for the other constraints; if only one is resident, it does both
 static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
-	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1, hubs = (size_t)solve->counters->hubs;
+	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1,
+	       hubs = (size_t)solve->counters->hubs;
 	return hubs < most ? hubs : most;
 }
 
@@ -66,7 +67,8 @@ static size_t other_groups(OpenCl* d, const Solve* solve)
 
 bool solve_plain(const OpenCl* d)
 {
-	return !d->constants.step.joints && !d->constants.step.rare && !d->constants.step.bounces && !d->constants.step.round;
+	return !d->constants.step.joints && !d->constants.step.rare && !d->constants.step.bounces &&
+	       !d->constants.step.round;
 }
 
 static Kernel* relay_kernel(OpenCl* d)
@@ -156,7 +158,7 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel,  d->relay.joints.kernel,
+	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel,       d->relay.joints.kernel,
 	                       d->relay.hubs.kernel,   d->relay.hubs_joints.kernel, d->solve_end.kernel};
 	for (int i = 0; i < 6; ++i)
 		if (kernels[i])

@@ -2,7 +2,7 @@
 // tile_pass.cl -- one pass of the solve over all tiles, and over the border constraints.
 #include "opencl/forms/tiles.cl"
 
-typedef struct // the bodies of a tile
+typedef struct // the bodies of a tile; a world with joints has their rotations too, in an array of its own
 {
 	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular, inverse mass
 	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the rotation
@@ -10,7 +10,7 @@ typedef struct // the bodies of a tile
 } Tile;
 
 // Loads a body into local memory, integrated up to pass q.
-INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, int k)
+INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, BENCH float* turned, int k)
 {
 	int body = resident & ~TILE_PLAIN;
 	BodyState state = p->body[body];
@@ -46,9 +46,11 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENC
 	tile->motion[k] = make_float4(row[0], row[1], row[2], row[3]);
 	tile->moved[k] = make_float4(row[4], row[5], b.sine, b.versine);
 	tile->inv_inertia[k] = row[7];
+	if (p->step.joints)
+		turned[k] = row[6];
 }
 
-INLINE void tile_gather(BENCH const Tile* tile, uint place, Body* b)
+INLINE void tile_gather(const Pools* p, BENCH const Tile* tile, BENCH const float* turned, uint place, Body* b)
 {
 	float4 motion = tile->motion[place], moved = tile->moved[place];
 	b->v = vec(motion.x, motion.y);
@@ -58,6 +60,8 @@ INLINE void tile_gather(BENCH const Tile* tile, uint place, Body* b)
 	b->sine = moved.z;
 	b->versine = moved.w;
 	b->inv_inertia = tile->inv_inertia[place];
+	if (p->step.joints)
+		b->da = turned[place];
 }
 
 INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
@@ -68,14 +72,14 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 
 // Pass q of the constraint at place j; pass is the kind of pass q.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
-	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, \
-	                             int pass)                                                                       \
+	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile,               \
+	                             BENCH const float* turned, int j, int q, int pass)                              \
 	{                                                                                                            \
 		Kind u;                                                                                                  \
 		Body a, b;                                                                                               \
 		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                       \
-		tile_gather(tile, places & 0xffffu, &a);                                                                 \
-		tile_gather(tile, places >> 16, &b);                                                                     \
+		tile_gather(p, tile, turned, places & 0xffffu, &a);                                                      \
+		tile_gather(p, tile, turned, places >> 16, &b);                                                          \
 		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
 		int i = KIND##_RARE(&p->step) || ends ? task_at(p, t->order[j]).place : 0;                                        \
@@ -117,17 +121,20 @@ INLINE int tile_next(const Pools* p, BENCH const int* range, int at, int* column
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
+// Whether there may be constraints of a kind; constant in a kernel without joints.
+INLINE bool tile_has(const Pools* p, int kind) { return kind == CONSTRAINT_CONTACT || p->step.joints; }
+
 // Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
 // an H200 this is 6 % faster than loading them into registers ahead of time, and a higher occupancy gains nothing.
-INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass)
+INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
 #define CONSTRAINT_KIND(name, Name, NAME)                                            \
-	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0) \
+	if (tile_has(p, CONSTRAINT_##NAME) && kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float4)) == 0) \
 	{                                                                                \
 		NAME##_STREAM(STREAM_FETCH_QUAD, STREAM_SKIP_PAIR)                           \
 	}                                                                                \
-	if (kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0) \
+	if (tile_has(p, CONSTRAINT_##NAME) && kind == CONSTRAINT_##NAME && lane % (LINE_BYTES / (int)sizeof(float2)) == 0) \
 	{                                                                                \
 		NAME##_STREAM(STREAM_SKIP_QUAD, STREAM_FETCH_PAIR)                           \
 	}
@@ -136,8 +143,8 @@ INLINE void tile_fetch_ahead(const Tiles* t, int kind, int j, int lane, int pass
 }
 
 // A pass over a tile, by a work-group.
-INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, BENCH int* range, int q,
-                      int pass)
+INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, BENCH float* turned,
+                      BENCH int* range, int q, int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
 	for (int k = lane; k <= TILE_COLUMNS; k += TILE_GROUP)
@@ -146,7 +153,7 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	{
 		int resident = t->resident[row * TILE_BODIES + k];
 		if (resident >= 0)
-			tile_fetch(p, r, resident, q, tile, k);
+			tile_fetch(p, r, resident, q, tile, turned, k);
 	}
 	if (lane == 0)
 	{
@@ -156,6 +163,8 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 		tile->motion[TILE_RESTS] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 		tile->moved[TILE_RESTS] = make_float4(0.0f, 0.0f, rests.sine, rests.versine);
 		tile->inv_inertia[TILE_RESTS] = 0.0f;
+		if (p->step.joints)
+			turned[TILE_RESTS] = 0.0f;
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
 	int column = 0, at = tile_next(p, range, range[0], &column);
@@ -163,10 +172,11 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	{
 		int next_column = column, next = tile_next(p, range, at + TILE_GROUP, &next_column);
 		if (next_column < TILE_LAST_COLUMN && next + lane < range[next_column + 1])
-			tile_fetch_ahead(t, next_column % CONSTRAINT_KINDS, next + lane, lane, pass);
+			tile_fetch_ahead(p, t, next_column % CONSTRAINT_KINDS, next + lane, lane, pass);
 #define CONSTRAINT_KIND(name, Name, NAME)                                                    \
-		if (column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && at + lane < range[column + 1]) \
-			name##_tile_task(p, r, t, tile, at + lane, q, pass);
+		if (tile_has(p, CONSTRAINT_##NAME) && column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && \
+		    at + lane < range[column + 1])                                                   \
+			name##_tile_task(p, r, t, tile, turned, at + lane, q, pass);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 		if (next_column != column)
@@ -182,27 +192,28 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	}
 }
 
-#define TILE_PASS_KERNEL(name, pass, specialize)                                                                      \
+#define TILE_PASS_KERNEL(name, pass, specialize, turns)                                                                      \
 	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                       \
 	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
 	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                              \
 	{                                                                                                                 \
 		__local Tile tile;                                                                                            \
+		__local float turned[turns];                                                                                  \
 		__local int range[TILE_COLUMNS + 1];                                                                          \
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		specialize(pools.step);                                                                                       \
 		Relay r = {0, substeps, passes, 0};                                                                           \
 		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
 		if (tile_wanted(&pools, bound))                                                                               \
-			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                         \
+			tile_work(&pools, &r, &t, &tile, turned, range, q, pass);                                                         \
 	}
-#define TILE_PASS_KERNELS(end, specialize)                           \
-	TILE_PASS_KERNEL(tile_warm_start##end, PASS_WARM_START, specialize) \
-	TILE_PASS_KERNEL(tile_bias##end, PASS_BIAS, specialize)             \
-	TILE_PASS_KERNEL(tile_relax##end, PASS_RELAX, specialize)           \
-	TILE_PASS_KERNEL(tile_bounce##end, PASS_BOUNCE, specialize)
-TILE_PASS_KERNELS(, STEP_CONTACTS)
-TILE_PASS_KERNELS(_joints, STEP_JOINTS)
+#define TILE_PASS_KERNELS(end, specialize, turns)                           \
+	TILE_PASS_KERNEL(tile_warm_start##end, PASS_WARM_START, specialize, turns) \
+	TILE_PASS_KERNEL(tile_bias##end, PASS_BIAS, specialize, turns)             \
+	TILE_PASS_KERNEL(tile_relax##end, PASS_RELAX, specialize, turns)           \
+	TILE_PASS_KERNEL(tile_bounce##end, PASS_BOUNCE, specialize, turns)
+TILE_PASS_KERNELS(, STEP_CONTACTS, 1)
+TILE_PASS_KERNELS(_joints, STEP_JOINTS, TILE_BODIES + 1)
 
 // Sends a body to its next border constraint in pass q, or writes it to the pool after the last one.
 INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, Body b)
