@@ -58,9 +58,12 @@ INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec
 	                   *low = (const GLOBAL float*)p->pose_low;
 	Vec turn = vec(gather(pose, body * 4 + 2), gather(pose, body * 4 + 3));
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	end.arm = vec_turn(turn, own);
+	// a point of the world far from its origin is exact as a position, but not as an arm, of which another is taken
+	Int world = body == 0;
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	end.arm = vec_choose(vec_turn(turn, own), zero, world);
 	end.turn = vec_turn(turn, frame);
-	end.position = vec(gather(pose, body * 4), gather(pose, body * 4 + 1));
+	end.position = vec_choose(vec(gather(pose, body * 4), gather(pose, body * 4 + 1)), own, world);
 	end.rest = vec(gather(low, body * 2), gather(low, body * 2 + 1));
 	return end;
 }
