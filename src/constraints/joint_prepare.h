@@ -19,12 +19,14 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 // Softness of so many hertz with a damping ratio: Catto, Soft Constraints, GDC 2011. Stiffer than a share of the substep
 // rate it would not get stiffer, but shake. rate is 1/s.
 #define JOINT_STIFFEST 0.25f
-// of 1 / a2, which would be infinite; what it makes of a yield is beyond all bounds
+// of 1 / a2, which may be infinite
 #define JOINT_SOFTEST 1.0e30f
+// Joints of a chain are solved exactly, and can be so many times as stiff.
+#define JOINT_CHAIN_STIFFER 4.0f
 
-INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, Real* soft)
+INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
 {
-	Real omega = splat(TURN) * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h));
+	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 
 	// what is next to nothing is soft, and no lock: only 0 Hz is rigid
@@ -33,13 +35,19 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, R
 }
 
 // The softness of the lock of coordinate k.
-INLINE void joint_lock(const Pools* p, Int slot, int k, Real* rate, Real* soft)
+INLINE void joint_lock(const Pools* p, Int slot, int k, Int chained, Real* rate, Real* soft)
 {
 	Real hertz = joint_datum(p, slot, JOINT_AT_TARGET(k) + 1), ratio = joint_datum(p, slot, JOINT_AT_TARGET(k) + 2);
 	Int own = hertz > splat(0.0f);
 	hertz = choose(joint_datum(p, slot, JOINT_AT_HERTZ), hertz, own);
 	ratio = choose(joint_datum(p, slot, JOINT_AT_HERTZ + 1), ratio, own);
-	joint_softness(p, hertz, ratio, rate, soft);
+	Int rigid = chained & (own == 0);
+	joint_softness(p, hertz, ratio, choose(splat(1.0f), splat(JOINT_CHAIN_STIFFER), rigid), rate, soft);
+
+	// Angles of a chain need not yield at all: a welded beam does not sag. Translations must: the pull of a bridge of planks
+	// without slack has no limit otherwise.
+	if (k == JOINT_ANGLE)
+		*soft = choose(*soft, splat(0.0f), rigid);
 }
 
 typedef struct // where a frame is in the world
@@ -104,9 +112,10 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Real angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = load(&joint_row(p, turned, i), 0);
 	u->turned = angle + splat(TURN) * joint_round((old - angle) * splat(1.0f / TURN));
 	u->angle = u->turned - target[JOINT_ANGLE];
-	joint_lock(p, slot, JOINT_ALONG, &u->rate_along, &u->soft_along);
-	joint_lock(p, slot, JOINT_ACROSS, &u->rate_across, &u->soft_across);
-	joint_lock(p, slot, JOINT_ANGLE, &u->rate_angle, &u->soft_angle);
+	Int chained = there & (gather_int((const GLOBAL int*)p->joint_spot, slot) >= 0);
+	joint_lock(p, slot, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);
+	joint_lock(p, slot, JOINT_ACROSS, chained, &u->rate_across, &u->soft_across);
+	joint_lock(p, slot, JOINT_ANGLE, chained, &u->rate_angle, &u->soft_angle);
 	u->given_x = zero;
 	u->given_y = zero;
 	u->given_a = zero;
