@@ -4,7 +4,7 @@
 #include "support.h"
 
 #define G    10.0 // m/s^2
-#define MOST 1000
+#define MOST 300
 
 static scree_body links[MOST + 1];
 
@@ -37,7 +37,8 @@ static double gap_of(scree_world* world)
 	return gap;
 }
 
-// A load of so many links at the end of a rope that falls from the horizontal: the rope does not stretch.
+// A load of so many links at the end of a rope that falls from the horizontal pulls with up to three times its weight: each joint
+// of the rope is longer by 2 F / m w^2.
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -61,12 +62,13 @@ static void ropes_swing_heavy_loads(void** state)
 		print_message("rope of 20 m, load of %g links: gaps up to %.4f m, longer by %+.3f m\n", (double)ratios[k], gap,
 		              longest - 19.75);
 		check_finite(world);
-		assert_true(gap < 0.1 && longest < 20.0);
+		double w = CHAIN_STIFFER * 2.0 * PI * 60.0, most = 2.0 * 3.0 * ((double)ratios[k] + 40.0) * G / (w * w);
+		assert_true(longest - 19.75 < 40.0 * most + 0.02);
 		scree_world_destroy(world);
 	}
 }
 
-// A rope of 1,000 links hangs.
+// A rope of 300 links hangs.
 static void long_ropes_hang(void** state)
 {
 	(void)state;
@@ -76,7 +78,7 @@ static void long_ropes_hang(void** state)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.25f, 0.0f, -0.25f - 0.5f * (float)k);
 		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], 0.0f, -0.5f * (float)k);
 	}
-	run_steps(world, 600);
+	run_steps(world, 1800);
 	double w = CHAIN_STIFFER * 2.0 * PI * 60.0, theory = (double)MOST * MOST * G / (w * w);
 	double longer = -(0.5 * MOST - 0.25) - position_of(world, links[MOST - 1]).y;
 	print_message("rope of %d links: longer by %.3f m, theory %.3f m\n", MOST, longer, theory);
@@ -124,7 +126,7 @@ static void whirls_keep_momentum(void** state)
 		              gap);
 		NEAR(after.x, before.x, 1e-4);
 		NEAR(after.y, before.y, 1e-4);
-		NEAR(after.spin / before.spin, 1.0, 1e-3);
+		NEAR(after.spin / before.spin, 1.0, 1e-4);
 		assert_true(after.energy < 1.001 * before.energy && gap < 0.05);
 		scree_world_destroy(world);
 	}
@@ -210,6 +212,92 @@ static void rows_change(void** state)
 	scree_world_destroy(world);
 }
 
+// ---------------------------------------------------------------------------------------------------------------
+// among contacts
+// ---------------------------------------------------------------------------------------------------------------
+
+// mean of v^2 + (r w)^2 of some bodies over a second, m^2/s^2
+static double mean_square(scree_world* world, const scree_body* bodies, int count, double reach)
+{
+	double sum = 0.0;
+	for (int k = 0; k < 60; ++k)
+	{
+		run_steps(world, 1);
+		for (int i = 0; i < count; ++i)
+		{
+			scree_velocity v = velocity_of(world, bodies[i]);
+			sum += (double)v.linear.x * v.linear.x + (double)v.linear.y * v.linear.y + pow(reach * v.angular, 2.0);
+		}
+	}
+	return sum / 60.0 / count;
+}
+
+static void damp(scree_world* world, int count, float rate)
+{
+	for (int k = 0; k < count; ++k)
+		OK(scree_body_set_damping(world, links[k], rate, rate));
+}
+
+// A bridge, taut between two points, whose second plank presses on a box at its end, comes to rest.
+static void bridges_rest_on_boxes(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	add_links(world, 20, 0.0f, 0.0f);
+	for (int k = 0; k <= 20; ++k)
+		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : box, k < 20 ? links[k] : NOBODY, 0.5f * (float)k, 0.0f);
+	damp(world, 20, 0.1f);
+	run_steps(world, 3600);
+	double speed = mean_square(world, links, 20, 0.25);
+	print_message("bridge on a box after a minute: %.2g m^2/s^2\n", speed);
+	assert_true(speed < 5e-4);
+	scree_world_destroy(world);
+}
+
+// A rope that hangs from the middle of a box, in which its second link lies, comes to rest between the two.
+static void ropes_rest_in_boxes(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	add_links(world, 10, 0.0f, 0.0f);
+	for (int k = 0; k < 10; ++k)
+		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : box, links[k], 0.5f * (float)k, 0.0f);
+	damp(world, 10, 0.5f);
+	run_steps(world, 3600);
+	double speed = mean_square(world, links, 10, 0.25);
+	print_message("rope in a box after a minute: %.2g m^2/s^2\n", speed);
+	assert_true(speed < 5e-4);
+	scree_world_destroy(world);
+}
+
+// A rope with a load of 20 links at both ends lies on a peg. Its links shiver by 0.3 m/s, because contacts of light links carry
+// its tension, and stay there.
+static void ropes_stay_on_pegs(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_attribute_def peg = surface_of(circle_shape(1.0f));
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &peg), 0.0f, 0.0f, 0.0f);
+	for (int k = 0; k < 42; ++k)
+	{
+		bool load = k % 41 == 0;
+		links[k] = add_box(world, SCREE_BODY_DYNAMIC, load ? 0.25f : 0.125f, load ? 0.25f : 0.025f,
+		                   load ? (k ? 5.25f : -5.25f) : 0.25f * (float)k - 5.125f, 1.2f);
+		if (k > 0)
+			join(world, SCREE_JOINT_REVOLUTE, links[k - 1], links[k], 0.25f * (float)(k - 1) - 5.0f, 1.2f);
+	}
+	damp(world, 42, 0.5f);
+	run_steps(world, 3600);
+	double speed = mean_square(world, links, 42, 0.12);
+	print_message("rope over a peg after a minute: %.2g m^2/s^2, loads at %.3f and %.3f m\n", speed,
+	              (double)position_of(world, links[0]).y, (double)position_of(world, links[41]).y);
+	assert_true(speed < 0.3);
+	NEAR(position_of(world, links[0]).y, position_of(world, links[41]).y, 0.5);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -218,6 +306,9 @@ int main(void)
 	    cmocka_unit_test(whirls_keep_momentum),
 	    cmocka_unit_test(ropes_tear),
 	    cmocka_unit_test(rows_change),
+	    cmocka_unit_test(bridges_rest_on_boxes),
+	    cmocka_unit_test(ropes_rest_in_boxes),
+	    cmocka_unit_test(ropes_stay_on_pegs),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -208,40 +208,6 @@ static void joints_rest(void** state)
 	scree_world_destroy(world);
 }
 
-// A bridge, taut between two points, comes to rest though its second plank presses on a box at its end. A rope with a load of
-// 100 links at both ends over a peg does not: its links shiver by 0.3 m/s, because contacts of light links carry its tension.
-static void chains_rest_on_contacts(void** state)
-{
-	(void)state;
-	scree_world* world = open_world((float)-G);
-	scree_body bridge[20], rope[40];
-	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, -20.0f, 10.0f);
-	add_chain(world, bridge, 20, 0.5f, (scree_vec){-20.0f, 10.0f}, box);
-	join(world, SCREE_JOINT_REVOLUTE, bridge[19], NOBODY, -10.0f, 10.0f);
-	scree_attribute_def peg = surface_of(circle_shape(1.0f));
-	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &peg), 20.0f, 10.0f, 0.0f);
-	add_chain(world, rope, 40, 0.25f, (scree_vec){15.0f, 11.2f}, NOBODY);
-	scree_joint pins[1];
-	int count;
-	OK(scree_body_get_joints(world, rope[0], pins, 1, &count));
-	OK(scree_joint_destroy(world, pins[0]));
-	for (int end = 0; end < 2; ++end)
-	{
-		scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, end ? 25.25f : 14.75f, 11.2f);
-		join(world, SCREE_JOINT_REVOLUTE, rope[end ? 39 : 0], load, end ? 25.0f : 15.0f, 11.2f);
-		OK(scree_body_set_damping(world, load, 0.5f, 0.5f));
-	}
-	for (int k = 0; k < 20; ++k)
-		OK(scree_body_set_damping(world, bridge[k], 0.1f, 0.1f));
-	for (int k = 0; k < 40; ++k)
-		OK(scree_body_set_damping(world, rope[k], 0.5f, 0.5f));
-	run_steps(world, 3600);
-	double bridges = mean_square(world, bridge, 20, 0.25, 60), ropes = mean_square(world, rope, 40, 0.12, 60);
-	print_message("on contacts after a minute: bridge %.2g, rope %.2g m^2/s^2\n", bridges, ropes);
-	assert_true(bridges < 1e-4 && ropes < 0.3);
-	scree_world_destroy(world);
-}
-
 // 5 km from the origin a float is 0.5 mm: a chain at a static body nearby hangs as it does at the origin, and one at a point of
 // the world.
 static void far_away(void** state)
@@ -369,10 +335,13 @@ static void only_the_lost_is_frozen(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(hubs_hold),      cmocka_unit_test(many_joints),
-	    cmocka_unit_test(joints_rest),    cmocka_unit_test(chains_rest_on_contacts),
-	    cmocka_unit_test(far_away),       cmocka_unit_test(tiny_and_huge),
-	    cmocka_unit_test(unequal_masses), cmocka_unit_test(only_the_lost_is_frozen),
+	    cmocka_unit_test(hubs_hold),
+	    cmocka_unit_test(many_joints),
+	    cmocka_unit_test(joints_rest),
+	    cmocka_unit_test(far_away),
+	    cmocka_unit_test(tiny_and_huge),
+	    cmocka_unit_test(unequal_masses),
+	    cmocka_unit_test(only_the_lost_is_frozen),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
