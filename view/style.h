@@ -38,7 +38,7 @@ typedef struct
 	float detail; // px: bodies of less reach are splats; 1 is fine, 4 makes a software renderer faster
 } Style;
 
-// Reads the name of a paint and a list of layers with commas between them; null: the default. False writes a sentence
+// Reads the name of a paint and a list of layers with commas between them; null: the default, of layers joints. False writes a sentence
 // (SENTENCE of shader.h) that begins with the option.
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence);
 
