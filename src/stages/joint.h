@@ -3,6 +3,7 @@
 #ifndef JOINT_H
 #define JOINT_H
 #include "constraints/joint_one.h"
+#include "stages/box.h"
 #include "stages/edge.h"
 
 // Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
@@ -17,7 +18,10 @@ STAGE(joint_apply)
 		p->joint_place[slot] = -1;
 	}
 	else if (!restarts)
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS);
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_MOVED);
+	if (slot < p->argument && p->joint_spot[slot] != edit.spot)
+		edit.flags |= JOINT_MOVED;
+	p->joint_spot[slot] = edit.spot;
 	p->joint_flags[slot] = edit.flags;
 	p->joint_data[slot] = edit.data;
 	raise_int(&p->counters->joints, slot + 1);
@@ -33,7 +37,9 @@ STAGE(joint_update)
 	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_end(p, i);
-	p->joint_flags[i] = flags & ~JOINT_RESTARTS;
+	if (flags & JOINT_MOVED && p->joint_color[i] == COLORS)
+		edge_stir(p, CONSTRAINT_JOINT);
+	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_MOVED);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
 	int a = p->joint_data[i].body_a, b = p->joint_data[i].body_b;
@@ -104,11 +110,15 @@ STAGE(contact_join)
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live || p->pair[i].x < 0)
 		return;
+	// where a side has no body, its index is that of the world
+	if (flags & CONTACT_DETECTED)
+		return;
 	Word joined = joint_parts(p, p->contact_bodies[i]) ? CONTACT_JOINED : 0u;
-	if ((flags & CONTACT_JOINED) == joined)
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
 	contact_end(p, i);
-	p->contact_flags[i] = (flags & CONTACT_DETECTED) | CONTACT_FRESH | joined;
+	p->contact_flags[i] = CONTACT_FRESH | joined;
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 
