@@ -4,9 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define MOST     200000 // joints: more take longer to read than a frame lasts
-#define SHORTEST 1.0f   // px: the line of a joint is not drawn if it is shorter
-#define LEAST    1.2f   // px: an anchor of less radius has no dot
+#define MOST  200000 // joints: more take longer to read than a frame may last, 0.2 us each
+#define LEAST 1.2f   // px: an anchor of less radius has no dot
 
 static const Color idle = {58, 54, 50}, loaded = {214, 40, 30};
 
@@ -119,12 +118,18 @@ static bool in_view(const scree_vec* points, int count, scree_box box)
 	return low.x <= box.upper.x && high.x >= box.lower.x && low.y <= box.upper.y && high.y >= box.lower.y;
 }
 
+static float length_of(const scree_vec* points, int count)
+{
+	float length = 0.0f;
+	for (int k = 1; k < count; ++k)
+		length += hypotf(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
+	return length;
+}
+
 static void mark(Strokes* strokes, const scree_vec* points, int count, const int anchors[2], float scale, Color color)
 {
-	float width = fminf(fmaxf(0.02f * scale, 0.5f), 1.6f), pin = fminf(0.04f * scale, 2.5f), length = 0.0f;
+	float width = fminf(fmaxf(0.02f * scale, 0.5f), 1.6f), pin = fminf(0.04f * scale, 2.5f);
 	for (int k = 1; k < count; ++k)
-		length += scale * hypotf(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
-	for (int k = 1; length >= SHORTEST && k < count; ++k)
 		strokes_add(strokes, points[k - 1], points[k], width, color, 230);
 	for (int end = 0; pin >= LEAST && end < 2; ++end)
 	{
@@ -136,7 +141,7 @@ static void mark(Strokes* strokes, const scree_vec* points, int count, const int
 	}
 }
 
-void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera)
+void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, float detail)
 {
 	scree_box box = camera_box(camera);
 	float largest = 1.0e-9f;
@@ -147,7 +152,8 @@ void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* c
 		scree_vec points[4];
 		int anchors[2], count = link_points(&lines->links.list[k], lines->poses, points, anchors);
 		// the square root makes small loads visible beside large ones
-		if (in_view(points, count, box))
+		bool small = 0.04f * camera->scale < LEAST && length_of(points, count) * camera->scale < detail;
+		if (!small && in_view(points, count, box))
 			mark(strokes, points, count, anchors, camera->scale,
 			     load_color(sqrtf(force_of(&lines->states[k]) / largest)));
 	}

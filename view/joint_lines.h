@@ -23,7 +23,7 @@ void joint_lines_close(JointLines* lines);
 // Reads poses and forces. Joints that broke or were destroyed are drawn no more.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
-// Adds strokes for the joints that are in view.
-void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera);
+// Adds strokes for the joints that are in view and not too small: with lines of detail pixels, or with dots.
+void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, float detail);
 
 #endif

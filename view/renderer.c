@@ -198,7 +198,7 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	if (style->layers[LAYER_velocities])
 		draw_over(r, &r->velocity, share, camera, style);
 	if (style->layers[LAYER_joints])
-		joint_lines_mark(&r->joint_lines, &r->strokes, camera);
+		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style->detail);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
 	strokes_draw(&r->strokes, camera);
 }
