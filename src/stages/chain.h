@@ -5,8 +5,8 @@
 // the load. The host finds such rows of joints (src/world/chains.c); they have no color and come before the colors of a pass.
 //
 // Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can follow, and the rope
-// whips apart. So the chain sees a link's inertia enlarged by what the tension adds to it in an implicit integration, where it
-// exceeds the link's own.
+// whips apart. So for the step a link's inertia is enlarged to what the tension makes it in an implicit integration, where that
+// exceeds its own. All constraints of the link see the same inertia: otherwise they would take turns in adding energy.
 //
 // This work is based on:
 // Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
@@ -30,15 +30,6 @@ INLINE ChainLink chain_load(const Pools* p, int place)
 	joint_load(p, place, PASS_BIAS, &link.u);
 	Body a = body_gather(p, link.ia), b = body_gather(p, link.ib);
 	link.c = joint_pose(&link.u, &a, &b);
-	return link;
-}
-
-// The same with the inertias that the chain sees, which are those of the whole step.
-INLINE ChainLink chain_link(const Pools* p, int place, const GLOBAL ChainJoint* joint)
-{
-	ChainLink link = chain_load(p, place);
-	link.c.a.inv_inertia = joint->inv_inertia_a;
-	link.c.b.inv_inertia = joint->inv_inertia_b;
 	return link;
 }
 
@@ -97,12 +88,23 @@ INLINE float chain_inertia(float inverse, float tension)
 	return more > 0.0f && more <= MOST_FLOAT ? 1.0f / tension : inverse;
 }
 
+// The inertias of a joint's bodies, their own and for the step.
 INLINE void chain_stiffen(const Pools* p, int first, int k, int count, GLOBAL ChainJoint* joint)
 {
-	int place = first + k, a = joint_row(p, body_a, place), b = joint_row(p, body_b, place);
-	float pull_a = chain_pull(p, joint, first, k, 0, count), pull_b = chain_pull(p, joint, first, k, 1, count);
-	joint[k].inv_inertia_a = chain_inertia(p->body[a].inv_inertia, pull_a);
-	joint[k].inv_inertia_b = chain_inertia(p->body[b].inv_inertia, pull_b);
+	int place = first + k;
+	joint[k].own_a = p->body[joint_row(p, body_a, place)].inv_inertia;
+	joint[k].own_b = p->body[joint_row(p, body_b, place)].inv_inertia;
+	joint[k].step_a = chain_inertia(joint[k].own_a, chain_pull(p, joint, first, k, 0, count));
+	joint[k].step_b = chain_inertia(joint[k].own_b, chain_pull(p, joint, first, k, 1, count));
+}
+
+// Sets the inertias of a joint's bodies. Two joints set the same of their common body.
+INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float inverse_b)
+{
+	if (inverse_a > 0.0f)
+		p->body[joint_row(p, body_a, place)].inv_inertia = inverse_a;
+	if (inverse_b > 0.0f)
+		p->body[joint_row(p, body_b, place)].inv_inertia = inverse_b;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -110,9 +112,9 @@ INLINE void chain_stiffen(const Pools* p, int first, int k, int count, GLOBAL Ch
 // ---------------------------------------------------------------------------------------------------------------
 
 // What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
-INLINE void chain_own(const Pools* p, int place, int pass, const GLOBAL ChainJoint* joint)
+INLINE void chain_own(const Pools* p, int place, int pass)
 {
-	ChainLink link = chain_link(p, place, joint);
+	ChainLink link = chain_load(p, place);
 	if (pass == PASS_WARM_START)
 		joint_warm(p, place, &link.u, &link.c);
 	if (pass == PASS_BIAS)
@@ -134,7 +136,7 @@ INLINE void chain_couple(const Pools* p, int first, int k, const JointSystem* s,
 		to->l[n] = 0.0f;
 	if (side < 0)
 		return;
-	ChainLink before = chain_link(p, place - 1, joint + k - 1);
+	ChainLink before = chain_load(p, place - 1);
 	int other = chain_side(p, place - 1, place);
 	float inverse = side ? c->b.inv_mass : c->a.inv_mass, turning = side ? c->b.inv_inertia : c->a.inv_inertia;
 	float sign = side == other ? 1.0f : -1.0f;
@@ -158,7 +160,7 @@ INLINE void chain_couple(const Pools* p, int first, int k, const JointSystem* s,
 INLINE void chain_build(const Pools* p, int first, int k, int pass, GLOBAL ChainJoint* joint)
 {
 	GLOBAL ChainJoint* to = joint + k;
-	ChainLink link = chain_link(p, first + k, to);
+	ChainLink link = chain_load(p, first + k);
 	JointSystem s = joint_system(p, pass == PASS_BIAS, &link.u, &link.c);
 	to->d[0] = CHAIN_GIVE * s.yield[0];
 	to->d[1] = s.cross[0];
@@ -174,7 +176,7 @@ INLINE void chain_build(const Pools* p, int first, int k, int pass, GLOBAL Chain
 // Gives the bodies of a joint the impulses of the solution.
 INLINE void chain_give(const Pools* p, int place, int pass, const GLOBAL ChainJoint* joint)
 {
-	ChainLink link = chain_link(p, place, joint);
+	ChainLink link = chain_load(p, place);
 	float x[3] = {joint->x[0], joint->x[1], joint->x[2]};
 	joint_hold(&link.u, &link.c, x);
 	if (pass == PASS_RELAX && p->step.drives)
@@ -199,11 +201,14 @@ GROUP_STAGE(chain)
 		for (int k = group_lane(); k < count; k += group_width())
 			chain_stiffen(p, first, k, count, joint);
 		group_meet();
+		for (int k = group_lane(); k < count; k += group_width())
+			chain_set_inertias(p, first + k, joint[k].step_a, joint[k].step_b);
+		group_meet();
 	}
 	for (int odd = 0; odd < 2; ++odd)
 	{
 		for (int k = 2 * group_lane() + odd; k < count; k += 2 * group_width())
-			chain_own(p, first + k, pass, joint + k);
+			chain_own(p, first + k, pass);
 		group_meet();
 	}
 	if (pass == PASS_WARM_START)
@@ -217,6 +222,16 @@ GROUP_STAGE(chain)
 			chain_give(p, first + k, pass, joint + k);
 		group_meet();
 	}
+}
+
+// The links get their own inertias back.
+GROUP_STAGE(chain_end)
+{
+	int count = p->chain[i].y, first = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS] + p->chain[i].x;
+	const GLOBAL ChainJoint* joint = p->chain_joint + p->chain[i].x;
+	for (int k = group_lane(); k < count; k += group_width())
+		chain_set_inertias(p, first + k, joint[k].own_a, joint[k].own_b);
+	(void)bench;
 }
 
 #endif
