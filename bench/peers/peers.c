@@ -7,6 +7,7 @@
 #include "engine_box2d.h"
 #include "engine_scree.h"
 #include "process.h"
+#include "stiffness.h"
 #include "trial.h"
 #include "validate.h"
 #include <getopt.h>
@@ -43,6 +44,7 @@ static const struct option words[] = {
 static const char* const help =
     "usage: scree_peers [OPTION]... [SCENE|FILE]...\n"
     "       scree_peers validate --help\n"
+    "       scree_peers stiffness --help\n"
     "\n"
     "Times scenes with Scree and with Box2D in turns; CSV on standard output. Without a name: pyramid, pyramids, "
     "pile,\n"
@@ -258,6 +260,8 @@ int main(int count, char** arguments)
 	static const char* const usual[] = {"pyramid", "pyramids", "pile", "tumbler", "smash", "washer"};
 	if (count > 1 && strcmp(arguments[1], "validate") == 0)
 		return validate_peers(count - 1, arguments + 1, arguments[0]);
+	if (count > 1 && strcmp(arguments[1], "stiffness") == 0)
+		return stiffness_peers(count - 1, arguments + 1, arguments[0]);
 	Options options = {.executable = arguments[0], .threads = {1, 2}, .thread_count = 2, .repeats = 5};
 	options.options.device = "cpu";
 	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:ce:Rh", words, NULL)) != -1;)
