@@ -65,6 +65,7 @@ static scree_status set_coordinate(const Change* change, Where at, const void* v
 	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
 	TRY(check_coordinate(at, change->which, value));
 	def->coordinates[change->which] = *value;
+	change->world->chains_stale = true; // its locks may have changed
 	return SCREE_OK;
 }
 

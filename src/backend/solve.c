@@ -11,7 +11,7 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 int solve_runs_most(int substeps)
 {
 	// a run a color and kind, two a turn of hubs and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 2) + 2 * CONSTRAINT_KINDS + 8;
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 3) + 2 * CONSTRAINT_KINDS + 8;
 }
 
 // A pass over the hubs, then the colors. Whether any body is split is known on the host only when nothing changed.
@@ -27,7 +27,9 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 		else if (c->split > 0)
 			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
 	}
-	if (c->layout[CONSTRAINT_JOINT].count[COLORS] > 0)
+	if (solve->chains > 0)
+		runs_add(list, STAGE_chain, 0, solve->chains, bound, pass);
+	if (c->overflow > 0)
 		runs_add(list, STAGE_joint_overflow, 0, 1, bound, pass);
 	for (int color = 0; color < COLORS; ++color)
 		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)

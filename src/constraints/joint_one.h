@@ -5,22 +5,22 @@
 #include "constraints/joint_prepare.h"
 
 // The rows of one coordinate, and whether the user changed its kind of drive since the impulses were stored.
-#define JOINT_DRIVE_SETUP(of, k)                                                               \
-	{                                                                                          \
-		JointCoordinate from = p->joint_data[slot].coordinate[k];                              \
-		float rate, soft;                                                                      \
-		joint_rare(p, of##_lower, i) = from.lower;                                             \
-		joint_rare(p, of##_upper, i) = from.upper;                                             \
-		joint_softness(p, p->joint_data[slot].hertz, p->joint_data[slot].ratio, &rate, &soft); \
-		joint_rare(p, of##_limit_rate, i) = rate;                                              \
-		joint_rare(p, of##_limit_soft, i) = soft;                                              \
-		joint_softness(p, from.spring_hertz, from.spring_ratio, &rate, &soft);                 \
-		joint_rare(p, of##_target, i) = from.target;                                           \
-		joint_rare(p, of##_spring_rate, i) = rate;                                             \
-		joint_rare(p, of##_spring_soft, i) = soft;                                             \
-		joint_rare(p, of##_spring_most, i) = joint_most(p, from.spring_most);                  \
-		joint_rare(p, of##_speed, i) = from.speed;                                             \
-		joint_rare(p, of##_motor_most, i) = joint_most(p, from.motor_most);                    \
+#define JOINT_DRIVE_SETUP(of, k)                                                                     \
+	{                                                                                                \
+		JointCoordinate from = p->joint_data[slot].coordinate[k];                                    \
+		float rate, soft;                                                                            \
+		joint_rare(p, of##_lower, i) = from.lower;                                                   \
+		joint_rare(p, of##_upper, i) = from.upper;                                                   \
+		joint_softness(p, p->joint_data[slot].hertz, p->joint_data[slot].ratio, 1.0f, &rate, &soft); \
+		joint_rare(p, of##_limit_rate, i) = rate;                                                    \
+		joint_rare(p, of##_limit_soft, i) = soft;                                                    \
+		joint_softness(p, from.spring_hertz, from.spring_ratio, 1.0f, &rate, &soft);                 \
+		joint_rare(p, of##_target, i) = from.target;                                                 \
+		joint_rare(p, of##_spring_rate, i) = rate;                                                   \
+		joint_rare(p, of##_spring_soft, i) = soft;                                                   \
+		joint_rare(p, of##_spring_most, i) = joint_most(p, from.spring_most);                        \
+		joint_rare(p, of##_speed, i) = from.speed;                                                   \
+		joint_rare(p, of##_motor_most, i) = joint_most(p, from.motor_most);                          \
 	}
 
 // The impulse of a force within a substep.

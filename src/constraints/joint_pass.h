@@ -8,54 +8,62 @@
 // share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
 #define JOINT_LEAST_YIELD 1.0e-6f
 
-// A symmetric 3 x 3 system, by L D L^T. A coordinate that is not locked has a row of the identity.
-INLINE void joint_solve(const Real yield[3], Real k01, Real k02, Real k12, Real floor, const Int locked[3],
-                        const Real goal[3], Real x[3])
+typedef struct // of the locks: yield x = goal
 {
-	Real zero = splat(0.0f), one = splat(1.0f);
-	Real d0 = choose(one, yield[0], locked[0]);
-	k01 = choose(zero, k01, locked[0] & locked[1]);
-	k02 = choose(zero, k02, locked[0] & locked[2]);
-	k12 = choose(zero, k12, locked[1] & locked[2]);
-	Real l01 = k01 / d0, l02 = k02 / d0;
+	Real yield[3], cross[3]; // diagonal; 01, 02, 12
+	Real goal[3];
+	Int locked[3];
+} JointSystem;
 
-	// in exact arithmetic two translations yield no less than the masses alone
-	Real d1 = choose(one, maximum(yield[1] - l01 * k01, floor), locked[1]);
-	Real rest = k12 - l01 * k02, l12 = rest / d1;
-	Real d2 = choose(one, maximum((yield[2] - l02 * k02) - l12 * rest, splat(JOINT_LEAST_YIELD) * yield[2]), locked[2]);
-	Real y0 = choose(zero, goal[0], locked[0]);
-	Real y1 = choose(zero, goal[1], locked[1]) - l01 * y0;
-	Real y2 = (choose(zero, goal[2], locked[2]) - l02 * y0) - l12 * y1;
-	x[2] = y2 / d2;
-	x[1] = y1 / d1 - l12 * x[2];
-	x[0] = (y0 / d0 - l01 * x[1]) - l02 * x[2];
-}
-
-// The locks: in the biased pass as soft as each is, in the relaxing pass rigid, but for those that are springs.
-INLINE void joint_hold(const Pools* p, int soft, Joint* u, JointPose* c)
+// The equations of the locks: in the biased pass as soft as each is, in the relaxing pass rigid, but for those that are
+// springs. A coordinate that is not locked has a row of the identity.
+INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const JointPose* c)
 {
-	Real zero = splat(0.0f), ia = c->a.inv_inertia, ib = c->b.inv_inertia, most = splat(p->step.max_speed);
-	Real old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
+	JointSystem s;
+	Real zero = splat(0.0f), one = splat(1.0f), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
+	Real most = splat(p->step.max_speed);
+	Real impulse[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
 	Real softness[3] = {u->soft_along, u->soft_across, u->soft_angle};
 	Real error[3] = {c->value[0] - u->length, c->value[1], c->value[2]};
-	Real yield[3], goal[3], x[3];
-	Int locked[3];
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Int yields = soft ? joint_has(u, JOINT_LOCKED(k)) : joint_has(u, JOINT_SOFT(k));
 		Real own = joint_yield(c, k), rates = choose(zero, rate[k], yields),
 		     softer = own * choose(zero, softness[k], yields);
-		locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
-		goal[k] = -((joint_speed(c, k) + within(rates * error[k], most)) + softer * old[k]);
-		yield[k] = own + softer;
+		Real goal = -((joint_speed(c, k) + within(rates * error[k], most)) + softer * impulse[k]);
+		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
+		s.goal[k] = choose(zero, goal, s.locked[k]);
+		s.yield[k] = choose(one, own + softer, s.locked[k]);
 	}
 	Real k01 = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
 	Real k02 = ia * c->lever_a[0] + ib * c->lever_b[0], k12 = ia * c->lever_a[1] + ib * c->lever_b[1];
-	joint_solve(yield, k01, k02, k12, c->mass, locked, goal, x);
-	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), locked[0]);
-	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), locked[1]);
-	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), locked[2]);
+	s.cross[0] = choose(zero, k01, s.locked[0] & s.locked[1]);
+	s.cross[1] = choose(zero, k02, s.locked[0] & s.locked[2]);
+	s.cross[2] = choose(zero, k12, s.locked[1] & s.locked[2]);
+	return s;
+}
+
+// Solves the equations, by L D L^T. mass: in exact arithmetic two translations yield no less than the masses alone.
+INLINE void joint_solve(const JointSystem* s, Real mass, Real x[3])
+{
+	Real one = splat(1.0f), l01 = s->cross[0] / s->yield[0], l02 = s->cross[1] / s->yield[0];
+	Real d1 = choose(one, maximum(s->yield[1] - l01 * s->cross[0], mass), s->locked[1]);
+	Real rest = s->cross[2] - l01 * s->cross[1], l12 = rest / d1;
+	Real d2 = maximum((s->yield[2] - l02 * s->cross[1]) - l12 * rest, splat(JOINT_LEAST_YIELD) * s->yield[2]);
+	Real y1 = s->goal[1] - l01 * s->goal[0], y2 = (s->goal[2] - l02 * s->goal[0]) - l12 * y1;
+	x[2] = y2 / d2;
+	x[1] = y1 / d1 - l12 * x[2];
+	x[0] = (s->goal[0] / s->yield[0] - l01 * x[1]) - l02 * x[2];
+}
+
+// Adds a solution to the impulses of the locks. What is not locked has none.
+INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3])
+{
+	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
+	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), joint_has(u, JOINT_LOCKED(0)));
+	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), joint_has(u, JOINT_LOCKED(1)));
+	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), joint_has(u, JOINT_LOCKED(2)));
 	joint_give(u, c,
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
@@ -144,7 +152,10 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		for (int k = 0; k < JOINT_COORDINATES; ++k)
 			if (joint_drives(p, u, k))
 				joint_drive(p, i, k, pass == PASS_BIAS, u, &c);
-		joint_hold(p, pass == PASS_BIAS, u, &c);
+		JointSystem system = joint_system(p, pass == PASS_BIAS, u, &c);
+		Real x[3];
+		joint_solve(&system, c.mass, x);
+		joint_hold(u, &c, x);
 		if (pass == PASS_RELAX && p->step.drives)
 			joint_peak(p, i, u);
 	}

@@ -19,10 +19,12 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 // Softness of so many hertz with a damping ratio: Catto, Soft Constraints, GDC 2011. Stiffer than a share of the substep
 // rate it would not get stiffer, but shake. rate is 1/s.
 #define JOINT_STIFFEST 0.25f
+// Joints of a chain are solved exactly, and can be so many times as stiff.
+#define JOINT_CHAIN_STIFFER 4.0f
 
-INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, Real* soft)
+INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
 {
-	Real omega = splat(TURN) * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h));
+	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 	Int some = a2 > splat(0.0f);
 	*rate = choose(splat(0.0f), omega / a1, some);
@@ -30,13 +32,14 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real* rate, R
 }
 
 // The softness of the lock of coordinate k.
-INLINE void joint_lock(const Pools* p, Int slot, int k, Real* rate, Real* soft)
+INLINE void joint_lock(const Pools* p, Int slot, int k, Int chained, Real* rate, Real* soft)
 {
 	Real hertz = joint_datum(p, slot, JOINT_AT_TARGET(k) + 1), ratio = joint_datum(p, slot, JOINT_AT_TARGET(k) + 2);
 	Int own = hertz > splat(0.0f);
 	hertz = choose(joint_datum(p, slot, JOINT_AT_HERTZ), hertz, own);
 	ratio = choose(joint_datum(p, slot, JOINT_AT_HERTZ + 1), ratio, own);
-	joint_softness(p, hertz, ratio, rate, soft);
+	Real stiffer = choose(splat(1.0f), splat(JOINT_CHAIN_STIFFER), chained & (own == 0));
+	joint_softness(p, hertz, ratio, stiffer, rate, soft);
 }
 
 typedef struct // where a frame is in the world
@@ -97,9 +100,10 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Real angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = load(&joint_row(p, turned, i), 0);
 	u->turned = angle + splat(TURN) * joint_round((old - angle) * splat(1.0f / TURN));
 	u->angle = u->turned - target[JOINT_ANGLE];
-	joint_lock(p, slot, JOINT_ALONG, &u->rate_along, &u->soft_along);
-	joint_lock(p, slot, JOINT_ACROSS, &u->rate_across, &u->soft_across);
-	joint_lock(p, slot, JOINT_ANGLE, &u->rate_angle, &u->soft_angle);
+	Int chained = there & (gather_int((const GLOBAL int*)p->joint_spot, slot) >= 0);
+	joint_lock(p, slot, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);
+	joint_lock(p, slot, JOINT_ACROSS, chained, &u->rate_across, &u->soft_across);
+	joint_lock(p, slot, JOINT_ANGLE, chained, &u->rate_angle, &u->soft_angle);
 	u->given_x = zero;
 	u->given_y = zero;
 	u->given_a = zero;

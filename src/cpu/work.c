@@ -77,7 +77,7 @@ static int smallest_shared(const Cpu* cpu, int stage)
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
 		// a hub takes as long as many items: two are shared wherever anything is
-		if (stage_widths[stage] == WIDTH_GROUP)
+		if (stage_widths[stage] >= WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[stage])
 			return cpu->grain;

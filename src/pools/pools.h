@@ -185,13 +185,14 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define spoke_at(p, component, k) ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
 
 // bits of joint_flags
-#define JOINT_THERE    1  // the slot holds a joint
-#define JOINT_ACTIVE   2  // both bodies are enabled, at least one of them moves
-#define JOINT_RESTARTS 4  // its constraint has to start anew
-#define JOINT_BROKEN   8  // it broke
-#define JOINT_COLLIDES 16 // its bodies may touch each other
-#define JOINT_BREAKS   32 // it breaks when its force or torque exceeds its threshold
-#define JOINT_ACTS     64 // it has something to solve: a lock, a limit, a spring or a motor
+#define JOINT_THERE    1   // the slot holds a joint
+#define JOINT_ACTIVE   2   // both bodies are enabled, at least one of them moves
+#define JOINT_RESTARTS 4   // its constraint has to start anew
+#define JOINT_BROKEN   8   // it broke
+#define JOINT_COLLIDES 16  // its bodies may touch each other
+#define JOINT_BREAKS   32  // it breaks when its force or torque exceeds its threshold
+#define JOINT_MOVED    128 // its place among the chains changed
+#define JOINT_ACTS     64  // it has something to solve: a lock, a limit, a spring or a motor
 
 // JointData.modes: a whole number, of four bits for each coordinate, and more
 #define JOINT_LOCKED(k)  (1 << (4 * (k)))
@@ -241,9 +242,19 @@ typedef struct // 208 bytes
 
 typedef struct // 224 bytes: a joint as the user wants it
 {
-	int slot, flags, unused[2];
+	int slot, flags, spot, unused;
 	JointData data;
 } JointEdit;
+
+typedef struct // 144 bytes: a joint in the system of its chain
+{
+	float d[6];                 // its diagonal block 00, 01, 02, 11, 12, 22; when it is eliminated, the inverse
+	float l[9], m[9];           // blocks that couple it with the joint before it, and one behind with it, at this level
+	float r[3], x[3];           // right side, solution
+	float tension_a, tension_b; // kg m^2: what its pull adds to the inertia of its bodies
+	float inv_inertia_a, inv_inertia_b; // with the tension
+	float unused[2];
+} ChainJoint;
 
 typedef struct // 48 bytes: what the user reads of a joint
 {
@@ -353,6 +364,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int details;          // the user wants to know what contacts did in the step
 	int bounces;          // some attribute has restitution
 	int joints;           // there may be joints among the constraints
+	int chain_places;     // spots of chains
 	int drives;           // some joint has a limit, a spring, a motor or a threshold
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
@@ -419,6 +431,7 @@ typedef struct
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
 	int held;                      // bodies that guard stopped before something static
 	int joint_stir;                // INT_MAX if some joint was made, changed or broke since the last step, else 0
+	int overflow_first, overflow;  // among the sorted keys of joints those without a color and a chain begin; how many
 	int joined;                    // pairs of bodies that joints keep from touching
 	int joint_events;              // joints whose force exceeded a threshold in the step
 	int fault; // set by a device that failed during a run; its backend reads it with the other counters

@@ -46,12 +46,14 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// Whether an edge gets no color because its bodies have none in common. Contacts always have one: they become spokes
-// before. argument is the round, here and in color_claim and color_assign.
+// Whether a joint gets no color, because it is in a chain or because its bodies have none in common. Contacts always have
+// one: they become spokes before. argument is the round, here and in color_claim and color_assign.
 INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 {
 	if (edge_kind(edge) == CONSTRAINT_CONTACT)
 		return 0;
+	if (p->joint_spot[edge_slot(edge)] >= 0)
+		return 1;
 	Word64 mask_a = p->body[bodies.x].inv_mass > 0.0f ? p->color_mask[bodies.x] : (Word64)0;
 	Word64 mask_b = p->body[bodies.y].inv_mass > 0.0f ? p->color_mask[bodies.y] : (Word64)0;
 	return (mask_a | mask_b) == (Word64)COLOR_MASK;
@@ -161,6 +163,7 @@ STAGE(color_arrange)
 	GLOBAL Counters* c = p->counters;
 	int left = c->uncolored[p->argument & 255];
 	c->kept = 0;
+	c->overflow_first = 0x7fffffff;
 	c->entered = c->entered || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
 	c->arranged = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS);
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
@@ -176,6 +179,10 @@ STAGE(color_arrange)
 	(void)i;
 }
 
+// What the constraints without a color are sorted by: contacts by their hub; joints in chains come before the others.
+INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
+INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
+
 // Edges between the one whose key is made and the one whose kept row is fetched.
 #define KEY_SOON 12
 
@@ -188,8 +195,8 @@ STAGE(color_arrange)
 	}                                                                            \
 	int color = p->kind##_color[i], place = p->kind##_place[i];                  \
 	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \
-	if (color == COLORS && CONSTRAINT_##KIND == CONSTRAINT_CONTACT)              \
-		name += (Word64)hub_owner(p, p->kind##_bodies[i]);                       \
+	if (color == COLORS)                                                         \
+		name += (Word64)kind##_group(p, i);                                      \
 	p->key[i] = name << 32 | (Word64)i;                                          \
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
@@ -211,8 +218,14 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		layout->first[color] = i;
 	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
 		layout->last[color] = i + 1;
-	if (color != COLORS || kind != CONSTRAINT_CONTACT)
+	if (color != COLORS)
 		return;
+	if (kind == CONSTRAINT_JOINT)
+	{
+		if (begins && (int)name != COLORS)
+			p->counters->overflow_first = i;
+		return;
+	}
 	p->scan[i] = begins;
 	// two work-items write the two halves, and an OpenCL compiler may write a whole vector for one component
 	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
@@ -236,6 +249,8 @@ INLINE void color_range(const Pools* p, int kind)
 	GLOBAL Counters* c = p->counters;
 	GLOBAL KindLayout* layout = &c->layout[kind];
 	int begin = 0, spokes = kind == CONSTRAINT_CONTACT, touching = 0;
+	if (kind == CONSTRAINT_JOINT)
+		c->overflow = c->overflow_first < layout->last[COLORS] ? layout->last[COLORS] - c->overflow_first : 0;
 	if (spokes)
 	{
 		c->hubs = 0;
@@ -253,6 +268,8 @@ INLINE void color_range(const Pools* p, int kind)
 			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
+		if (!spokes && k == COLORS)
+			count = p->step.chain_places + c->overflow;
 		begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
 	}
 	layout->begin[COLORS + 1] = begin;
@@ -266,7 +283,7 @@ INLINE void color_range(const Pools* p, int kind)
 }
 
 // A spoke's place; the last spoke of a hub pads the rest of the hub's places.
-INLINE int color_place_spoke(const Pools* p, int i)
+INLINE int contact_place_rest(const Pools* p, int i)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
 	int hub = (int)(p->key[i] >> 32) - COLORS, n = color_hub(p, i);
@@ -284,23 +301,39 @@ INLINE int color_place_spoke(const Pools* p, int i)
 	return place;
 }
 
+// The place of a joint of a chain, or of one without a chain behind all chains.
+INLINE int joint_place_rest(const Pools* p, int i)
+{
+	int slot = (int)(p->key[i] & (Word64)0xffffffffu), spot = p->joint_spot[slot];
+	int begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
+	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
+}
+
+// Places of joints without a color are inert, until a joint is laid out there.
+STAGE(chain_pad)
+{
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
+	int place = layout->begin[COLORS] + i;
+	if (place < layout->begin[COLORS + 1])
+		joint_pad(p, place);
+}
+
 // What does not change while the layout stands.
-#define COLOR_PLACE(kind, KIND)                                                                      \
-	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu); \
-	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                       \
-	if (color > COLORS)                                                                              \
-		return;                                                                                      \
-	int spoke = color == COLORS && CONSTRAINT_##KIND == CONSTRAINT_CONTACT;                          \
-	int place = spoke ? color_place_spoke(p, i) : layout->begin[color] + (i - layout->first[color]); \
-	Int2 bodies = p->kind##_bodies[slot];                                                            \
-	p->kind##_place[slot] = place;                                                                   \
-	p->kind##_place_slot[place] = slot;                                                              \
-	kind##_row(p, body_a, place) = bodies.x;                                                         \
-	kind##_row(p, body_b, place) = bodies.y;                                                         \
-	kind##_set_place(p, slot, place);                                                                \
-	kind##_put_back(p, slot, place);                                                                 \
-	if (!spoke && i + 1 == layout->last[color])                                                      \
-		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                   \
+#define COLOR_PLACE(kind, KIND)                                                                                \
+	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \
+	if (color > COLORS)                                                                                        \
+		return;                                                                                                \
+	int place = color == COLORS ? kind##_place_rest(p, i) : layout->begin[color] + (i - layout->first[color]); \
+	Int2 bodies = p->kind##_bodies[slot];                                                                      \
+	p->kind##_place[slot] = place;                                                                             \
+	p->kind##_place_slot[place] = slot;                                                                        \
+	kind##_row(p, body_a, place) = bodies.x;                                                                   \
+	kind##_row(p, body_b, place) = bodies.y;                                                                   \
+	kind##_set_place(p, slot, place);                                                                          \
+	kind##_put_back(p, slot, place);                                                                           \
+	if (color < COLORS && i + 1 == layout->last[color])                                                        \
+		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                             \
 			kind##_pad(p, k);
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \

@@ -17,7 +17,10 @@ STAGE(joint_apply)
 		p->joint_place[slot] = -1;
 	}
 	else if (!restarts)
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS);
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_MOVED);
+	if (slot < p->argument && p->joint_spot[slot] != edit.spot)
+		edit.flags |= JOINT_MOVED;
+	p->joint_spot[slot] = edit.spot;
 	p->joint_flags[slot] = edit.flags;
 	p->joint_data[slot] = edit.data;
 	raise_int(&p->counters->joints, slot + 1);
@@ -33,7 +36,9 @@ STAGE(joint_update)
 	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_end(p, i);
-	p->joint_flags[i] = flags & ~JOINT_RESTARTS;
+	if (flags & JOINT_MOVED && p->joint_color[i] == COLORS)
+		edge_stir(p, CONSTRAINT_JOINT);
+	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_MOVED);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
 	int a = p->joint_data[i].body_a, b = p->joint_data[i].body_b;

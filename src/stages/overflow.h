@@ -21,7 +21,8 @@ INLINE void overflow_solve(const Pools* p, int k, int pass)
 STAGE(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
-	for (int k = layout->begin[COLORS]; k < layout->begin[COLORS] + layout->count[COLORS]; ++k)
+	int first = layout->begin[COLORS] + p->step.chain_places;
+	for (int k = first; k < first + p->counters->overflow; ++k)
 	{
 		if (p->argument == PASS_WARM_START)
 			overflow_solve(p, k, PASS_WARM_START);

@@ -21,6 +21,7 @@
 #include "stages/integrate.h"
 #include "stages/solve.h"
 #include "stages/overflow.h"
+#include "stages/chain.h"
 #include "stages/hub.h"
 #include "stages/guard.h"
 #include "stages/finalize.h"

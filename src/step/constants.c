@@ -51,6 +51,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .details = request->details,
 	    .bounces = pipeline->bounces,
 	    .joints = pipeline->counters.joints > 0,
+	    .chain_places = pipeline->chain_places,
 	    .drives = pipeline->drives,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,

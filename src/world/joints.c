@@ -23,6 +23,7 @@ void joint_changed(scree_world* world, int index, bool restarts)
 {
 	HostJoint* host = world->host_joints + index;
 	host->restarts |= restarts;
+	world->chains_stale |= restarts;
 	if (!host->waiting)
 		world->edits.joints[world->edits.joint_count++] = index;
 	host->waiting = true;
@@ -64,8 +65,8 @@ int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int bo
 {
 	int index = slots_allocate(&world->joints);
 	HostJoint* host = world->host_joints + index;
-	*host =
-	    (HostJoint){.def = *def, .bodies = {body_a, body_b}, .born = world->pipeline.steps, .waiting = host->waiting};
+	*host = (HostJoint){
+	    .def = *def, .bodies = {body_a, body_b}, .born = world->pipeline.steps, .spot = -1, .waiting = host->waiting};
 	link_end(world, index, 0);
 	link_end(world, index, 1);
 	joint_changed(world, index, true);
@@ -76,6 +77,7 @@ void joint_remove(scree_world* world, int index)
 {
 	unlink_end(world, index, 0);
 	unlink_end(world, index, 1);
+	world->host_joints[index].spot = -1;
 	slots_free(&world->joints, index);
 	joint_changed(world, index, true);
 }
@@ -141,7 +143,7 @@ JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
 	const scree_joint_def* def = &host->def;
-	JointEdit edit = {.slot = index, .flags = host->restarts ? JOINT_RESTARTS : 0};
+	JointEdit edit = {.slot = index, .spot = host->spot, .flags = host->restarts ? JOINT_RESTARTS : 0};
 	if (!slots_in_use(&world->joints, index))
 		return edit;
 	const HostBody *a = world->host_bodies + host->bodies[0], *b = world->host_bodies + host->bodies[1];

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "step/room.h"
 #include "world/auto.h"
+#include "world/chains.h"
 #include "world/edit_order.h"
 #include "world/failure.h"
 #include "world/joints.h"
@@ -112,6 +113,7 @@ static void clear(scree_world* world)
 
 static scree_status upload_all(scree_world* world)
 {
+	TRY(chains_update(world));
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;

@@ -44,6 +44,7 @@ typedef struct // host data of a joint
 	int bodies[2];            // a, b; 0 for the world
 	int next[2], previous[2]; // 1 + end of the next joint of each body, 0 for none
 	int64_t born;             // Pipeline.steps when it was made
+	int spot;                 // its place among the chains, -1 for none
 	bool restarts;            // its constraint starts anew
 	bool waiting;             // for the next upload
 	bool marked;              // within one call: already seen in the batch
@@ -81,6 +82,7 @@ struct scree_world
 	Slots joints;
 	HostJoint* host_joints; // of each slot
 	int host_joint_capacity;
+	bool chains_stale; // joints came or went since the chains were found
 	int dynamic_bodies, disabled_bodies;
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;

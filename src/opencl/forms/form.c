@@ -44,9 +44,9 @@ static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 // The fastest form that the device supports.
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
-	// joints without a color are solved one after the other
-	bool overflow = solve->counters->layout[CONSTRAINT_JOINT].count[COLORS] > 0;
-	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES || overflow)
+	// joints without a color have runs of their own
+	bool uncolored = solve->chains > 0 || solve->counters->overflow > 0;
+	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// chains.c -- finds chains: rows of joints that the solver solves together.
+//
+// A chain goes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are chains;
+// nets are none, and what is short and of similar masses gains nothing. The choice depends on the user's calls alone, so it is
+// the same on every device.
+#include "world/chains.h"
+#include "platform/error.h"
+#include "step/room.h"
+#include "world/joints.h"
+#include <math.h>
+#include <string.h>
+
+// A chain has so many joints at least, or two and masses of such a ratio.
+#define CHAIN_JOINTS 8
+#define CHAIN_RATIO  8.0f
+
+typedef struct
+{
+	const scree_world* world;
+	Int2* chains;   // first spot, and how many
+	int* spots;     // of each joint, -1 for none
+	int* row;       // joints of a chain, in order
+	uint8_t* seen;  // of each joint
+	uint8_t* owned; // of each body: it is at the end of a chain
+	int count, places;
+} Search;
+
+// Whether a joint has a lock, and bodies that it can act on.
+static bool acts(const scree_world* world, int joint)
+{
+	const HostJoint* host = world->host_joints + joint;
+	bool moves = false, locks = false;
+	if (!slots_in_use(&world->joints, joint))
+		return false;
+	for (int side = 0; side < 2; ++side)
+	{
+		const HostBody* body = world->host_bodies + host->bodies[side];
+		if (body->disabled)
+			return false;
+		moves |= body->type == SCREE_BODY_DYNAMIC;
+	}
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		locks |= host->def.coordinates[k].locked;
+	return moves && locks;
+}
+
+// The other joint of a body that can move and has exactly two, else -1.
+static int next_joint(const scree_world* world, int body, int joint)
+{
+	int count = 0, next = -1;
+	if (world->host_bodies[body].type != SCREE_BODY_DYNAMIC)
+		return -1;
+	for (int end = world->host_bodies[body].first_joint; end > 0 && count <= 2; end = joint_next(world, end))
+	{
+		int other = joint_of_end(end);
+		if (!acts(world, other))
+			continue;
+		++count;
+		next = other == joint ? next : other;
+	}
+	return count == 2 ? next : -1;
+}
+
+static int other_body(const scree_world* world, int joint, int body)
+{
+	const int* bodies = world->host_joints[joint].bodies;
+	return bodies[0] == body ? bodies[1] : bodies[0];
+}
+
+// The last joint of the chain that a joint is in, through one of its bodies; *body becomes the body behind it. In a ring, the
+// joint before the first one.
+static int chain_end(const scree_world* world, int joint, int* body)
+{
+	for (int first = joint;;)
+	{
+		int next = next_joint(world, *body, joint);
+		if (next < 0 || next == first)
+			return joint;
+		joint = next;
+		*body = other_body(world, joint, *body);
+	}
+}
+
+// Lists the joints of a chain from its first one, which comes behind body *at; *at becomes the body behind the last.
+static int chain_list(Search* s, int first, int* at)
+{
+	int count = 0;
+	for (int joint = first; joint >= 0 && !s->seen[joint]; joint = next_joint(s->world, *at, joint))
+	{
+		s->seen[joint] = 1;
+		s->row[count++] = joint;
+		*at = other_body(s->world, joint, *at);
+	}
+	return count;
+}
+
+// Whether a chain may have a body at its end: it cannot move, or it is of no other chain.
+static bool own(Search* s, int body)
+{
+	if (s->world->host_bodies[body].type != SCREE_BODY_DYNAMIC)
+		return true;
+	if (s->owned[body])
+		return false;
+	s->owned[body] = 1;
+	return true;
+}
+
+static float mass_ratio(const scree_world* world, const int* row, int count)
+{
+	float least = INFINITY, most = 0.0f;
+	for (int k = 0; k < 2 * count; ++k)
+	{
+		const HostBody* body = world->host_bodies + world->host_joints[row[k / 2]].bodies[k % 2];
+		if (body->type != SCREE_BODY_DYNAMIC)
+			continue;
+		least = body->mass.mass < least ? body->mass.mass : least;
+		most = body->mass.mass > most ? body->mass.mass : most;
+	}
+	return most > 0.0f ? most / least : 1.0f;
+}
+
+// Adds the chain that a joint is in, if it is worth it.
+static void add_chain(Search* s, int joint)
+{
+	const scree_world* world = s->world;
+	int begin = 0, first_body = world->host_joints[joint].bodies[0];
+	int first = chain_end(world, joint, &first_body), last_body = first_body;
+	bool ring = next_joint(world, first_body, first) >= 0;
+	int count = chain_list(s, first, &last_body);
+	if (ring)
+		--count; // the last joint shares bodies with the first: it is solved by itself
+	else
+	{
+		begin = !own(s, first_body);
+		count -= count > begin && !own(s, last_body);
+	}
+	int joints = count - begin;
+	if (joints < 2 || (joints < CHAIN_JOINTS && mass_ratio(world, s->row + begin, joints) < CHAIN_RATIO))
+		return;
+	s->chains[s->count++] = make_int2(s->places, joints);
+	for (int k = begin; k < count; ++k)
+		s->spots[s->row[k]] = s->places++;
+}
+
+// Sets the spots of all joints; those that changed wait for the upload.
+static void set_spots(scree_world* world, const int* spots)
+{
+	for (int k = 0; k < world->joints.used; ++k)
+	{
+		HostJoint* host = world->host_joints + k;
+		if (host->spot == spots[k])
+			continue;
+		bool restarts = (host->spot < 0) != (spots[k] < 0);
+		host->spot = spots[k];
+		joint_changed(world, k, restarts);
+	}
+}
+
+static scree_status upload_chains(scree_world* world, const Search* s)
+{
+	Backend* b = world->backend;
+	if (s->count == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, s->count));
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_PLACE, s->places));
+	return b->f->write(b, POOL_chain, 0, s->count, s->chains);
+}
+
+scree_status chains_update(scree_world* world)
+{
+	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
+	if (!world->chains_stale)
+		return SCREE_OK;
+	size_t bytes = joints * (sizeof(Int2) + 2 * sizeof(int) + 1) + bodies + 1;
+	char* memory = scree_allocate(bytes);
+	if (!memory)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
+	memset(memory, 0, bytes);
+	Search s = {.world = world, .chains = (Int2*)memory};
+	s.spots = (int*)(s.chains + joints);
+	s.row = s.spots + joints;
+	s.seen = (uint8_t*)(s.row + joints);
+	s.owned = s.seen + joints;
+	memset(s.spots, -1, joints * sizeof *s.spots);
+	for (int k = 0; k < world->joints.used; ++k)
+		if (!s.seen[k] && acts(world, k))
+			add_chain(&s, k);
+	scree_status status = upload_chains(world, &s);
+	if (status == SCREE_OK)
+	{
+		set_spots(world, s.spots);
+		world->pipeline.chains = s.count;
+		world->pipeline.chain_places = s.places;
+		world->chains_stale = false;
+	}
+	scree_release(memory);
+	return status;
+}
