@@ -38,8 +38,13 @@ INLINE void joint_lock(const Pools* p, Int slot, int k, Int chained, Real* rate,
 	Int own = hertz > splat(0.0f);
 	hertz = choose(joint_datum(p, slot, JOINT_AT_HERTZ), hertz, own);
 	ratio = choose(joint_datum(p, slot, JOINT_AT_HERTZ + 1), ratio, own);
-	Real stiffer = choose(splat(1.0f), splat(JOINT_CHAIN_STIFFER), chained & (own == 0));
-	joint_softness(p, hertz, ratio, stiffer, rate, soft);
+	Int rigid = chained & (own == 0);
+	joint_softness(p, hertz, ratio, choose(splat(1.0f), splat(JOINT_CHAIN_STIFFER), rigid), rate, soft);
+
+	// Angles of a chain need not yield at all: a welded beam does not sag. Translations must: the pull of a bridge of planks
+	// without slack has no limit otherwise.
+	if (k == JOINT_ANGLE)
+		*soft = choose(*soft, splat(0.0f), rigid);
 }
 
 typedef struct // where a frame is in the world

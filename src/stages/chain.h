@@ -150,18 +150,22 @@ INLINE void chain_couple(const Pools* p, int first, int k, const JointSystem* s,
 		}
 }
 
+// Where joints hold a body twice over, as in a welded bridge, the system has no single solution. A little more on the diagonal
+// picks the smallest; since it multiplies changes of impulses only, it does not make the chain softer.
+#define CHAIN_GIVE 1.00001f
+
 // The equations of joint k: diagonal block, right side, coupling.
 INLINE void chain_build(const Pools* p, int first, int k, int pass, GLOBAL ChainJoint* joint)
 {
 	GLOBAL ChainJoint* to = joint + k;
 	ChainLink link = chain_link(p, first + k, to);
 	JointSystem s = joint_system(p, pass == PASS_BIAS, &link.u, &link.c);
-	to->d[0] = s.yield[0];
+	to->d[0] = CHAIN_GIVE * s.yield[0];
 	to->d[1] = s.cross[0];
 	to->d[2] = s.cross[1];
-	to->d[3] = s.yield[1];
+	to->d[3] = CHAIN_GIVE * s.yield[1];
 	to->d[4] = s.cross[2];
-	to->d[5] = s.yield[2];
+	to->d[5] = CHAIN_GIVE * s.yield[2];
 	for (int i = 0; i < 3; ++i)
 		to->r[i] = s.goal[i];
 	chain_couple(p, first, k, &s, &link.c, joint);
