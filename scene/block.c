@@ -4,30 +4,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const body_keys[] = {"type",
-                                        "attribute",
-                                        "choose",
-                                        "collidables",
-                                        "position",
-                                        "angle",
-                                        "velocity",
-                                        "angular_velocity",
-                                        "gravity_scale",
-                                        "linear_damping",
-                                        "angular_damping",
-                                        "locks",
-                                        "disabled",
-                                        "category",
-                                        "mask",
-                                        "group",
-                                        "repeat",
-                                        "churn",
-                                        "description",
-                                        NULL};
+static const char* const body_keys[] = {"name",          "type",           "attribute",
+                                        "choose",        "collidables",    "position",
+                                        "angle",         "velocity",       "angular_velocity",
+                                        "gravity_scale", "linear_damping", "angular_damping",
+                                        "locks",         "disabled",       "category",
+                                        "mask",          "group",          "repeat",
+                                        "churn",         "description",    NULL};
 static const char* const churn_keys[] = {"moved",    "replaced",         "position",    "angle",
                                          "velocity", "angular_velocity", "description", NULL};
 static const char* const free_keys[] = {"attribute", "choose", "position", "angle",       "category",
                                         "mask",      "group",  "repeat",   "description", NULL};
+
+int block_find(const Scene* scene, const char* name)
+{
+	for (int k = 0; k < scene->block_count; ++k)
+	{
+		if (strcmp(scene->blocks[k].name, name) == 0)
+			return k;
+	}
+	return -1;
+}
+
+static bool read_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene, char* name)
+{
+	const char* text;
+	if (!value)
+		return true;
+	if (!reader_string(reader, location, value, &text))
+		return false;
+	if (strlen(text) >= NAME_SIZE)
+		return reader_fail(reader, location, "a name has 1 to %d characters", NAME_SIZE - 1);
+	if (block_find(scene, text) >= 0)
+		return reader_fail(reader, location, "\"%s\" is the name of bodies above", text);
+	strcpy(name, text);
+	return true;
+}
 
 static bool read_type(Reader* reader, const Location* location, const json_t* value, scree_body_type* type)
 {
@@ -118,9 +130,9 @@ bool block_read(Reader* reader, const Location* location, const json_t* value, c
 {
 	int names = reader->scope.count;
 	block->bodies = bodies;
-	const json_t* repeat = json_is_object(value) ? json_object_get(value, "repeat") : NULL;
 	bool good = reader_object(reader, location, value, bodies ? body_keys : free_keys) &&
-	            (!repeat || loops_read(reader, KEY(location, "repeat"), repeat, block->loops, &block->loop_count)) &&
+	            read_name(reader, KEY(location, "name"), json_object_get(value, "name"), scene, block->name) &&
+	            loops_read(reader, location, value, &block->loops) &&
 	            parts_read(reader, location, value, scene, bodies, &block->parts) &&
 	            (!bodies || read_body(reader, location, value, block));
 	reader->scope.count = names;
@@ -129,10 +141,10 @@ bool block_read(Reader* reader, const Location* location, const json_t* value, c
 
 void block_free(Block* block)
 {
-	for (int k = 0; k < block->loop_count; ++k)
-		loop_free(&block->loops[k]);
+	loops_free(&block->loops);
 	parts_free(&block->parts);
 	free(block->churn.items);
+	free(block->poses);
 	Number* numbers[] = {&block->position[0],
 	                     &block->position[1],
 	                     &block->velocity[0],

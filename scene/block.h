@@ -15,23 +15,27 @@ typedef struct // what happens to bodies of a block before every step; numbers m
 
 struct Block
 {
-	bool bodies; // else collidables without a body, of one part
+	char name[NAME_SIZE]; // of bodies, for joints; empty for none
+	bool bodies;          // else collidables without a body, of one part
 	scree_body_type type;
 	uint32_t locks;
-	Loop loops[MAX_LOOPS];
-	int loop_count;
+	Loops loops;
 	Number position[2], velocity[2]; // m, m/s
 	Number angle, angular_velocity;  // rad, rad/s
 	Number gravity_scale, linear_damping, angular_damping;
 	bool disabled;
 	Parts parts;
-	int64_t count; // items
+	int64_t count;     // items
+	scree_pose* poses; // of the bodies of a block with a name, as they are created
 	Churn churn;
 };
 
 // Reads one entry of "bodies" or "collidables". The caller frees the block, also on failure.
 bool block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Block* block);
+
+// The position in Scene.blocks of the bodies with a name, -1 when there are none.
+int block_find(const Scene* scene, const char* name);
 
 void block_free(Block* block);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// build.c -- creates the bodies and collidables of a scene in a world.
+// build.c -- creates the bodies, collidables and joints of a scene in a world.
 #include "scene/build.h"
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
+#include "scene/evaluate_joints.h"
 #include <stdlib.h>
 
 typedef struct
@@ -10,6 +11,9 @@ typedef struct
 	scree_world* world;
 	const scree_attribute* attributes; // handles, by position in Scene.attributes
 	scree_body* bodies;                // handles of a batch
+	scree_body* named;                 // handles of all blocks with names, block by block
+	scree_body** of_block;             // the first of a block in named, by position in Scene.blocks
+	scree_body* next;                  // where the next handles of the present block go; null: it has no name
 	scree_status status;
 } Build;
 
@@ -27,14 +31,52 @@ static bool build_batch(void* context, const void* items)
 	build->status = SCREE_OK;
 	if (batch->bodies)
 	{
-		scree_body* handles = parts > 0 ? build->bodies : NULL;
+		scree_body* handles = build->next ? build->next : parts > 0 ? build->bodies : NULL;
 		build->status = scree_bodies_create(build->world, batch->bodies, batch->count, handles);
 		for (int k = 0; k < parts; ++k)
-			batch->parts[k].body = build->bodies[k / block->parts.count];
+			batch->parts[k].body = handles[k / block->parts.count];
+		build->next += build->next ? batch->count : 0;
 	}
 	if (build->status == SCREE_OK && parts > 0)
 		build->status = scree_collidables_create(build->world, batch->parts, parts, NULL);
 	return build->status == SCREE_OK;
+}
+
+static bool build_joints(void* context, const void* joints)
+{
+	Build* build = context;
+	const JointBatch* batch = joints;
+	const JointEnd* ends = batch->block->ends;
+	for (int k = 0; k < batch->count; ++k)
+	{
+		if (ends[0].block >= 0)
+			batch->defs[k].body_a = build->of_block[ends[0].block][batch->ends[k].a];
+		if (ends[1].block >= 0)
+			batch->defs[k].body_b = build->of_block[ends[1].block][batch->ends[k].b];
+	}
+	build->status = scree_joints_create(build->world, batch->defs, batch->count, NULL);
+	return build->status == SCREE_OK;
+}
+
+static bool open_build(Build* build, const Scene* scene)
+{
+	int64_t named = 0;
+	for (int k = 0; k < scene->block_count; ++k)
+		named += *scene->blocks[k].name ? scene->blocks[k].count : 0;
+	build->bodies = malloc(BATCH_SIZE * sizeof(scree_body));
+	build->named = malloc(((size_t)named + 1) * sizeof(scree_body));
+	build->of_block = calloc((size_t)scene->block_count + 1, sizeof(scree_body*));
+	if (!build->bodies || !build->named || !build->of_block)
+		return false;
+	scree_body* next = build->named;
+	for (int k = 0; k < scene->block_count; ++k)
+	{
+		if (!*scene->blocks[k].name)
+			continue;
+		build->of_block[k] = next;
+		next += scene->blocks[k].count;
+	}
+	return true;
 }
 
 scree_status scene_build(const Scene* scene, scree_world* world)
@@ -42,8 +84,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 	char sentence[SENTENCE_SIZE];
 	Reader* reader = calloc(1, sizeof(Reader));
 	scree_attribute* attributes = calloc((size_t)scene->attribute_count, sizeof(scree_attribute));
-	Build build = {world, attributes, malloc(BATCH_SIZE * sizeof(scree_body)), SCREE_ERROR_OUT_OF_MEMORY};
-	if (!reader || !attributes || !build.bodies)
+	Build build = {.world = world, .attributes = attributes, .status = SCREE_ERROR_OUT_OF_MEMORY};
+	if (!open_build(&build, scene) || !reader || !attributes)
 		goto done;
 	reader->sentence = sentence;
 	reader->seed = scene->seed;
@@ -51,14 +93,22 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 	build.status = SCREE_OK;
 	for (int k = 0; k < scene->attribute_count && build.status == SCREE_OK; ++k)
 		build.status = scree_attribute_create(world, &scene->attributes[k].def, &attributes[k]);
+	// all numbers were checked when the scene was read, so that only memory can be short, here or in the world
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{
-		// all numbers were checked when the scene was read, so that only memory can be short, here or in the world
+		build.next = build.of_block[k];
 		if (!evaluate_block(reader, &scene->blocks[k], build_batch, &build) && build.status == SCREE_OK)
+			build.status = SCREE_ERROR_OUT_OF_MEMORY;
+	}
+	for (int k = 0; k < scene->joint_block_count && build.status == SCREE_OK; ++k)
+	{
+		if (!evaluate_joints(reader, scene, &scene->joint_blocks[k], build_joints, &build) && build.status == SCREE_OK)
 			build.status = SCREE_ERROR_OUT_OF_MEMORY;
 	}
 done:
 	free(build.bodies);
+	free(build.named);
+	free(build.of_block);
 	free(attributes);
 	free(reader);
 	return build.status;

@@ -16,9 +16,6 @@ typedef struct // consecutive items; their attributes are positions in Scene.att
 	void* context;
 } Batch;
 
-// Counts the items into block->count. Fails when there are more than limit.
-bool evaluate_count(Reader* reader, const Location* location, Block* block, int64_t limit);
-
 // Computes all items, batch by batch. Fails when a number of an item is out of range (only the first time, because the
 // results are always the same), when memory is short, or when full returns false.
 bool evaluate_block(Reader* reader, const Block* block, bool (*full)(void* context, const void* batch), void* context);

@@ -3,13 +3,15 @@
 #include "scene/load.h"
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
+#include "scene/evaluate_joints.h"
+#include "scene/items.h"
 #include "scene/parameters.h"
 #include <stdlib.h>
 #include <string.h>
 
 static const char* const scene_keys[] = {
-    "$schema", "name", "title",      "description", "seed",        "parameters",        "constants", "world",
-    "steps",   "view", "attributes", "bodies",      "collidables", "penetration_limit", NULL};
+    "$schema", "name", "title",      "description", "seed",        "parameters", "constants",         "world",
+    "steps",   "view", "attributes", "bodies",      "collidables", "joints",     "penetration_limit", NULL};
 
 static const struct
 {
@@ -121,50 +123,72 @@ static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
 	return true;
 }
 
-// Appends a batch to Churn.items.
+typedef struct // where the next items of a block go; null: they are not kept
+{
+	scree_body_def* items;
+	scree_pose* poses;
+} Kept;
+
 static bool keep_items(void* context, const void* items)
 {
 	const Batch* batch = items;
-	Churn* churn = context;
-	memcpy(churn->items, batch->bodies, (size_t)batch->count * sizeof *batch->bodies);
-	churn->items += batch->count;
+	Kept* kept = context;
+	for (int k = 0; kept->items && k < batch->count; ++k)
+		*kept->items++ = batch->bodies[k];
+	for (int k = 0; kept->poses && k < batch->count; ++k)
+		*kept->poses++ = batch->bodies[k].pose;
 	return true;
 }
 
-// Checks the churn of a block that has been counted, and keeps the definitions of its bodies if some are replaced.
-static bool check_churn(Reader* reader, const Location* location, Block* block)
+static bool check_churn(Reader* reader, const Location* location, const Block* block)
 {
-	Churn* churn = &block->churn;
+	const Churn* churn = &block->churn;
 	int64_t wanted = (int64_t)churn->moved + churn->replaced;
-	if (wanted > block->count)
-		return reader_fail(reader, KEY(location, "churn"),
-		                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
-		                   (double)block->count);
-	if (churn->replaced == 0)
+	if (wanted <= block->count)
 		return true;
-	churn->items = malloc((size_t)block->count * sizeof *churn->items);
-	if (!churn->items)
-		return reader_fail(reader, location, "out of memory");
-	Churn filling = *churn;
-	return evaluate_block(reader, block, keep_items, &filling);
+	return reader_fail(reader, KEY(location, "churn"),
+	                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
+	                   (double)block->count);
 }
 
-// Reads, counts and evaluates one list of blocks. The evaluation finds bad numbers before a world is made.
+// Evaluates a block that has been counted: finds bad numbers before a world is made. Keeps the definitions of its bodies if
+// some are replaced, and their poses if joints can name them.
+static bool check_items(Reader* reader, const Location* location, Block* block)
+{
+	Kept kept = {0};
+	if (block->churn.replaced > 0)
+		kept.items = block->churn.items = malloc((size_t)block->count * sizeof *kept.items);
+	if (*block->name)
+		kept.poses = block->poses = malloc(((size_t)block->count + 1) * sizeof *kept.poses);
+	if ((block->churn.replaced > 0 && !kept.items) || (*block->name && !kept.poses))
+		return reader_fail(reader, location, "out of memory");
+	return evaluate_block(reader, block, keep_items, &kept);
+}
+
+// The elements of a list of blocks, which may be missing; false when it is no list.
+static bool count_blocks(Reader* reader, const json_t* root, const char* key, int* count)
+{
+	const json_t* list = json_object_get(root, key);
+	*count = (int)json_array_size(list);
+	return !list || json_is_array(list) || reader_fail_value(reader, KEY(NULL, key), list, "must be a list, [ ... ]");
+}
+
+// Reads, counts and evaluates one list of blocks.
 static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* scene)
 {
 	const char* key = bodies ? "bodies" : "collidables";
 	const json_t* list = json_object_get(root, key);
-	const Location* location = KEY(NULL, key);
-	if (list && !json_is_array(list))
-		return reader_fail_value(reader, location, list, "must be a list, [ ... ]");
-	for (int k = 0; k < (int)json_array_size(list); ++k)
+	int count;
+	if (!count_blocks(reader, root, key, &count))
+		return false;
+	for (int k = 0; k < count; ++k)
 	{
-		const Location* at = ELEMENT(location, k);
+		const Location* at = ELEMENT(KEY(NULL, key), k);
 		Block* block = &scene->blocks[scene->block_count++];
 		if (!block_read(reader, at, json_array_get(list, (size_t)k), scene, bodies, block))
 			return false;
 		int64_t room = SCENE_MAX_BODIES - (bodies ? scene->body_count : scene->collidable_count);
-		if (!evaluate_count(reader, at, block, room))
+		if (!items_count(reader, at, &block->loops, room, &block->count))
 			return false;
 		int64_t collidables = block->count * block->parts.count;
 		if (collidables > SCENE_MAX_BODIES - scene->collidable_count)
@@ -172,7 +196,30 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 			                   SCENE_MAX_BODIES);
 		scene->body_count += bodies ? (int)block->count : 0;
 		scene->collidable_count += (int)collidables;
-		if (!evaluate_block(reader, block, NULL, NULL) || !check_churn(reader, at, block))
+		if (!check_churn(reader, at, block) || !check_items(reader, at, block))
+			return false;
+	}
+	return true;
+}
+
+static bool read_joints(Reader* reader, const json_t* root, Scene* scene)
+{
+	const json_t* list = json_object_get(root, "joints");
+	int count;
+	if (!count_blocks(reader, root, "joints", &count))
+		return false;
+	scene->joint_blocks = calloc((size_t)count + 1, sizeof(JointBlock));
+	if (!scene->joint_blocks)
+		return reader_fail(reader, NULL, "out of memory");
+	for (int k = 0; k < count; ++k)
+	{
+		const Location* at = ELEMENT(KEY(NULL, "joints"), k);
+		JointBlock* block = &scene->joint_blocks[scene->joint_block_count++];
+		if (!joint_block_read(reader, at, json_array_get(list, (size_t)k), scene, block) ||
+		    !items_count(reader, at, &block->loops, SCENE_MAX_BODIES - scene->joint_count, &block->count))
+			return false;
+		scene->joint_count += (int)block->count;
+		if (!evaluate_joints(reader, scene, block, NULL, NULL))
 			return false;
 	}
 	return true;
@@ -191,7 +238,8 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	scene->blocks = calloc(blocks + 1, sizeof(Block));
 	if (!scene->blocks)
 		return reader_fail(reader, NULL, "out of memory");
-	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene))
+	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
+	    !read_joints(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -249,6 +297,9 @@ void scene_free(Scene* scene)
 		return;
 	for (int k = 0; k < scene->block_count; ++k)
 		block_free(&scene->blocks[k]);
+	for (int k = 0; k < scene->joint_block_count; ++k)
+		joint_block_free(&scene->joint_blocks[k]);
+	free(scene->joint_blocks);
 	free(scene->blocks);
 	free(scene->attributes);
 	free(scene);

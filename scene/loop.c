@@ -32,18 +32,22 @@ bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, 
 	return true;
 }
 
-bool loops_read(Reader* reader, const Location* location, const json_t* value, Loop loops[MAX_LOOPS], int* loop_count)
+bool loops_read(Reader* reader, const Location* location, const json_t* object, Loops* loops)
 {
+	const json_t* value = json_object_get(object, "repeat");
+	const Location* repeat = KEY(location, "repeat");
+	if (!value)
+		return true;
 	bool list = json_is_array(value);
 	size_t count = list ? json_array_size(value) : 1;
 	if (count > MAX_LOOPS)
-		return reader_fail(reader, location, "%zu nested ranges, at most %d are allowed", count, MAX_LOOPS);
+		return reader_fail(reader, repeat, "%zu nested ranges, at most %d are allowed", count, MAX_LOOPS);
 	for (int k = 0; k < (int)count; ++k)
 	{
 		const json_t* entry = list ? json_array_get(value, (size_t)k) : value;
-		const Location* at = list ? ELEMENT(location, k) : location;
-		++*loop_count;
-		if (!loop_read(reader, at, entry, &loops[k]) || !loop_add_index(reader, at, &loops[k], k, 0))
+		const Location* at = list ? ELEMENT(repeat, k) : repeat;
+		++loops->count;
+		if (!loop_read(reader, at, entry, &loops->list[k]) || !loop_add_index(reader, at, &loops->list[k], k, 0))
 			return false;
 	}
 	return true;
@@ -53,4 +57,10 @@ void loop_free(Loop* loop)
 {
 	number_free(&loop->first);
 	number_free(&loop->end);
+}
+
+void loops_free(Loops* loops)
+{
+	for (int k = 0; k < loops->count; ++k)
+		loop_free(&loops->list[k]);
 }

@@ -12,6 +12,12 @@ typedef struct // index runs over the whole numbers from first up to, not includ
 	Number first, end;
 } Loop;
 
+typedef struct // nested, the outermost first
+{
+	Loop list[MAX_LOOPS];
+	int count;
+} Loops;
+
 // Reads one loop. The caller frees it, also on failure.
 bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop);
 void loop_free(Loop* loop);
@@ -19,7 +25,8 @@ void loop_free(Loop* loop);
 // Lets expressions use the index: by slot when it differs from item to item, else (slot -1) with a constant value.
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
 
-// Reads nested loops. Each index is known in the loops inside it.
-bool loops_read(Reader* reader, const Location* location, const json_t* value, Loop loops[MAX_LOOPS], int* loop_count);
+// Reads the member "repeat" of a block, if it has one. Each index is known in the loops inside it and in the block.
+bool loops_read(Reader* reader, const Location* location, const json_t* object, Loops* loops);
+void loops_free(Loops* loops);
 
 #endif

@@ -30,16 +30,12 @@ static bool read_bits(Reader* reader, const Location* location, const json_t* ob
 	return true;
 }
 
-static bool read_filter(Reader* reader, const Location* location, const json_t* object, scree_filter* filter)
+static bool read_filter(Reader* reader, const Location* location, const json_t* object, Part* part)
 {
-	*filter = scree_filter_default();
-	const json_t* group = json_object_get(object, "group");
-	double number = 0;
-	if (group && !reader_constant(reader, KEY(location, "group"), group, (Range){-1e9, 1e9, true, false}, &number))
-		return false;
-	filter->group = (int32_t)number;
-	return read_bits(reader, location, object, "category", &filter->category) &&
-	       read_bits(reader, location, object, "mask", &filter->mask);
+	part->filter = scree_filter_default();
+	return reader_member(reader, location, object, "group", (Range){-1e9, 1e9, true, false}, 0, &part->group) &&
+	       read_bits(reader, location, object, "category", &part->filter.category) &&
+	       read_bits(reader, location, object, "mask", &part->filter.mask);
 }
 
 static bool read_attribute_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
@@ -88,7 +84,7 @@ static bool read_part(Reader* reader, const Location* location, const json_t* va
 	return read_choice(reader, location, value, scene, &part->choice) &&
 	       reader_pair(reader, location, value, "position", any_coordinate, part->position) &&
 	       reader_member(reader, location, value, "angle", any_angle, 0, &part->angle) &&
-	       read_filter(reader, location, value, &part->filter);
+	       read_filter(reader, location, value, part);
 }
 
 // Adds parts and returns the first of them.
@@ -155,8 +151,7 @@ bool parts_read(Reader* reader, const Location* location, const json_t* value, c
 		Part* part = add_parts(parts, 1);
 		if (!part)
 			return reader_fail(reader, location, "out of memory");
-		if (!read_choice(reader, location, value, scene, &part->choice) ||
-		    !read_filter(reader, location, value, &part->filter))
+		if (!read_choice(reader, location, value, scene, &part->choice) || !read_filter(reader, location, value, part))
 			return false;
 		return bodies || (reader_pair(reader, location, value, "position", any_coordinate, part->position) &&
 		                  reader_member(reader, location, value, "angle", any_angle, 0, &part->angle));
@@ -187,6 +182,7 @@ void parts_free(Parts* parts)
 		number_free(&part->position[0]);
 		number_free(&part->position[1]);
 		number_free(&part->angle);
+		number_free(&part->group);
 	}
 	free(parts->list);
 }

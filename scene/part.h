@@ -18,7 +18,8 @@ typedef struct // one collidable of each item
 {
 	Choice choice;
 	Number position[2], angle;
-	scree_filter filter;
+	scree_filter filter; // but for its group
+	Number group;
 } Part;
 
 typedef struct // all collidables of each item

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // picture.c -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
 #include "scene/picture.h"
+#include "scene/links.h"
 #include "scene/sprites.h"
 #include "scene/viewport.h"
 
@@ -13,8 +14,10 @@
 
 #define SMALL    1.0 // px: a shape of less reach is a square of its area, not a path
 #define OUTLINED 3.5 // px: a shape of less reach has no outline
+#define LINKED   1.0 // px: the line of a joint is not drawn if it is shorter
+#define PINNED   1.2 // px: an anchor of less radius has no dot
 
-static const Color rim = {157, 154, 147}, glass = {67, 93, 134};
+static const Color rim = {157, 154, 147}, glass = {67, 93, 134}, ink = {58, 54, 50};
 
 struct Picture
 {
@@ -23,6 +26,7 @@ struct Picture
 	bool has_view;
 	scree_box view; // m
 	Sprites sprites;
+	Links links;
 	Canvas canvas;
 	cairo_t* cairo; // of the canvas
 	Viewport viewport;
@@ -36,7 +40,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 	Picture* p = calloc(1, sizeof(Picture));
 	if (p)
 		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo};
-	if (!p || !sprites_list(&p->sprites, world))
+	if (!p || !sprites_list(&p->sprites, world) || !links_list(&p->links, &p->sprites, world))
 	{
 		snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");
 		if (!p)
@@ -56,6 +60,7 @@ void picture_free(Picture* p)
 		return;
 	canvas_close(&p->canvas);
 	sprites_free(&p->sprites);
+	links_free(&p->links);
 	free(p);
 }
 
@@ -190,6 +195,34 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_stroke(p->cairo);
 }
 
+static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
+{
+	scree_vec points[4];
+	int anchors[2];
+	int count = link_points(link, poses, points, anchors);
+	double x[4], y[4], length = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		x[k] = (points[k].x - p->viewport.left) * p->viewport.scale;
+		y[k] = p->height - BAND - (points[k].y - p->viewport.bottom) * p->viewport.scale;
+		length += k ? hypot(x[k] - x[k - 1], y[k] - y[k - 1]) : 0;
+	}
+	double pin = fmin(0.04 * p->viewport.scale, 2.5);
+	cairo_new_path(p->cairo);
+	for (int k = 0; length >= LINKED && k < count; ++k)
+		cairo_line_to(p->cairo, x[k], y[k]);
+	cairo_stroke(p->cairo);
+	for (int end = 0; pin >= PINNED && end < 2; ++end)
+	{
+		// a dot in the middle of a body would only hide it
+		int at = anchors[end], center = end ? count - 1 : 0;
+		if (center != at && hypot(x[at] - x[center], y[at] - y[center]) < pin)
+			continue;
+		cairo_arc(p->cairo, x[at], y[at], pin, 0, 2 * M_PI);
+		cairo_fill(p->cairo);
+	}
+}
+
 void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 {
 	if (!p->has_view)
@@ -214,6 +247,10 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 		}
 		cairo_surface_mark_dirty(p->canvas.surface);
 	}
+	set_color(p->cairo, ink, 1);
+	cairo_set_line_width(p->cairo, fmin(fmax(0.02 * p->viewport.scale, 0.4), 1.2));
+	for (int k = 0; k < p->links.count; ++k)
+		draw_link(p, &p->links.list[k], poses);
 	canvas_caption(&p->canvas, p->title, caption);
 }
 

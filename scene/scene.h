@@ -5,12 +5,13 @@
 #include "scree/scree.h"
 #include <stdio.h>
 
-#define SCENE_MAX_BODIES 20000000
-#define SCENE_SENTENCE   512  // characters of an error message
-#define SCENE_PATH       1024 // characters of a path
+#define SCENE_MAX_BODIES 20000000 // and collidables, and joints
+#define SCENE_SENTENCE   512      // characters of an error message
+#define SCENE_PATH       1024     // characters of a path
 
-typedef struct Block Block;         // scene/block.h
-typedef struct Attribute Attribute; // scene/attributes.h
+typedef struct Block Block;           // scene/block.h
+typedef struct JointBlock JointBlock; // scene/joint_block.h
+typedef struct Attribute Attribute;   // scene/attributes.h
 
 typedef struct
 {
@@ -23,13 +24,15 @@ typedef struct
 	float penetration_limit; // m: a run with deeper overlaps is invalid
 	bool has_view;
 	scree_box view; // m: what a picture shows
-	int body_count, collidable_count;
+	int body_count, collidable_count, joint_count;
 
 	uint64_t seed;
 	Attribute* attributes;
 	int attribute_count;
 	Block* blocks; // of bodies, then of collidables without a body
 	int block_count;
+	JointBlock* joint_blocks;
+	int joint_block_count;
 } Scene;
 
 typedef struct // --set NAME=VALUE

@@ -19,19 +19,27 @@ typedef struct
 
 static const SmallScene small_scenes[] = {
     {"billiards", 300, {{"rack", "10"}}},
+    {"bridge", 240, {{"planks", "30"}}},
+    {"cars", 240, {{"roads", "3"}}},
+    {"chains", 240, {{"lengths", "3"}}},
     {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
+    {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
+    {"machine", 240, {{"columns", "3"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
     {"pyramid", 120, {{"rows", "24"}}},
     {"pyramids", 120, {{"columns", "4"}, {"rows", "3"}, {"base", "7"}}},
+    {"ragdolls", 240, {{"columns", "5"}, {"rows", "3"}}},
     {"shapes", 240, {{NULL, NULL}}},
     {"slope", 240, {{NULL, NULL}}},
     {"smash", 200, {{"columns", "30"}, {"rows", "20"}, {"speed", "60"}}},
     {"storm", 160, {{"columns", "2"}, {"rows", "1"}, {"across", "12"}}},
     {"tumbler", 240, {{"side", "18"}, {"degrees", "90"}}},
     {"washer", 160, {{"radius", "13"}, {"plates", "48"}, {"spin", "0.6"}}},
+    {"windmill", 240, {{"columns", "3"}, {"rows", "2"}}},
+    {"wrecking-ball", 240, {{"links", "8"}, {"columns", "4"}, {"rows", "12"}}},
 };
 
 static inline void build_scene(scree_world* world, const void* context) { OK(scene_build(context, world)); }

@@ -401,6 +401,12 @@ static int items_in_use(const scree_world* world, Per per)
 		return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1];
 	case PER_CONTACT_BLOCK:
 		return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
+	case PER_JOINT:
+		return c->joints;
+	case PER_JOINT_PLACE:
+		return c->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
+	case PER_JOINT_BLOCK:
+		return c->layout[CONSTRAINT_JOINT].begin[COLORS + 1] / MAX_LANES;
 	default:
 		return 0; // scratch, and trees, which devices may build as they like
 	}

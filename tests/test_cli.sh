@@ -65,6 +65,7 @@ refuse 2 '--paint has no effect: there is no --picture or --video' run pile --pa
 refuse 2 '--threads has no effect: the device is not the CPU' run pile --device opencl --threads 2
 refuse 2 '--lanes has no effect' run pile --pipeline paper --lanes 4
 refuse 2 '--threads has no effect: the pipeline paper' run pile --pipeline paper --threads 2
+refuse 2 'bridge has joints, which the pipeline paper does not know' run bridge --pipeline paper --steps 1
 refuse 2 '--known has no effect' bench pile --whole --known x.csv
 refuse 2 '--quick has no effect' validate --names --quick
 refuse 2 '--limit has no effect: --draw measures nothing' bench figure5 --draw x.csv --limit 9

@@ -102,6 +102,7 @@ static void lost_words_are_found(void** state)
 	check_lost("heap", (Form){.name = "streamed", .groups = 2, .turns.late = true});
 	check_lost("hub", (Form){.name = "hub", .groups = 3, .group = 32, .hub_groups = 1});
 	check_lost("raft", (Form){.name = "raft", .groups = 1, .group = 64});
+	check_lost("joints", (Form){.name = "joints", .groups = 2, .turns.late = true});
 	check_lost("hubs", (Form){.name = "hubs", .groups = 4, .group = 32, .hub_groups = 2, .turns.late = true});
 }
 

@@ -31,7 +31,14 @@ static Scene* load_text(const char* text, const SceneSetting* settings, int coun
 #define HEAD            "{\"name\": \"x\", \"title\": \"y\", "
 #define GOOD_ATTRIBUTES "\"attributes\": {\"a\": {\"circle\": 1}, \"b\": {\"box\": [1, 2]}}, "
 #define ATTRIBUTE(text) HEAD "\"attributes\": {\"a\": {" text "}}, \"bodies\": [{\"attribute\": \"a\"}]}"
-#define BODY(text)      HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}, {" text "}]}"
+#define JOINT(text)                                                                                                    \
+	HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\"}, {\"name\": \"ten\", \"attribute\": " \
+	                     "\"a\", \"repeat\": "                                                                         \
+	                     "{\"index\": \"i\", \"to\": 10}, \"position\": [\"i\", 0]}, {\"name\": \"other\", "           \
+	                     "\"attribute\": \"a\", \"churn\": "                                                           \
+	                     "{\"replaced\": 1, \"position\": [0, 0]}}], \"joints\": [{" text "}]}"
+#define REVOLUTE(text) JOINT("\"type\": \"revolute\", \"a\": null, \"b\": {\"body\": \"one\"}, " text)
+#define BODY(text)     HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}, {" text "}]}"
 
 typedef struct
 {
@@ -114,6 +121,100 @@ static void test_bad_references(void** state)
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, \"churn\": {\"position\": [\"i\", 0]}"),
 	     "bodies[1].churn.position[0]: \"i\": i is no parameter"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"i\""), "bodies[1].angle: \"i\": i is no parameter"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_names(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {BODY("\"name\": 3, \"attribute\": \"a\""), "bodies[1].name: 3 must be a string that is not empty"},
+	    {BODY("\"name\": \"\", \"attribute\": \"a\""), "bodies[1].name: \"\" must be a string that is not empty"},
+	    {BODY("\"name\": \"abcdefghijklmnopqrstuvwxyz_abcdef\", \"attribute\": \"a\""),
+	     "bodies[1].name: a name has 1 to 31 characters"},
+	    {BODY("\"name\": \"x\", \"attribute\": \"a\"}, {\"name\": \"x\", \"attribute\": \"b\""),
+	     "bodies[2].name: \"x\" is the name of bodies above"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 3}, \"group\": \"i / 2\""),
+	     "bodies[1].group: \"i / 2\" is 0.5, must be a whole number, at i = 1"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_joints(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {HEAD GOOD_ATTRIBUTES "\"bodies\": [], \"joints\": 5}", "joints: 5 must be a list"},
+	    {JOINT("\"type\": \"revolute\", \"anchor\": 1"),
+	     "joints[0]: unknown key \"anchor\"; known are type, a, b, at,"},
+	    {JOINT("\"a\": null"), "joints[0].type: is missing"},
+	    {JOINT("\"type\": \"hinge\""), "joints[0].type: \"hinge\" must be one of free, distance, revolute,"},
+	    {JOINT("\"type\": 4"), "joints[0].type: 4 must be one of"},
+	    {REVOLUTE("\"at\": 4"), "joints[0].at: 4 must be a list of 2 numbers"},
+	    {REVOLUTE("\"at\": [0, 1e6]"), "joints[0].at[1]: 1000000.0 must be at most 100000"},
+	    {REVOLUTE("\"axis\": 1"), "joints[0]: at is missing"},
+	    {REVOLUTE("\"to\": [0, 0]"), "joints[0]: at is missing"},
+	    {REVOLUTE("\"at\": [0, 0], \"frame_b\": {}"), "joints[0]: both at and frame_b"},
+	    {REVOLUTE("\"frame_a\": {\"place\": 1}"),
+	     "joints[0].frame_a: unknown key \"place\"; known are position, angle"},
+	    {REVOLUTE("\"frame_a\": {\"angle\": []}"), "joints[0].frame_a.angle: [] must be a number"},
+	    {REVOLUTE("\"hertz\": -1"), "joints[0].hertz: -1 must not be negative"},
+	    {REVOLUTE("\"force_threshold\": -1"), "joints[0].force_threshold: -1 must not be negative"},
+	    {REVOLUTE("\"breaks\": 1"), "joints[0].breaks: 1 must be true or false"},
+	    {REVOLUTE("\"collide_connected\": \"no\""), "joints[0].collide_connected: \"no\" must be true or false"},
+	    {REVOLUTE("\"repeat\": {\"index\": \"i\", \"to\": 30000000}"), "joints[0]: 30000000 or more items"},
+	    {JOINT("\"type\": \"distance\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [0, 0]"),
+	     "joints[0]: a distance joint with at needs to"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+#define TWO(a, b) JOINT("\"type\": \"revolute\", \"repeat\": {\"index\": \"i\", \"to\": 10}, \"a\": " a ", \"b\": " b)
+
+static void test_bad_ends(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {JOINT("\"type\": \"revolute\", \"b\": null"), "joints[0].a: is missing"},
+	    {TWO("null", "null"), "joints[0]: a and b are both null"},
+	    {TWO("null", "\"one\""), "joints[0].b: \"one\" must be an object"},
+	    {TWO("null", "{\"index\": 1}"), "joints[0].b.body: is missing"},
+	    {TWO("null", "{\"body\": \"two\"}"), "joints[0].b.body: \"two\" is not the name of an entry of bodies"},
+	    {TWO("null", "{\"body\": \"ten\"}"), "joints[0].b: index is missing: there are 10 bodies \"ten\""},
+	    {TWO("null", "{\"body\": \"ten\", \"index\": 10}"), "joints[0].b.index: 10 must be at most 9"},
+	    {TWO("null", "{\"body\": \"ten\", \"index\": \"i + 1\"}"),
+	     "joints[0].b.index: \"i + 1\" is 10, must be at most 9, at i = 9"},
+	    {TWO("null", "{\"body\": \"ten\", \"index\": \"i / 2\"}"),
+	     "joints[0].b.index: \"i / 2\" is 0.5, must be a whole number, at i = 1"},
+	    {TWO("{\"body\": \"ten\", \"index\": \"4\"}", "{\"body\": \"ten\", \"index\": \"i\"}"),
+	     "joints[0]: a and b are the same body, at i = 4"},
+	    {TWO("null", "{\"body\": \"other\"}"), "joints[0].b.body: the bodies \"other\" are replaced"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_coordinates(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {REVOLUTE("\"angle\": 1"), "joints[0].angle: 1 must be an object"},
+	    {REVOLUTE("\"angle\": {\"limit\": 1}"),
+	     "joints[0].angle: unknown key \"limit\"; known are locked, target, limits"},
+	    {REVOLUTE("\"angle\": {\"locked\": 1}"), "joints[0].angle.locked: 1 must be true or false"},
+	    {REVOLUTE("\"along\": {\"limits\": [0, 1]}"),
+	     "joints[0].along: a locked coordinate has no limits; \"locked\": false frees it"},
+	    {REVOLUTE("\"along\": {\"motor\": {}}"), "joints[0].along: a locked coordinate has no motor"},
+	    {REVOLUTE("\"angle\": {\"lock\": {}}"), "joints[0].angle: lock is the stiffness of a locked coordinate"},
+	    {REVOLUTE("\"angle\": {\"limits\": 1}"), "joints[0].angle.limits: 1 must be a list of 2 numbers"},
+	    {REVOLUTE("\"angle\": {\"limits\": [0, \"x\"]}"), "joints[0].angle.limits[1]: \"x\": x is no parameter"},
+	    {REVOLUTE("\"angle\": {\"limits\": [\"i\", 3]}, \"repeat\": {\"index\": \"i\", \"to\": 9}"),
+	     "joints[0]: angle.limits: 4 is above 3, at i = 4"},
+	    {REVOLUTE("\"angle\": {\"spring\": {\"stiffness\": 1}}"),
+	     "joints[0].angle.spring: unknown key \"stiffness\"; known are hertz, damping_ratio, max"},
+	    {REVOLUTE("\"angle\": {\"spring\": {\"hertz\": -1}}"), "joints[0].angle.spring.hertz: -1 must not be negative"},
+	    {REVOLUTE("\"angle\": {\"motor\": {\"max\": \"3 - i\"}}, \"repeat\": {\"index\": \"i\", \"to\": 9}"),
+	     "joints[0].angle.motor.max: \"3 - i\" is -1, must not be negative, at i = 4"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -246,12 +347,19 @@ static void test_shipped(void** state)
 	const struct
 	{
 		const char* name;
-		int bodies, collidables;
+		int bodies, collidables, joints;
 	} cases[] = {
-	    {"pyramid", 5051, 5051}, {"pyramids", 22020, 22020}, {"pile", 2003, 2003},          {"tumbler", 2026, 2029},
-	    {"smash", 9601, 9601},   {"dominoes", 661, 661},     {"billiards", 305, 305},       {"slope", 21, 21},
-	    {"washer", 2570, 2641},  {"shapes", 140, 140},       {"million", 1000112, 1000112}, {"storm", 20457, 20513},
-	    {"drift", 2504, 2504},   {"churn", 50004, 50004},
+	    {"pyramid", 5051, 5051, 0},       {"pyramids", 22020, 22020, 0},
+	    {"pile", 2003, 2003, 0},          {"tumbler", 2026, 2029, 0},
+	    {"smash", 9601, 9601, 0},         {"dominoes", 661, 661, 0},
+	    {"billiards", 305, 305, 0},       {"slope", 21, 21, 0},
+	    {"washer", 2570, 2641, 0},        {"shapes", 140, 140, 0},
+	    {"million", 1000112, 1000112, 0}, {"storm", 20457, 20513, 0},
+	    {"drift", 2504, 2504, 0},         {"churn", 50004, 50004, 0},
+	    {"bridge", 142, 142, 61},         {"ragdolls", 683, 683, 600},
+	    {"cars", 344, 344, 48},           {"wrecking-ball", 210, 210, 17},
+	    {"cloth", 1801, 1801, 3521},      {"chains", 648, 648, 648},
+	    {"windmill", 863, 905, 21},       {"machine", 184, 216, 224},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
@@ -272,6 +380,7 @@ static void test_shipped(void** state)
 		assert_string_equal(scene->title, title);
 		assert_int_equal(scene->body_count, cases[n].bodies);
 		assert_int_equal(scene->collidable_count, cases[n].collidables);
+		assert_int_equal(scene->joint_count, cases[n].joints);
 		assert_true(scene->has_view);
 		scene_free(scene);
 		free(names[k]);
@@ -362,6 +471,73 @@ static void test_build(void** state)
 	assert_true(filter.group == -2 && filter.category == 8 && filter.mask == 0x8000000000000001u);
 	assert_int_equal(scree_body_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count), SCREE_OK);
 	assert_int_equal(count, 1);
+	scree_world_destroy(world);
+	scene_free(scene);
+}
+
+// Bodies in the order of their joints, which have the numbers that the scene says, the type's where it says none.
+static void test_joints(void** state)
+{
+	(void)state;
+	const char* text = HEAD GOOD_ATTRIBUTES
+	    "\"bodies\": [{\"attribute\": \"b\", \"type\": \"static\", \"position\": [0, -50]},"
+	    "{\"name\": \"link\", \"attribute\": \"a\", \"position\": [\"10 * i\", 20], \"angle\": \"pi / 2\","
+	    " \"repeat\": {\"index\": \"i\", \"to\": 4}, \"group\": \"-i - 1\"}],"
+	    "\"joints\": [{\"type\": \"wheel\", \"a\": {\"body\": \"link\", \"index\": \"i\"}, \"b\": {\"body\": \"link\", "
+	    "\"index\": \"i + 1\"}, \"repeat\": {\"index\": \"i\", \"to\": 3}, \"at\": [\"10 * i + 4\", 23], \"axis\": "
+	    "\"pi / 2\","
+	    " \"along\": {\"limits\": [-1, \"i\"], \"spring\": {\"hertz\": 4}}, \"angle\": {\"motor\": {\"speed\": 5, "
+	    "\"max\": \"i\"}},"
+	    " \"hertz\": 30, \"breaks\": true, \"force_threshold\": \"100 + i\", \"collide_connected\": true},"
+	    "{\"type\": \"distance\", \"a\": {\"body\": \"link\", \"index\": 2}, \"b\": null, \"at\": [20, 20], \"to\": "
+	    "[23, 24]},"
+	    "{\"type\": \"weld\", \"a\": null, \"b\": {\"body\": \"link\", \"index\": 3}, \"frame_b\": {\"position\": [1, "
+	    "2], "
+	    "\"angle\": \"pi / 2\"}, \"angle\": {\"locked\": false, \"target\": 0.5}, \"across\": {\"lock\": {\"hertz\": "
+	    "7}}}]}";
+	Scene* scene;
+	scree_world* world = open_text(text, &scene);
+	scree_joint joints[5];
+	scree_joint_def defs[5];
+	scree_body bodies[5];
+	int count;
+	assert_int_equal(scene->joint_count, 5);
+	assert_int_equal(scree_world_get_joints(world, joints, 5, &count), SCREE_OK);
+	assert_int_equal(count, 5);
+	assert_int_equal(scree_world_get_bodies(world, bodies, 5, &count), SCREE_OK);
+	for (int k = 0; k < 5; ++k)
+		assert_int_equal(scree_joint_get_def(world, joints[k], &defs[k]), SCREE_OK);
+
+	// the wheel at i = 2: the bodies are turned by a quarter, as the axis is, so that x in a body is y in the world
+	const scree_joint_def* d = &defs[2];
+	const scree_joint_coordinate *along = &d->coordinates[SCREE_ALONG], *angle = &d->coordinates[SCREE_ANGLE];
+	assert_int_equal(d->type, SCREE_JOINT_WHEEL);
+	assert_true(scree_body_equals(d->body_a, bodies[3]) && scree_body_equals(d->body_b, bodies[4]));
+	assert_true(fabsf(d->frame_a.position.x - 3) < 1e-5f && fabsf(d->frame_a.position.y + 4) < 1e-5f);
+	assert_true(fabsf(d->frame_b.position.x - 3) < 1e-5f && fabsf(d->frame_b.position.y - 6) < 1e-5f);
+	assert_true(d->frame_a.rotation.c > 0.999999f && d->frame_b.rotation.c > 0.999999f);
+	assert_true(along->limited && along->lower == -1 && along->upper == 2);
+	assert_true(along->spring && along->spring_hertz == 4 && along->spring_damping_ratio == 0.7f);
+	assert_true(d->coordinates[SCREE_ACROSS].locked && !along->locked && !along->motor);
+	assert_true(angle->motor && angle->motor_speed == 5 && angle->motor_max == 2 && !angle->limited);
+	assert_true(d->hertz == 30 && d->damping_ratio == 2 && d->breaks && d->force_threshold == 102);
+	assert_true(d->collide_connected && !defs[3].collide_connected);
+
+	// 3 m, 4 m, so 5 m
+	assert_true(scree_body_is_null(defs[3].body_b));
+	assert_true(defs[3].coordinates[SCREE_ALONG].target == 5 && defs[3].coordinates[SCREE_ALONG].locked);
+	assert_true(defs[3].frame_b.position.x == 23 && defs[3].frame_b.position.y == 24);
+
+	assert_true(scree_body_is_null(defs[4].body_a) && defs[4].frame_a.rotation.c == 1);
+	assert_true(defs[4].frame_b.position.x == 1 && defs[4].frame_b.rotation.s > 0.999999f);
+	assert_true(!defs[4].coordinates[SCREE_ANGLE].locked && defs[4].coordinates[SCREE_ANGLE].target == 0.5f);
+	assert_true(defs[4].coordinates[SCREE_ACROSS].locked && defs[4].coordinates[SCREE_ACROSS].lock_hertz == 7);
+
+	scree_collidable collidable;
+	scree_filter filter;
+	assert_int_equal(scree_body_get_collidables(world, bodies[4], &collidable, 1, &count), SCREE_OK);
+	assert_int_equal(scree_collidable_get_filter(world, collidable, &filter), SCREE_OK);
+	assert_int_equal(filter.group, -4);
 	scree_world_destroy(world);
 	scene_free(scene);
 }
@@ -503,14 +679,16 @@ static void test_disabled(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_bad_syntax),      cmocka_unit_test(test_bad_keys),
-	    cmocka_unit_test(test_bad_references),  cmocka_unit_test(test_bad_values),
-	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
-	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_missing_file),
-	    cmocka_unit_test(test_settings),        cmocka_unit_test(test_shipped),
-	    cmocka_unit_test(test_ten_million),     cmocka_unit_test(test_build),
-	    cmocka_unit_test(test_churn),           cmocka_unit_test(test_disabled),
-	    cmocka_unit_test(test_contact_details),
+	    cmocka_unit_test(test_bad_syntax),     cmocka_unit_test(test_bad_keys),
+	    cmocka_unit_test(test_bad_references), cmocka_unit_test(test_bad_values),
+	    cmocka_unit_test(test_bad_attributes), cmocka_unit_test(test_bad_parameters),
+	    cmocka_unit_test(test_bad_names),      cmocka_unit_test(test_bad_joints),
+	    cmocka_unit_test(test_bad_ends),       cmocka_unit_test(test_bad_coordinates),
+	    cmocka_unit_test(test_joints),         cmocka_unit_test(test_bad_loops),
+	    cmocka_unit_test(test_missing_file),   cmocka_unit_test(test_settings),
+	    cmocka_unit_test(test_shipped),        cmocka_unit_test(test_ten_million),
+	    cmocka_unit_test(test_build),          cmocka_unit_test(test_churn),
+	    cmocka_unit_test(test_disabled),       cmocka_unit_test(test_contact_details),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,6 +48,7 @@ static void lost_words_are_found(void** state)
 {
 	(void)state;
 	check_lost("pyramid", (Form){.name = "tiles", .tiles = true, .groups = 3});
+	check_lost("joints", (Form){.name = "tiles, joints", .tiles = true, .groups = 3});
 	check_lost("heap", (Form){.name = "tiles, late words", .tiles = true, .groups = 8, .turns.late = true});
 }
 

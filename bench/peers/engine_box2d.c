@@ -169,6 +169,11 @@ static bool build(scree_world* model, State* state)
 		fprintf(stderr, "scree_peers: %d collidables have no body: Box2D knows no such thing\n", detectors);
 		return false;
 	}
+	if (state->scene->joint_count > 0)
+	{
+		fprintf(stderr, "scree_peers: %s has joints, which are not made in Box2D\n", state->scene->name);
+		return false;
+	}
 	state->parts = list_bodies(model, &state->count);
 	state->bodies = calloc((size_t)state->count + 1, sizeof(b2BodyId));
 	bool good = state->parts && state->bodies;

@@ -4,7 +4,8 @@
 #define JOINT_ONE_H
 #include "constraints/joint_prepare.h"
 
-// The rows of one coordinate, and whether the user changed its kind of drive since the impulses were stored.
+// The rows of one coordinate. What the user took from it since the last step loses its impulse: whether a pass looks at a
+// coordinate without drives depends on the joints beside it.
 #define JOINT_DRIVE_SETUP(of, k)                                                                     \
 	{                                                                                                \
 		JointCoordinate from = p->joint_data[slot].coordinate[k];                                    \
@@ -21,6 +22,12 @@
 		joint_rare(p, of##_spring_most, i) = joint_most(p, from.spring_most);                        \
 		joint_rare(p, of##_speed, i) = from.speed;                                                   \
 		joint_rare(p, of##_motor_most, i) = joint_most(p, from.motor_most);                          \
+		if (!(modes & JOINT_LIMITED(k)))                                                             \
+			joint_rare(p, of##_limit_impulse, i) = 0.0f;                                             \
+		if (!(modes & JOINT_SPRING(k)))                                                              \
+			joint_rare(p, of##_spring_impulse, i) = 0.0f;                                            \
+		if (!(modes & JOINT_MOTOR(k)))                                                               \
+			joint_rare(p, of##_motor_impulse, i) = 0.0f;                                             \
 	}
 
 // The impulse of a force within a substep.
@@ -32,7 +39,7 @@ INLINE float joint_most(const Pools* p, float force)
 
 INLINE void joint_setup_rare(const Pools* p, int i, const Joint* u)
 {
-	int slot = p->joint_place_slot[i];
+	int slot = p->joint_place_slot[i], modes = (int)p->joint_data[slot].modes;
 	joint_rare(p, peak_force, i) = 0.0f;
 	joint_rare(p, peak_torque, i) = 0.0f;
 	if (!p->step.drives)

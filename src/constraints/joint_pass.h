@@ -15,6 +15,22 @@ typedef struct // of the locks: yield x = goal
 	Int locked[3];
 } JointSystem;
 
+// How much softer a lock becomes that yields by own. One as soft as nothing must not overflow, and so spoil the others.
+#define JOINT_NOTHING 1.0e12f
+
+INLINE Real joint_softer(Real softness, Real own)
+{
+	Real softer = softness * own;
+	return choose(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
+}
+
+// By which share of itself the yield between two coordinates grows. Rigid locks are soft together, whatever their axes: each by
+// itself, two that pull at a long arm aslant of both axes would give way along the arm by the yield of the lever.
+INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
+{
+	return choose(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
+}
+
 // The equations of the locks: in the biased pass as soft as each is, in the relaxing pass rigid, but for those that are
 // springs. A coordinate that is not locked has a row of the identity.
 INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const JointPose* c)
@@ -26,21 +42,29 @@ INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const 
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
 	Real softness[3] = {u->soft_along, u->soft_across, u->soft_angle};
 	Real error[3] = {c->value[0] - u->length, c->value[1], c->value[2]};
+	Real speed[3], softer[3];
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Int yields = soft ? joint_has(u, JOINT_LOCKED(k)) : joint_has(u, JOINT_SOFT(k));
-		Real own = joint_yield(c, k), rates = choose(zero, rate[k], yields),
-		     softer = own * choose(zero, softness[k], yields);
-		Real goal = -((joint_speed(c, k) + within(rates * error[k], most)) + softer * impulse[k]);
+		Real own = joint_yield(c, k);
 		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
-		s.goal[k] = choose(zero, goal, s.locked[k]);
-		s.yield[k] = choose(one, own + softer, s.locked[k]);
+		softness[k] = choose(zero, softness[k], yields & s.locked[k]);
+		softer[k] = joint_softer(softness[k], own);
+		speed[k] = joint_speed(c, k) + within(choose(zero, rate[k], yields) * error[k], most);
+		s.yield[k] = choose(one, own + softer[k], s.locked[k]);
 	}
 	Real k01 = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
 	Real k02 = ia * c->lever_a[0] + ib * c->lever_b[0], k12 = ia * c->lever_a[1] + ib * c->lever_b[1];
-	s.cross[0] = choose(zero, k01, s.locked[0] & s.locked[1]);
-	s.cross[1] = choose(zero, k02, s.locked[0] & s.locked[2]);
-	s.cross[2] = choose(zero, k12, s.locked[1] & s.locked[2]);
+	Real softer01 = joint_soft_pair(u, softness, 0, 1) * k01, softer02 = joint_soft_pair(u, softness, 0, 2) * k02,
+	     softer12 = joint_soft_pair(u, softness, 1, 2) * k12;
+	Real back[3] = {softer[0] * impulse[0] + softer01 * impulse[1] + softer02 * impulse[2],
+	                softer01 * impulse[0] + softer[1] * impulse[1] + softer12 * impulse[2],
+	                softer02 * impulse[0] + softer12 * impulse[1] + softer[2] * impulse[2]};
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		s.goal[k] = choose(zero, -(speed[k] + back[k]), s.locked[k]);
+	s.cross[0] = choose(zero, k01 + softer01, s.locked[0] & s.locked[1]);
+	s.cross[1] = choose(zero, k02 + softer02, s.locked[0] & s.locked[2]);
+	s.cross[2] = choose(zero, k12 + softer12, s.locked[1] & s.locked[2]);
 	return s;
 }
 

@@ -19,6 +19,8 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 // Softness of so many hertz with a damping ratio: Catto, Soft Constraints, GDC 2011. Stiffer than a share of the substep
 // rate it would not get stiffer, but shake. rate is 1/s.
 #define JOINT_STIFFEST 0.25f
+// of 1 / a2, which may be infinite
+#define JOINT_SOFTEST 1.0e30f
 // Joints of a chain are solved exactly, and can be so many times as stiff.
 #define JOINT_CHAIN_STIFFER 4.0f
 
@@ -26,9 +28,10 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 {
 	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
-	Int some = a2 > splat(0.0f);
-	*rate = choose(splat(0.0f), omega / a1, some);
-	*soft = choose(splat(0.0f), 1.0f / a2, some);
+
+	// what is next to nothing is soft, and no lock: only 0 Hz is rigid
+	*rate = choose(splat(0.0f), omega / a1, a2 > splat(0.0f));
+	*soft = choose(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
 // The softness of the lock of coordinate k.
@@ -63,9 +66,12 @@ INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec
 	                   *low = (const GLOBAL float*)p->pose_low;
 	Vec turn = vec(gather(pose, body * 4 + 2), gather(pose, body * 4 + 3));
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	end.arm = vec_turn(turn, own);
+	// a point of the world far from its origin is exact as a position, but not as an arm, of which another is taken
+	Int world = body == 0;
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	end.arm = vec_choose(vec_turn(turn, own), zero, world);
 	end.turn = vec_turn(turn, frame);
-	end.position = vec(gather(pose, body * 4), gather(pose, body * 4 + 1));
+	end.position = vec_choose(vec(gather(pose, body * 4), gather(pose, body * 4 + 1)), own, world);
 	end.rest = vec(gather(low, body * 2), gather(low, body * 2 + 1));
 	return end;
 }
@@ -89,7 +95,8 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Vec gap = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
 	Int both = joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS));
 
-	// where both translations are locked any axes will do, and impulses of the world last longer than those of a body
+	// where both translations are rigid any axes will do, and impulses of the world last longer than those of a body
+	both = both & (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS)) == 0);
 	Vec axis = vec_choose(a.turn, vec(one, zero), both);
 	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, both | radial | (there == 0));
 	u->axis_x = axis.x;

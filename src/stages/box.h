@@ -9,6 +9,12 @@ INLINE int box_is_empty(Float4 b) { return b.x > b.z; }
 
 INLINE int box_overlap(Float4 a, Float4 b) { return a.x <= b.z && b.x <= a.z && a.y <= b.w && b.y <= a.w; }
 
+// Whether the boxes of a pair parted. If the old ones do not overlap, one of the collidables was created anew.
+INLINE int box_parted(const Pools* p, Int2 pair)
+{
+	return !(box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]));
+}
+
 INLINE int box_contains(Float4 outer, Float4 inner)
 {
 	return outer.x <= inner.x && outer.y <= inner.y && inner.z <= outer.z && inner.w <= outer.w;

@@ -3,6 +3,7 @@
 #ifndef JOINT_H
 #define JOINT_H
 #include "constraints/joint_one.h"
+#include "stages/box.h"
 #include "stages/edge.h"
 
 // Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
@@ -109,11 +110,15 @@ STAGE(contact_join)
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live || p->pair[i].x < 0)
 		return;
+	// where a side has no body, its index is that of the world
+	if (flags & CONTACT_DETECTED)
+		return;
 	Word joined = joint_parts(p, p->contact_bodies[i]) ? CONTACT_JOINED : 0u;
-	if ((flags & CONTACT_JOINED) == joined)
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
 	contact_end(p, i);
-	p->contact_flags[i] = (flags & CONTACT_DETECTED) | CONTACT_FRESH | joined;
+	p->contact_flags[i] = CONTACT_FRESH | joined;
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 

@@ -44,9 +44,11 @@ STAGE(joint_show)
 	state->value[0] = vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);
 	state->value[2] = angle + TURN * joint_round((old - angle) * (1.0f / TURN));
-	state->speed[0] = vec_dot(apart, axis);
-	state->speed[1] = vec_dot(apart, across);
-	state->speed[2] = vb.w - va.w;
+
+	// a velocity that the user's calls made infinite may be no number along an axis
+	state->speed[0] = number_of(vec_dot(apart, axis));
+	state->speed[1] = number_of(vec_dot(apart, across));
+	state->speed[2] = number_of(vb.w - va.w);
 	state->force_x = 0.0f;
 	state->force_y = 0.0f;
 	state->torque = 0.0f;

@@ -68,8 +68,7 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 // Whether the boxes of a pair parted. Then its contact is released.
 INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 {
-	// if the old boxes do not overlap, one of the collidables was created anew
-	if (box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]))
+	if (!box_parted(p, pair))
 		return 0;
 	contact_end(p, i);
 	p->pair[i] = make_int2(-1, -1);

@@ -116,9 +116,11 @@ static bool relay_solve(const Solve* solve)
 	note_most(&form_counts.spread, task.spread);
 	form_counts.by_hubs += found > 0;
 	form_counts.split += pools.counters->split > 0;
+	bool joints = pools.step.joints;
 	if (found > 0)
-		return launch(KERNEL_relay_hubs, form.groups > 1 ? hubs + groups : 1, group);
-	return launch(plain() ? KERNEL_relay_plain : KERNEL_relay, groups, group);
+		return launch(joints ? KERNEL_relay_hubs_joints : KERNEL_relay_hubs, form.groups > 1 ? hubs + groups : 1,
+		              group);
+	return launch(joints ? KERNEL_relay_joints : plain() ? KERNEL_relay_plain : KERNEL_relay, groups, group);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -172,12 +174,10 @@ static void take_layout(void)
 
 static bool tiles_solve(const Solve* solve)
 {
-	static const KernelId kernels[PASS_KINDS] = {
-	    [PASS_WARM_START] = KERNEL_tile_warm_start,
-	    [PASS_BIAS] = KERNEL_tile_bias,
-	    [PASS_RELAX] = KERNEL_tile_relax,
-	    [PASS_BOUNCE] = KERNEL_tile_bounce,
-	};
+	static const KernelId kernels[2][PASS_KINDS] = {
+	    {KERNEL_tile_warm_start, KERNEL_tile_bias, KERNEL_tile_relax, KERNEL_tile_bounce},
+	    {KERNEL_tile_warm_start_joints, KERNEL_tile_bias_joints, KERNEL_tile_relax_joints, KERNEL_tile_bounce_joints}};
+	bool joints = pools.step.joints;
 	stale |= pools.counters->changed || !pools.counters->kept || tile_buffers.count == 0;
 	bool well = true;
 	if (stale)
@@ -189,10 +189,12 @@ static bool tiles_solve(const Solve* solve)
 	note_most(&form_counts.tiles, task.tile_rows);
 	note_most(&form_counts.inner, well ? task.total[task.tile_rows] : 0);
 	note_most(&form_counts.border, border);
-	well = well && launch_over(plain() ? KERNEL_tile_prepare_plain : KERNEL_tile_prepare, task.stride);
+	KernelId prepare = joints ? KERNEL_tile_prepare_joints : plain() ? KERNEL_tile_prepare_plain : KERNEL_tile_prepare;
+	well = well && launch_over(prepare, task.stride);
 	for (task.q = 0; well && task.q < task.passes; ++task.q)
-		well = launch(kernels[schedule_pass(solve->substeps, task.q)], task.tile_rows, tile_group) &&
-		       launch(KERNEL_tile_border, least(groups_of(border, relay_group) + 1, form.groups), relay_group);
+		well = launch(kernels[joints][schedule_pass(solve->substeps, task.q)], task.tile_rows, tile_group) &&
+		       launch(joints ? KERNEL_tile_border_joints : KERNEL_tile_border,
+		              least(groups_of(border, relay_group) + 1, form.groups), relay_group);
 	return well;
 }
 
@@ -241,15 +243,18 @@ static scree_status form_run(Backend* b, const Step* step, const Run* runs, int 
 
 static scree_status form_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
-	if (form.tiles && solve->counters->hubs > 0)
+	const KindLayout* layout = solve->counters->layout;
+	if ((form.tiles && solve->counters->hubs > 0) || layout[CONSTRAINT_JOINT].count[COLORS] > 0)
 		return cpu->solve(b, step, solve, list);
 #define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
 #include "pools/pools.def"
 #undef X
 	pools.step = *step;
 	TRY(solve_emulated(solve));
-	Run guard = {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)};
-	return cpu->run(b, step, &guard, 1);
+	Run ends[2] = {
+	    {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)},
+	    {.stage = STAGE_joint_finalize, .end = layout[CONSTRAINT_JOINT].begin[COLORS + 1], .count = solve->bound}};
+	return cpu->run(b, step, ends, solve->rare[CONSTRAINT_JOINT] && ends[1].end > 0 ? 2 : 1);
 }
 
 static scree_status form_resize(Backend* b, Per per, int capacity)

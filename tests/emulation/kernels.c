@@ -21,10 +21,15 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
 		const Task* t = arguments;                   \
 		name(t->pools, t->pools->step, __VA_ARGS__); \
 	}
-CALL(relay, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
-CALL(relay_plain, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
-CALL(relay_hubs, t->mailboxes, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts,
-     t->hub_groups)
+#define RELAY(name) \
+	CALL(name, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
+RELAY(relay)
+RELAY(relay_plain)
+RELAY(relay_joints)
+#define RELAY_HUBS(name) \
+	CALL(name, t->mailboxes, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts, t->hub_groups)
+RELAY_HUBS(relay_hubs)
+RELAY_HUBS(relay_hubs_joints)
 CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
 CALL(tile_settle, t->place, t->border, t->places, t->bound)
 CALL(tile_list, t->place, t->resident, t->places, t->bound)
@@ -34,14 +39,22 @@ CALL(tile_order, t->place, t->border, t->table, t->rank, t->tile_rows, t->bound,
 	CALL(name, t->place, t->border, t->table, t->order, t->stream, t->stride, t->tile_rows, t->bound)
 TILE_PREPARE(tile_prepare)
 TILE_PREPARE(tile_prepare_plain)
+TILE_PREPARE(tile_prepare_joints)
 #define TILE_PASS(name) \
 	CALL(name, t->resident, t->table, t->order, t->stream, t->stride, t->substeps, t->passes, t->q, t->bound)
 TILE_PASS(tile_warm_start)
 TILE_PASS(tile_bias)
 TILE_PASS(tile_relax)
 TILE_PASS(tile_bounce)
-CALL(tile_border, t->mailboxes, t->table, t->order, t->stream, t->stride, t->tile_rows, t->substeps, t->passes, t->q,
-     t->bound, t->spins)
+TILE_PASS(tile_warm_start_joints)
+TILE_PASS(tile_bias_joints)
+TILE_PASS(tile_relax_joints)
+TILE_PASS(tile_bounce_joints)
+#define TILE_BORDER(name)                                                                                          \
+	CALL(name, t->mailboxes, t->table, t->order, t->stream, t->stride, t->tile_rows, t->substeps, t->passes, t->q, \
+	     t->bound, t->spins)
+TILE_BORDER(tile_border)
+TILE_BORDER(tile_border_joints)
 
 static void call_tile_total(const void* arguments)
 {
@@ -63,10 +76,32 @@ static void call_tile_range(const void* arguments)
 
 #define ENTRY(name) [KERNEL_##name] = call_##name
 static void (*const calls[KERNEL_COUNT])(const void* arguments) = {
-    ENTRY(relay),      ENTRY(relay_plain),  ENTRY(relay_hubs),         ENTRY(solve_end),       ENTRY(tile_settle),
-    ENTRY(tile_list),  ENTRY(tile_count),   ENTRY(tile_total),         ENTRY(tile_begin),      ENTRY(tile_range),
-    ENTRY(tile_order), ENTRY(tile_prepare), ENTRY(tile_prepare_plain), ENTRY(tile_warm_start), ENTRY(tile_bias),
-    ENTRY(tile_relax), ENTRY(tile_bounce),  ENTRY(tile_border),
+    ENTRY(relay),
+    ENTRY(relay_plain),
+    ENTRY(relay_joints),
+    ENTRY(relay_hubs),
+    ENTRY(relay_hubs_joints),
+    ENTRY(solve_end),
+    ENTRY(tile_settle),
+    ENTRY(tile_list),
+    ENTRY(tile_count),
+    ENTRY(tile_total),
+    ENTRY(tile_begin),
+    ENTRY(tile_range),
+    ENTRY(tile_order),
+    ENTRY(tile_prepare),
+    ENTRY(tile_prepare_plain),
+    ENTRY(tile_prepare_joints),
+    ENTRY(tile_warm_start),
+    ENTRY(tile_bias),
+    ENTRY(tile_relax),
+    ENTRY(tile_bounce),
+    ENTRY(tile_border),
+    ENTRY(tile_warm_start_joints),
+    ENTRY(tile_bias_joints),
+    ENTRY(tile_relax_joints),
+    ENTRY(tile_bounce_joints),
+    ENTRY(tile_border_joints),
 };
 
 bool kernel_run(KernelId kernel, const Task* task, int group_count, int group, const Turns* turns,

@@ -20,7 +20,9 @@ typedef enum
 {
 	KERNEL_relay,
 	KERNEL_relay_plain,
+	KERNEL_relay_joints,
 	KERNEL_relay_hubs,
+	KERNEL_relay_hubs_joints,
 	KERNEL_solve_end,
 	KERNEL_tile_settle,
 	KERNEL_tile_list,
@@ -31,11 +33,17 @@ typedef enum
 	KERNEL_tile_order,
 	KERNEL_tile_prepare,
 	KERNEL_tile_prepare_plain,
+	KERNEL_tile_prepare_joints,
 	KERNEL_tile_warm_start,
 	KERNEL_tile_bias,
 	KERNEL_tile_relax,
 	KERNEL_tile_bounce,
 	KERNEL_tile_border,
+	KERNEL_tile_warm_start_joints,
+	KERNEL_tile_bias_joints,
+	KERNEL_tile_relax_joints,
+	KERNEL_tile_bounce_joints,
+	KERNEL_tile_border_joints,
 	KERNEL_COUNT
 } KernelId;
 

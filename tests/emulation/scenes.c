@@ -139,11 +139,125 @@ static void build_hubs(scree_world* world)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 36.0f + 1.1f * (float)k, 1.1f);
 }
 
+// A joint of a type between two bodies, or a body and the world, at a point of the world.
+static scree_joint_def pin(scree_world* world, scree_joint_type type, scree_body a, scree_body b, float x, float y)
+{
+	scree_joint_def def = scree_joint_def_make(type);
+	def.body_a = a;
+	def.body_b = b;
+	OK(scree_joint_def_place(world, &def, (scree_pose){{x, y}, scree_rot_make(0.3f)}));
+	return def;
+}
+
+// Rows of bodies joined by each type, with all kinds of drives, which fall on the floor and on each other; and a wheel of
+// nearly as many joints as there are colors.
+static void build_joints(scree_world* world)
+{
+	static const scree_joint_type types[6] = {SCREE_JOINT_REVOLUTE, SCREE_JOINT_WELD,      SCREE_JOINT_DISTANCE,
+	                                          SCREE_JOINT_WHEEL,    SCREE_JOINT_PRISMATIC, SCREE_JOINT_MOTOR};
+	add_floor(world);
+	for (int row = 0; row < 6; ++row)
+	{
+		scree_body before = {0, 0};
+		for (int k = 0; k < 6; ++k)
+		{
+			float x = 1.1f * (float)k, y = 0.4f + 0.9f * (float)row;
+			scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.3f, x, y);
+			scree_joint_def def =
+			    pin(world, types[row], k || row % 3 ? before : (scree_body){0, 0}, body, x - 0.55f, y);
+			scree_joint_coordinate* angle = &def.coordinates[SCREE_ANGLE];
+			angle->limited = angle->motor = k % 2 && !angle->locked;
+			angle->lower = -0.2f;
+			angle->upper = 0.3f;
+			angle->motor_max = 2.0f;
+			angle->motor_speed = k % 3 ? 0.0f : 3.0f;
+			def.coordinates[SCREE_ALONG].lock_hertz = k == 4 ? 5.0f : 0.0f;
+			def.coordinates[SCREE_ALONG].lock_damping_ratio = 0.5f;
+			if (row == 2)
+				def.frame_a.position.x -= 0.8f;
+			def.collide_connected = k == 3;
+			def.breaks = k == 2;
+			def.force_threshold = k == 2 ? 40.0f : 10.0f;
+			OK(scree_joint_create(world, &def, NULL));
+			before = body;
+		}
+	}
+	scree_body wheel = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.3f, 12.0f, 3.0f);
+	for (int k = 0; k < 28; ++k)
+	{
+		scree_rot q = scree_rot_make(6.28318531f * (float)k / 28.0f);
+		scree_body arm = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, 12.0f + 1.5f * q.c, 3.0f + 1.5f * q.s);
+		scree_joint_def def = pin(world, SCREE_JOINT_WELD, wheel, arm, 12.0f + q.c, 3.0f + q.s);
+		OK(scree_joint_create(world, &def, NULL));
+	}
+}
+
+// Joints go and come, change, and their bodies are destroyed and disabled.
+static void act_joints(scree_world* world, int step)
+{
+	scree_joint joints[80];
+	scree_body bodies[80];
+	int count, many;
+	OK(scree_world_get_joints(world, joints, 80, &count));
+	OK(scree_world_get_bodies(world, bodies, 80, &many));
+	OK(scree_joint_set_motor_speed(world, joints[step % count], SCREE_ANGLE, 0.2f * (float)(step - 20)));
+	if (step % 7 == 3)
+		OK(scree_joint_destroy(world, joints[(5 * step) % count]));
+	if (step % 9 == 4)
+	{
+		scree_joint_def def = pin(world, SCREE_JOINT_SLOT, bodies[3 + step % 20], bodies[5 + step % 30], 3.0f, 2.0f);
+		OK(scree_joint_create(world, &def, NULL));
+	}
+	if (step % 16 == 10)
+		OK(scree_body_set_enabled(world, bodies[8], step % 32 == 10));
+	if (step == 25)
+		OK(scree_body_destroy(world, bodies[6]));
+}
+
+// A plate with balls, which is a hub, hangs by joints; a wheel has more contacts and joints than there are colors for contacts
+// alone, so that its contacts are spokes.
+static void build_joint_hubs(scree_world* world)
+{
+	add_floor(world);
+	add_plate(world, 40, 0.0f, 0.6f);
+	scree_body bodies[64];
+	int count;
+	OK(scree_world_get_bodies(world, bodies, 64, &count));
+	for (int k = -1; k <= 1; ++k)
+	{
+		scree_joint_def def = pin(world, SCREE_JOINT_WHEEL, (scree_body){0, 0}, bodies[1], 6.0f * (float)k, 0.6f);
+		def.coordinates[SCREE_ANGLE].motor = true;
+		def.coordinates[SCREE_ANGLE].motor_max = 5.0f;
+		OK(scree_joint_create(world, &def, NULL));
+	}
+	for (int k = 2; k + 1 < count; k += 2)
+	{
+		scree_vec at = position_of(world, bodies[k]);
+		scree_joint_def def = pin(world, SCREE_JOINT_REVOLUTE, bodies[k], bodies[k + 1], at.x + 0.2f, at.y);
+		OK(scree_joint_create(world, &def, NULL));
+	}
+	scree_body wheel = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 15.0f, 0.5f);
+	for (int k = 0; k < 36; ++k)
+	{
+		scree_rot q = scree_rot_make(3.14159265f * (float)(k + 1) / 37.0f);
+		scree_body arm = add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.05f, 15.0f + 2.0f * q.c, 0.6f + 2.0f * q.s);
+		scree_joint_def def = pin(world, k % 2 ? SCREE_JOINT_WELD : SCREE_JOINT_TARGET, wheel, arm, 15.0f + 2.0f * q.c,
+		                          0.6f + 2.0f * q.s);
+		OK(scree_joint_create(world, &def, NULL));
+	}
+}
+
 const FormScene form_scenes[] = {
-    {"one", 30, false, build_one, NULL},         {"three", 40, false, build_three, NULL},
-    {"pyramid", 50, false, build_pyramid, NULL}, {"heap", 60, false, build_heap, act_heap},
-    {"towers", 30, false, build_towers, NULL},   {"hub", 15, true, build_hub, NULL},
-    {"raft", 8, true, build_raft, NULL},         {"hubs", 10, true, build_hubs, NULL},
+    {"one", 30, false, build_one, NULL},
+    {"three", 40, false, build_three, NULL},
+    {"pyramid", 50, false, build_pyramid, NULL},
+    {"heap", 60, false, build_heap, act_heap},
+    {"towers", 30, false, build_towers, NULL},
+    {"hub", 15, true, build_hub, NULL},
+    {"raft", 8, true, build_raft, NULL},
+    {"hubs", 10, true, build_hubs, NULL},
+    {"joints", 40, false, build_joints, act_joints},
+    {"joint hubs", 12, true, build_joint_hubs, NULL},
 };
 const int form_scene_count = (int)(sizeof form_scenes / sizeof *form_scenes);
 

@@ -35,6 +35,10 @@ static const Named named[] = {
       "relative_y", "relative_cos", "relative_sin", "then_cos", "then_sin", "reach", "distance"}},
     {POOL_contact_surface, {"friction", "restitution", "rolling", "tangent_speed"}},
     {POOL_contact_place, {"place"}},
+    {POOL_joint_flags, {"flags"}},
+    {POOL_joint_color, {"color"}},
+    {POOL_joint_place, {"place"}},
+    {POOL_joint_data, {"body_a", "body_b", "modes"}},
 };
 
 static void print_field(FILE* file, const char* field, uint32_t a, uint32_t b)
@@ -57,7 +61,10 @@ static void* read_items(scree_world* world, PoolId pool, int count)
 static int items_of(const scree_world* world, const Counters* c, PoolId pool)
 {
 	Per per = pool_info[pool].per;
-	return per == PER_BODY ? world->bodies.used : per == PER_COLLIDABLE ? world->collidables.used : c->contacts;
+	return per == PER_BODY         ? world->bodies.used
+	       : per == PER_COLLIDABLE ? world->collidables.used
+	       : per == PER_JOINT      ? c->joints
+	                               : c->contacts;
 }
 
 static void print_pool(scree_world* const worlds[2], const Named* n, int count, FILE* file)
@@ -133,6 +140,111 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 	}
 }
 
+#define MOST_KEPT 16 // rows of a joint
+
+// What is kept of a joint at a place, by the names of its rows; returns how many.
+static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane, const char* names[MOST_KEPT],
+                      float values[MOST_KEPT])
+{
+	int count = 0;
+#define KEPT_ROW(name, gate, life, inert, read, written) \
+	ROW_IF_KEPT_##life(names[count] = #name; values[count++] = rows->name[lane];)
+#define KEPT_RARE_ROW(name, gate, life, inert, read, written) \
+	ROW_IF_KEPT_##life(names[count] = #name; values[count++] = rare->name[lane];)
+	JOINT_ROWS(KEPT_ROW)
+	JOINT_RARE_ROWS(KEPT_RARE_ROW)
+#undef KEPT_ROW
+#undef KEPT_RARE_ROW
+	return count;
+}
+
+typedef struct // the joints of a world, and their rows
+{
+	int* places;
+	JointRows* rows;
+	JointRareRows* rare;
+} JointsRead;
+
+static JointsRead joints_read(scree_world* world, const Counters* c)
+{
+	int blocks = (c->layout[CONSTRAINT_JOINT].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+	return (JointsRead){read_items(world, POOL_joint_place, c->joints), read_items(world, POOL_joint_rows, blocks),
+	                    read_items(world, POOL_joint_rare_rows, blocks)};
+}
+
+static void joints_free(const JointsRead* read)
+{
+	free(read->places);
+	free(read->rows);
+	free(read->rare);
+}
+
+static void print_joints(scree_world* const worlds[2], const Counters counters[2], FILE* file)
+{
+	JointsRead read[2] = {joints_read(worlds[0], &counters[0]), joints_read(worlds[1], &counters[1])};
+	int differ = 0;
+	for (int i = 0; i < counters[0].joints && i < counters[1].joints; ++i)
+	{
+		const char* names[MOST_KEPT];
+		float values[2][MOST_KEPT] = {{0}, {0}};
+		int kept = 0;
+		for (int k = 0; k < 2; ++k)
+		{
+			int place = read[k].places[i];
+			if (place >= 0)
+				kept = joint_kept(read[k].rows + place / MAX_LANES, read[k].rare + place / MAX_LANES, place % MAX_LANES,
+				                  names, values[k]);
+		}
+		if (memcmp(values[0], values[1], sizeof values[0]) == 0 || ++differ > MOST_ITEMS)
+			continue;
+		fprintf(file, "  rows of joint %d:", i);
+		for (int f = 0; f < kept; ++f)
+		{
+			uint32_t words[2];
+			memcpy(&words[0], &values[0][f], sizeof words[0]);
+			memcpy(&words[1], &values[1][f], sizeof words[1]);
+			if (words[0] != words[1])
+				print_field(file, names[f], words[0], words[1]);
+		}
+		fputc('\n', file);
+	}
+	if (differ > 0)
+		fprintf(file, "  rows of joints: of %d joints\n", differ);
+	joints_free(&read[0]);
+	joints_free(&read[1]);
+}
+
+static bool words_finite(const char* pool, const float* words, int items, int each, char sentence[256])
+{
+	for (int k = 0; k < items * each; ++k)
+		if (!(words[k] - words[k] == 0.0f))
+		{
+			snprintf(sentence, 256, "%s[%d]: word %d is %g", pool, k / each, k % each, (double)words[k]);
+			return false;
+		}
+	return true;
+}
+
+static bool joints_finite(scree_world* world, const Counters* c, char sentence[256])
+{
+	JointsRead read = joints_read(world, c);
+	bool finite = true;
+	for (int i = 0; i < c->joints && finite; ++i)
+	{
+		const char* names[MOST_KEPT];
+		float values[MOST_KEPT];
+		int place = read.places[i];
+		if (place < 0)
+			continue;
+		int kept =
+		    joint_kept(read.rows + place / MAX_LANES, read.rare + place / MAX_LANES, place % MAX_LANES, names, values);
+		for (int k = 0; k < kept && finite; ++k)
+			finite = words_finite(names[k], &values[k], 1, 1, sentence);
+	}
+	joints_free(&read);
+	return finite;
+}
+
 void different_print(scree_world* a, scree_world* b, FILE* file)
 {
 	scree_world* worlds[2] = {a, b};
@@ -148,6 +260,7 @@ void different_print(scree_world* a, scree_world* b, FILE* file)
 		print_pool(worlds, &named[k], count < other ? count : other, file);
 	}
 	print_impulses(worlds, counters, file);
+	print_joints(worlds, counters, file);
 }
 
 int state_frozen(scree_world* world)
@@ -160,17 +273,6 @@ int state_frozen(scree_world* world)
 // the pools whose words are all floats, and state
 static const PoolId states[] = {
     POOL_body, POOL_pose, POOL_pose_low, POOL_motion, POOL_local_center, POOL_collidable_pose, POOL_contact_surface};
-
-static bool words_finite(const char* pool, const float* words, int items, int each, char sentence[256])
-{
-	for (int k = 0; k < items * each; ++k)
-		if (!(words[k] - words[k] == 0.0f))
-		{
-			snprintf(sentence, 256, "%s[%d]: word %d is %g", pool, k / each, k % each, (double)words[k]);
-			return false;
-		}
-	return true;
-}
 
 bool state_finite(scree_world* world, char sentence[256])
 {
@@ -215,7 +317,7 @@ bool state_finite(scree_world* world, char sentence[256])
 	void* all[] = {kinds, boxes, placed, pairs, found, places, constraints, extras};
 	for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k)
 		free(all[k]);
-	return finite;
+	return finite && joints_finite(world, &c, sentence);
 }
 
 bool state_limited(scree_world* world, char sentence[256])

@@ -2,91 +2,11 @@
 // make.c -- a random program: a small world, then calls of all kinds with ordinary, odd and extreme values.
 //
 // Most programs are ordinary, so that much happens between bodies; some use extreme values now and then, and a few often.
-#include "programs/program.h"
-#include <float.h>
-#include <math.h>
-
-#define MOST_KINEMATIC 8
-#define MOST_BODIES    110 // at a time, so that thousands of programs need minutes
-
-typedef struct
-{
-	Program* program;
-	uint64_t seed;
-	int bodies, collidables, attributes; // numbers given out
-	float kinematic[MOST_KINEMATIC];     // numbers of the last bodies that were made, or became, kinematic
-	int kinematics;
-	int alive;     // bodies, about
-	float extreme; // share of values that are extreme
-	bool extras;   // restitution, rolling resistance, tangent speeds
-	bool moves;    // between devices, which takes as long as dozens of steps
-} Maker;
-
-// ---------------------------------------------------------------------------------------------------------------
-// numbers
-// ---------------------------------------------------------------------------------------------------------------
-
-// Guy Steele, Doug Lea, Christine Flood, Fast Splittable Pseudorandom Number Generators, 2014
-static uint64_t word(Maker* m)
-{
-	uint64_t x = m->seed += 0x9e3779b97f4a7c15u;
-	x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-	x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-	return x ^ x >> 31;
-}
-
-static int below(Maker* m, int count) { return (int)(word(m) % (uint64_t)count); }
-static bool chance(Maker* m, double share) { return (double)(word(m) >> 11) < share * 9007199254740992.0; }
-
-// eighths of a hundredth: short as text, and often equal to another
-static float between(Maker* m, float low, float high)
-{
-	float x = low + (high - low) * ((float)(word(m) >> 40) / 16777216.0f);
-	return chance(m, 0.5) ? floorf(x * 8.0f) / 8.0f : x;
-}
-
-static float pick(Maker* m, const float* values, int count) { return values[below(m, count)]; }
-#define PICK(m, ...) pick(m, (const float[]){__VA_ARGS__}, (int)(sizeof((const float[]){__VA_ARGS__}) / sizeof(float)))
-
-static float sign(Maker* m) { return chance(m, 0.5) ? 1.0f : -1.0f; }
-
-// any finite number, as forces are
-static float amount(Maker* m, float usual)
-{
-	if (chance(m, m->extreme))
-		return sign(m) * PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-30f, 1e-20f, 1e-10f, 1e6f, 1e10f, 1e15f, 1e19f,
-		                      1e20f, 1e22f, 1e25f, 1e30f, 1e35f, 1e38f, FLT_MAX);
-	if (chance(m, 0.1))
-		return PICK(m, 0.0f, -0.0f);
-	return between(m, -usual, usual);
-}
-
-// a coordinate, speed or spin; those beyond 1e5 are refused
-static float bounded(Maker* m, float usual)
-{
-	if (chance(m, m->extreme))
-		return sign(m) * PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-20f, 1e-6f, 20.0f * usual, 400.0f, 1000.0f, 1e4f,
-		                      99999.0f, 1e5f, 1.00001e5f, INFINITY, NAN);
-	if (chance(m, 0.1))
-		return PICK(m, 0.0f, -0.0f);
-	return between(m, -usual, usual);
-}
-
-// a factor of what must not be negative
-static float factor(Maker* m, float most)
-{
-	if (chance(m, m->extreme))
-		return PICK(m, 0.0f, -0.0f, 1e-45f, 1e-30f, 1e-10f, 1e3f, 1e10f, 1e20f, 1e30f, FLT_MAX, -1.0f);
-	return between(m, 0.0f, most);
-}
-
-static float angle(Maker* m) { return PICK(m, 0.0f, 0.0f, between(m, -3.2f, 3.2f), 0.785398163f, 1.57079633f); }
+#include "programs/make.h"
 
 // ---------------------------------------------------------------------------------------------------------------
 // calls
 // ---------------------------------------------------------------------------------------------------------------
-
-static void put(Maker* m, Call call) { program_add(m->program, call); }
 
 static void set_filter(Maker* m, Call* call)
 {
@@ -185,7 +105,6 @@ static void put_drop(Maker* m)
 	put(m, call);
 }
 
-static float any_body(Maker* m) { return (float)below(m, m->bodies + 1); } // now and then one that is not there
 // A target is only for a body that is kinematic, which few are: the number of one that was made so, if any.
 static float any_kinematic(Maker* m)
 {
@@ -253,6 +172,8 @@ static void put_bodies(Maker* m, int count)
 	m->bodies += count;
 	m->alive += count;
 	put(m, call);
+	if (m->jointed && chance(m, 0.5))
+		put_joints(m, count);
 }
 
 // a plate with more contacts than there are colors
@@ -285,6 +206,8 @@ static void put_hub(Maker* m)
 	m->attributes += 2;
 	m->bodies += 1 + count;
 	m->alive += 1 + count;
+	if (m->jointed && chance(m, 0.5))
+		put_joints(m, 1 + count);
 }
 
 static void put_floor(Maker* m)
@@ -487,7 +410,7 @@ static void put_any(Maker* m)
 	if (k < 12)
 		put_step(m);
 	else if (k < 44)
-		put_motion(m);
+		m->jointed&& k >= 32 ? chance(m, 0.4) ? put_joint(m) : put_joint_change(m) : put_motion(m);
 	else if (k < 58)
 		put_setting(m);
 	else if (k < 69)
@@ -537,6 +460,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.seed = seed ^ 0x5851f42d4c957f2du;
 	word(&m);
 	m.moves = chance(&m, 0.01);
+	m.jointed = chance(&m, 0.7);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

@@ -9,45 +9,58 @@
 // arguments
 // ---------------------------------------------------------------------------------------------------------------
 
-static float real(const Turn* t, const char* name) { return call_value(t->call, name); }
+float call_real(const Turn* t, const char* name) { return call_value(t->call, name); }
 
-static int whole(const Turn* t, const char* name)
+int call_whole(const Turn* t, const char* name)
 {
-	float x = real(t, name);
+	float x = call_real(t, name);
 	return x > -1e6f && x < 1e6f ? (int)x : 0;
 }
 
-static scree_vec vec(const Turn* t, const char* x, const char* y) { return (scree_vec){real(t, x), real(t, y)}; }
+scree_vec call_vec(const Turn* t, const char* x, const char* y)
+{
+	return (scree_vec){call_real(t, x), call_real(t, y)};
+}
 
-static scree_body body_of(const Turn* t, int k)
+scree_body call_body(const Turn* t, int k)
 {
 	return k >= 0 && k < MOST_NAMES ? t->names->bodies[k] : (scree_body){0, 0};
 }
 
 static scree_attribute attribute_at(const Turn* t, const char* name)
 {
-	int k = whole(t, name);
+	int k = call_whole(t, name);
 	return k >= 0 && k < MOST_NAMES ? t->names->attributes[k] : (scree_attribute){0, 0};
 }
 
 static scree_attribute attribute_of(const Turn* t) { return attribute_at(t, "attribute"); }
 
-static scree_pose pose_of(const Turn* t) { return (scree_pose){vec(t, "x", "y"), scree_rot_make(real(t, "angle"))}; }
+scree_pose call_pose(const Turn* t)
+{
+	return (scree_pose){call_vec(t, "x", "y"), scree_rot_make(call_real(t, "angle"))};
+}
+
+int call_batch(const Turn* t, const char* name)
+{
+	int count = call_whole(t, "count"), first = call_whole(t, name);
+	count = count < MOST_BATCH ? count : MOST_BATCH;
+	return first < 0 || first + count > MOST_NAMES ? 0 : count;
+}
 
 static scree_filter filter_of(const Turn* t)
 {
-	int mask = whole(t, "mask");
-	return (scree_filter){(uint64_t)whole(t, "category"), (uint64_t)(int64_t)mask, whole(t, "group")};
+	int mask = call_whole(t, "mask");
+	return (scree_filter){(uint64_t)call_whole(t, "category"), (uint64_t)(int64_t)mask, call_whole(t, "group")};
 }
 
 // A number's collidable, or that one of a body's list.
 static scree_collidable collidable_of(const Turn* t)
 {
-	int k = whole(t, "collidable"), count = 0, which = whole(t, "which");
+	int k = call_whole(t, "collidable"), count = 0, which = call_whole(t, "which");
 	if (k >= 0)
 		return k < MOST_NAMES ? t->names->collidables[k] : (scree_collidable){0, 0};
 	scree_collidable list[64];
-	scree_body body = body_of(t, whole(t, "body"));
+	scree_body body = call_body(t, call_whole(t, "body"));
 	if (scree_body_get_collidables(t->world, body, list, 64, &count) != SCREE_OK || count == 0)
 		return (scree_collidable){0, 0};
 	count = count < 64 ? count : 64;
@@ -61,33 +74,33 @@ static scree_collidable collidable_of(const Turn* t)
 static scree_status make_polygon(const Turn* t, scree_shape* shape)
 {
 	scree_vec corners[16];
-	int count = whole(t, "corners");
+	int count = call_whole(t, "corners");
 	count = count < 0 ? 0 : count > 16 ? 16 : count;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_rot q = scree_rot_make(real(t, "angle") + 6.28318531f * (float)k / (float)count);
-		corners[k] = (scree_vec){0.5f * real(t, "width") * q.c, 0.5f * real(t, "height") * q.s};
+		scree_rot q = scree_rot_make(call_real(t, "angle") + 6.28318531f * (float)k / (float)count);
+		corners[k] = (scree_vec){0.5f * call_real(t, "width") * q.c, 0.5f * call_real(t, "height") * q.s};
 	}
-	return scree_shape_make_polygon(corners, count, real(t, "radius"), shape);
+	return scree_shape_make_polygon(corners, count, call_real(t, "radius"), shape);
 }
 
 static scree_status make_hull(const Turn* t, scree_shape* shape)
 {
 	scree_vec points[64];
-	int count = whole(t, "points");
+	int count = call_whole(t, "points");
 	count = count < 0 ? 0 : count > 64 ? 64 : count;
-	uint32_t x = (uint32_t)whole(t, "seed") + 1u;
+	uint32_t x = (uint32_t)call_whole(t, "seed") + 1u;
 	for (int k = 0; k < count; ++k)
 	{
 		float two[2];
 		for (int i = 0; i < 2; ++i)
 		{
 			x = x * 1664525u + 1013904223u; // Donald Knuth, H. W. Lewis
-			two[i] = real(t, "size") * ((float)(x >> 16) / 65536.0f - 0.5f);
+			two[i] = call_real(t, "size") * ((float)(x >> 16) / 65536.0f - 0.5f);
 		}
 		points[k] = (scree_vec){two[0], two[1]};
 	}
-	return scree_shape_make_hull(points, count, real(t, "radius"), shape);
+	return scree_shape_make_hull(points, count, call_real(t, "radius"), shape);
 }
 
 static scree_status make_shape(const Turn* t, scree_shape* shape)
@@ -95,13 +108,13 @@ static scree_status make_shape(const Turn* t, scree_shape* shape)
 	switch (t->call->kind)
 	{
 	case CALL_box:
-		return scree_shape_make_box(0.5f * real(t, "width"), 0.5f * real(t, "height"), shape);
+		return scree_shape_make_box(0.5f * call_real(t, "width"), 0.5f * call_real(t, "height"), shape);
 	case CALL_circle:
-		return scree_shape_make_circle(vec(t, "x", "y"), real(t, "radius"), shape);
+		return scree_shape_make_circle(call_vec(t, "x", "y"), call_real(t, "radius"), shape);
 	case CALL_capsule:
-		return scree_shape_make_capsule(vec(t, "x", "y"), vec(t, "x2", "y2"), real(t, "radius"), shape);
+		return scree_shape_make_capsule(call_vec(t, "x", "y"), call_vec(t, "x2", "y2"), call_real(t, "radius"), shape);
 	case CALL_segment:
-		return scree_shape_make_segment(vec(t, "x", "y"), vec(t, "x2", "y2"), shape);
+		return scree_shape_make_segment(call_vec(t, "x", "y"), call_vec(t, "x2", "y2"), shape);
 	case CALL_polygon:
 		return make_polygon(t, shape);
 	case CALL_like:
@@ -121,14 +134,14 @@ static scree_status run_attribute(const Turn* t)
 	scree_attribute_def def = scree_attribute_def_default();
 	scree_attribute made = {0, 0};
 	scree_status status = make_shape(t, &def.shape);
-	def.density = real(t, "density");
-	def.friction = real(t, "friction");
-	def.restitution = real(t, "restitution");
-	def.rolling_resistance = real(t, "rolling");
-	def.tangent_speed = real(t, "tangent");
+	def.density = call_real(t, "density");
+	def.friction = call_real(t, "friction");
+	def.restitution = call_real(t, "restitution");
+	def.rolling_resistance = call_real(t, "rolling");
+	def.tangent_speed = call_real(t, "tangent");
 	if (status == SCREE_OK)
 		status = scree_attribute_create(t->world, &def, &made);
-	int k = whole(t, "attribute");
+	int k = call_whole(t, "attribute");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
 		t->names->attributes[k] = made;
 	return status;
@@ -141,56 +154,48 @@ static scree_status run_attribute(const Turn* t)
 static scree_status run_body(const Turn* t)
 {
 	scree_body_def def = scree_body_def_default();
-	def.type = (scree_body_type)whole(t, "type");
-	def.pose = pose_of(t);
-	def.velocity = (scree_velocity){vec(t, "vx", "vy"), real(t, "w")};
-	def.gravity_scale = real(t, "gravity");
-	def.linear_damping = real(t, "linear");
-	def.angular_damping = real(t, "angular");
-	def.locks = (uint32_t)whole(t, "locks");
-	def.disabled = whole(t, "disabled") != 0;
+	def.type = (scree_body_type)call_whole(t, "type");
+	def.pose = call_pose(t);
+	def.velocity = (scree_velocity){call_vec(t, "vx", "vy"), call_real(t, "w")};
+	def.gravity_scale = call_real(t, "gravity");
+	def.linear_damping = call_real(t, "linear");
+	def.angular_damping = call_real(t, "angular");
+	def.locks = (uint32_t)call_whole(t, "locks");
+	def.disabled = call_whole(t, "disabled") != 0;
 	def.filter = filter_of(t);
-	if (real(t, "attribute") >= 0.0f)
+	if (call_real(t, "attribute") >= 0.0f)
 		def.attribute = attribute_of(t);
 	scree_body made = {0, 0};
 	scree_status status = scree_body_create(t->world, &def, &made);
-	int k = whole(t, "body");
+	int k = call_whole(t, "body");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
 		t->names->bodies[k] = made;
 	return status;
 }
 
-#define MOST_BATCH 256
-static int batch_count(const Turn* t)
-{
-	int count = whole(t, "count"), first = whole(t, "body");
-	count = count < MOST_BATCH ? count : MOST_BATCH;
-	return first < 0 || first + count > MOST_NAMES ? 0 : count;
-}
-
 static scree_status run_bodies(const Turn* t)
 {
 	scree_body_def defs[MOST_BATCH];
-	int count = batch_count(t), columns = whole(t, "columns"), first = whole(t, "body");
+	int count = call_batch(t, "body"), columns = call_whole(t, "columns"), first = call_whole(t, "body");
 	columns = columns > 0 ? columns : 1;
 	for (int k = 0; k < count; ++k)
 	{
 		defs[k] = scree_body_def_default();
-		defs[k].type = (scree_body_type)whole(t, "type");
+		defs[k].type = (scree_body_type)call_whole(t, "type");
 		defs[k].attribute = attribute_of(t);
-		defs[k].pose.position.x = real(t, "x") + (float)(k % columns) * real(t, "dx");
-		defs[k].pose.position.y = real(t, "y") + (float)(k / columns) * real(t, "dy");
-		defs[k].velocity = (scree_velocity){vec(t, "vx", "vy"), real(t, "w")};
+		defs[k].pose.position.x = call_real(t, "x") + (float)(k % columns) * call_real(t, "dx");
+		defs[k].pose.position.y = call_real(t, "y") + (float)(k / columns) * call_real(t, "dy");
+		defs[k].velocity = (scree_velocity){call_vec(t, "vx", "vy"), call_real(t, "w")};
 	}
 	return scree_bodies_create(t->world, defs, count, t->names->bodies + (count > 0 ? first : 0));
 }
 
 static scree_status run_destroy(const Turn* t)
 {
-	int first = whole(t, "body");
-	if (whole(t, "count") == 0)
-		return scree_body_destroy(t->world, body_of(t, first));
-	int count = batch_count(t);
+	int first = call_whole(t, "body");
+	if (call_whole(t, "count") == 0)
+		return scree_body_destroy(t->world, call_body(t, first));
+	int count = call_batch(t, "body");
 	return scree_bodies_destroy(t->world, t->names->bodies + (count > 0 ? first : 0), count);
 }
 
@@ -199,12 +204,12 @@ static scree_status run_collidable(const Turn* t)
 	scree_collidable_def def = scree_collidable_def_default();
 	scree_collidable made = {0, 0};
 	def.attribute = attribute_of(t);
-	if (real(t, "body") >= 0.0f)
-		def.body = body_of(t, whole(t, "body"));
-	def.pose = pose_of(t);
+	if (call_real(t, "body") >= 0.0f)
+		def.body = call_body(t, call_whole(t, "body"));
+	def.pose = call_pose(t);
 	def.filter = filter_of(t);
 	scree_status status = scree_collidable_create(t->world, &def, &made);
-	int k = whole(t, "collidable");
+	int k = call_whole(t, "collidable");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
 		t->names->collidables[k] = made;
 	return status;
@@ -212,9 +217,9 @@ static scree_status run_collidable(const Turn* t)
 
 static scree_status run_place(const Turn* t)
 {
-	int k = whole(t, "collidable");
+	int k = call_whole(t, "collidable");
 	scree_collidable collidable = k >= 0 && k < MOST_NAMES ? t->names->collidables[k] : (scree_collidable){0, 0};
-	scree_pose pose = pose_of(t);
+	scree_pose pose = call_pose(t);
 	return scree_collidables_set_poses(t->world, &collidable, &pose, 1);
 }
 
@@ -236,24 +241,24 @@ static scree_status run_batch(const Turn* t)
 {
 	static Batch b;
 	CallKind kind = t->call->kind;
-	int count = batch_count(t), first = whole(t, "body");
+	int count = call_batch(t, "body"), first = call_whole(t, "body");
 	bool at = kind == CALL_force_at || kind == CALL_impulse_at;
 	bool number = kind == CALL_torque || kind == CALL_angular_impulse || kind == CALL_angular_velocity;
 	for (int k = 0; k < count; ++k)
 	{
-		b.bodies[k] = body_of(t, first + k);
+		b.bodies[k] = call_body(t, first + k);
 		if (kind == CALL_enabled)
 		{
-			b.flags[k] = whole(t, "enabled") != 0;
+			b.flags[k] = call_whole(t, "enabled") != 0;
 			continue;
 		}
-		b.numbers[k] = real(t, "x");
-		b.vectors[k] = number ? (scree_vec){0} : vec(t, "x", "y");
-		b.points[k] = at ? vec(t, "at_x", "at_y") : (scree_vec){0};
+		b.numbers[k] = call_real(t, "x");
+		b.vectors[k] = number ? (scree_vec){0} : call_vec(t, "x", "y");
+		b.points[k] = at ? call_vec(t, "at_x", "at_y") : (scree_vec){0};
 		if (kind == CALL_velocity)
-			b.velocities[k] = (scree_velocity){vec(t, "x", "y"), real(t, "w")};
+			b.velocities[k] = (scree_velocity){call_vec(t, "x", "y"), call_real(t, "w")};
 		if (kind == CALL_pose || kind == CALL_target)
-			b.poses[k] = pose_of(t);
+			b.poses[k] = call_pose(t);
 	}
 	switch (kind)
 	{
@@ -286,53 +291,54 @@ static scree_status run_batch(const Turn* t)
 
 static scree_status run_motion(const Turn* t)
 {
-	scree_body body = body_of(t, whole(t, "body"));
-	if (whole(t, "count") != 0)
+	scree_body body = call_body(t, call_whole(t, "body"));
+	if (call_whole(t, "count") != 0)
 		return run_batch(t);
 	switch (t->call->kind)
 	{
 	case CALL_force:
-		return scree_body_apply_force(t->world, body, vec(t, "x", "y"));
+		return scree_body_apply_force(t->world, body, call_vec(t, "x", "y"));
 	case CALL_force_at:
-		return scree_body_apply_force_at(t->world, body, vec(t, "x", "y"), vec(t, "at_x", "at_y"));
+		return scree_body_apply_force_at(t->world, body, call_vec(t, "x", "y"), call_vec(t, "at_x", "at_y"));
 	case CALL_torque:
-		return scree_body_apply_torque(t->world, body, real(t, "x"));
+		return scree_body_apply_torque(t->world, body, call_real(t, "x"));
 	case CALL_impulse:
-		return scree_body_apply_impulse(t->world, body, vec(t, "x", "y"));
+		return scree_body_apply_impulse(t->world, body, call_vec(t, "x", "y"));
 	case CALL_impulse_at:
-		return scree_body_apply_impulse_at(t->world, body, vec(t, "x", "y"), vec(t, "at_x", "at_y"));
+		return scree_body_apply_impulse_at(t->world, body, call_vec(t, "x", "y"), call_vec(t, "at_x", "at_y"));
 	case CALL_angular_impulse:
-		return scree_body_apply_angular_impulse(t->world, body, real(t, "x"));
+		return scree_body_apply_angular_impulse(t->world, body, call_real(t, "x"));
 	case CALL_velocity:
-		return scree_body_set_velocity(t->world, body, (scree_velocity){vec(t, "x", "y"), real(t, "w")});
+		return scree_body_set_velocity(t->world, body, (scree_velocity){call_vec(t, "x", "y"), call_real(t, "w")});
 	case CALL_linear_velocity:
-		return scree_body_set_linear_velocity(t->world, body, vec(t, "x", "y"));
+		return scree_body_set_linear_velocity(t->world, body, call_vec(t, "x", "y"));
 	case CALL_angular_velocity:
-		return scree_body_set_angular_velocity(t->world, body, real(t, "x"));
+		return scree_body_set_angular_velocity(t->world, body, call_real(t, "x"));
 	case CALL_target:
-		return scree_body_set_target(t->world, body, pose_of(t));
+		return scree_body_set_target(t->world, body, call_pose(t));
 	case CALL_enabled:
-		return scree_body_set_enabled(t->world, body, whole(t, "enabled") != 0);
+		return scree_body_set_enabled(t->world, body, call_whole(t, "enabled") != 0);
 	default:
-		return scree_body_set_pose(t->world, body, pose_of(t));
+		return scree_body_set_pose(t->world, body, call_pose(t));
 	}
 }
 
 static scree_status run_setting(const Turn* t)
 {
-	scree_body body = body_of(t, whole(t, "body"));
+	scree_body body = call_body(t, call_whole(t, "body"));
 	switch (t->call->kind)
 	{
 	case CALL_type:
-		return scree_body_set_type(t->world, body, (scree_body_type)whole(t, "type"));
+		return scree_body_set_type(t->world, body, (scree_body_type)call_whole(t, "type"));
 	case CALL_damping:
-		return scree_body_set_damping(t->world, body, real(t, "linear"), real(t, "angular"));
+		return scree_body_set_damping(t->world, body, call_real(t, "linear"), call_real(t, "angular"));
 	case CALL_gravity_scale:
-		return scree_body_set_gravity_scale(t->world, body, real(t, "scale"));
+		return scree_body_set_gravity_scale(t->world, body, call_real(t, "scale"));
 	case CALL_locks:
-		return scree_body_set_locks(t->world, body, (uint32_t)whole(t, "locks"));
+		return scree_body_set_locks(t->world, body, (uint32_t)call_whole(t, "locks"));
 	default:
-		return scree_body_set_mass(t->world, body, (scree_mass){real(t, "mass"), real(t, "inertia"), vec(t, "x", "y")});
+		return scree_body_set_mass(t->world, body,
+		                           (scree_mass){call_real(t, "mass"), call_real(t, "inertia"), call_vec(t, "x", "y")});
 	}
 }
 
@@ -340,7 +346,7 @@ static scree_status run_setting(const Turn* t)
 // the world
 // ---------------------------------------------------------------------------------------------------------------
 
-static uint64_t mixed(uint64_t word, const void* bytes, size_t count)
+uint64_t read_mixed(uint64_t word, const void* bytes, size_t count)
 {
 	const unsigned char* p = bytes;
 	for (size_t k = 0; k < count; ++k)
@@ -374,7 +380,7 @@ static scree_status run_read(const Turn* t)
 	uint64_t word = 0xcbf29ce484222325u;
 	int counts[3] = {0};
 	scree_status status = scree_world_get_contacts(t->world, contacts, MOST_READ, &counts[0]);
-	scree_body body = body_of(t, whole(t, "body"));
+	scree_body body = call_body(t, call_whole(t, "body"));
 	if (status == SCREE_OK && counts[0] <= MOST_READ && scree_body_is_valid(t->world, body) &&
 	    !contacts_agree(t, body, contacts, counts[0]))
 		return SCREE_ERROR_DEVICE_FAILED;
@@ -382,15 +388,15 @@ static scree_status run_read(const Turn* t)
 	{
 		contacts[k].points[1] = contacts[k].count > 1 ? contacts[k].points[1] : (scree_contact_point){.feature = 0};
 		contacts[k].details[1] = contacts[k].count > 1 ? contacts[k].details[1] : (scree_contact_detail){.touched = 0};
-		word = mixed(word, &contacts[k], sizeof contacts[k]);
+		word = read_mixed(word, &contacts[k], sizeof contacts[k]);
 	}
 	if (status == SCREE_OK)
 		status = scree_world_get_overlaps(t->world, contacts, 0, &counts[1]);
 	if (status == SCREE_OK)
 		status = scree_world_get_render_rows(t->world, shown, MOST_READ, &counts[2]);
 	if (status == SCREE_OK)
-		word = mixed(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
-	word = mixed(word, counts, sizeof counts);
+		word = read_mixed(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
+	word = read_mixed(word, counts, sizeof counts);
 	scree_counters c;
 	if (status == SCREE_OK)
 		status = scree_world_get_counters(t->world, &c);
@@ -398,7 +404,7 @@ static scree_status run_read(const Turn* t)
 	{
 		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts, c.touching,
 		              c.colors, c.spokes,         c.new_contacts, c.nonfinite};
-		word = mixed(mixed(word, more, sizeof more), &c.penetration, sizeof c.penetration);
+		word = read_mixed(read_mixed(word, more, sizeof more), &c.penetration, sizeof c.penetration);
 	}
 	scree_pose pose = {0};
 	scree_velocity velocity = {0};
@@ -407,8 +413,10 @@ static scree_status run_read(const Turn* t)
 		status = scree_body_get_pose(t->world, body, &pose);
 		if (status == SCREE_OK)
 			status = scree_body_get_velocity(t->world, body, &velocity);
-		word = mixed(mixed(word, &pose, sizeof pose), &velocity, sizeof velocity);
+		word = read_mixed(read_mixed(word, &pose, sizeof pose), &velocity, sizeof velocity);
 	}
+	if (status == SCREE_OK)
+		status = read_joints(t, &word);
 	t->left->word = word;
 	return status;
 }
@@ -417,11 +425,11 @@ static scree_status run_tuning(const Turn* t)
 {
 	scree_tuning tuning;
 	scree_status status = scree_world_get_tuning(t->world, &tuning);
-	tuning.contact_hertz = real(t, "hertz");
-	tuning.contact_damping_ratio = real(t, "ratio");
-	tuning.contact_push_speed = real(t, "push");
-	tuning.restitution_threshold = real(t, "threshold");
-	tuning.max_speed = real(t, "max_speed");
+	tuning.contact_hertz = call_real(t, "hertz");
+	tuning.contact_damping_ratio = call_real(t, "ratio");
+	tuning.contact_push_speed = call_real(t, "push");
+	tuning.restitution_threshold = call_real(t, "threshold");
+	tuning.max_speed = call_real(t, "max_speed");
 	return status == SCREE_OK ? scree_world_set_tuning(t->world, &tuning) : status;
 }
 
@@ -445,7 +453,7 @@ static scree_status run_move(const Turn* t)
 {
 	if (!t->place->other[0])
 		return SCREE_OK;
-	return scree_world_move(t->world, whole(t, "back") ? t->home : t->place->other);
+	return scree_world_move(t->world, call_whole(t, "back") ? t->home : t->place->other);
 }
 
 scree_status run_call(const Turn* t)
@@ -484,12 +492,23 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_set_attribute(t->world, collidable_of(t), attribute_of(t));
 	case CALL_place:
 		return run_place(t);
+	case CALL_joint:
+	case CALL_joints:
+	case CALL_joint_destroy:
+	case CALL_joint_coordinate:
+	case CALL_joint_target:
+	case CALL_joint_speed:
+	case CALL_joint_frames:
+	case CALL_joint_stiffness:
+	case CALL_joint_thresholds:
+	case CALL_collide_connected:
+		return run_joint(t);
 	case CALL_gravity:
-		return scree_world_set_gravity(t->world, vec(t, "x", "y"));
+		return scree_world_set_gravity(t->world, call_vec(t, "x", "y"));
 	case CALL_tuning:
 		return run_tuning(t);
 	case CALL_step:
-		return scree_world_step(t->world, real(t, "dt"), whole(t, "substeps"));
+		return scree_world_step(t->world, call_real(t, "dt"), call_whole(t, "substeps"));
 	case CALL_move:
 		return run_move(t);
 	case CALL_read:
@@ -511,14 +530,14 @@ scree_status run_world(const Place* place, const Call* call, scree_world** world
 	def.device = place->device;
 	def.threads = place->threads;
 	def.lanes = place->lanes;
-	def.gravity = vec(&t, "gravity_x", "gravity_y");
-	def.contact_hertz = real(&t, "hertz");
-	def.contact_damping_ratio = real(&t, "ratio");
-	def.contact_push_speed = real(&t, "push");
-	def.restitution_threshold = real(&t, "threshold");
-	def.max_speed = real(&t, "max_speed");
-	def.body_capacity = whole(&t, "bodies");
-	def.contact_capacity = whole(&t, "contacts");
-	def.contact_details = whole(&t, "details") != 0;
+	def.gravity = call_vec(&t, "gravity_x", "gravity_y");
+	def.contact_hertz = call_real(&t, "hertz");
+	def.contact_damping_ratio = call_real(&t, "ratio");
+	def.contact_push_speed = call_real(&t, "push");
+	def.restitution_threshold = call_real(&t, "threshold");
+	def.max_speed = call_real(&t, "max_speed");
+	def.body_capacity = call_whole(&t, "bodies");
+	def.contact_capacity = call_whole(&t, "contacts");
+	def.contact_details = call_whole(&t, "details") != 0;
 	return scree_world_create(&def, world);
 }

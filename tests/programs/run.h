@@ -12,6 +12,7 @@ struct Names
 	scree_body bodies[MOST_NAMES];
 	scree_collidable collidables[MOST_NAMES];
 	scree_attribute attributes[MOST_NAMES];
+	scree_joint joints[MOST_NAMES];
 };
 
 typedef struct // what a call left
@@ -30,6 +31,22 @@ typedef struct // a call on one of the worlds
 	const char* home; // where the world was made
 	Left* left;
 } Turn;
+
+// arguments of a call
+float call_real(const Turn* turn, const char* name);
+int call_whole(const Turn* turn, const char* name); // 0 for what is no number that counts
+scree_vec call_vec(const Turn* turn, const char* x, const char* y);
+scree_pose call_pose(const Turn* turn); // x, y, angle
+scree_body call_body(const Turn* turn, int k);
+
+#define MOST_BATCH 256
+// How many names from the one on that an argument gives: none where not all can be names.
+int call_batch(const Turn* turn, const char* first);
+
+// run_joint.c: the calls of joints, and what can be read of them, mixed into a word.
+scree_status run_joint(const Turn* turn);
+scree_status read_joints(const Turn* turn, uint64_t* word);
+uint64_t read_mixed(uint64_t word, const void* bytes, size_t count);
 
 // Makes the call and returns its status; left gets what it read.
 scree_status run_call(const Turn* turn);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// evaluate_joints.c -- computes the joints of a block as scree.h defines them.
+#include "scene/evaluate_joints.h"
+#include "scene/block.h"
+#include "scene/items.h"
+#include <math.h>
+#include <stdlib.h>
+
+// The frame of a body that lies at an anchor in the world and is turned by axis there. In doubles, so that the frames of
+// both bodies meet as closely as floats allow.
+static scree_pose frame_at(scree_pose body, const double anchor[2], scree_rot axis)
+{
+	double c = body.rotation.c, s = body.rotation.s;
+	double x = anchor[0] - body.position.x, y = anchor[1] - body.position.y;
+	return (scree_pose){{(float)(c * x + s * y), (float)(c * y - s * x)},
+	                    {(float)(c * axis.c + s * axis.s), (float)(c * axis.s - s * axis.c)}};
+}
+
+static bool place(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
+                  scree_joint_def* def)
+{
+	double anchors[2][2];
+	int indices[2] = {ends->a, ends->b};
+	scree_pose* frames[2] = {&def->frame_a, &def->frame_b};
+	float radians;
+	if (!items_float(items, &block->axis, &radians))
+		return false;
+	scree_rot axis = radians == 0 ? (scree_rot){1, 0} : scree_rot_make(radians);
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_pose body = {{0, 0}, {1, 0}};
+		if (block->ends[k].block >= 0)
+			body = scene->blocks[block->ends[k].block].poses[indices[k]];
+		if (!items_value(items, &block->anchors[k][0], &anchors[k][0]) ||
+		    !items_value(items, &block->anchors[k][1], &anchors[k][1]))
+			return false;
+		*frames[k] = frame_at(body, anchors[k], axis);
+	}
+	double x = anchors[1][0] - anchors[0][0], y = anchors[1][1] - anchors[0][1];
+	if (block->measured)
+		def->coordinates[SCREE_ALONG].target = (float)sqrt(x * x + y * y);
+	return true;
+}
+
+static bool ends_of(const Items* items, const JointBlock* block, JointEnds* ends)
+{
+	double a, b;
+	if (!items_value(items, &block->ends[0].index, &a) || !items_value(items, &block->ends[1].index, &b))
+		return false;
+	*ends = (JointEnds){(int)a, (int)b};
+	return block->ends[0].block != block->ends[1].block || ends->a != ends->b ||
+	       items_fail(items, block->path, "a and b are the same body");
+}
+
+static bool joint_of(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
+                     scree_joint_def* def)
+{
+	static const char* const names[] = {"along", "across", "angle"};
+	char text[80];
+	*def = block->def;
+	for (int k = 0; k < block->number_count; ++k)
+	{
+		const JointNumber* n = &block->numbers[k];
+		if (!items_float(items, &n->number, (float*)((char*)def + n->offset)))
+			return false;
+	}
+	for (int k = 0; k < 3; ++k)
+	{
+		const scree_joint_coordinate* c = &def->coordinates[k];
+		if (!c->limited || c->lower <= c->upper)
+			continue;
+		snprintf(text, sizeof text, "%s.limits: %.9g is above %.9g", names[k], c->lower, c->upper);
+		return items_fail(items, block->path, text);
+	}
+	if (block->placed)
+		return place(items, scene, block, ends, def);
+	return items_pose(items, block->positions[0], &block->angles[0], &def->frame_a) &&
+	       items_pose(items, block->positions[1], &block->angles[1], &def->frame_b);
+}
+
+static bool flush(JointBatch* batch)
+{
+	bool good = batch->count == 0 || !batch->full || batch->full(batch->context, batch);
+	batch->count = 0;
+	return good;
+}
+
+static bool add_joint(Items* items, void* context)
+{
+	JointBatch* batch = context;
+	if (batch->count == batch->capacity && !flush(batch))
+		return false;
+	int index = batch->count++;
+	return ends_of(items, batch->block, &batch->ends[index]) &&
+	       joint_of(items, batch->scene, batch->block, &batch->ends[index], &batch->defs[index]);
+}
+
+bool evaluate_joints(Reader* reader, const Scene* scene, const JointBlock* block,
+                     bool (*full)(void* context, const void* batch), void* context)
+{
+	JointBatch batch = {.scene = scene, .block = block, .full = full, .context = context, .capacity = JOINT_BATCH};
+	if (block->count < batch.capacity)
+		batch.capacity = (int)block->count;
+	if (batch.capacity == 0)
+		return true;
+	batch.defs = malloc((size_t)batch.capacity * sizeof *batch.defs);
+	batch.ends = malloc((size_t)batch.capacity * sizeof *batch.ends);
+	bool good = batch.defs && batch.ends;
+	if (!good)
+		reader_fail(reader, NULL, "out of memory");
+	good = good && items_run(reader, &block->loops, add_joint, &batch) && flush(&batch);
+	free(batch.defs);
+	free(batch.ends);
+	return good;
+}

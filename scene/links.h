@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// links.h -- the joints of a picture: a line from the center of one body over the anchors to the center of the other.
+#ifndef LINKS_H
+#define LINKS_H
+#include "scene/sprites.h"
+
+typedef struct // one joint to draw
+{
+	int bodies[2];        // index in Sprites.bodies, -1 for the world
+	bool centers[2];      // whether the line goes on to the body's origin
+	scree_vec anchors[2]; // m, in the bodies' frames or in the world
+} Link;
+
+typedef struct
+{
+	Link* list;
+	int count;
+} Links;
+
+// Lists the joints of a world that hold or move something; false when memory is short.
+bool links_list(Links* links, const Sprites* sprites, scree_world* world);
+void links_free(Links* links);
+
+// The 2 to 4 points of the line in the world, and the places of both anchors among them; returns the count of points.
+int link_points(const Link* link, const scree_pose* poses, scree_vec points[4], int anchors[2]);
+
+#endif

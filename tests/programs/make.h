@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// make.h -- a random program in the making: what it has so far, and the numbers that its calls get.
+#ifndef MAKE_H
+#define MAKE_H
+#include "programs/program.h"
+#include <float.h>
+#include <math.h>
+
+#define MOST_KINEMATIC 8
+#define MOST_BODIES    110 // at a time, so that thousands of programs need minutes
+
+typedef struct
+{
+	Program* program;
+	uint64_t seed;
+	int bodies, collidables, attributes, joints; // numbers given out
+	float kinematic[MOST_KINEMATIC];             // numbers of the last bodies that were made, or became, kinematic
+	int kinematics;
+	int alive;     // bodies, about
+	float extreme; // share of values that are extreme
+	bool extras;   // restitution, rolling resistance, tangent speeds
+	bool moves;    // between devices, which takes as long as dozens of steps
+	bool jointed;  // has joints
+} Maker;
+
+// ---------------------------------------------------------------------------------------------------------------
+// numbers
+// ---------------------------------------------------------------------------------------------------------------
+
+// Guy Steele, Doug Lea, Christine Flood, Fast Splittable Pseudorandom Number Generators, 2014
+static inline uint64_t word(Maker* m)
+{
+	uint64_t x = m->seed += 0x9e3779b97f4a7c15u;
+	x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+	x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+	return x ^ x >> 31;
+}
+
+static inline int below(Maker* m, int count) { return (int)(word(m) % (uint64_t)count); }
+static inline bool chance(Maker* m, double share) { return (double)(word(m) >> 11) < share * 9007199254740992.0; }
+
+// eighths of a hundredth: short as text, and often equal to another
+static inline float between(Maker* m, float low, float high)
+{
+	float x = low + (high - low) * ((float)(word(m) >> 40) / 16777216.0f);
+	return chance(m, 0.5) ? floorf(x * 8.0f) / 8.0f : x;
+}
+
+static inline float pick(Maker* m, const float* values, int count) { return values[below(m, count)]; }
+#define PICK(m, ...) pick(m, (const float[]){__VA_ARGS__}, (int)(sizeof((const float[]){__VA_ARGS__}) / sizeof(float)))
+
+static inline float sign(Maker* m) { return chance(m, 0.5) ? 1.0f : -1.0f; }
+
+// any finite number, as forces are
+static inline float amount(Maker* m, float usual)
+{
+	if (chance(m, m->extreme))
+		return sign(m) * PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-30f, 1e-20f, 1e-10f, 1e6f, 1e10f, 1e15f, 1e19f,
+		                      1e20f, 1e22f, 1e25f, 1e30f, 1e35f, 1e38f, FLT_MAX);
+	if (chance(m, 0.1))
+		return PICK(m, 0.0f, -0.0f);
+	return between(m, -usual, usual);
+}
+
+// a coordinate, speed or spin; those beyond 1e5 are refused
+static inline float bounded(Maker* m, float usual)
+{
+	if (chance(m, m->extreme))
+		return sign(m) * PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-20f, 1e-6f, 20.0f * usual, 400.0f, 1000.0f, 1e4f,
+		                      99999.0f, 1e5f, 1.00001e5f, INFINITY, NAN);
+	if (chance(m, 0.1))
+		return PICK(m, 0.0f, -0.0f);
+	return between(m, -usual, usual);
+}
+
+// a factor of what must not be negative
+static inline float factor(Maker* m, float most)
+{
+	if (chance(m, m->extreme))
+		return PICK(m, 0.0f, -0.0f, 1e-45f, 1e-30f, 1e-10f, 1e3f, 1e10f, 1e20f, 1e30f, FLT_MAX, -1.0f);
+	return between(m, 0.0f, most);
+}
+
+static inline float angle(Maker* m) { return PICK(m, 0.0f, 0.0f, between(m, -3.2f, 3.2f), 0.785398163f, 1.57079633f); }
+
+static inline void put(Maker* m, Call call) { program_add(m->program, call); }
+
+static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); } // now and then one that is not there
+
+// make_joint.c
+void put_joint(Maker* m);
+void put_joints(Maker* m, int count); // of a row of bodies that the last call made
+void put_joint_change(Maker* m);
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// make_joint.c -- the calls of joints in a random program: all types, between bodies near and far, and all that changes them.
+#include "programs/make.h"
+
+static float any_joint(Maker* m) { return (float)below(m, m->joints + 1); } // now and then one that is not there
+
+static float hertz(Maker* m)
+{
+	if (chance(m, m->extreme))
+		return PICK(m, 1e-45f, FLT_MIN, 1e-20f, 1e-6f, 1e3f, 1e6f, 1.1e6f, -1.0f, NAN);
+	return chance(m, 0.3) ? 0.0f : between(m, 0.1f, 60.0f);
+}
+
+static float ratio(Maker* m)
+{
+	if (chance(m, m->extreme))
+		return PICK(m, 1e-45f, 1e-20f, 1e3f, 1e6f, 1.1e6f, -1.0f, NAN);
+	return between(m, 0.0f, 3.0f);
+}
+
+// a force or torque that is a limit or a threshold
+static float most(Maker* m)
+{
+	if (chance(m, m->extreme))
+		return PICK(m, 0.0f, 1e-45f, 1e-10f, 1e10f, 1e20f, 1e30f, FLT_MAX, -2.0f, NAN);
+	return between(m, 0.0f, chance(m, 0.3) ? 1000.0f : 20.0f);
+}
+
+static void set_stiffness(Maker* m, Call* call)
+{
+	if (chance(m, 0.7))
+		return;
+	call_set(call, "hertz", hertz(m));
+	call_set(call, "ratio", ratio(m));
+}
+
+static void set_thresholds(Maker* m, Call* call)
+{
+	if (chance(m, 0.7))
+		call_set(call, "force", most(m));
+	if (chance(m, 0.4))
+		call_set(call, "torque", most(m));
+	call_set(call, "breaks", (float)chance(m, 0.5));
+}
+
+static void set_frame(Maker* m, Call* call, const char* x, const char* y, const char* turn)
+{
+	call_set(call, x, bounded(m, 1.0f));
+	call_set(call, y, bounded(m, 1.0f));
+	call_set(call, turn, angle(m));
+}
+
+void put_joint(Maker* m)
+{
+	Call call = call_make(CALL_joint);
+	float a = any_body(m);
+	call_set(&call, "joint", (float)m->joints++);
+	call_set(&call, "type", (float)(below(m, 10 + chance(m, 0.01))));
+	// neighbors, or any two
+	call_set(&call, "a", chance(m, 0.25) ? -1.0f : a);
+	call_set(&call, "b", chance(m, 0.5) ? a + 1.0f : any_body(m));
+	if (chance(m, 0.1))
+		call_set(&call, "b", -1.0f);
+	call_set(&call, "far", (float)chance(m, 0.6));
+	set_frame(m, &call, "x", "y", "angle");
+	set_stiffness(m, &call);
+	call_set(&call, "collides", (float)chance(m, 0.3));
+	if (chance(m, 0.2))
+		set_thresholds(m, &call);
+	put(m, call);
+}
+
+void put_joints(Maker* m, int count)
+{
+	Call call = call_make(CALL_joints);
+	float apart = PICK(m, 0.0f, 0.25f, 0.5f, 1.0f);
+	call_set(&call, "joint", (float)m->joints);
+	call_set(&call, "count", (float)(count - 1));
+	call_set(&call, "type", PICK(m, 1.0f, 2.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f, 9.0f));
+	call_set(&call, "body", (float)(m->bodies - count));
+	call_set(&call, "dx", apart);
+	call_set(&call, "dy", chance(m, 0.8) ? 0.0f : apart);
+	call_set(&call, "hub", (float)chance(m, 0.3));
+	m->joints += count - 1;
+	put(m, call);
+}
+
+static void put_coordinate(Maker* m)
+{
+	Call call = call_make(CALL_joint_coordinate);
+	call_set(&call, "joint", any_joint(m));
+	if (chance(m, 0.3))
+		call_set(&call, "count", (float)(1 + below(m, 6)));
+	call_set(&call, "which", (float)(below(m, 3) + 3 * chance(m, 0.01)));
+	call_set(&call, "drives", (float)below(m, 16));
+	call_set(&call, "target", bounded(m, 2.0f));
+	if (chance(m, 0.4))
+	{
+		call_set(&call, "lock_hertz", hertz(m));
+		call_set(&call, "lock_ratio", ratio(m));
+	}
+	float lower = bounded(m, 3.0f);
+	call_set(&call, "lower", lower);
+	call_set(&call, "upper", lower + (chance(m, 0.1) ? 0.0f : bounded(m, 2.0f)));
+	if (chance(m, 0.9))
+		call_set(&call, "upper", lower + between(m, 0.0f, 4.0f));
+	call_set(&call, "spring_hertz", hertz(m));
+	call_set(&call, "spring_ratio", ratio(m));
+	if (chance(m, 0.4))
+		call_set(&call, "spring_max", most(m));
+	call_set(&call, "speed", bounded(m, 5.0f));
+	call_set(&call, "motor_max", most(m));
+	put(m, call);
+}
+
+// one of the calls of joints that are there
+void put_joint_change(Maker* m)
+{
+	if (chance(m, 0.35))
+	{
+		put_coordinate(m);
+		return;
+	}
+	Call call = call_make((CallKind)(CALL_joint_destroy + below(m, CALL_collide_connected - CALL_joint_destroy + 1)));
+	if (call.kind == CALL_joint_coordinate)
+	{
+		put_coordinate(m);
+		return;
+	}
+	call_set(&call, "joint", any_joint(m));
+	switch (call.kind)
+	{
+	case CALL_joint_destroy:
+		if (chance(m, 0.2))
+			call_set(&call, "count", (float)(1 + below(m, 4)));
+		break;
+	case CALL_joint_target:
+	case CALL_joint_speed:
+		if (chance(m, 0.3))
+			call_set(&call, "count", (float)(1 + below(m, 6)));
+		call_set(&call, "which", (float)below(m, 3));
+		call_set(&call, "x", bounded(m, 4.0f));
+		break;
+	case CALL_joint_frames:
+		set_frame(m, &call, "x", "y", "angle");
+		set_frame(m, &call, "bx", "by", "bangle");
+		break;
+	case CALL_joint_stiffness:
+		call_set(&call, "hertz", hertz(m));
+		call_set(&call, "ratio", ratio(m));
+		break;
+	case CALL_joint_thresholds:
+		set_thresholds(m, &call);
+		break;
+	default:
+		call_set(&call, "collides", (float)chance(m, 0.5));
+	}
+	put(m, call);
+}

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// test_bad_joints.c -- every function of joints refuses what it must, says what and where, and changes nothing.
+#include "scree/scree.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "bad_input.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static scree_joint joint, weld, gone, alien;
+
+static scree_joint_def good_def(void)
+{
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	def.body_a = body;
+	def.body_b = second;
+	return def;
+}
+
+static int set_up(void** state)
+{
+	set_up_bad_input(state);
+	scree_joint_def def = good_def();
+	assert_ok(scree_joint_create(world, &def, &joint));
+	assert_ok(scree_joint_create(world, &def, &gone));
+	assert_ok(scree_joint_destroy(world, gone));
+	def.type = SCREE_JOINT_WELD;
+	def.body_a = SCREE_NULL_BODY;
+	assert_ok(scree_joint_create(world, &def, &weld));
+
+	// of another world, with a slot that this one has not
+	scree_body_def body_def = scree_body_def_default();
+	scree_joint_def alien_def = scree_joint_def_make(SCREE_JOINT_WELD);
+	assert_ok(scree_body_create(other, &body_def, &alien_def.body_b));
+	for (int k = 0; k < 5; ++k)
+		assert_ok(scree_joint_create(other, &alien_def, &alien));
+	assert_ok(scree_world_step(world, 1.0f / 60.0f, 4));
+	assert_ok(scree_world_get_hash(world, &before));
+	return 0;
+}
+
+static void definitions(void** state)
+{
+	(void)state;
+	scree_joint made[2];
+	scree_joint_def defs[2] = {good_def(), good_def()};
+	INVALID(scree_joints_create, (NULL, defs, 2, made), "world is null");
+	INVALID(scree_joints_create, (world, NULL, 2, made), "defs is null");
+	INVALID(scree_joints_create, (world, defs, -1, made), "count is -1");
+	INVALID(scree_joint_create, (world, NULL, made), "def is null");
+	INVALID(scree_joint_create, (NULL, defs, made), "world is null");
+#define DEF(status, change, sentence)                                                 \
+	defs[1] = good_def();                                                             \
+	defs[1].change;                                                                   \
+	REFUSED(scree_joints_create, (world, defs, 2, made), status, "defs[1]" sentence); \
+	REFUSED(scree_joint_create, (world, &defs[1], made), status, "def" sentence)
+	DEF(SCREE_ERROR_INVALID, size = 0, ".size is 0: the definition was not made by scree_joint_def_make");
+	DEF(SCREE_ERROR_INVALID, type = (scree_joint_type)10, ".type is 10, not a scree_joint_type");
+	DEF(SCREE_ERROR_INVALID, type = (scree_joint_type)-1, ".type is -1, not a scree_joint_type");
+	DEF(SCREE_ERROR_STALE, body_a = stale, ".body_a (index 4");
+	DEF(SCREE_ERROR_STALE, body_b = stale, ".body_b (index 4");
+	DEF(SCREE_ERROR_INVALID, body_a = second, ".body_b is body_a too");
+	DEF(SCREE_ERROR_INVALID, body_a = body; defs[1].body_b = body, ".body_b is body_a too");
+	DEF(SCREE_ERROR_INVALID, body_a = SCREE_NULL_BODY; defs[1].body_b = SCREE_NULL_BODY, ".body_b");
+	DEF(SCREE_ERROR_INVALID, frame_a.position.x = NAN, ".frame_a.position.x is nan");
+	DEF(SCREE_ERROR_INVALID, frame_b.position.y = 2e5f, ".frame_b.position.y is 200000");
+	DEF(SCREE_ERROR_INVALID, frame_b.rotation.c = 0, ".frame_b.rotation is (0, 0)");
+	DEF(SCREE_ERROR_INVALID, hertz = -1, ".hertz is -1");
+	DEF(SCREE_ERROR_INVALID, hertz = NAN, ".hertz is nan");
+	DEF(SCREE_ERROR_INVALID, hertz = 2e6f, ".hertz is 2000000");
+	DEF(SCREE_ERROR_INVALID, damping_ratio = -1, ".damping_ratio is -1");
+	DEF(SCREE_ERROR_INVALID, damping_ratio = INFINITY, ".damping_ratio is inf");
+	DEF(SCREE_ERROR_INVALID, force_threshold = -1, ".force_threshold is -1");
+	DEF(SCREE_ERROR_INVALID, torque_threshold = NAN, ".torque_threshold is nan");
+	DEF(SCREE_ERROR_INVALID, coordinates[0].target = NAN, ".coordinates[SCREE_ALONG].target is nan");
+	DEF(SCREE_ERROR_INVALID, coordinates[1].lock_hertz = -1, ".coordinates[SCREE_ACROSS].lock_hertz is -1");
+	DEF(SCREE_ERROR_INVALID, coordinates[2].spring_max = -1, ".coordinates[SCREE_ANGLE].spring_max is -1");
+#undef DEF
+	defs[0] = scree_joint_def_make((scree_joint_type)77);
+	defs[0].body_b = second;
+	INVALID(scree_joint_create, (world, defs, made), "def.type is 77");
+	assert_string_equal(scree_joint_type_name((scree_joint_type)77), "unknown");
+}
+
+// All numbers of a coordinate, in a definition and when it is set.
+static void coordinates(void** state)
+{
+	(void)state;
+	static const struct
+	{
+		const char* name;
+		size_t offset;
+		float low, high; // out of range
+	} numbers[] = {
+#define NUMBER(name, low, high) {#name, offsetof(scree_joint_coordinate, name), low, high}
+	    NUMBER(target, -2e5f, 2e5f),
+	    NUMBER(lock_hertz, -1.0f, 2e6f),
+	    NUMBER(lock_damping_ratio, -1.0f, 2e6f),
+	    NUMBER(lower, -2e5f, 2e5f),
+	    NUMBER(upper, -2e5f, 2e5f),
+	    NUMBER(spring_hertz, -1.0f, 2e6f),
+	    NUMBER(spring_damping_ratio, -1.0f, 2e6f),
+	    NUMBER(spring_max, -1.0f, INFINITY),
+	    NUMBER(motor_speed, -2e5f, 2e5f),
+	    NUMBER(motor_max, -1.0f, INFINITY),
+	};
+	for (size_t k = 0; k < sizeof numbers / sizeof *numbers; ++k)
+		for (int which = 0; which < 3; ++which)
+			for (int way = 0; way < 3; ++way)
+			{
+				scree_joint_def def = good_def();
+				scree_joint handles[2] = {joint, weld};
+				scree_joint_coordinate values[2] = {def.coordinates[which], def.coordinates[which]};
+				float bad = way == 0 ? numbers[k].low : way == 1 ? numbers[k].high : NAN;
+				memcpy((char*)&values[1] + numbers[k].offset, &bad, sizeof bad);
+				def.coordinates[which] = values[1];
+				INVALID(scree_joint_create, (world, &def, NULL), numbers[k].name);
+				INVALID(scree_joint_set_coordinate, (world, joint, (scree_coordinate)which, &values[1]),
+				        numbers[k].name);
+				INVALID(scree_joints_set_coordinates, (world, handles, (scree_coordinate)which, values, 2),
+				        numbers[k].name);
+				INVALID(scree_joints_set_coordinates, (world, handles, (scree_coordinate)which, values, 2),
+				        "values[1]");
+			}
+	scree_joint_coordinate crossed;
+	assert_ok(scree_joint_get_coordinate(world, joint, SCREE_ANGLE, &crossed));
+	crossed.lower = 1.0f;
+	crossed.limited = true;
+	INVALID(scree_joint_set_coordinate, (world, joint, SCREE_ANGLE, &crossed), "lower is 1, above upper, which is 0");
+	INVALID(scree_joint_set_coordinate, (world, joint, (scree_coordinate)3, &crossed), "which is 3");
+	INVALID(scree_joint_set_coordinate, (world, joint, (scree_coordinate)-1, &crossed), "which is -1");
+	INVALID(scree_joint_set_coordinate, (world, joint, SCREE_ANGLE, NULL), "value is null");
+	INVALID(scree_joint_get_coordinate, (world, joint, SCREE_ANGLE, NULL), "value is null");
+	INVALID(scree_joint_get_coordinate, (world, joint, (scree_coordinate)3, &crossed), "which is 3");
+	STALE(scree_joint_get_coordinate, (world, gone, SCREE_ANGLE, &crossed), "joint (index 2");
+}
+
+static void places(void** state)
+{
+	(void)state;
+	scree_joint_def def = good_def(), same = def;
+	scree_pose bad = good_pose;
+	INVALID(scree_joint_def_place, (NULL, &def, good_pose), "world is null");
+	INVALID(scree_joint_def_place, (world, NULL, good_pose), "def is null");
+	bad.position.x = NAN;
+	INVALID(scree_joint_def_place, (world, &def, bad), "pose.position.x is nan");
+	bad = good_pose;
+	bad.rotation.s = 3.0f;
+	INVALID(scree_joint_def_place, (world, &def, bad), "pose.rotation is (0, 3)");
+	def.body_b = stale;
+	STALE(scree_joint_def_place, (world, &def, good_pose), "def.body_b (index 4");
+	def.body_b = second;
+	def.size = 0;
+	INVALID(scree_joint_def_place, (world, &def, good_pose), "def.size is 0");
+	def.size = same.size;
+	assert_memory_equal(&def, &same, sizeof def);
+}
+
+static void handles(void** state)
+{
+	(void)state;
+	scree_joint twice[2] = {joint, joint}, listed[2];
+	int count;
+	STALE(scree_joints_destroy, (world, twice, 2), "joints[1] is twice in the batch");
+	twice[1] = gone;
+	STALE(scree_joints_destroy, (world, twice, 2), "joints[1] (index 2");
+	INVALID(scree_joints_destroy, (world, NULL, 2), "joints is null");
+	INVALID(scree_joints_destroy, (world, twice, -1), "count is -1");
+	INVALID(scree_joint_destroy, (NULL, joint), "world is null");
+	STALE(scree_joint_destroy, (world, gone), "joint (index 2");
+	STALE(scree_joint_destroy, (world, SCREE_NULL_JOINT), "joint is null");
+	STALE(scree_joint_destroy, (world, alien), "joint (index 5");
+	assert_false(scree_joint_is_valid(NULL, joint) || scree_joint_is_valid(world, gone));
+	assert_false(scree_joint_is_valid(world, SCREE_NULL_JOINT) || scree_joint_is_valid(world, alien));
+	assert_true(scree_joint_is_valid(world, joint) && scree_joint_is_valid(world, weld));
+
+	INVALID(scree_world_get_joints, (NULL, listed, 2, &count), "world is null");
+	INVALID(scree_world_get_joints, (world, NULL, 2, &count), "joints is null");
+	INVALID(scree_world_get_joints, (world, listed, -1, &count), "capacity is -1");
+	INVALID(scree_world_get_joints, (world, listed, 2, NULL), "count is null");
+	INVALID(scree_body_get_joints, (NULL, body, listed, 2, &count), "world is null");
+	INVALID(scree_body_get_joints, (world, body, NULL, 2, &count), "joints is null");
+	INVALID(scree_body_get_joints, (world, body, listed, -1, &count), "capacity is -1");
+	INVALID(scree_body_get_joints, (world, body, listed, 2, NULL), "count is null");
+	STALE(scree_body_get_joints, (world, stale, listed, 2, &count), "body (index 4");
+	STALE(scree_body_get_joints, (world, SCREE_NULL_BODY, listed, 2, &count), "body is null");
+}
+
+static void changes(void** state)
+{
+	(void)state;
+	scree_joint both[2] = {joint, gone};
+	float values[2] = {1.0f, NAN};
+	scree_pose poses[2] = {good_pose, good_pose}, bad = good_pose;
+	bad.position.y = INFINITY;
+#define BATCH(function, values_name)                                                    \
+	STALE(function, (world, both, SCREE_ALONG, values, 2), "joints[1] (index 2");       \
+	INVALID(function, (world, NULL, SCREE_ALONG, values, 2), "joints is null");         \
+	INVALID(function, (world, both, SCREE_ALONG, NULL, 2), values_name " is null");     \
+	INVALID(function, (world, both, SCREE_ALONG, values, -1), "count is -1");           \
+	INVALID(function, (world, both, (scree_coordinate)3, values, 1), "which is 3");     \
+	INVALID(function, (NULL, both, SCREE_ALONG, values, 1), "world is null");           \
+	both[1] = weld;                                                                     \
+	INVALID(function, (world, both, SCREE_ALONG, values, 2), values_name "[1] is nan"); \
+	both[1] = gone
+	BATCH(scree_joints_set_targets, "targets");
+	BATCH(scree_joints_set_motor_speeds, "speeds");
+#undef BATCH
+#define ONE(function, name)                                                         \
+	STALE(function, (world, gone, SCREE_ALONG, 1.0f), "joint (index 2");            \
+	STALE(function, (world, SCREE_NULL_JOINT, SCREE_ALONG, 1.0f), "joint is null"); \
+	INVALID(function, (world, joint, (scree_coordinate)5, 1.0f), "which is 5");     \
+	INVALID(function, (world, joint, SCREE_ALONG, 2e5f), name " is 200000");        \
+	INVALID(function, (NULL, joint, SCREE_ALONG, 1.0f), "world is null")
+	ONE(scree_joint_set_target, "target");
+	ONE(scree_joint_set_motor_speed, "speed");
+#undef ONE
+	INVALID(scree_joint_set_frames, (world, joint, bad, good_pose), "frame_a.position.y is inf");
+	INVALID(scree_joint_set_frames, (world, joint, good_pose, bad), "frame_b.position.y is inf");
+	STALE(scree_joint_set_frames, (world, gone, good_pose, good_pose), "joint (index 2");
+	INVALID(scree_joint_set_frames, (NULL, joint, good_pose, good_pose), "world is null");
+	STALE(scree_joints_set_frames, (world, both, poses, poses, 2), "joints[1] (index 2");
+	INVALID(scree_joints_set_frames, (world, both, NULL, poses, 2), "frames_a is null");
+	INVALID(scree_joints_set_frames, (world, both, poses, NULL, 2), "frames_b is null");
+	both[1] = weld;
+	poses[1] = bad;
+	INVALID(scree_joints_set_frames, (world, both, poses, poses, 2), "frames_a[1].position.y is inf");
+
+	INVALID(scree_joint_set_stiffness, (world, joint, -1.0f, 1.0f), "hertz is -1");
+	INVALID(scree_joint_set_stiffness, (world, joint, 2e6f, 1.0f), "hertz is 2000000");
+	INVALID(scree_joint_set_stiffness, (world, joint, 1.0f, NAN), "damping_ratio is nan");
+	INVALID(scree_joint_set_stiffness, (NULL, joint, 1.0f, 1.0f), "world is null");
+	STALE(scree_joint_set_stiffness, (world, gone, 1.0f, 1.0f), "joint (index 2");
+	INVALID(scree_joint_set_thresholds, (world, joint, -1.0f, 1.0f, true), "force is -1");
+	INVALID(scree_joint_set_thresholds, (world, joint, 1.0f, INFINITY, true), "torque is inf");
+	INVALID(scree_joint_set_thresholds, (NULL, joint, 1.0f, 1.0f, true), "world is null");
+	STALE(scree_joint_set_thresholds, (world, gone, 1.0f, 1.0f, true), "joint (index 2");
+	INVALID(scree_joint_set_collide_connected, (NULL, joint, true), "world is null");
+	STALE(scree_joint_set_collide_connected, (world, gone, true), "joint (index 2");
+	INVALID(scree_joint_set_user, (NULL, joint, 1), "world is null");
+	STALE(scree_joint_set_user, (world, gone, 1), "joint (index 2");
+}
+
+// The functions of definitions and results whose size goes along have the names that users call in their sentences.
+static void readings(void** state)
+{
+	(void)state;
+	scree_joint both[2] = {joint, gone};
+	scree_joint_state states[2];
+	scree_joint_event events[2];
+	scree_joint_def def;
+	int count;
+	INVALID(scree_joint_get_def, (NULL, joint, &def), "world is null");
+	INVALID(scree_joint_get_def, (world, joint, NULL), "def is null");
+	STALE(scree_joint_get_def, (world, gone, &def), "joint (index 2");
+	INVALID(scree_joints_get_states, (NULL, both, states, 2), "world is null");
+	INVALID(scree_joints_get_states, (world, NULL, states, 2), "joints is null");
+	INVALID(scree_joints_get_states, (world, both, NULL, 2), "states is null");
+	INVALID(scree_joints_get_states, (world, both, states, -1), "count is -1");
+	STALE(scree_joints_get_states, (world, both, states, 2), "joints[1] (index 2");
+	INVALID(scree_world_get_joint_events, (NULL, events, 2, &count), "world is null");
+	INVALID(scree_world_get_joint_events, (world, NULL, 2, &count), "events is null");
+	INVALID(scree_world_get_joint_events, (world, events, -1, &count), "capacity is -1");
+	INVALID(scree_world_get_joint_events, (world, events, 2, NULL), "count is null");
+}
+
+// What a definition says beyond what this library knows is refused if it is set.
+static void unknown_members(void** state)
+{
+	(void)state;
+	struct
+	{
+		scree_joint_def def;
+		uint64_t more;
+	} longer = {.def = good_def(), .more = 0};
+	longer.def.size = (uint32_t)sizeof longer;
+	longer.more = 1;
+	INVALID(scree_joint_create, (world, &longer.def, NULL), "def");
+	assert_int_equal(sizeof(scree_joint_def) % sizeof(uint64_t), 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(definitions),     cmocka_unit_test(coordinates), cmocka_unit_test(places),
+	    cmocka_unit_test(handles),         cmocka_unit_test(changes),     cmocka_unit_test(readings),
+	    cmocka_unit_test(unknown_members),
+	};
+	return cmocka_run_group_tests(tests, set_up, tear_down_bad_input);
+}

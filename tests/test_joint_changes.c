@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+// test_joint_changes.c -- joints made, changed and destroyed between steps; on the CPU and on OpenCL.
+#include "world_support.h"
+
+#include "joint_support.h"
+
+static int joints_with(scree_world* world, scree_body body)
+{
+	int count;
+	assert_ok(scree_body_get_joints(world, body, NULL, 0, &count));
+	return count;
+}
+
+// Two boxes that touch have a contact unless some joint between them keeps them apart; it comes back when none does.
+static void joints_keep_bodies_apart(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f), b = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.0f);
+	step(world, 2);
+	assert_int_equal(contacts_of(world), 1);
+	scree_joint first = join(world, SCREE_JOINT_REVOLUTE, a, b, 0.5f, 0.0f);
+	step(world, 1);
+	assert_int_equal(contacts_of(world), 0);
+	scree_joint second = join(world, SCREE_JOINT_FILTER, b, a, 0.0f, 0.0f);
+	assert_ok(scree_joint_set_collide_connected(world, first, true));
+	look(world);
+	assert_int_equal(contacts_of(world), 0);
+	assert_ok(scree_joint_set_collide_connected(world, second, true));
+	step(world, 1);
+	assert_int_equal(contacts_of(world), 1);
+	assert_ok(scree_joint_set_collide_connected(world, second, false));
+	step(world, 1);
+	assert_int_equal(contacts_of(world), 0);
+	assert_ok(scree_joint_destroy(world, second));
+	step(world, 1);
+	assert_int_equal(contacts_of(world), 1);
+
+	// a pair that meets later, and a joint that is disabled with its body
+	assert_ok(scree_joint_set_collide_connected(world, first, false));
+	assert_ok(scree_body_set_pose(world, b, pose_at(0.0f, 30.0f, 0.0f)));
+	assert_ok(scree_body_set_enabled(world, b, false));
+	step(world, 1);
+	assert_ok(scree_body_set_pose(world, b, pose_at(0.9f, 0.0f, 0.0f)));
+	assert_ok(scree_body_set_enabled(world, b, true));
+	step(world, 2);
+	assert_int_equal(contacts_of(world), 0);
+	assert_ok(scree_joint_destroy(world, first));
+	step(world, 2);
+	assert_int_equal(contacts_of(world), 1);
+	scree_world_destroy(world);
+}
+
+// A joint that breaks lets its bodies collide again, which they do from the next step on.
+static void broken_joints_let_bodies_collide(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body low = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f),
+	           high = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, low, high, 0.0f, 1.0f, 0.0f);
+	def.breaks = true;
+	def.force_threshold = 100.0f;
+	scree_joint joint = add_joint(world, &def);
+	step(world, 60);
+	assert_int_equal(contacts_with(world, high), 0);
+	assert_ok(scree_body_apply_force(world, high, (scree_vec){0.0f, 400.0f}));
+	step(world, 1);
+	scree_joint_event event;
+	assert_int_equal(joint_events_of(world, &event, 1), 1);
+	assert_true(event.broken && scree_joint_equals(event.joint, joint) && event.force > 100.0f);
+	step(world, 1);
+	assert_int_equal(joint_events_of(world, NULL, 0), 0);
+	step(world, 240);
+	assert_true(contacts_with(world, high) > 0);
+	assert_near(fabs((double)pose_of(world, high).position.x) > 0.5 ? 0.5 : 1.5, pose_of(world, high).position.y, 0.02);
+
+	// it stays broken whatever is changed, and can be destroyed
+	assert_ok(scree_joint_set_thresholds(world, joint, 1e9f, 1e9f, false));
+	assert_ok(scree_joint_set_target(world, joint, SCREE_ALONG, 1.0f));
+	step(world, 10);
+	assert_true(joint_state_of(world, joint).broken);
+	assert_int_equal(joints_of(world), 1);
+	assert_ok(scree_joint_destroy(world, joint));
+	joint = join(world, SCREE_JOINT_WELD, low, high, 0.0f, 1.0f);
+	step(world, 2);
+	assert_false(joint_state_of(world, joint).broken);
+	scree_world_destroy(world);
+}
+
+// A joint with the world keeps nothing apart: neither the body and what is static, nor an overlap that is only reported.
+static void joints_with_the_world_keep_overlaps(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
+	scree_collidable_def zone = scree_collidable_def_default();
+	zone.attribute = make_box(world, 1.0f, 1.0f);
+	assert_ok(scree_collidable_create(world, &zone, NULL));
+	step(world, 2);
+	int overlaps;
+	for (int k = 0; k < 4; ++k)
+	{
+		assert_ok(scree_world_get_overlaps(world, NULL, 0, &overlaps));
+		assert_int_equal(overlaps, 2);
+		assert_int_equal(contacts_of(world), 1);
+		if (k == 3)
+			break;
+		join(world, SCREE_JOINT_MOTOR, SCREE_NULL_BODY, body, 0.0f, 0.0f);
+		step(world, 1);
+	}
+	scree_world_destroy(world);
+}
+
+// A body is destroyed whose joint kept it from touching another one, and a new one takes its slots: none of their contacts is
+// left, neither in the step nor later.
+static void contacts_go_with_their_bodies(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f), b = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	join(world, SCREE_JOINT_FILTER, a, b, 0.0f, 0.5f);
+	step(world, 2);
+	assert_ok(scree_body_destroy(world, a));
+	a = add_box(world, SCREE_BODY_DYNAMIC, 30.0f, 0.0f);
+	for (int k = 0; k < 4; ++k)
+	{
+		step(world, 1);
+		assert_int_equal(contacts_of(world), 0);
+		assert_int_equal(counters_of(world).contacts, 0);
+	}
+	assert_velocity(world, a, 0.0f, 0.0f, 0.0f);
+	scree_world_destroy(world);
+}
+
+// The joints of a body go with it, and their handles stay stale when the slots are taken again.
+static void joints_go_with_their_bodies(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	scree_body bodies[4];
+	scree_joint joints[4], listed[4];
+	for (int k = 0; k < 4; ++k)
+		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 2.0f * (float)k, 0.0f);
+	for (int k = 0; k < 3; ++k)
+		joints[k] = join(world, SCREE_JOINT_WELD, bodies[k], bodies[k + 1], 2.0f * (float)k + 1.0f, 0.0f);
+	joints[3] = join(world, SCREE_JOINT_REVOLUTE, bodies[1], SCREE_NULL_BODY, 2.0f, 0.0f);
+	step(world, 2);
+	int count;
+	assert_ok(scree_body_get_joints(world, bodies[1], listed, 4, &count));
+	assert_int_equal(count, 3);
+	for (int k = 0; k < 3; ++k)
+		assert_true(scree_joint_equals(listed[k], joints[k < 2 ? k : 3]));
+	assert_ok(scree_body_get_joints(world, bodies[1], listed, 1, &count));
+	assert_true(count == 3 && scree_joint_equals(listed[0], joints[0]));
+
+	assert_ok(scree_body_destroy(world, bodies[1]));
+	for (int k = 0; k < 4; ++k)
+		assert_int_equal(scree_joint_is_valid(world, joints[k]), k == 2);
+	assert_int_equal(joints_of(world), 1);
+	assert_int_equal(joints_with(world, bodies[0]), 0);
+	assert_int_equal(joints_with(world, bodies[2]), 1);
+	assert_int_equal(scree_joint_destroy(world, joints[0]), SCREE_ERROR_STALE);
+	assert_int_equal(scree_joint_set_target(world, joints[1], SCREE_ALONG, 1.0f), SCREE_ERROR_STALE);
+	scree_joint_state unread;
+	assert_int_equal(scree_joint_get_state(world, joints[3], &unread), SCREE_ERROR_STALE);
+
+	// new ones in the same slots, with nothing of the old
+	bodies[1] = add_box(world, SCREE_BODY_DYNAMIC, 50.0f, 0.0f);
+	scree_joint fresh = join(world, SCREE_JOINT_WELD, bodies[0], bodies[1], 25.0f, 0.0f);
+	assert_false(scree_joint_is_valid(world, joints[0]) || scree_joint_is_valid(world, joints[1]));
+	step(world, 1);
+	assert_near(joint_state_of(world, fresh).force.x, 0.0, 0.0);
+	assert_pose(world, bodies[1], pose_at(50.0f, 0.0f, 0.0f));
+	scree_world_destroy(world);
+}
+
+// A joint rests between bodies that cannot move, and holds again as soon as one can; impulses of before do not count.
+static void types_change(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body anchor = add_box(world, SCREE_BODY_STATIC, 0.0f, 0.0f),
+	           load = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, -2.0f);
+	scree_joint joint = join(world, SCREE_JOINT_WELD, anchor, load, 0.0f, -1.0f);
+	step(world, 30);
+	assert_near(joint_state_of(world, joint).force.y, 10.0, 0.01);
+	assert_ok(scree_body_set_type(world, load, SCREE_BODY_STATIC));
+	step(world, 30);
+	assert_true(joint_state_of(world, joint).force.y == 0.0f);
+	assert_ok(scree_body_set_type(world, load, SCREE_BODY_DYNAMIC));
+	assert_ok(scree_body_set_type(world, anchor, SCREE_BODY_DYNAMIC));
+	step(world, 30);
+	assert_near(velocity_of(world, anchor).linear.y, -5.0, 0.01);
+	assert_near(velocity_of(world, load).linear.y, -5.0, 0.01);
+	assert_near(joint_state_of(world, joint).force.y, 0.0, 0.01);
+
+	// a kinematic anchor carries
+	assert_ok(scree_body_set_type(world, anchor, SCREE_BODY_KINEMATIC));
+	assert_ok(scree_body_set_velocity(world, anchor, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	step(world, 120);
+	assert_near(velocity_of(world, load).linear.x, 1.0, 0.01);
+	assert_near(pose_of(world, load).position.x, pose_of(world, anchor).position.x, 0.01);
+	assert_near(joint_state_of(world, joint).force.y, 10.0, 0.1);
+	scree_world_destroy(world);
+}
+
+// A joint with a disabled body rests: the other one falls freely; enabled, they come together again.
+static void bodies_are_switched(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body anchor = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f),
+	           load = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, -2.0f);
+	join(world, SCREE_JOINT_REVOLUTE, SCREE_NULL_BODY, anchor, 0.0f, 0.0f);
+	scree_joint joint = join(world, SCREE_JOINT_WELD, anchor, load, 0.0f, -1.0f);
+	step(world, 30);
+	assert_near(joint_state_of(world, joint).force.y, 10.0, 0.01);
+	assert_ok(scree_body_set_enabled(world, anchor, false));
+	step(world, 6);
+	assert_near(velocity_of(world, load).linear.y, -1.0, 1e-4);
+	assert_true(joint_state_of(world, joint).force.y == 0.0f);
+	assert_ok(scree_body_set_enabled(world, anchor, true));
+	step(world, 120);
+	assert_near(pose_of(world, load).position.y, -2.0, 0.01);
+	assert_near(joint_state_of(world, joint).force.y, 10.0, 0.1);
+
+	// a load of twice the mass
+	assert_ok(scree_body_set_mass(world, load, (scree_mass){2.0f, 0.5f, {0.0f, 0.0f}}));
+	step(world, 60);
+	assert_near(joint_state_of(world, joint).force.y, 20.0, 0.1);
+	scree_world_destroy(world);
+}
+
+// Frames, targets, thresholds and stiffness are read as they were set, and act from the next step on.
+static void settings_are_read_and_act(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
+	scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, SCREE_NULL_BODY, body, 0.0f, 0.0f, 0.0f), now;
+	def.user = 5;
+	scree_joint joint = add_joint(world, &def);
+	step(world, 10);
+	assert_ok(scree_joint_set_frames(world, joint, pose_at(0.5f, 0.25f, 0.3f), pose_at(0.0f, 0.0f, 0.0f)));
+	assert_ok(scree_joint_set_stiffness(world, joint, 50.0f, 3.0f));
+	assert_ok(scree_joint_set_thresholds(world, joint, 7.0f, 8.0f, false));
+	assert_ok(scree_joint_set_user(world, joint, 9));
+	assert_ok(scree_joint_set_collide_connected(world, joint, true));
+	assert_ok(scree_joint_get_def(world, joint, &now));
+	assert_true(now.type == SCREE_JOINT_WELD && scree_body_is_null(now.body_a) && scree_body_equals(now.body_b, body));
+	assert_true(now.frame_a.position.x == 0.5f && now.frame_a.rotation.s == scree_rot_make(0.3f).s);
+	assert_true(now.hertz == 50.0f && now.damping_ratio == 3.0f && now.user == 9 && now.collide_connected);
+	assert_true(now.force_threshold == 7.0f && now.torque_threshold == 8.0f && !now.breaks);
+	step(world, 120);
+	assert_near(pose_of(world, body).position.x, 0.5, 1e-3);
+	assert_near(pose_of(world, body).position.y, 0.25, 1e-3);
+	assert_near(scree_rot_get_angle(pose_of(world, body).rotation), 0.3, 1e-3);
+	scree_joint_event event;
+	assert_int_equal(joint_events_of(world, &event, 1), 1);
+	assert_true(event.user == 9 && !event.broken);
+
+	// a coordinate that is let go, and taken again
+	scree_joint_coordinate across, read;
+	assert_ok(scree_joint_get_coordinate(world, joint, SCREE_ACROSS, &across));
+	assert_true(across.locked && !across.limited);
+	across.locked = false;
+	across.motor = true;
+	across.motor_speed = -1.0f;
+	across.motor_max = 1e4f;
+	assert_ok(scree_joint_set_coordinate(world, joint, SCREE_ACROSS, &across));
+	assert_ok(scree_joint_get_coordinate(world, joint, SCREE_ACROSS, &read));
+	assert_memory_equal(&read, &across, sizeof read);
+	step(world, 60);
+	assert_near(joint_state_of(world, joint).values[SCREE_ACROSS], -1.0, 0.01);
+	across.motor = false;
+	across.spring = true;
+	across.spring_hertz = 4.0f;
+	across.spring_damping_ratio = 1.0f;
+	assert_ok(scree_joint_set_coordinate(world, joint, SCREE_ACROSS, &across));
+	step(world, 240);
+	assert_near(joint_state_of(world, joint).values[SCREE_ACROSS], -10.0 * cos(0.3) / pow(8.0 * 3.14159265, 2.0), 1e-3);
+	across.spring = false;
+	assert_ok(scree_joint_set_coordinate(world, joint, SCREE_ACROSS, &across));
+	float before = velocity_of(world, body).linear.y;
+	step(world, 6);
+	assert_near(velocity_of(world, body).linear.y - before, -10.0 * 0.1 * pow(cos(0.3), 2.0), 2e-3);
+	scree_world_destroy(world);
+}
+
+// A joint made and one destroyed in every step: slots are taken again, and colors and impulses with them.
+static void joints_come_and_go(void** state)
+{
+	(void)state;
+	enum
+	{
+		BODIES = 12
+	};
+	scree_world* world = make_world(-10.0f);
+	scree_body bodies[BODIES];
+	scree_joint joints[BODIES] = {SCREE_NULL_JOINT};
+	add_ground(world);
+	for (int k = 0; k < BODIES; ++k)
+		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 1.5f * (float)k, 0.6f);
+	for (int k = 0; k < 90; ++k)
+	{
+		int i = k * 5 % BODIES, other = (i + 1 + k % 3) % BODIES;
+		if (scree_joint_is_valid(world, joints[i]))
+			assert_ok(scree_joint_destroy(world, joints[i]));
+		joints[i] = join(world, (scree_joint_type)(k % 10), bodies[i], bodies[other], 1.5f * (float)i, 1.0f);
+		step(world, 1);
+		assert_true(world->joints.used <= BODIES + 1);
+		assert_int_equal(joints_of(world), k < BODIES ? k + 1 : BODIES);
+	}
+	for (int k = 0; k < BODIES; ++k)
+		assert_ok(scree_joint_destroy(world, joints[k]));
+	assert_int_equal(joints_of(world), 0);
+	step(world, 200);
+	for (int k = 0; k < BODIES; ++k)
+		assert_true(fabsf(pose_of(world, bodies[k]).position.y) < 20.0f);
+	scree_world_destroy(world);
+}
+
+// A step of no time leaves poses, velocities and impulses, and the joint's turns.
+static void steps_of_no_time(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
+	scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, SCREE_NULL_BODY, body, 0.0f, 0.0f, 0.0f);
+	def.coordinates[SCREE_ANGLE].motor = true;
+	def.coordinates[SCREE_ANGLE].motor_speed = 10.0f;
+	def.coordinates[SCREE_ANGLE].motor_max = 1e3f;
+	scree_joint joint = add_joint(world, &def);
+	look(world);
+	assert_pose(world, body, pose_at(0.0f, 0.0f, 0.0f));
+	assert_velocity(world, body, 0.0f, 0.0f, 0.0f);
+	step(world, 60);
+	look(world);
+	scree_joint_state first = joint_state_of(world, joint);
+	uint64_t hash = hash_of(world);
+	for (int k = 0; k < 5; ++k)
+		look(world);
+	scree_joint_state then = joint_state_of(world, joint);
+	assert_true(hash_of(world) == hash);
+	for (int k = 0; k < 3; ++k)
+		assert_true(then.values[k] == first.values[k] && then.speeds[k] == first.speeds[k]);
+	assert_near(then.values[SCREE_ANGLE], 10.0, 0.1);
+	scree_pose pose = pose_of(world, body);
+	step(world, 1);
+	assert_near(joint_state_of(world, joint).force.y, 10.0, 0.05);
+	assert_near(pose_of(world, body).position.y, pose.position.y, 1e-4);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(joints_keep_bodies_apart),
+	    cmocka_unit_test(broken_joints_let_bodies_collide),
+	    cmocka_unit_test(joints_with_the_world_keep_overlaps),
+	    cmocka_unit_test(contacts_go_with_their_bodies),
+	    cmocka_unit_test(joints_go_with_their_bodies),
+	    cmocka_unit_test(types_change),
+	    cmocka_unit_test(bodies_are_switched),
+	    cmocka_unit_test(settings_are_read_and_act),
+	    cmocka_unit_test(joints_come_and_go),
+	    cmocka_unit_test(steps_of_no_time),
+	};
+	return RUN_ON_DEVICES(tests);
+}
