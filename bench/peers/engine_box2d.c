@@ -14,7 +14,7 @@
 typedef struct
 {
 	b2WorldId world;
-	b2BodyId ground;  // what joints with the world hold on to
+	b2BodyId ground;  // what joints with the world hold on to; null before the first one
 	b2BodyId* bodies; // in the order of the scene
 	int count;
 	const Setup* setup;
@@ -89,8 +89,11 @@ static bool add_body(scree_world* model, scree_body body, b2WorldId world, b2Bod
 }
 
 // The body of Box2D for one of the model, which are listed by rising index.
-static b2BodyId find_body(const State* state, scree_body body)
+static b2BodyId find_body(State* state, scree_body body)
 {
+	b2BodyDef ground = b2DefaultBodyDef();
+	if (scree_body_is_null(body) && B2_IS_NULL(state->ground))
+		state->ground = b2CreateBody(state->world, &ground);
 	if (scree_body_is_null(body))
 		return state->ground;
 	int low = 0;
@@ -169,18 +172,11 @@ static bool build(scree_world* model, State* state)
 		fprintf(stderr, "scree_peers: %d collidables have no body: Box2D knows no such thing\n", detectors);
 		return false;
 	}
-	if (state->scene->joint_count > 0)
-	{
-		fprintf(stderr, "scree_peers: %s has joints, which are not made in Box2D\n", state->scene->name);
-		return false;
-	}
 	state->parts = list_bodies(model, &state->count);
 	state->bodies = calloc((size_t)state->count + 1, sizeof(b2BodyId));
 	bool good = state->parts && state->bodies;
 	for (int k = 0; good && k < state->count; ++k)
 		good = add_body(model, state->parts[k], state->world, &state->bodies[k]);
-	b2BodyDef ground = b2DefaultBodyDef();
-	state->ground = b2CreateBody(state->world, &ground);
 	return good && add_joints(state);
 }
 

@@ -49,7 +49,7 @@ static const char* const help =
     "Times scenes with Scree and with Box2D in turns; CSV on standard output. Without a name: pyramid, pyramids, "
     "pile,\n"
     "tumbler, smash, washer. A ratio above 1 means that Scree is the faster one. Scenes with joints, made by code:\n"
-    "joint_grid, rain, spinner, drum, chains, bridge, beam, humans, car.\n"
+    "joint_grid, rain, spinner, drum, ropes, bridges, beam, humans, car.\n"
     "\n"
     "  -t, --threads N[,N]...   threads of both, 1,2 without it\n"
     "  -n, --steps N            steps to take; without it as many as the scene says\n"

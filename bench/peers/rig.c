@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const Rig* const rigs[] = {&joint_grid_rig, &rain_rig, &spinner_rig, &drum_rig, &chains_rig,
-                                  &bridge_rig,     &beam_rig, &humans_rig,  &car_rig};
+static const Rig* const rigs[] = {&joint_grid_rig, &rain_rig, &spinner_rig, &drum_rig, &ropes_rig,
+                                  &bridges_rig,    &beam_rig, &humans_rig,  &car_rig};
 
 const Rig* rig_find(const char* name)
 {

@@ -70,14 +70,13 @@ static void add_rope(RigBuild* build, float x)
 	}
 }
 
-static void build_chains(RigBuild* build)
+static void build_ropes(RigBuild* build)
 {
 	for (int k = 0; k < (int)build->values[COUNT]; ++k)
 		add_rope(build, 2.0f * (float)k);
 }
 
-const Rig chains_rig = {
-    "chains", 500, {{"count", 100}, {"links", 40}, {"load", 100}, {"level", 1}}, build_chains, NULL};
+const Rig ropes_rig = {"ropes", 500, {{"count", 100}, {"links", 40}, {"load", 100}, {"level", 0}}, build_ropes, NULL};
 
 enum
 {
@@ -115,8 +114,8 @@ static void build_bridges(RigBuild* build)
 		add_bridge(build, -200.0f * (float)k);
 }
 
-const Rig bridge_rig = {
-    "bridge", 500, {{"count", 20}, {"planks", 100}, {"loads", 10}, {"mass", 4}}, build_bridges, NULL};
+const Rig bridges_rig = {
+    "bridges", 500, {{"count", 20}, {"planks", 100}, {"loads", 10}, {"mass", 4}}, build_bridges, NULL};
 
 // A level beam of boxes of 1 m by 0.5 m, welded to each other and to the world.
 static void build_beam(RigBuild* build)

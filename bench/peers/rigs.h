@@ -11,10 +11,10 @@ extern const Rig rain_rig;       // ragdolls
 extern const Rig spinner_rig;    // a motor turns a bar among small bodies
 extern const Rig drum_rig;       // a motor turns a box full of boxes
 
-extern const Rig chains_rig; // ropes with a load
-extern const Rig bridge_rig; // planks with loads
-extern const Rig beam_rig;   // welded boxes
-extern const Rig humans_rig; // ragdolls that come to rest
-extern const Rig car_rig;    // wheels on rough ground
+extern const Rig ropes_rig;   // ropes with a load
+extern const Rig bridges_rig; // planks with loads
+extern const Rig beam_rig;    // welded boxes
+extern const Rig humans_rig;  // ragdolls that come to rest
+extern const Rig car_rig;     // wheels on rough ground
 
 #endif

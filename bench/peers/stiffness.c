@@ -50,9 +50,9 @@ typedef struct
 	float from, until; // s
 } Row;
 
-#define ROPE(name, load, level)                                                                         \
-	{                                                                                                   \
-		name, "chains", {{"count", "1"}, {"load", load}, {"level", level}}, STRETCH, 20.0f, 1.0f, 20.0f \
+#define ROPE(name, load, level)                                                                        \
+	{                                                                                                  \
+		name, "ropes", {{"count", "1"}, {"load", load}, {"level", level}}, STRETCH, 20.0f, 1.0f, 20.0f \
 	}
 
 static const Row rows[] = {
@@ -64,8 +64,8 @@ static const Row rows[] = {
     ROPE("rope 10:1 swinging", "10", "1"),
     ROPE("rope 100:1 swinging", "100", "1"),
     ROPE("rope 1000:1 swinging", "1000", "1"),
-    {"bridge", "bridge", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, STRETCH, 100.0f, 1.0f, 30.0f},
-    {"bridge", "bridge", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, SAG, 0.0f, 1.0f, 30.0f},
+    {"bridge", "bridges", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, STRETCH, 100.0f, 1.0f, 30.0f},
+    {"bridge", "bridges", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, SAG, 0.0f, 1.0f, 30.0f},
     {"beam", "beam", {{0}}, SAG, 0.0f, 1.0f, 30.0f},
     {"beam", "beam", {{0}}, SEPARATION, 0.0f, 1.0f, 30.0f},
     {"ragdolls", "humans", {{0}}, RESTLESS, 0.0f, 60.0f, 62.0f},
