@@ -221,6 +221,22 @@ INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 	u->given_b = u->given_b + j.angular_b;
 }
 
+// The same for the joints where wanted is set.
+INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
+{
+	Joint now = *u;
+	JointPose then = *c;
+	joint_give(&now, &then, j);
+	c->a.v = vec_choose(c->a.v, then.a.v, wanted);
+	c->a.w = choose(c->a.w, then.a.w, wanted);
+	c->b.v = vec_choose(c->b.v, then.b.v, wanted);
+	c->b.w = choose(c->b.w, then.b.w, wanted);
+	u->given_x = choose(u->given_x, now.given_x, wanted);
+	u->given_y = choose(u->given_y, now.given_y, wanted);
+	u->given_a = choose(u->given_a, now.given_a, wanted);
+	u->given_b = choose(u->given_b, now.given_b, wanted);
+}
+
 // An impulse of either sign; none in place of NaN, and of one that is beyond all bounds.
 INLINE Real hold_of(Real x) { return choose(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
 

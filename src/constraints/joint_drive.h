@@ -69,8 +69,7 @@ INLINE void joint_drive_store(const Pools* p, int i, int k, const JointDrive* d)
 // Whether some lane has a limit, a spring or a motor along coordinate k.
 INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 {
-	int modes = JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k);
-	return p->step.drives ? lane_bits(joint_has(u, modes)) : 0u;
+	return p->step.drives ? lane_bits(joint_has(u, JOINT_DRIVES(k))) : 0u;
 }
 
 // The impulses along coordinate k.
@@ -115,9 +114,9 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointP
 	d.limit_impulse = choose(zero, joint_limit(p, &d, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
 	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
-	joint_give(u, c,
-	           joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
-	                         k == JOINT_ANGLE ? change : zero));
+	JointImpulse j = joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
+	                               k == JOINT_ANGLE ? change : zero);
+	joint_give_where(u, c, j, joint_has(u, JOINT_DRIVES(k)));
 }
 
 // The impulses along all coordinates, of locks too.
@@ -131,7 +130,8 @@ INLINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COO
 		if (!joint_drives(p, u, k))
 			continue;
 		JointDrive d = joint_drive_load(p, i, k);
-		sum[k] = sum[k] + joint_drive_sum(&d);
+		// a joint without drives must not take part, though others of its block do: zeros have signs
+		sum[k] = choose(sum[k], sum[k] + joint_drive_sum(&d), joint_has(u, JOINT_DRIVES(k)));
 	}
 }
 

@@ -199,6 +199,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_LIMITED(k) (2 << (4 * (k)))
 #define JOINT_SPRING(k)  (4 << (4 * (k)))
 #define JOINT_MOTOR(k)   (8 << (4 * (k)))
+#define JOINT_DRIVES(k)  (JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k))
 #define JOINT_EXTRAS     0xeee           // limits, springs and motors
 #define JOINT_RADIAL     0x1000          // its axis lies along the line between the two anchors
 #define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring

@@ -37,7 +37,7 @@ STAGE(joint_update)
 	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_end(p, i);
-	if (flags & JOINT_MOVED && p->joint_color[i] == COLORS)
+	if (flags & (JOINT_MOVED | JOINT_RESTARTS))
 		edge_stir(p, CONSTRAINT_JOINT);
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_MOVED);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
