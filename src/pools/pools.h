@@ -251,9 +251,9 @@ typedef struct // 144 bytes: a joint in the system of its chain
 	float d[6];                 // its diagonal block 00, 01, 02, 11, 12, 22; when it is eliminated, the inverse
 	float l[9], m[9];           // blocks that couple it with the joint before it, and one behind with it, at this level
 	float r[3], x[3];           // right side, solution
-	float tension_a, tension_b;         // kg m^2: what its pull adds to the inertia of its bodies
-	float own_a, own_b;                 // 1/(kg m^2): inverse inertias of its bodies
-	float step_a, step_b;               // the same for this step
+	float tension_a, tension_b; // kg m^2: what its pull adds to the inertia of its bodies
+	float own_a, own_b;         // 1/(kg m^2): inverse inertias of its bodies
+	float step_a, step_b;       // the same for this step
 } ChainJoint;
 
 typedef struct // 48 bytes: what the user reads of a joint
