@@ -2,7 +2,7 @@
 // engine.h -- the functions of an engine that is measured.
 #ifndef ENGINE_H
 #define ENGINE_H
-#include "scene/scene.h"
+#include "setup.h"
 
 // exit codes, as those of the command line
 #define EXIT_GOOD   0
@@ -19,7 +19,7 @@ typedef struct
 typedef struct // functions return false after printing a sentence
 {
 	const char* name;
-	void* (*open)(const Scene* scene, const EngineOptions* options); // null on failure
+	void* (*open)(const Setup* setup, const EngineOptions* options); // null on failure
 	bool (*change)(void* state, int64_t step); // changes the bodies as the scene does before a step
 	bool (*step)(void* state, float dt, int substeps);
 	bool (*wait)(void* state); // until all work is done

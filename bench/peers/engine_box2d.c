@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // engine_box2d.c -- Box2D v3 as an engine to be measured, through its public interface.
 //
-// The scene is built into a Scree world first and read from there body by body, so that both engines get the same numbers.
+// The scene is built into a Scree world first and read from there, bodies and joints, so that both engines get the same
+// numbers.
 // Contact stiffness and the like have each engine's defaults. Sleep is off, because Scree has none.
 #include "engine_box2d.h"
+#include "box2d_joint.h"
 #include "box2d_shape.h"
 #include "scene/churn.h"
 #include "scree_world.h"
@@ -12,11 +14,14 @@
 typedef struct
 {
 	b2WorldId world;
+	b2BodyId ground;  // what joints with the world hold on to; null before the first one
 	b2BodyId* bodies; // in the order of the scene
 	int count;
-	const Scene* scene;
+	const Setup* setup;
 	scree_world* model; // never stepped: the bodies as the scene last placed them
 	scree_body* parts;  // of the model
+	scree_joint* joints;
+	int joint_count;
 } State;
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
@@ -83,6 +88,80 @@ static bool add_body(scree_world* model, scree_body body, b2WorldId world, b2Bod
 	return true;
 }
 
+// The body of Box2D for one of the model, which are listed by rising index.
+static b2BodyId find_body(State* state, scree_body body)
+{
+	b2BodyDef ground = b2DefaultBodyDef();
+	if (scree_body_is_null(body) && B2_IS_NULL(state->ground))
+		state->ground = b2CreateBody(state->world, &ground);
+	if (scree_body_is_null(body))
+		return state->ground;
+	int low = 0;
+	for (int high = state->count; low < high;)
+	{
+		int middle = low + (high - low) / 2;
+		if (state->parts[middle].index < body.index)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return state->bodies[low];
+}
+
+// Adds the joints of the model that were not there before. Those that are gone went with their bodies.
+static bool add_joints(State* state)
+{
+	int count, old = 0;
+	scree_joint* joints = list_joints(state->model, &count);
+	bool good = joints;
+	for (int k = 0; good && k < count; ++k)
+	{
+		scree_joint_def def;
+		while (old < state->joint_count && state->joints[old].index < joints[k].index)
+			++old;
+		if (old < state->joint_count && scree_joint_equals(state->joints[old], joints[k]))
+			continue;
+		good = report(scree_joint_get_def(state->model, joints[k], &def)) &&
+		       box2d_add_joint(state->world, &def, find_body(state, def.body_a), find_body(state, def.body_b));
+	}
+	free(state->joints);
+	state->joints = joints;
+	state->joint_count = count;
+	return good;
+}
+
+// Destroys the bodies that the model no longer has, and adds those that are new.
+static bool follow(State* state)
+{
+	int count, old = 0;
+	scree_body* parts = list_bodies(state->model, &count);
+	b2BodyId* bodies = calloc((size_t)count + 1, sizeof(b2BodyId));
+	bool good = parts && bodies;
+	for (int k = 0; good && k < count; ++k)
+	{
+		for (; old < state->count && state->parts[old].index < parts[k].index; ++old)
+			b2DestroyBody(state->bodies[old]);
+		bool there = old < state->count && state->parts[old].index == parts[k].index;
+		if (there && scree_body_equals(state->parts[old], parts[k]))
+			bodies[k] = state->bodies[old];
+		else
+		{
+			if (there)
+				b2DestroyBody(state->bodies[old]);
+			good = add_body(state->model, parts[k], state->world, &bodies[k]);
+		}
+		old += there;
+	}
+	for (; good && old < state->count; ++old)
+		b2DestroyBody(state->bodies[old]);
+	free(state->parts);
+	free(state->bodies);
+	state->parts = parts;
+	state->bodies = bodies;
+	state->count = count;
+	return good && add_joints(state);
+}
+
 static bool build(scree_world* model, State* state)
 {
 	int detectors = 0;
@@ -93,17 +172,12 @@ static bool build(scree_world* model, State* state)
 		fprintf(stderr, "scree_peers: %d collidables have no body: Box2D knows no such thing\n", detectors);
 		return false;
 	}
-	if (state->scene->joint_count > 0)
-	{
-		fprintf(stderr, "scree_peers: %s has joints, which are not made in Box2D\n", state->scene->name);
-		return false;
-	}
 	state->parts = list_bodies(model, &state->count);
 	state->bodies = calloc((size_t)state->count + 1, sizeof(b2BodyId));
 	bool good = state->parts && state->bodies;
 	for (int k = 0; good && k < state->count; ++k)
 		good = add_body(model, state->parts[k], state->world, &state->bodies[k]);
-	return good;
+	return good && add_joints(state);
 }
 
 static bool place_body(scree_world* model, scree_body body, b2BodyId placed)
@@ -122,11 +196,14 @@ static bool place_body(scree_world* model, scree_body body, b2BodyId placed)
 static bool change(void* context, int64_t step)
 {
 	State* state = context;
-	if (!scene_churns(state->scene))
+	const Scene* scene = state->setup->scene;
+	if (!scene)
+		return !state->setup->rig->change || (setup_change(state->setup, state->model, step) && follow(state));
+	if (!scene_churns(scene))
 		return true;
 	SceneChange* changes;
-	int count = scene_changes(state->scene, step, &changes), bodies;
-	bool good = count >= 0 && report(scene_churn(state->scene, state->model, step)) &&
+	int count = scene_changes(scene, step, &changes), bodies;
+	bool good = count >= 0 && report(scene_churn(scene, state->model, step)) &&
 	            report(scree_world_get_bodies(state->model, state->parts, state->count, &bodies));
 	for (int k = 0; good && k < count; ++k)
 	{
@@ -151,13 +228,14 @@ static void close(void* context)
 	scree_world_destroy(state->model);
 	free(state->bodies);
 	free(state->parts);
+	free(state->joints);
 	free(state);
 }
 
-static void* open(const Scene* scene, const EngineOptions* options)
+static void* open(const Setup* setup, const EngineOptions* options)
 {
 	State* state = calloc(1, sizeof(State));
-	scree_world* model = state ? open_world(scene, "cpu", 1) : NULL;
+	scree_world* model = state ? setup_open(setup, "cpu", 1) : NULL;
 	if (!model)
 	{
 		free(state);
@@ -171,7 +249,7 @@ static void* open(const Scene* scene, const EngineOptions* options)
 	def.enableContinuous = options->continuous;
 	def.workerCount = options->threads;
 	state->world = b2CreateWorld(&def);
-	state->scene = scene;
+	state->setup = setup;
 	state->model = model;
 	if (build(model, state))
 		return state;

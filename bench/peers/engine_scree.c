@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // engine_scree.c -- Scree as an engine to be measured.
 #include "engine_scree.h"
-#include "scene/churn.h"
 #include "scree_world.h"
 #include <stdlib.h>
 
 typedef struct
 {
-	const Scene* scene;
+	const Setup* setup;
 	scree_world* world;
 	scree_body* bodies;
 	int count;
@@ -21,13 +20,13 @@ static void close(void* context)
 	free(state);
 }
 
-static void* open(const Scene* scene, const EngineOptions* options)
+static void* open(const Setup* setup, const EngineOptions* options)
 {
 	State* state = calloc(1, sizeof(State));
 	if (!state)
 		return NULL;
-	state->scene = scene;
-	state->world = open_world(scene, options->device, options->threads);
+	state->setup = setup;
+	state->world = setup_open(setup, options->device, options->threads);
 	state->bodies = state->world ? list_bodies(state->world, &state->count) : NULL;
 	if (state->bodies)
 		return state;
@@ -37,10 +36,12 @@ static void* open(const Scene* scene, const EngineOptions* options)
 
 static bool change(void* context, int64_t step)
 {
-	const State* state = context;
-	int count;
-	return report(scene_churn(state->scene, state->world, step)) &&
-	       report(scree_world_get_bodies(state->world, state->bodies, state->count, &count));
+	State* state = context;
+	if (!setup_change(state->setup, state->world, step))
+		return false;
+	free(state->bodies);
+	state->bodies = list_bodies(state->world, &state->count);
+	return state->bodies;
 }
 
 static bool step(void* context, float dt, int substeps)

@@ -7,8 +7,7 @@
 #include "engine_box2d.h"
 #include "engine_scree.h"
 #include "process.h"
-#include "scene/find.h"
-#include "scene/load.h"
+#include "stiffness.h"
 #include "trial.h"
 #include "validate.h"
 #include <getopt.h>
@@ -45,10 +44,12 @@ static const struct option words[] = {
 static const char* const help =
     "usage: scree_peers [OPTION]... [SCENE|FILE]...\n"
     "       scree_peers validate --help\n"
+    "       scree_peers stiffness --help\n"
     "\n"
     "Times scenes with Scree and with Box2D in turns; CSV on standard output. Without a name: pyramid, pyramids, "
     "pile,\n"
-    "tumbler, smash, washer. A ratio above 1 means that Scree is the faster one.\n"
+    "tumbler, smash, washer. A ratio above 1 means that Scree is the faster one. Scenes with joints, made by code:\n"
+    "joint_grid, rain, spinner, drum, ropes, bridges, beam, humans, car.\n"
     "\n"
     "  -t, --threads N[,N]...   threads of both, 1,2 without it\n"
     "  -n, --steps N            steps to take; without it as many as the scene says\n"
@@ -57,7 +58,8 @@ static const char* const help =
     "  -c, --continuous         Box2D with continuous collision, which Scree does not have yet\n"
     "  -s, --set NAME=VALUE     give a parameter of the scenes another value; may be repeated\n"
     "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, deepest overlap of all\n"
-    "                           steps, mean of the deepest of each, mean contacts, sink, final state\n"
+    "                           steps, mean of the deepest of each, mean contacts, sink, largest and mean\n"
+    "                           separation of joints, final state\n"
     "  -R, --ruled              that trial is not timed but measured with the ruler\n"
     "  -h, --help               this text\n";
 
@@ -130,9 +132,9 @@ static bool read_option(Options* options, int letter)
 	}
 }
 
-static Scene* load(const Options* options, const char* name)
+static bool load(const Options* options, const char* name, Setup* setup)
 {
-	char path[SCENE_PATH], sentence[SCENE_SENTENCE], names[MAX_SETTINGS][64];
+	char names[MAX_SETTINGS][64];
 	SceneSetting settings[MAX_SETTINGS];
 	for (int k = 0; k < options->setting_count; ++k)
 	{
@@ -140,26 +142,21 @@ static Scene* load(const Options* options, const char* name)
 		snprintf(names[k], sizeof names[k], "%.*s", (int)(value - options->settings[k]), options->settings[k]);
 		settings[k] = (SceneSetting){names[k], value + 1};
 	}
-	Scene* scene = NULL;
-	if (scene_find(name, options->executable, path, sentence))
-		scene = scene_load(path, settings, options->setting_count, sentence);
-	if (!scene)
-		fprintf(stderr, "scree_peers: %s\n", sentence);
-	return scene;
+	return setup_load(setup, name, options->executable, settings, options->setting_count);
 }
 
 // Runs one trial in this process.
 static int try_engine(const Options* options, const char* name)
 {
-	Scene* scene = load(options, name);
-	if (!scene)
+	Setup setup;
+	if (!load(options, name, &setup))
 		return EXIT_BAD;
-	Trial trial = {scene, options->steps > 0 ? options->steps : scene->steps, options->ruled, options->options};
+	Trial trial = {&setup, options->steps > 0 ? options->steps : setup.steps, options->ruled, options->options};
 	Result result;
 	bool good = trial_run(options->engine, &trial, &result);
 	if (good)
 		result_print(&result);
-	scene_free(scene);
+	setup_free(&setup);
 	return good ? EXIT_GOOD : EXIT_FAILED;
 }
 
@@ -239,6 +236,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	const Result *a = &ruled[SCREE], *b = &ruled[BOX2D];
 	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
 	printf(",%.0f,%.0f,%.5f,%.5f", (double)a->contacts, (double)b->contacts, (double)a->sunk, (double)b->sunk);
+	printf(",%.5f,%.5f,%.7f,%.7f", (double)a->separation, (double)b->separation, (double)a->gap, (double)b->gap);
 	printf(",%016" PRIx64 ",%016" PRIx64 ",%d\n", a->hash, b->hash, same);
 	fflush(stdout);
 	return true;
@@ -262,6 +260,8 @@ int main(int count, char** arguments)
 	static const char* const usual[] = {"pyramid", "pyramids", "pile", "tumbler", "smash", "washer"};
 	if (count > 1 && strcmp(arguments[1], "validate") == 0)
 		return validate_peers(count - 1, arguments + 1, arguments[0]);
+	if (count > 1 && strcmp(arguments[1], "stiffness") == 0)
+		return stiffness_peers(count - 1, arguments + 1, arguments[0]);
 	Options options = {.executable = arguments[0], .threads = {1, 2}, .thread_count = 2, .repeats = 5};
 	options.options.device = "cpu";
 	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:ce:Rh", words, NULL)) != -1;)
@@ -280,15 +280,15 @@ int main(int count, char** arguments)
 	int steps[MAX_SCENES];
 	for (int k = 0; k < name_count; ++k)
 	{
-		Scene* scene = k < MAX_SCENES ? load(&options, names[k]) : NULL;
-		if (!scene)
+		Setup setup;
+		if (k >= MAX_SCENES || !load(&options, names[k], &setup))
 			return EXIT_BAD;
-		steps[k] = options.steps > 0 ? options.steps : scene->steps;
-		scene_free(scene);
+		steps[k] = options.steps > 0 ? options.steps : setup.steps;
+		setup_free(&setup);
 	}
 	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,median_scree,median_box2d,"
 	       "penetration_scree,penetration_box2d,depth_scree,depth_box2d,contacts_scree,contacts_box2d,sink_scree,"
-	       "sink_box2d,hash_scree,hash_box2d,same\n");
+	       "sink_box2d,separation_scree,separation_box2d,gap_scree,gap_box2d,hash_scree,hash_box2d,same\n");
 	for (int k = 0; k < name_count; ++k)
 	{
 		if (!compare_all(&options, names[k], steps[k]))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// scree_world.c -- Scree worlds of scenes, and the errors of Scree.
+// scree_world.c -- lists of what a Scree world has, and the errors of Scree.
 #include "scree_world.h"
-#include "scene/build.h"
+#include <stdio.h>
 #include <stdlib.h>
 
 bool report(scree_status status)
@@ -9,18 +9,6 @@ bool report(scree_status status)
 	if (status != SCREE_OK)
 		fprintf(stderr, "scree_peers: %s\n", scree_error());
 	return status == SCREE_OK;
-}
-
-scree_world* open_world(const Scene* scene, const char* device, int threads)
-{
-	scree_world_def def = scene->world;
-	def.device = device;
-	def.threads = threads;
-	scree_world* world = NULL;
-	if (report(scree_world_create(&def, &world)) && report(scene_build(scene, world)))
-		return world;
-	scree_world_destroy(world);
-	return NULL;
 }
 
 scree_body* list_bodies(const scree_world* world, int* count)
@@ -33,4 +21,16 @@ scree_body* list_bodies(const scree_world* world, int* count)
 	else
 		fprintf(stderr, "scree_peers: no memory for %d bodies\n", *count);
 	return bodies;
+}
+
+scree_joint* list_joints(const scree_world* world, int* count)
+{
+	*count = 0;
+	scree_world_get_joints(world, NULL, 0, count);
+	scree_joint* joints = malloc(((size_t)*count + 1) * sizeof(scree_joint));
+	if (joints)
+		scree_world_get_joints(world, joints, *count, count);
+	else
+		fprintf(stderr, "scree_peers: no memory for %d joints\n", *count);
+	return joints;
 }

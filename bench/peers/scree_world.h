@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// scree_world.h -- Scree worlds of scenes, and the errors of Scree.
+// scree_world.h -- lists of what a Scree world has, and the errors of Scree.
 #ifndef SCREE_WORLD_H
 #define SCREE_WORLD_H
-#include "scene/scene.h"
+#include "scree/scree.h"
 
-// Makes a world of the scene. Returns null after printing a sentence. threads 0: one a core.
-scree_world* open_world(const Scene* scene, const char* device, int threads);
-
-// Lists the handles of all bodies; the caller frees them. Returns null when memory is short.
+// Lists the handles of all bodies, or joints; the caller frees them. Returns null after printing that memory is short.
 scree_body* list_bodies(const scree_world* world, int* count);
+scree_joint* list_joints(const scree_world* world, int* count);
 
 // Whether the status is SCREE_OK; if not, prints scree_error().
 bool report(scree_status status);

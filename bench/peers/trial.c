@@ -35,7 +35,7 @@ static bool run_timed(const Engine* engine, void* state, const Trial* trial, Res
 	bool good = true;
 	for (int k = 0; k < trial->steps && good; ++k)
 	{
-		good = engine->change(state, k) && engine->step(state, trial->scene->dt, trial->scene->substeps);
+		good = engine->change(state, k) && engine->step(state, trial->setup->dt, trial->setup->substeps);
 		if (k == warm - 1)
 			good = good && engine->wait(state);
 		double now = milliseconds();
@@ -56,12 +56,15 @@ static bool run_ruled(const Engine* engine, void* state, const Trial* trial, Res
 {
 	Ruler ruler;
 	bool good =
-	    ruler_open(&ruler, trial->scene) && engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
+	    ruler_open(&ruler, trial->setup) && engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
 	for (int k = 0; k < trial->steps && good; ++k)
-		good = engine->change(state, k) && engine->step(state, trial->scene->dt, trial->scene->substeps) &&
-		       engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
+		good = engine->change(state, k) && engine->step(state, trial->setup->dt, trial->setup->substeps) &&
+		       ruler_change(&ruler, trial->setup, k) && engine->poses(state, ruler.poses, ruler.count) &&
+		       ruler_measure(&ruler);
 	result->penetration = ruler.penetration;
 	result->sunk = ruler.sunk;
+	result->separation = ruler.separation;
+	result->gap = (float)ruler_gap(&ruler);
 	if (ruler.measured > 0)
 	{
 		result->depth = (float)(ruler.depths / ruler.measured);
@@ -74,7 +77,7 @@ static bool run_ruled(const Engine* engine, void* state, const Trial* trial, Res
 bool trial_run(const Engine* engine, const Trial* trial, Result* result)
 {
 	*result = (Result){0};
-	void* state = engine->open(trial->scene, &trial->options);
+	void* state = engine->open(trial->setup, &trial->options);
 	if (!state)
 		return false;
 	bool good = (trial->ruled ? run_ruled : run_timed)(engine, state, trial, result);
@@ -85,12 +88,12 @@ bool trial_run(const Engine* engine, const Trial* trial, Result* result)
 
 void result_print(const Result* r)
 {
-	printf("%.6f %.6f %.6f %.6f %.1f %.6f %016" PRIx64 "\n", r->mean, r->median, (double)r->penetration,
-	       (double)r->depth, (double)r->contacts, (double)r->sunk, r->hash);
+	printf("%.6f %.6f %.6f %.6f %.1f %.6f %.6f %.9f %016" PRIx64 "\n", r->mean, r->median, (double)r->penetration,
+	       (double)r->depth, (double)r->contacts, (double)r->sunk, (double)r->separation, (double)r->gap, r->hash);
 }
 
 bool result_scan(const char* line, Result* r)
 {
-	return sscanf(line, "%lf %lf %f %f %f %f %" SCNx64, &r->mean, &r->median, &r->penetration, &r->depth, &r->contacts,
-	              &r->sunk, &r->hash) == 7;
+	return sscanf(line, "%lf %lf %f %f %f %f %f %f %" SCNx64, &r->mean, &r->median, &r->penetration, &r->depth,
+	              &r->contacts, &r->sunk, &r->separation, &r->gap, &r->hash) == 9;
 }

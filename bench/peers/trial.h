@@ -6,7 +6,7 @@
 
 typedef struct
 {
-	const Scene* scene;
+	const Setup* setup;
 	int steps;
 	bool ruled; // every step is measured with the ruler and not timed
 	EngineOptions options;
@@ -15,10 +15,12 @@ typedef struct
 typedef struct
 {
 	double mean, median; // ms a step, the first steps left out; zeros when ruled
-	float penetration;   // deepest of all steps, m; zero unless ruled, as the next three
+	float penetration;   // deepest of all steps, m; zero unless ruled, as the next five
 	float depth;         // mean of the deepest of each step, m
 	float contacts;      // touching ones, mean of all steps
 	float sunk;          // largest distance that a body sank, m
+	float separation;    // of the anchors of a joint, the largest of all steps, m
+	float gap;           // mean of it over all joints and steps, m
 	uint64_t hash;       // the engine's own, at the end
 } Result;
 

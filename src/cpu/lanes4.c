@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lanes4.c -- the wide stages, four items a call: SSE2 or NEON.
 #define LANES 4
+#include "stages/chain.h"
 #include "stages/hub.h"
 #include "stages/integrate.h"
 #include "stages/narrow_phase_keep.h"

@@ -12,7 +12,6 @@
 #define ENTRY_ONE(name) NULL
 #endif
 #define ENTRY_ALONE(name) ENTRY_ONE(name)
-#define ENTRY_TEAM(name)  ENTRY_ONE(name)
 #define ENTRY_WIDE(name)  STAGE_JOIN(name, LANES)
 #define ENTRY_GROUP(name) STAGE_JOIN(name, LANES)
 

@@ -18,9 +18,13 @@
 // Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
 // other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
 static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = CHUNK_ITEMS,  [STAGE_broad_phase_rest] = 1,
-    [STAGE_narrow_phase] = CHUNK_ITEMS, [STAGE_hub] = 1,
-    [STAGE_hash_bodies] = 16,           [STAGE_hash_collidables] = 16,
+    [STAGE_broad_phase] = CHUNK_ITEMS,
+    [STAGE_broad_phase_rest] = 1,
+    [STAGE_narrow_phase] = CHUNK_ITEMS,
+    [STAGE_hub] = 1,
+    [STAGE_chain] = 1,
+    [STAGE_hash_bodies] = 16,
+    [STAGE_hash_collidables] = 16,
 #define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -77,7 +81,7 @@ static int smallest_shared(const Cpu* cpu, int stage)
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
 		// a hub takes as long as many items: two are shared wherever anything is
-		if (stage_widths[stage] >= WIDTH_GROUP)
+		if (stage_widths[stage] == WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[stage])
 			return cpu->grain;

@@ -100,6 +100,8 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 #define BENCH
 #define group_lane()  0
 #define group_width() LANES
+#define part_lane()   0
+#define part_width()  1
 #define group_meet()
 #define bench_meet()
 

@@ -33,7 +33,8 @@
 //
 // GROUP_STAGE(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of shared memory,
 // bench. The parts of the item are split among the work-items: group_lane() is the first index of one, group_width() its
-// stride. On a CPU one worker is the whole group, with LANES parts at a time.
+// stride. On a CPU one worker is the whole group, with LANES parts at a time; part_lane() and part_width() are for what it
+// does one part at a time.
 #define GROUP_FLOATS 3072
 
 #ifdef __OPENCL_C_VERSION__

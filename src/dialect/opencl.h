@@ -104,6 +104,8 @@ INLINE void scatter_rows4of8(__global float* base, int index, const float in[4],
 #define BENCH         __local
 #define group_lane()  ((int)get_local_id(0))
 #define group_width() ((int)get_local_size(0))
+#define part_lane()   group_lane()
+#define part_width()  group_width()
 // work-group barrier for bench and pools
 #define group_meet() barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
 // work-group barrier for bench alone

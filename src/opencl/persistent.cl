@@ -156,7 +156,6 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 #define CASE_WIDE(name) CASE_ONE(name)
 #define CASE_ALONE(name)
 #define CASE_GROUP(name)
-#define CASE_TEAM(name)
 
 // End of a run. Its bound may change until the next barrier.
 INLINE int run_end(Run run, const Pools* p)

@@ -246,15 +246,30 @@ typedef struct // 224 bytes: a joint as the user wants it
 	JointData data;
 } JointEdit;
 
-typedef struct // 144 bytes: a joint in the system of its chain
+// Spots of a chain: its joints 0, 2, 4, ... first, then, from the next block of MAX_LANES on, 1, 3, 5, ... Those of one half
+// have no bodies in common, so that a wide pass takes a block of them.
+#define CHAIN_HALF(count)    (((count) + 2 * MAX_LANES - 1) / (2 * MAX_LANES) * MAX_LANES)
+#define CHAIN_SPOT(count, k) ((k) / 2 + ((k) % 2) * CHAIN_HALF(count))
+
+typedef struct // MAX_LANES joints in the systems of their chains: working data of a pass
 {
-	float d[6];                 // its diagonal block 00, 01, 02, 11, 12, 22; when it is eliminated, the inverse
-	float l[9], m[9];           // blocks that couple it with the joint before it, and one behind with it, at this level
-	float r[3], x[3];           // right side, solution
-	float tension_a, tension_b; // kg m^2: what its pull adds to the inertia of its bodies
-	float own_a, own_b;         // 1/(kg m^2): inverse inertias of its bodies
-	float step_a, step_b;       // the same for this step
-} ChainJoint;
+	float d[6][MAX_LANES];    // diagonal block 00, 01, 02, 11, 12, 22; when it is eliminated, the inverse
+	float l[9][MAX_LANES];    // block that couples a joint with the one before it
+	float m[9][MAX_LANES];    // block that couples one behind with it, at this level
+	float r[3][MAX_LANES];    // right side
+	float x[3][MAX_LANES];    // solution
+	float axis[2][MAX_LANES]; // the first axis; levers of both axes on a, and on b
+	float lever_a[2][MAX_LANES], lever_b[2][MAX_LANES];
+	float locks[MAX_LANES], holds[MAX_LANES];    // bits of coordinates: locked; and with a yield
+	float side[MAX_LANES], other[MAX_LANES];     // of the body shared with the joint before: 0 for a, 1 for b; there
+	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): of the shared body; 0 for none
+	float tension_a[MAX_LANES], tension_b[MAX_LANES]; // kg m^2: what its pull adds to the inertia of its bodies
+	float own_a[MAX_LANES], own_b[MAX_LANES];         // 1/(kg m^2): inverse inertias of its bodies
+	float step_a[MAX_LANES], step_b[MAX_LANES];       // the same for the step, with the tension
+} ChainBlock;
+
+// a component of the joint at a spot
+#define chain_at(p, component, spot) ((p)->chain_joints[(spot) / MAX_LANES].component[(spot) % MAX_LANES])
 
 typedef struct // 48 bytes: what the user reads of a joint
 {

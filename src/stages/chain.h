@@ -8,6 +8,9 @@
 // whips apart. So for the step a link's inertia is enlarged to what the tension makes it in an implicit integration, where that
 // exceeds its own. All constraints of the link see the same inertia: otherwise they would take turns in adding energy.
 //
+// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have 1, 3, 5, ...: each half is a row of places, of which a wide
+// pass takes a block at once. Only the system itself is solved joint by joint.
+//
 // This work is based on:
 // Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
 #ifndef CHAIN_H
@@ -15,30 +18,50 @@
 #include "constraints/kinds.h"
 #include "stages/chain_solve.h"
 
+typedef struct // where a chain is
+{
+	int count;       // joints
+	int first, odds; // spot of joint 0; spots from there to that of joint 1
+	int begin;       // place of spot 0 of all chains
+} Chain;
+
 typedef struct // a joint of a chain, with its bodies, in registers
 {
 	Joint u;
 	JointPose c;
-	int ia, ib;
+	Int ia, ib;
 } ChainLink;
+
+// Loops over the spots of one half of a chain: 0 for even joints, 1 for odd ones. A wide pass runs on into inert places.
+#define CHAIN_EACH(spot, chain, odd)                                       \
+	for (int spot = (chain)->first + (odd) * (chain)->odds + group_lane(); \
+	     spot < (chain)->first + (odd) * (chain)->odds + ((chain)->count + 1 - (odd)) / 2; spot += group_width())
+
+// A row of chain_joints, and a member of it at spots.
+#define CHAIN_AT(p, member, spot)     load(&chain_at(p, member, spot), 0)
+#define CHAIN_PUT(p, member, spot, x) store(&chain_at(p, member, spot), 0, x)
 
 INLINE ChainLink chain_load(const Pools* p, int place)
 {
 	ChainLink link;
-	link.ia = joint_row(p, body_a, place);
-	link.ib = joint_row(p, body_b, place);
+	link.ia = load_int(&joint_row(p, body_a, place), 0);
+	link.ib = load_int(&joint_row(p, body_b, place), 0);
 	joint_load(p, place, PASS_BIAS, &link.u);
 	Body a = body_gather(p, link.ia), b = body_gather(p, link.ib);
 	link.c = joint_pose(&link.u, &a, &b);
 	return link;
 }
 
-INLINE void chain_store(const Pools* p, int place, const ChainLink* link)
+INLINE void chain_store(const Pools* p, const Chain* chain, int spot, const ChainLink* link)
 {
-	joint_store(p, place, PASS_BIAS, &link->u);
+	joint_store(p, chain->begin + spot, PASS_BIAS, &link->u);
 	body_scatter(p, link->ia, link->c.a);
 	body_scatter(p, link->ib, link->c.b);
 }
+
+// ---------------------------------------------------------------------------------------------------------------
+// the start of a step: tension, and which body joints share
+// ---------------------------------------------------------------------------------------------------------------
 
 // Which side of a joint the body is on that it shares with a neighbor: 0 for a, 1 for b, -1 for none that can move.
 INLINE int chain_side(const Pools* p, int place, int neighbor)
@@ -53,30 +76,37 @@ INLINE int chain_side(const Pools* p, int place, int neighbor)
 	return -1;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// the start of a step: tension
-// ---------------------------------------------------------------------------------------------------------------
-
 // kg m^2: what the pull of a joint adds to the inertia of its bodies
-INLINE void chain_tension(const Pools* p, int place, GLOBAL ChainJoint* joint)
+INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
-	ChainLink link = chain_load(p, place);
-	float sum[JOINT_COORDINATES];
-	joint_sums(p, place, &link.u, sum);
-	Vec push = joint_impulse(&link.c, sum[0], sum[1], 0.0f).push;
-	joint->tension_a = -p->step.h * vec_dot(link.c.arm_a, push);
-	joint->tension_b = p->step.h * vec_dot(link.c.arm_b, push);
+	ChainLink link = chain_load(p, chain->begin + spot);
+	Real sum[JOINT_COORDINATES];
+	joint_sums(p, chain->begin + spot, &link.u, sum);
+	Vec push = joint_impulse(&link.c, sum[0], sum[1], splat(0.0f)).push;
+	CHAIN_PUT(p, tension_a, spot, splat(-p->step.h) * vec_dot(link.c.arm_a, push));
+	CHAIN_PUT(p, tension_b, spot, splat(p->step.h) * vec_dot(link.c.arm_b, push));
+}
+
+// The spot of joint k.
+INLINE int chain_spot(const Chain* chain, int k) { return chain->first + CHAIN_SPOT(chain->count, k); }
+
+INLINE float chain_pull_of(const Pools* p, int spot, int side)
+{
+	return side ? chain_at(p, tension_b, spot) : chain_at(p, tension_a, spot);
 }
 
 // The tension at a side of joint k, with that of the neighbor that shares its body.
-INLINE float chain_pull(const Pools* p, const GLOBAL ChainJoint* joint, int first, int k, int side, int count)
+INLINE float chain_pull(const Pools* p, const Chain* chain, int k, int side)
 {
-	float pull = side ? joint[k].tension_b : joint[k].tension_a;
+	int spot = chain_spot(chain, k), place = chain->begin + spot;
+	float pull = chain_pull_of(p, spot, side);
 	for (int other = k - 1; other <= k + 1; other += 2)
 	{
-		if (other < 0 || other >= count || chain_side(p, first + k, first + other) != side)
+		if (other < 0 || other >= chain->count)
 			continue;
-		pull += chain_side(p, first + other, first + k) ? joint[other].tension_b : joint[other].tension_a;
+		int at = chain_spot(chain, other);
+		if (chain_side(p, place, chain->begin + at) == side)
+			pull += chain_pull_of(p, at, chain_side(p, chain->begin + at, place));
 	}
 	return pull;
 }
@@ -88,14 +118,22 @@ INLINE float chain_inertia(float inverse, float tension)
 	return more > 0.0f && more <= MOST_FLOAT ? 1.0f / tension : inverse;
 }
 
-// The inertias of a joint's bodies, their own and for the step.
-INLINE void chain_stiffen(const Pools* p, int first, int k, int count, GLOBAL ChainJoint* joint)
+// The inertias of a joint's bodies, their own and for the step; and which body it shares with the joint before it.
+INLINE void chain_stiffen(const Pools* p, const Chain* chain, int k)
 {
-	int place = first + k;
-	joint[k].own_a = p->body[joint_row(p, body_a, place)].inv_inertia;
-	joint[k].own_b = p->body[joint_row(p, body_b, place)].inv_inertia;
-	joint[k].step_a = chain_inertia(joint[k].own_a, chain_pull(p, joint, first, k, 0, count));
-	joint[k].step_b = chain_inertia(joint[k].own_b, chain_pull(p, joint, first, k, 1, count));
+	int spot = chain_spot(chain, k), place = chain->begin + spot;
+	int before = chain->begin + chain_spot(chain, k > 0 ? k - 1 : 0), side = k > 0 ? chain_side(p, place, before) : -1;
+	int a = joint_row(p, body_a, place), b = joint_row(p, body_b, place);
+	float own_a = p->body[a].inv_inertia, own_b = p->body[b].inv_inertia;
+	float step_a = chain_inertia(own_a, chain_pull(p, chain, k, 0)), step_b = chain_inertia(own_b, chain_pull(p, chain, k, 1));
+	chain_at(p, own_a, spot) = own_a;
+	chain_at(p, own_b, spot) = own_b;
+	chain_at(p, step_a, spot) = step_a;
+	chain_at(p, step_b, spot) = step_b;
+	chain_at(p, side, spot) = side > 0 ? 1.0f : 0.0f;
+	chain_at(p, other, spot) = side >= 0 && chain_side(p, before, place) > 0 ? 1.0f : 0.0f;
+	chain_at(p, inv_mass, spot) = side < 0 ? 0.0f : p->body[side ? b : a].inv_mass;
+	chain_at(p, turns, spot) = side ? step_b : step_a;
 }
 
 // Sets the inertias of a joint's bodies. Two joints set the same of their common body.
@@ -112,9 +150,10 @@ INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float
 // ---------------------------------------------------------------------------------------------------------------
 
 // What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
-INLINE void chain_own(const Pools* p, int place, int pass)
+INLINE void chain_own(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_load(p, place);
+	ChainLink link = chain_load(p, chain->begin + spot);
+	int place = chain->begin + spot;
 	if (pass == PASS_WARM_START)
 		joint_warm(p, place, &link.u, &link.c);
 	if (pass == PASS_BIAS)
@@ -122,115 +161,163 @@ INLINE void chain_own(const Pools* p, int place, int pass)
 	for (int k = 0; k < JOINT_COORDINATES && pass != PASS_WARM_START; ++k)
 		if (joint_drives(p, &link.u, k))
 			joint_drive(p, place, k, pass == PASS_BIAS, &link.u, &link.c);
-	chain_store(p, place, &link);
-}
-
-// What couples joint k with the joint before it: the velocities that impulses along the coordinates of that one cause along
-// those of this one, through their common body.
-INLINE void chain_couple(const Pools* p, int first, int k, const JointSystem* s, const JointPose* c,
-                         GLOBAL ChainJoint* joint)
-{
-	GLOBAL ChainJoint* to = joint + k;
-	int place = first + k, side = k > 0 ? chain_side(p, place, place - 1) : -1;
-	for (int n = 0; n < 9; ++n)
-		to->l[n] = 0.0f;
-	if (side < 0)
-		return;
-	ChainLink before = chain_load(p, place - 1);
-	int other = chain_side(p, place - 1, place);
-	float inverse = side ? c->b.inv_mass : c->a.inv_mass, turning = side ? c->b.inv_inertia : c->a.inv_inertia;
-	float sign = side == other ? 1.0f : -1.0f;
-	for (int i = 0; i < 3; ++i)
-		for (int j = 0; j < 3; ++j)
-		{
-			if (!s->locked[i] || !joint_has(&before.u, JOINT_LOCKED(j)))
-				continue;
-			float lever = i == JOINT_ANGLE ? 1.0f : side ? c->lever_b[i] : c->lever_a[i];
-			float across = j == JOINT_ANGLE ? 1.0f : other ? before.c.lever_b[j] : before.c.lever_a[j];
-			float along = i == JOINT_ANGLE || j == JOINT_ANGLE ? 0.0f : vec_dot(c->axis[i], before.c.axis[j]);
-			to->l[3 * i + j] = sign * (inverse * along + turning * lever * across);
-		}
+	chain_store(p, chain, spot, &link);
 }
 
 // Where joints hold a body twice over, as in a welded bridge, the system has no single solution. A little more on the diagonal
 // picks the smallest; since it multiplies changes of impulses only, it does not make the chain softer.
 #define CHAIN_GIVE 1.00001f
 
-// The equations of joint k: diagonal block, right side, coupling.
-INLINE void chain_build(const Pools* p, int first, int k, int pass, GLOBAL ChainJoint* joint)
+// The equations of a joint: diagonal block, right side; and what couples it with others.
+INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	GLOBAL ChainJoint* to = joint + k;
-	ChainLink link = chain_load(p, first + k);
+	ChainLink link = chain_load(p, chain->begin + spot);
 	JointSystem s = joint_system(p, pass == PASS_BIAS, &link.u, &link.c);
-	to->d[0] = CHAIN_GIVE * s.yield[0];
-	to->d[1] = s.cross[0];
-	to->d[2] = s.cross[1];
-	to->d[3] = CHAIN_GIVE * s.yield[1];
-	to->d[4] = s.cross[2];
-	to->d[5] = CHAIN_GIVE * s.yield[2];
+	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
+	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
+	CHAIN_PUT(p, d[1], spot, s.cross[0]);
+	CHAIN_PUT(p, d[2], spot, s.cross[1]);
+	CHAIN_PUT(p, d[3], spot, CHAIN_GIVE * s.yield[1]);
+	CHAIN_PUT(p, d[4], spot, s.cross[2]);
+	CHAIN_PUT(p, d[5], spot, CHAIN_GIVE * s.yield[2]);
+	for (int k = 0; k < 3; ++k)
+	{
+		CHAIN_PUT(p, r[k], spot, s.goal[k]);
+		locks = locks + choose(zero, splat((float)(1 << k)), joint_has(&link.u, JOINT_LOCKED(k)));
+		holds = holds + choose(zero, splat((float)(1 << k)), s.locked[k]);
+	}
+	CHAIN_PUT(p, axis[0], spot, link.c.axis[0].x);
+	CHAIN_PUT(p, axis[1], spot, link.c.axis[0].y);
+	for (int k = 0; k < 2; ++k)
+	{
+		CHAIN_PUT(p, lever_a[k], spot, link.c.lever_a[k]);
+		CHAIN_PUT(p, lever_b[k], spot, link.c.lever_b[k]);
+	}
+	CHAIN_PUT(p, locks, spot, locks);
+	CHAIN_PUT(p, holds, spot, holds);
+}
+
+// Floats between two blocks of a row of chain_joints, in lanes.
+#define CHAIN_ROWS                  ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
+#define CHAIN_GATHER(p, member, at) gather((const GLOBAL float*)(p)->chain_joints->member, at)
+
+// The velocities that impulses along the coordinates of the joint before cause along those of this one, through their common
+// body.
+INLINE void chain_couple(const Pools* p, const Chain* chain, int spot, int odd)
+{
+	Real zero = splat(0.0f), one = splat(1.0f);
+	Int before = indices(odd ? spot - chain->odds : spot + chain->odds - 1), low = before & (MAX_LANES - 1);
+	Int at = (before - low) * CHAIN_ROWS + low, right = CHAIN_AT(p, side, spot) > zero;
+	Int right_there = CHAIN_AT(p, other, spot) > zero;
+	Real inverse = CHAIN_AT(p, inv_mass, spot), turning = CHAIN_AT(p, turns, spot);
+	Real sign = choose(splat(-1.0f), one, right == right_there), lever[3], across[3];
+	Int holds = whole(CHAIN_AT(p, holds, spot)), locks = whole(CHAIN_GATHER(p, locks, at));
+	Vec axis[2], other[2];
+	axis[0] = vec(CHAIN_AT(p, axis[0], spot), CHAIN_AT(p, axis[1], spot));
+	other[0] = vec(CHAIN_GATHER(p, axis[0], at), CHAIN_GATHER(p, axis[1], at));
+	axis[1] = vec(-axis[0].y, axis[0].x);
+	other[1] = vec(-other[0].y, other[0].x);
+	for (int k = 0; k < 2; ++k)
+	{
+		lever[k] = choose(CHAIN_AT(p, lever_a[k], spot), CHAIN_AT(p, lever_b[k], spot), right);
+		across[k] = choose(CHAIN_GATHER(p, lever_a[k], at), CHAIN_GATHER(p, lever_b[k], at), right_there);
+	}
+	lever[JOINT_ANGLE] = across[JOINT_ANGLE] = one;
 	for (int i = 0; i < 3; ++i)
-		to->r[i] = s.goal[i];
-	chain_couple(p, first, k, &s, &link.c, joint);
+		for (int j = 0; j < 3; ++j)
+		{
+			Int wanted = (inverse > zero) & ((holds & (1 << i)) != 0) & ((locks & (1 << j)) != 0);
+			Real along = i == JOINT_ANGLE || j == JOINT_ANGLE ? zero : vec_dot(axis[i & 1], other[j & 1]);
+			Real value = sign * (inverse * along + turning * lever[i] * across[j]);
+			CHAIN_PUT(p, l[3 * i + j], spot, choose(zero, value, wanted));
+		}
 }
 
 // Gives the bodies of a joint the impulses of the solution.
-INLINE void chain_give(const Pools* p, int place, int pass, const GLOBAL ChainJoint* joint)
+INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_load(p, place);
-	float x[3] = {joint->x[0], joint->x[1], joint->x[2]};
+	ChainLink link = chain_load(p, chain->begin + spot);
+	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
 	joint_hold(&link.u, &link.c, x);
 	if (pass == PASS_RELAX && p->step.drives)
-		joint_peak(p, place, &link.u);
-	chain_store(p, place, &link);
+		joint_peak(p, chain->begin + spot, &link.u);
+	chain_store(p, chain, spot, &link);
 }
 
-// Item i is a chain, argument the pass. Neighbors share bodies, so even joints come first, then odd ones.
+INLINE void chain_begin(const Pools* p, const Chain* chain)
+{
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(spot, chain, odd)
+	chain_tension(p, chain, spot);
+	group_meet();
+	for (int k = part_lane(); k < chain->count; k += part_width())
+		chain_stiffen(p, chain, k);
+	group_meet();
+	for (int k = part_lane(); k < chain->count; k += part_width())
+	{
+		int spot = chain_spot(chain, k);
+		chain_set_inertias(p, chain->begin + spot, chain_at(p, step_a, spot), chain_at(p, step_b, spot));
+	}
+	group_meet();
+}
+
+INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
+{
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(spot, chain, odd)
+	chain_build(p, chain, spot, pass);
+	group_meet();
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(spot, chain, odd)
+	chain_couple(p, chain, spot, odd);
+	chain_solve(p, chain->first, chain->count);
+	for (int odd = 0; odd < 2; ++odd)
+	{
+		CHAIN_EACH(spot, chain, odd)
+		chain_give(p, chain, spot, pass);
+		group_meet();
+	}
+}
+
+INLINE Chain chain_number(const Pools* p, int i)
+{
+	Chain chain;
+	chain.first = p->chain[i].x;
+	chain.count = p->chain[i].y;
+	chain.odds = CHAIN_HALF(chain.count);
+	chain.begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
+	return chain;
+}
+
+// Item i is a chain, argument the pass.
 GROUP_STAGE(chain)
 {
-	int pass = p->argument, count = p->chain[i].y;
-	int first = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS] + p->chain[i].x;
-	GLOBAL ChainJoint* joint = p->chain_joint + p->chain[i].x;
+	int pass = p->argument;
+	Chain chain = chain_number(p, i);
 	(void)bench;
 	if (pass == PASS_BOUNCE)
 		return;
 	if (pass == PASS_WARM_START)
+		chain_begin(p, &chain);
+	for (int odd = 0; odd < 2 && (pass != PASS_RELAX || p->step.drives); ++odd)
 	{
-		for (int k = group_lane(); k < count; k += group_width())
-			chain_tension(p, first + k, joint + k);
-		group_meet();
-		for (int k = group_lane(); k < count; k += group_width())
-			chain_stiffen(p, first, k, count, joint);
-		group_meet();
-		for (int k = group_lane(); k < count; k += group_width())
-			chain_set_inertias(p, first + k, joint[k].step_a, joint[k].step_b);
+		CHAIN_EACH(spot, &chain, odd)
+		chain_own(p, &chain, spot, pass);
 		group_meet();
 	}
-	for (int odd = 0; odd < 2; ++odd)
-	{
-		for (int k = 2 * group_lane() + odd; k < count; k += 2 * group_width())
-			chain_own(p, first + k, pass);
-		group_meet();
-	}
-	if (pass == PASS_WARM_START)
-		return;
-	for (int k = group_lane(); k < count; k += group_width())
-		chain_build(p, first, k, pass, joint);
-	chain_solve(joint, count);
-	for (int odd = 0; odd < 2; ++odd)
-	{
-		for (int k = 2 * group_lane() + odd; k < count; k += 2 * group_width())
-			chain_give(p, first + k, pass, joint + k);
-		group_meet();
-	}
+	if (pass != PASS_WARM_START)
+		chain_locks(p, &chain, pass);
 }
 
 // The links get their own inertias back.
 GROUP_STAGE(chain_end)
 {
-	int count = p->chain[i].y, first = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS] + p->chain[i].x;
-	const GLOBAL ChainJoint* joint = p->chain_joint + p->chain[i].x;
-	for (int k = group_lane(); k < count; k += group_width())
-		chain_set_inertias(p, first + k, joint[k].own_a, joint[k].own_b);
+	Chain chain = chain_number(p, i);
+	for (int k = part_lane(); k < chain.count; k += part_width())
+	{
+		int spot = chain_spot(&chain, k);
+		chain_set_inertias(p, chain.begin + spot, chain_at(p, own_a, spot), chain_at(p, own_b, spot));
+	}
 	(void)bench;
 }
 

@@ -139,8 +139,9 @@ static void add_chain(Search* s, int joint)
 	if (joints < 2 || (joints < CHAIN_JOINTS && mass_ratio(world, s->row + begin, joints) < CHAIN_RATIO))
 		return;
 	s->chains[s->count++] = make_int2(s->places, joints);
-	for (int k = begin; k < count; ++k)
-		s->spots[s->row[k]] = s->places++;
+	for (int k = 0; k < joints; ++k)
+		s->spots[s->row[begin + k]] = s->places + CHAIN_SPOT(joints, k);
+	s->places += 2 * CHAIN_HALF(joints);
 }
 
 // Sets the spots of all joints; those that changed wait for the upload.
@@ -163,7 +164,7 @@ static scree_status upload_chains(scree_world* world, const Search* s)
 	if (s->count == 0)
 		return SCREE_OK;
 	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, s->count));
-	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_PLACE, s->places));
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, s->places / MAX_LANES));
 	return b->f->write(b, POOL_chain, 0, s->count, s->chains);
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// setup.h -- what is measured: a scene that was read from a file, or one that is made by code.
+#ifndef SETUP_H
+#define SETUP_H
+#include "rig.h"
+#include "scene/scene.h"
+
+typedef struct
+{
+	Scene* scene; // null if made by code
+	const Rig* rig;
+	double values[RIG_PARAMETERS];
+	float dt; // s
+	int substeps, steps;
+} Setup;
+
+// Finds the scene of this name, made by code or in a file, and sets its parameters. Returns false after printing a sentence.
+// The caller frees what it holds.
+bool setup_load(Setup* setup, const char* name, const char* executable, const SceneSetting* settings, int count);
+void setup_free(Setup* setup);
+
+// Makes a world. Returns null after printing a sentence. threads 0: one a core.
+scree_world* setup_open(const Setup* setup, const char* device, int threads);
+
+// Changes the bodies as the scene does before a step. Returns false after printing a sentence.
+bool setup_change(const Setup* setup, scree_world* world, int64_t step);
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// stiffness.c -- scree_peers stiffness: how far joints give way, with both engines.
+//
+// Each row is a scene at 60 Hz with 4 substeps. After every step the ruler takes one quantity from the poses; the table has
+// its largest value, its mean and its last value, from a time on at which the bodies have left their unloaded start.
+#include "stiffness.h"
+#include "engine_box2d.h"
+#include "engine_scree.h"
+#include "ruler.h"
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SETTINGS 4
+
+static const char* const help = "usage: scree_peers stiffness [OPTION]... [NAME]...\n"
+                                "\n"
+                                "Measures how far joints give way in both engines, 60 Hz with 4 substeps; CSV on "
+                                "standard output. Without a name: all "
+                                "rows.\n"
+                                "\n"
+                                "  -d, --device NAME   where Scree runs, cpu without it\n"
+                                "  -h, --help          this text\n";
+
+static const struct option words_known[] = {
+    {"device", required_argument, NULL, 'd'}, {"help", no_argument, NULL, 'h'}, {0}};
+
+typedef enum
+{
+	STRETCH,    // of all joints together, as a part of the length without it, %
+	SAG,        // of the body that sank most, m
+	SEPARATION, // of the joint that is open most, m
+	RESTLESS,   // mean of the squared speeds of all bodies, m^2/s^2
+	QUANTITIES
+} Quantity;
+
+static const char* const quantities[QUANTITIES] = {
+    [STRETCH] = "stretch (%)",
+    [SAG] = "sag (m)",
+    [SEPARATION] = "separation (m)",
+    [RESTLESS] = "mean square speed (m2/s2)",
+};
+
+typedef struct
+{
+	const char *name, *rig;
+	SceneSetting settings[SETTINGS]; // ended by a null name
+	Quantity quantity;
+	float length;      // m: of what stretches
+	float from, until; // s
+} Row;
+
+#define ROPE(name, load, level)                                                                        \
+	{                                                                                                  \
+		name, "ropes", {{"count", "1"}, {"load", load}, {"level", level}}, STRETCH, 20.0f, 1.0f, 20.0f \
+	}
+
+static const Row rows[] = {
+    ROPE("rope 1:1 hanging", "1", "0"),
+    ROPE("rope 10:1 hanging", "10", "0"),
+    ROPE("rope 100:1 hanging", "100", "0"),
+    ROPE("rope 1000:1 hanging", "1000", "0"),
+    ROPE("rope 1:1 swinging", "1", "1"),
+    ROPE("rope 10:1 swinging", "10", "1"),
+    ROPE("rope 100:1 swinging", "100", "1"),
+    ROPE("rope 1000:1 swinging", "1000", "1"),
+    {"bridge", "bridges", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, STRETCH, 100.0f, 1.0f, 30.0f},
+    {"bridge", "bridges", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, SAG, 0.0f, 1.0f, 30.0f},
+    {"beam", "beam", {{0}}, SAG, 0.0f, 1.0f, 30.0f},
+    {"beam", "beam", {{0}}, SEPARATION, 0.0f, 1.0f, 30.0f},
+    {"ragdolls", "humans", {{0}}, RESTLESS, 0.0f, 60.0f, 62.0f},
+    {"ragdolls", "humans", {{0}}, SEPARATION, 0.0f, 60.0f, 62.0f},
+    {"car", "car", {{0}}, SEPARATION, 0.0f, 1.0f, 15.0f},
+    {"joint grid", "joint_grid", {{"size", "30"}}, SEPARATION, 0.0f, 1.0f, 10.0f},
+};
+
+typedef struct
+{
+	double most, mean, last;
+} Values;
+
+static double speeds(const Ruler* ruler, const scree_pose* before, float dt)
+{
+	double sum = 0.0;
+	for (int k = 0; k < ruler->count; ++k)
+	{
+		double x = (double)(ruler->poses[k].position.x - before[k].position.x) / (double)dt,
+		       y = (double)(ruler->poses[k].position.y - before[k].position.y) / (double)dt;
+		sum += x * x + y * y;
+	}
+	return sum / ruler->count;
+}
+
+static double value_of(const Row* row, const Ruler* ruler, const scree_pose* before, float dt)
+{
+	switch (row->quantity)
+	{
+	case STRETCH:
+		return 100.0 * ruler->gaps / (double)row->length;
+	case SAG:
+		return (double)ruler->sunk;
+	case SEPARATION:
+		return (double)ruler->separation;
+	default:
+		return speeds(ruler, before, dt);
+	}
+}
+
+static bool take_steps(const Row* row, const Setup* setup, const Engine* engine, void* state, Ruler* ruler,
+                       scree_pose* before, Values* values)
+{
+	int counted = 0;
+	bool good = engine->poses(state, ruler->poses, ruler->count) && ruler_measure(ruler);
+	for (int k = 0; (float)k * setup->dt < row->until && good; ++k)
+	{
+		memcpy(before, ruler->poses, (size_t)ruler->count * sizeof *before);
+		ruler->separation = 0.0f;
+		ruler->gaps = ruler->gauged = 0.0;
+		good = engine->step(state, setup->dt, setup->substeps) && engine->poses(state, ruler->poses, ruler->count) &&
+		       ruler_measure(ruler);
+		if ((float)k * setup->dt < row->from)
+			continue;
+		values->last = value_of(row, ruler, before, setup->dt);
+		values->most = values->last > values->most ? values->last : values->most;
+		values->mean += values->last;
+		++counted;
+	}
+	values->mean /= counted;
+	return good;
+}
+
+static bool measure(const Row* row, const Engine* engine, const EngineOptions* options, const char* executable,
+                    Values* values)
+{
+	Setup setup;
+	Ruler ruler = {0};
+	int count = 0;
+	while (count < SETTINGS && row->settings[count].name)
+		++count;
+	if (!setup_load(&setup, row->rig, executable, row->settings, count))
+		return false;
+	*values = (Values){0};
+	void* state = engine->open(&setup, options);
+	bool good = state && ruler_open(&ruler, &setup);
+	scree_pose* before = good ? malloc((size_t)ruler.count * sizeof *before) : NULL;
+	good = before && take_steps(row, &setup, engine, state, &ruler, before, values);
+	free(before);
+	ruler_close(&ruler);
+	if (state)
+		engine->close(state);
+	setup_free(&setup);
+	return good;
+}
+
+static bool chosen(const Row* row, char** names, int count)
+{
+	for (int k = 0; k < count; ++k)
+	{
+		if (strcmp(names[k], row->name) == 0)
+			return true;
+	}
+	return count == 0;
+}
+
+int stiffness_peers(int count, char** words, const char* executable)
+{
+	EngineOptions options = {.threads = 1, .device = "cpu", .continuous = true};
+	for (int letter; (letter = getopt_long(count, words, "d:h", words_known, NULL)) != -1;)
+	{
+		if (letter == 'h')
+			printf("%s", help);
+		if (letter != 'd')
+			return letter == 'h' ? EXIT_GOOD : EXIT_BAD;
+		options.device = optarg;
+	}
+	printf("trial,quantity,most_scree,most_box2d,mean_scree,mean_box2d,last_scree,last_box2d\n");
+	for (size_t k = 0; k < sizeof rows / sizeof rows[0]; ++k)
+	{
+		Values a, b;
+		if (!chosen(&rows[k], words + optind, count - optind))
+			continue;
+		if (!measure(&rows[k], &scree_engine, &options, executable, &a) ||
+		    !measure(&rows[k], &box2d_engine, &options, executable, &b))
+			return EXIT_FAILED;
+		printf("%s,%s,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", rows[k].name, quantities[rows[k].quantity], a.most, b.most,
+		       a.mean, b.mean, a.last, b.last);
+		fflush(stdout);
+	}
+	return EXIT_GOOD;
+}

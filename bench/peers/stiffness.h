@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// stiffness.h -- scree_peers stiffness: how far joints give way, with both engines.
+#ifndef STIFFNESS_H
+#define STIFFNESS_H
+
+// Reads the words after "stiffness" and prints a table. Returns an exit code.
+int stiffness_peers(int count, char** words, const char* executable);
+
+#endif
