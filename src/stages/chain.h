@@ -125,7 +125,8 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, int k)
 	int before = chain->begin + chain_spot(chain, k > 0 ? k - 1 : 0), side = k > 0 ? chain_side(p, place, before) : -1;
 	int a = joint_row(p, body_a, place), b = joint_row(p, body_b, place);
 	float own_a = p->body[a].inv_inertia, own_b = p->body[b].inv_inertia;
-	float step_a = chain_inertia(own_a, chain_pull(p, chain, k, 0)), step_b = chain_inertia(own_b, chain_pull(p, chain, k, 1));
+	float step_a = chain_inertia(own_a, chain_pull(p, chain, k, 0)),
+	      step_b = chain_inertia(own_b, chain_pull(p, chain, k, 1));
 	chain_at(p, own_a, spot) = own_a;
 	chain_at(p, own_b, spot) = own_b;
 	chain_at(p, step_a, spot) = step_a;
