@@ -309,12 +309,13 @@ INLINE int joint_place_rest(const Pools* p, int i)
 	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
 }
 
-// Places of joints without a color are inert, until a joint is laid out there.
+// Places of joints without a color are inert, until a joint is laid out there. They may be many more than the joints, whose
+// number is that of the items.
 STAGE(chain_pad)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
-	int place = layout->begin[COLORS] + i;
-	if (place < layout->begin[COLORS + 1])
+	int joints = p->counters->arrange[CONSTRAINT_JOINT];
+	for (int place = layout->begin[COLORS] + i; place < layout->begin[COLORS + 1]; place += joints)
 		joint_pad(p, place);
 }
 

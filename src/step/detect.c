@@ -146,7 +146,7 @@ static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 		runs_add(list, PRIMITIVE_SCAN, 0, items, count, 0);
 	runs_add(list, info->range, 0, 1, count, 0);
 	if (kind == CONSTRAINT_JOINT)
-		runs_add(list, STAGE_chain_pad, 0, b->capacity[info->places], count, 0);
+		runs_add(list, STAGE_chain_pad, 0, items, count, 0);
 	runs_add(list, info->layout, 0, items, count, bits);
 }
 
