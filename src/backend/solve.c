@@ -60,6 +60,8 @@ void solve_list(const Solve* solve, RunList* list)
 			runs_add(list, STAGE_integrate_position, 0, bodies, bound, 0);
 		add_pass(list, solve, schedule_pass(solve->substeps, q));
 	}
+	if (solve->chains > 0)
+		runs_add(list, STAGE_chain_end, 0, solve->chains, bound, 0);
 	runs_add(list, STAGE_finalize, 0, solve->bodies, bound, 0);
 	runs_add(list, STAGE_guard, 0, solve->collidables, COUNT(guarded), 0);
 	if (solve->rare[CONSTRAINT_JOINT])

@@ -76,6 +76,14 @@ INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec
 	return end;
 }
 
+// Whether the axes of a joint are those of the world: where both translations are rigid any axes will do, and impulses of the
+// world last longer than those of a body.
+INLINE Int joint_upright(const Joint* u)
+{
+	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
+	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS)) == 0);
+}
+
 // All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
 INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 {
@@ -93,12 +101,9 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME_A, ia, offset);
 	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME_B, ib, vec(zero, zero));
 	Vec gap = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
-	Int both = joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS));
-
-	// where both translations are rigid any axes will do, and impulses of the world last longer than those of a body
-	both = both & (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS)) == 0);
-	Vec axis = vec_choose(a.turn, vec(one, zero), both);
-	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, both | radial | (there == 0));
+	Int upright = joint_upright(u);
+	Vec axis = vec_choose(a.turn, vec(one, zero), upright);
+	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, upright | radial | (there == 0));
 	u->axis_x = axis.x;
 	u->axis_y = axis.y;
 	u->arm_a_x = a.arm.x;

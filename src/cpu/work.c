@@ -23,6 +23,7 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_narrow_phase] = CHUNK_ITEMS,
     [STAGE_hub] = 1,
     [STAGE_chain] = 1,
+    [STAGE_chain_end] = 1,
     [STAGE_hash_bodies] = 16,
     [STAGE_hash_collidables] = 16,
 #define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,

@@ -263,8 +263,9 @@ typedef struct // MAX_LANES joints in the systems of their chains: working data 
 	float locks[MAX_LANES], holds[MAX_LANES];    // bits of coordinates: locked; and with a yield
 	float side[MAX_LANES], other[MAX_LANES];     // of the body shared with the joint before: 0 for a, 1 for b; there
 	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): of the shared body; 0 for none
-	float tension_a[MAX_LANES], tension_b[MAX_LANES];         // kg m^2: what its pull adds to the inertia of its bodies
-	float inv_inertia_a[MAX_LANES], inv_inertia_b[MAX_LANES]; // with the tension
+	float tension_a[MAX_LANES], tension_b[MAX_LANES]; // kg m^2: what its pull adds to the inertia of its bodies
+	float own_a[MAX_LANES], own_b[MAX_LANES];         // 1/(kg m^2): inverse inertias of its bodies
+	float step_a[MAX_LANES], step_b[MAX_LANES];       // the same for this step
 } ChainBlock;
 
 // a component of the joint at a spot

@@ -5,8 +5,8 @@
 // the load. The host finds such rows of joints (src/world/chains.c); they have no color and come before the colors of a pass.
 //
 // Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can follow, and the rope
-// whips apart. So the chain sees a link's inertia enlarged by what the tension adds to it in an implicit integration, where it
-// exceeds the link's own.
+// whips apart. So for the step a link's inertia is enlarged to what the tension makes it in an implicit integration, where that
+// exceeds its own. All constraints of the link see the same inertia: otherwise they would take turns in adding energy.
 //
 // Joints 0, 2, 4, ... of a chain have no bodies in common, nor have 1, 3, 5, ...: each half is a row of places, of which a wide
 // pass takes a block at once. Only the system itself is solved joint by joint.
@@ -49,15 +49,6 @@ INLINE ChainLink chain_load(const Pools* p, int place)
 	joint_load(p, place, PASS_BIAS, &link.u);
 	Body a = body_gather(p, link.ia), b = body_gather(p, link.ib);
 	link.c = joint_pose(&link.u, &a, &b);
-	return link;
-}
-
-// The same with the inertias that the chain sees, which are those of the whole step.
-INLINE ChainLink chain_link(const Pools* p, const Chain* chain, int spot)
-{
-	ChainLink link = chain_load(p, chain->begin + spot);
-	link.c.a.inv_inertia = CHAIN_AT(p, inv_inertia_a, spot);
-	link.c.b.inv_inertia = CHAIN_AT(p, inv_inertia_b, spot);
 	return link;
 }
 
@@ -127,19 +118,31 @@ INLINE float chain_inertia(float inverse, float tension)
 	return more > 0.0f && more <= MOST_FLOAT ? 1.0f / tension : inverse;
 }
 
+// The inertias of the bodies of joint k, their own and for the step, and what it shares with the joint before it.
 INLINE void chain_stiffen(const Pools* p, const Chain* chain, int k)
 {
 	int spot = chain_spot(chain, k), place = chain->begin + spot;
 	int before = chain->begin + chain_spot(chain, k > 0 ? k - 1 : 0), side = k > 0 ? chain_side(p, place, before) : -1;
-	int a = joint_row(p, body_a, place), b = joint_row(p, body_b, place);
-	float turns_a = chain_inertia(p->body[a].inv_inertia, chain_pull(p, chain, k, 0));
-	float turns_b = chain_inertia(p->body[b].inv_inertia, chain_pull(p, chain, k, 1));
-	chain_at(p, inv_inertia_a, spot) = turns_a;
-	chain_at(p, inv_inertia_b, spot) = turns_b;
+	BodyState a = p->body[joint_row(p, body_a, place)], b = p->body[joint_row(p, body_b, place)];
+	float step_a = chain_inertia(a.inv_inertia, chain_pull(p, chain, k, 0));
+	float step_b = chain_inertia(b.inv_inertia, chain_pull(p, chain, k, 1));
+	chain_at(p, own_a, spot) = a.inv_inertia;
+	chain_at(p, own_b, spot) = b.inv_inertia;
+	chain_at(p, step_a, spot) = step_a;
+	chain_at(p, step_b, spot) = step_b;
 	chain_at(p, side, spot) = side > 0 ? 1.0f : 0.0f;
 	chain_at(p, other, spot) = side >= 0 && chain_side(p, before, place) > 0 ? 1.0f : 0.0f;
-	chain_at(p, inv_mass, spot) = side < 0 ? 0.0f : p->body[side ? b : a].inv_mass;
-	chain_at(p, turns, spot) = side ? turns_b : turns_a;
+	chain_at(p, inv_mass, spot) = side < 0 ? 0.0f : side ? b.inv_mass : a.inv_mass;
+	chain_at(p, turns, spot) = side ? step_b : step_a;
+}
+
+// Sets the inertias of a joint's bodies. Two joints set the same of their common body.
+INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float inverse_b)
+{
+	if (inverse_a > 0.0f)
+		p->body[joint_row(p, body_a, place)].inv_inertia = inverse_a;
+	if (inverse_b > 0.0f)
+		p->body[joint_row(p, body_b, place)].inv_inertia = inverse_b;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -149,7 +152,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, int k)
 // What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
 INLINE void chain_own(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_link(p, chain, spot);
+	ChainLink link = chain_load(p, chain->begin + spot);
 	int place = chain->begin + spot;
 	if (pass == PASS_WARM_START)
 		joint_warm(p, place, &link.u, &link.c);
@@ -168,7 +171,7 @@ INLINE void chain_own(const Pools* p, const Chain* chain, int spot, int pass)
 // The equations of a joint: diagonal block, right side; and what couples it with others.
 INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_link(p, chain, spot);
+	ChainLink link = chain_load(p, chain->begin + spot);
 	JointSystem s = joint_system(p, pass == PASS_BIAS, &link.u, &link.c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
@@ -233,7 +236,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, int spot, int odd)
 // Gives the bodies of a joint the impulses of the solution.
 INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_link(p, chain, spot);
+	ChainLink link = chain_load(p, chain->begin + spot);
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
 	joint_hold(&link.u, &link.c, x);
 	if (pass == PASS_RELAX && p->step.drives)
@@ -249,6 +252,12 @@ INLINE void chain_begin(const Pools* p, const Chain* chain)
 	group_meet();
 	for (int k = part_lane(); k < chain->count; k += part_width())
 		chain_stiffen(p, chain, k);
+	group_meet();
+	for (int k = part_lane(); k < chain->count; k += part_width())
+	{
+		int spot = chain_spot(chain, k);
+		chain_set_inertias(p, chain->begin + spot, chain_at(p, step_a, spot), chain_at(p, step_b, spot));
+	}
 	group_meet();
 }
 
@@ -270,15 +279,21 @@ INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
 	}
 }
 
-// Item i is a chain, argument the pass.
-GROUP_STAGE(chain)
+INLINE Chain chain_of(const Pools* p, int i)
 {
-	int pass = p->argument;
 	Chain chain;
 	chain.first = p->chain[i].x;
 	chain.count = p->chain[i].y;
 	chain.odds = CHAIN_HALF(chain.count);
 	chain.begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
+	return chain;
+}
+
+// Item i is a chain, argument the pass.
+GROUP_STAGE(chain)
+{
+	int pass = p->argument;
+	Chain chain = chain_of(p, i);
 	(void)bench;
 	if (pass == PASS_BOUNCE)
 		return;
@@ -292,6 +307,18 @@ GROUP_STAGE(chain)
 	}
 	if (pass != PASS_WARM_START)
 		chain_locks(p, &chain, pass);
+}
+
+// The links get their own inertias back.
+GROUP_STAGE(chain_end)
+{
+	Chain chain = chain_of(p, i);
+	for (int k = part_lane(); k < chain.count; k += part_width())
+	{
+		int spot = chain_spot(&chain, k);
+		chain_set_inertias(p, chain.begin + spot, chain_at(p, own_a, spot), chain_at(p, own_b, spot));
+	}
+	(void)bench;
 }
 
 #endif

@@ -6,7 +6,7 @@
 #include "constraints/kinds.h"
 
 // The impulses of the last substep along the axes, N s; 0 without a constraint.
-INLINE void joint_show_force(const Pools* p, int i, Vec axis, GLOBAL JointState* state)
+INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, GLOBAL JointState* state)
 {
 	int place = p->joint_place[i];
 	if (place < 0)
@@ -14,8 +14,11 @@ INLINE void joint_show_force(const Pools* p, int i, Vec axis, GLOBAL JointState*
 	Joint u;
 	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
 	joint_load(p, place, PASS_RELAX, &u);
+
+	// forms that hold joints in registers leave the rows of the step as they are
+	u.modes = (float)modes;
 	joint_sums(p, place, &u, sum);
-	if (!(joint_has(&u, JOINT_TURNS) || joint_has(&u, JOINT_RADIAL)))
+	if (joint_upright(&u))
 		axis = vec(1.0f, 0.0f);
 	state->force_x = rate * (sum[0] * axis.x - sum[1] * axis.y);
 	state->force_y = rate * (sum[0] * axis.y + sum[1] * axis.x);
@@ -53,7 +56,7 @@ STAGE(joint_show)
 	state->force_y = 0.0f;
 	state->torque = 0.0f;
 	state->broken = (p->joint_flags[i] & JOINT_BROKEN) != 0;
-	joint_show_force(p, i, axis, state);
+	joint_show_force(p, i, modes, axis, state);
 }
 
 #endif

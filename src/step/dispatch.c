@@ -43,6 +43,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .collidables = request->collidables,
 	               .substeps = request->substeps,
 	               .bounces = step->bounces,
+	               .bare = pipeline->bare,
 	               .chains = pipeline->chains,
 	               .counters = c,
 	               .bound = bound};

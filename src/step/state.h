@@ -60,6 +60,7 @@ typedef struct
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
 	bool drives;                  // some joint has a limit, a spring, a motor or a threshold
+	bool bare;                    // some body with joints may have no collidables
 	bool breaks;                  // some joint may break
 	int chains, chain_places;     // rows of joints that are solved together, and joints in them
 	bool stirred;                 // joints were made, changed or destroyed since the last step

@@ -105,6 +105,7 @@ void collidable_remove(scree_world* world, int index)
 		else
 			body->last_collidable = host->previous;
 		--body->collidables;
+		world->pipeline.bare |= body->collidables == 0 && body->first_joint > 0;
 		list_changed(world, host->previous);
 	}
 	int kind = collidable_kind(world, index);

@@ -35,14 +35,17 @@ scree_status check_coordinate(Where at, scree_coordinate which, const scree_join
 	char member[64];
 	for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
 	{
+		// a world may have a million joints: names are put together for a sentence only
+		if (numbers[k].value >= numbers[k].low && numbers[k].value <= numbers[k].high)
+			continue;
 		snprintf(member, sizeof member, ".coordinates[%s].%s", names[which], numbers[k].name);
 		TRY(check_real(at, member, numbers[k].value, numbers[k].low, numbers[k].high));
 	}
+	if (!c->limited || c->lower <= c->upper)
+		return SCREE_OK;
 	snprintf(member, sizeof member, ".coordinates[%s].lower", names[which]);
-	if (c->limited && c->lower > c->upper)
-		return refuse(SCREE_ERROR_INVALID, at, member, "is %s, above upper, which is %s", decimal(c->lower).text,
-		              decimal(c->upper).text);
-	return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %s, above upper, which is %s", decimal(c->lower).text,
+	              decimal(c->upper).text);
 }
 
 scree_status check_joint_numbers(Where at, const scree_joint_def* def)

@@ -173,6 +173,15 @@ static bool drives(const JointEdit* edit)
 	return (int)edit->data.modes & JOINT_EXTRAS || edit->data.most_force < FLT_MAX || edit->data.most_torque < FLT_MAX;
 }
 
+static bool is_bare(const scree_world* world, int index)
+{
+	const int* bodies = world->host_joints[index].bodies;
+	for (int side = 0; side < 2; ++side)
+		if (bodies[side] > 0 && world->host_bodies[bodies[side]].collidables == 0)
+			return true;
+	return false;
+}
+
 static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
 
 scree_status upload_joints(scree_world* world, void* memory)
@@ -189,6 +198,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 		rows[k] = joint_edit(world, p->joints[k]);
 		pipeline->drives |= drives(rows + k);
 		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
+		pipeline->bare |= is_bare(world, p->joints[k]);
 	}
 	TRY(b->f->write(b, POOL_joint_edit, 0, p->joint_count, rows));
 	Step step = {0};

@@ -51,8 +51,8 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
-	// the spokes of a hub are in many tiles
-	bool tiles = solve->counters->hubs == 0 && (d->form == FORM_TILES || tiles_pay(d, solve));
+	// the spokes of a hub are in many tiles, a body without collidables is in none
+	bool tiles = solve->counters->hubs == 0 && !solve->bare && (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
