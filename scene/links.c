@@ -39,6 +39,7 @@ bool links_list(Links* links, const Sprites* sprites, scree_world* world)
 	{
 		scree_joint_def def;
 		Link* link = &links->list[links->count];
+		link->joint = joints[k];
 		good = scree_joint_get_def(world, joints[k], &def) == SCREE_OK &&
 		       set_end(link, 0, sprites, world, def.body_a, def.frame_a) &&
 		       set_end(link, 1, sprites, world, def.body_b, def.frame_b);

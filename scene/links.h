@@ -6,6 +6,7 @@
 
 typedef struct // one joint to draw
 {
+	scree_joint joint;
 	int bodies[2];        // index in Sprites.bodies, -1 for the world
 	bool centers[2];      // whether the line goes on to the body's origin
 	scree_vec anchors[2]; // m, in the bodies' frames or in the world

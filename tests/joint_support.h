@@ -22,6 +22,10 @@
 
 static const scree_body NOBODY = {0, 0};
 
+// So many joints in a row or more are solved together, and their translations are so many times as stiff; angles are rigid.
+#define CHAIN_LEAST   8
+#define CHAIN_STIFFER 4.0
+
 // A definition between two bodies, whose frames lie at a pose in the world; either body may be null.
 static inline scree_joint_def joint_def_at(scree_world* world, scree_joint_type type, scree_body a, scree_body b,
                                            float x, float y, float radians)

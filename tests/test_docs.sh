@@ -24,10 +24,12 @@ done
 sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - ||
 	complain "README.md: its program is not examples/hello.c"
 
-# every kernel has its line in docs/step.md
+# every kernel has its line in docs/step.md, those of a kind of constraint for each kind
 while read -r kernel; do
 	grep -q "\`$kernel\`" docs/step.md || complain "docs/step.md: kernel $kernel is missing"
-done < <(sed -nE -e 's/kind##/contact/' -e 's/^[[:blank:]]*X\(([a-z_0-9]*),.*/\1/p' src/stages/stages.def)
+done < <(sed -nE 's/^CONSTRAINT_KIND\(([a-z]+),.*/\1/p' src/pools/kinds.def | while read -r kind; do
+	sed -nE -e '/^\/\//d' -e "s/kind##/$kind/" -e 's/^.*X\(([a-z_0-9]*),.*/\1/p' src/stages/stages.def
+done | sort -u)
 
 # every word of the dialect has its line in docs/dialect.md, but for what only other words use
 while read -r word; do

@@ -262,6 +262,15 @@ static void settings_are_read_and_act(void** state)
 	assert_int_equal(joint_events_of(world, &event, 1), 1);
 	assert_true(event.user == 9 && !event.broken);
 
+	// events, as all that can be read, move along to another device
+	scree_joint_state there = joint_state_of(world, joint);
+	assert_ok(scree_world_move(world, "cpu"));
+	scree_joint_state here = joint_state_of(world, joint);
+	assert_memory_equal(&here.force, &there.force, sizeof here.force);
+	assert_int_equal(joint_events_of(world, &event, 1), 1);
+	assert_true(event.user == 9 && event.force > 7.0f);
+	assert_ok(scree_world_move(world, device));
+
 	// a coordinate that is let go, and taken again
 	scree_joint_coordinate across, read;
 	assert_ok(scree_joint_get_coordinate(world, joint, SCREE_ACROSS, &across));

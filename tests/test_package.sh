@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# test_package.sh -- installs into a scratch folder, builds examples/hello.c against it through CMake and through
+# test_package.sh -- installs into a scratch folder, builds the examples against it through CMake, hello.c also through
 # pkg-config, static and shared, and runs it: all four must print the same.
 set -euo pipefail
 scratch=$SCREE_BUILD/package
@@ -20,6 +20,7 @@ for shared in OFF ON; do
 		{ cat "$scratch/log"; exit 1; }
 	cmake --build "$build" >>"$scratch/log" || { cat "$scratch/log"; exit 1; }
 	LD_LIBRARY_PATH=$libdir "$build/hello" | tee "$scratch/cmake_$shared.txt"
+	LD_LIBRARY_PATH=$libdir "$build/car" | tee "$scratch/car_$shared.txt"
 	linked=$(objdump -p "$build/hello" | grep -c 'NEEDED.*libscree' || true)
 	[ "$linked" = "$([ $shared = ON ] && echo 1 || echo 0)" ] || { echo "BUILD_SHARED_LIBS=$shared links the wrong library"; exit 1; }
 done
@@ -38,6 +39,9 @@ for other in cmake_ON pc_shared pc_static; do
 	cmp "$scratch/cmake_OFF.txt" "$scratch/$other.txt"
 done
 grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
+# the car gets over the bump, and stays on its wheels
+cmp "$scratch/car_OFF.txt" "$scratch/car_ON.txt"
+grep -q '^3\.0 s: the car is at 1[0-9]\..*, 0\.[89]' "$scratch/car_OFF.txt"
 
 # the library exports its interface and nothing else
 strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep -v '^scree_' || true)

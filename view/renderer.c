@@ -62,6 +62,7 @@ void renderer_close(Renderer* r)
 	glDeleteVertexArrays(1, &r->four_each);
 	strokes_close(&r->strokes);
 	render_tables_close(&r->tables);
+	joint_lines_close(&r->joint_lines);
 	free(r->contacts);
 	*r = (Renderer){0};
 }
@@ -70,7 +71,7 @@ bool renderer_update_world(Renderer* r, scree_world* world)
 {
 	r->contact_count = 0;
 	r->lod = (Lod){0};
-	return render_tables_build(&r->tables, world);
+	return render_tables_build(&r->tables, world) && joint_lines_build(&r->joint_lines, &r->tables);
 }
 
 static scree_status fetch_contacts(Renderer* r)
@@ -89,6 +90,14 @@ static scree_status fetch_contacts(Renderer* r)
 	return scree_world_get_contacts(r->tables.world, r->contacts, capacity, &r->contact_count);
 }
 
+static scree_status fetch_joints(Renderer* r)
+{
+	if (r->joint_lines.links.count == 0)
+		return SCREE_OK;
+	scree_status status = render_tables_update_bodies(&r->tables);
+	return status == SCREE_OK ? joint_lines_update(&r->joint_lines, &r->tables) : status;
+}
+
 scree_status renderer_fetch(Renderer* r, const Style* style)
 {
 	scree_status status = SCREE_OK;
@@ -100,6 +109,8 @@ scree_status renderer_fetch(Renderer* r, const Style* style)
 		status = fetch_contacts(r);
 	if (status == SCREE_OK && style->paint == PAINT_GRAPH)
 		render_tables_update_graph(&r->tables, r->contacts, r->contact_count);
+	if (status == SCREE_OK && style->layers[LAYER_joints])
+		status = fetch_joints(r);
 	return status;
 }
 
@@ -186,6 +197,8 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 		draw_over(r, &r->box, share, camera, style);
 	if (style->layers[LAYER_velocities])
 		draw_over(r, &r->velocity, share, camera, style);
+	if (style->layers[LAYER_joints])
+		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style->detail);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
 	strokes_draw(&r->strokes, camera);
 }

@@ -34,12 +34,13 @@ typedef struct
 {
 	Paint paint;
 	bool layers[LAYERS];
-	bool graph;   // contact points have the color of the solver's graph
-	float detail; // px: bodies of less reach are splats; 1 is fine, 4 makes a software renderer faster
+	bool graph; // contact points have the color of the solver's graph
+	float
+	    detail; // px: bodies of less reach are splats, shorter joints are left out; 1 is fine, 4 for a software renderer
 } Style;
 
-// Reads the name of a paint and a list of layers with commas between them; null: the default. False writes a sentence
-// (SENTENCE of shader.h) that begins with the option.
+// Reads the name of a paint and a list of layers with commas between them; null: the default, which shows the layer joints.
+// False writes a sentence (SENTENCE of shader.h) that begins with the option.
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence);
 
 #endif

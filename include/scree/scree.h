@@ -784,7 +784,8 @@ typedef struct scree_joint_def
 	scree_body body_a, body_b;             // null: the world; not the same body
 	scree_pose frame_a, frame_b;           // in the bodies' frames; default: the bodies' origins
 	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
-	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; limited to a quarter of the substep rate
+	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors stay. No stiffness, of
+	             // springs too, exceeds a quarter of the substep rate; joints in a row (docs/joints.md) are stiffer
 	float damping_ratio;    // of them, 0 to 1e6, default 2
 	bool collide_connected; // whether the two bodies may touch each other; default false
 	bool breaks;            // ends when a threshold is exceeded; default false

@@ -23,7 +23,6 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_narrow_phase] = CHUNK_ITEMS,
     [STAGE_hub] = 1,
     [STAGE_chain] = 1,
-    [STAGE_chain_end] = 1,
     [STAGE_hash_bodies] = 16,
     [STAGE_hash_collidables] = 16,
 #define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,
@@ -82,7 +81,7 @@ static int smallest_shared(const Cpu* cpu, int stage)
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
 		// a hub takes as long as many items: two are shared wherever anything is
-		if (stage_widths[stage] >= WIDTH_GROUP)
+		if (stage_widths[stage] == WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[stage])
 			return cpu->grain;

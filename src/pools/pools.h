@@ -265,7 +265,7 @@ typedef struct // MAX_LANES joints in the systems of their chains: working data 
 	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): of the shared body; 0 for none
 	float tension_a[MAX_LANES], tension_b[MAX_LANES]; // kg m^2: what its pull adds to the inertia of its bodies
 	float own_a[MAX_LANES], own_b[MAX_LANES];         // 1/(kg m^2): inverse inertias of its bodies
-	float step_a[MAX_LANES], step_b[MAX_LANES];       // the same for this step
+	float step_a[MAX_LANES], step_b[MAX_LANES];       // the same for the step, with the tension
 } ChainBlock;
 
 // a component of the joint at a spot

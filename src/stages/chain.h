@@ -118,21 +118,22 @@ INLINE float chain_inertia(float inverse, float tension)
 	return more > 0.0f && more <= MOST_FLOAT ? 1.0f / tension : inverse;
 }
 
-// The inertias of the bodies of joint k, their own and for the step, and what it shares with the joint before it.
+// The inertias of a joint's bodies, their own and for the step; and which body it shares with the joint before it.
 INLINE void chain_stiffen(const Pools* p, const Chain* chain, int k)
 {
 	int spot = chain_spot(chain, k), place = chain->begin + spot;
 	int before = chain->begin + chain_spot(chain, k > 0 ? k - 1 : 0), side = k > 0 ? chain_side(p, place, before) : -1;
-	BodyState a = p->body[joint_row(p, body_a, place)], b = p->body[joint_row(p, body_b, place)];
-	float step_a = chain_inertia(a.inv_inertia, chain_pull(p, chain, k, 0));
-	float step_b = chain_inertia(b.inv_inertia, chain_pull(p, chain, k, 1));
-	chain_at(p, own_a, spot) = a.inv_inertia;
-	chain_at(p, own_b, spot) = b.inv_inertia;
+	int a = joint_row(p, body_a, place), b = joint_row(p, body_b, place);
+	float own_a = p->body[a].inv_inertia, own_b = p->body[b].inv_inertia;
+	float step_a = chain_inertia(own_a, chain_pull(p, chain, k, 0)),
+	      step_b = chain_inertia(own_b, chain_pull(p, chain, k, 1));
+	chain_at(p, own_a, spot) = own_a;
+	chain_at(p, own_b, spot) = own_b;
 	chain_at(p, step_a, spot) = step_a;
 	chain_at(p, step_b, spot) = step_b;
 	chain_at(p, side, spot) = side > 0 ? 1.0f : 0.0f;
 	chain_at(p, other, spot) = side >= 0 && chain_side(p, before, place) > 0 ? 1.0f : 0.0f;
-	chain_at(p, inv_mass, spot) = side < 0 ? 0.0f : side ? b.inv_mass : a.inv_mass;
+	chain_at(p, inv_mass, spot) = side < 0 ? 0.0f : p->body[side ? b : a].inv_mass;
 	chain_at(p, turns, spot) = side ? step_b : step_a;
 }
 
@@ -279,7 +280,7 @@ INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
 	}
 }
 
-INLINE Chain chain_of(const Pools* p, int i)
+INLINE Chain chain_number(const Pools* p, int i)
 {
 	Chain chain;
 	chain.first = p->chain[i].x;
@@ -293,7 +294,7 @@ INLINE Chain chain_of(const Pools* p, int i)
 GROUP_STAGE(chain)
 {
 	int pass = p->argument;
-	Chain chain = chain_of(p, i);
+	Chain chain = chain_number(p, i);
 	(void)bench;
 	if (pass == PASS_BOUNCE)
 		return;
@@ -312,7 +313,7 @@ GROUP_STAGE(chain)
 // The links get their own inertias back.
 GROUP_STAGE(chain_end)
 {
-	Chain chain = chain_of(p, i);
+	Chain chain = chain_number(p, i);
 	for (int k = part_lane(); k < chain.count; k += part_width())
 	{
 		int spot = chain_spot(&chain, k);

@@ -5,10 +5,16 @@
 #include "constraints/joint_one.h"
 #include "constraints/kinds.h"
 
+// The place of a joint; -1 for one that has not been in a step, though its slot has a place from an older one.
+INLINE int joint_show_place(const Pools* p, int i)
+{
+	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
+}
+
 // The impulses of the last substep along the axes, N s; 0 without a constraint.
 INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, GLOBAL JointState* state)
 {
-	int place = p->joint_place[i];
+	int place = joint_show_place(p, i);
 	if (place < 0)
 		return;
 	Joint u;
@@ -42,7 +48,7 @@ STAGE(joint_show)
 	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
 
 	// over all turns, where the last step left them
-	int place = p->joint_place[i];
+	int place = joint_show_place(p, i);
 	float angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = place < 0 ? 0.0f : joint_row(p, turned, place);
 	state->value[0] = vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);

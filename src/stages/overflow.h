@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// overflow.h -- joints without a color, because a body has more joints than there are colors.
+// overflow.h -- joints that are in no chain and have no color, because a body has more joints than there are colors.
 #ifndef OVERFLOW_H
 #define OVERFLOW_H
 #include "constraints/kinds.h"

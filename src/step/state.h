@@ -62,7 +62,7 @@ typedef struct
 	bool drives;                  // some joint has a limit, a spring, a motor or a threshold
 	bool bare;                    // some body with joints may have no collidables
 	bool breaks;                  // some joint may break
-	int chains, chain_places;     // rows of joints that are solved together, and their spots
+	int chains, chain_places;     // rows of joints that are solved together, and joints in them
 	bool stirred;                 // joints were made, changed or destroyed since the last step
 	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
 	bool split;                   // the light ends of the spokes have been split for this layout

@@ -91,6 +91,7 @@ void mass_set(scree_world* world, int body, scree_mass mass)
 {
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
+	world->chains_stale |= host->first_joint > 0; // chains depend on ratios of masses
 	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
 	edits_command(world, COMMAND_MASS, body, value, 0);
 	edits_whole(world, guarded_command(world, body));

@@ -5,11 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The spring between cursor and body has 3 Hz and nearly critical damping. Above some 8 Hz it would add energy in steps of
-// 1/60 s, because its force is constant within a step.
-#define PULL    18.8f   // 1/s: 2 pi times 3 Hz
-#define DAMPING 0.9f    // of critical
-#define HARDEST 1000.0f // m/s^2 that the spring gives at most
+#define HARDEST 1000.0f // m/s^2 that the spring between cursor and body gives at most, along each axis
+#define CALM    5.0f    // rad/s^2 by which a body in the hand swings less
 #define FASTEST 200.0f  // m/s of a body that is thrown, at most
 
 static scree_vec turned(scree_rot q, scree_vec v) { return (scree_vec){q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
@@ -68,30 +65,47 @@ static scree_body body_under(const Grab* grab, const RenderTables* tables, const
 	return (scree_body){0};
 }
 
+// Joins the body to the cursor where it is.
+static bool join(Grab* grab)
+{
+	scree_pose pose;
+	scree_mass mass;
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_TARGET);
+	if (scree_body_get_pose(grab->world, grab->body, &pose) != SCREE_OK ||
+	    scree_body_get_mass(grab->world, grab->body, &mass) != SCREE_OK)
+		return false;
+	grab->anchor = turned_back(pose.rotation, (scree_vec){grab->at.x - pose.position.x, grab->at.y - pose.position.y});
+	def.body_b = grab->body;
+	def.frame_a.position = grab->at;
+	def.frame_b.position = grab->anchor;
+	def.coordinates[SCREE_ALONG].spring_max = HARDEST * mass.mass;
+	def.coordinates[SCREE_ACROSS].spring_max = HARDEST * mass.mass;
+	def.coordinates[SCREE_ANGLE].motor = true;
+	def.coordinates[SCREE_ANGLE].motor_max = CALM * mass.inertia;
+	return scree_joint_create(grab->world, &def, &grab->joint) == SCREE_OK;
+}
+
 bool grab_pick(Grab* grab, const RenderTables* tables)
 {
 	int count = 0;
-	scree_pose pose;
-	grab->body = (scree_body){0};
+	grab_release(grab);
 	if (scree_world_get_render_rows(grab->world, NULL, 0, &count) != SCREE_OK)
 		return false;
 	scree_render_row* rows = malloc(((size_t)count + 1) * sizeof *rows);
 	if (rows && scree_world_get_render_rows(grab->world, rows, count, &count) == SCREE_OK)
 		grab->body = body_under(grab, tables, rows, count);
 	free(rows);
-	if (!grab_holds(grab) || scree_body_get_pose(grab->world, grab->body, &pose) != SCREE_OK ||
-	    scree_body_get_mass(grab->world, grab->body, &grab->mass) != SCREE_OK)
-	{
-		grab_release(grab);
-		return false;
-	}
-	grab->anchor = turned_back(pose.rotation, (scree_vec){grab->at.x - pose.position.x, grab->at.y - pose.position.y});
-	return true;
+	return !scree_body_is_null(grab->body) && join(grab);
 }
 
-void grab_release(Grab* grab) { grab->body = (scree_body){0}; }
+void grab_release(Grab* grab)
+{
+	if (scree_joint_is_valid(grab->world, grab->joint))
+		scree_joint_destroy(grab->world, grab->joint);
+	grab->joint = SCREE_NULL_JOINT;
+}
 
-bool grab_holds(const Grab* grab) { return grab->body.generation != 0; }
+bool grab_holds(const Grab* grab) { return !scree_joint_is_null(grab->joint); }
 
 void grab_move(Grab* grab, scree_vec to, double seconds)
 {
@@ -114,26 +128,8 @@ scree_status grab_anchor(Grab* grab, scree_vec* anchor)
 
 scree_status grab_pull(Grab* grab)
 {
-	if (!grab_holds(grab))
-		return SCREE_OK;
-	scree_pose pose;
-	scree_velocity v;
-	scree_status status = scree_body_get_pose(grab->world, grab->body, &pose);
-	if (status == SCREE_OK)
-		status = scree_body_get_velocity(grab->world, grab->body, &v);
-	if (status != SCREE_OK)
-		return status;
-	scree_vec arm = turned(pose.rotation, grab->anchor), center = turned(pose.rotation, grab->mass.center);
-	scree_vec anchor = {pose.position.x + arm.x, pose.position.y + arm.y};
-	scree_vec lever = {arm.x - center.x, arm.y - center.y};
-	scree_vec moving = {v.linear.x - v.angular * lever.y, v.linear.y + v.angular * lever.x};
-	scree_vec pull = {PULL * PULL * (grab->at.x - anchor.x) - 2.0f * DAMPING * PULL * moving.x,
-	                  PULL * PULL * (grab->at.y - anchor.y) - 2.0f * DAMPING * PULL * moving.y};
-	float strength = hypotf(pull.x, pull.y), mass = grab->mass.mass * (strength > HARDEST ? HARDEST / strength : 1.0f);
-	status = scree_body_apply_force_at(grab->world, grab->body, (scree_vec){mass * pull.x, mass * pull.y}, anchor);
-	if (status == SCREE_OK)
-		status = scree_body_apply_torque(grab->world, grab->body, -4.0f * grab->mass.inertia * v.angular);
-	return status;
+	const scree_pose to = {grab->at, {1.0f, 0.0f}}, held = {grab->anchor, {1.0f, 0.0f}};
+	return grab_holds(grab) ? scree_joint_set_frames(grab->world, grab->joint, to, held) : SCREE_OK;
 }
 
 // Makes a ball, a box and a capsule; half is half their width, m.

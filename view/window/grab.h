@@ -7,8 +7,8 @@
 typedef struct
 {
 	scree_world* world;
-	scree_body body;           // that the cursor holds; null for none
-	scree_mass mass;           // of the body
+	scree_joint joint;         // by which the cursor holds a body; null for none
+	scree_body body;           // that it holds
 	scree_vec anchor;          // where the cursor holds it, in the body's frame, m
 	scree_vec at;              // the cursor, m
 	scree_vec velocity;        // of the cursor, smoothed, m/s
@@ -25,7 +25,7 @@ bool grab_holds(const Grab* grab);
 // Moves the cursor to a point; seconds: since it was at the last one.
 void grab_move(Grab* grab, scree_vec to, double seconds);
 
-// Pulls the body towards the cursor during the next step.
+// Moves the target of the joint to the cursor. Fails if the body was destroyed.
 scree_status grab_pull(Grab* grab);
 
 // Where the body is held, m.

@@ -232,7 +232,8 @@ static void draw_style(Viewer* v)
 		if (ImGui::IsItemHovered())
 			ImGui::SetTooltip("%s", layer_helps[k]);
 	}
-	ImGui::SameLine(COLUMN);
+	if (LAYERS % 2 == 1)
+		ImGui::SameLine(COLUMN);
 	if (ImGui::Checkbox("graph colors", &v->style.graph) && v->style.graph)
 		v->style.layers[LAYER_contacts] = true;
 }

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// test_joint_chains.c -- rows of joints, which are solved together: heavy loads, rings, rows that grow, tear and meet.
+#include "joint_support.h"
+#include "support.h"
+
+#define G    10.0 // m/s^2
+#define MOST 300
+
+static scree_body links[MOST + 1];
+
+// so many links of half a metre in a row to the right
+static void add_links(scree_world* world, int count, float x, float y)
+{
+	for (int k = 0; k < count; ++k)
+		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
+}
+
+static scree_mass mass_of(scree_world* world, scree_body body)
+{
+	scree_mass mass;
+	OK(scree_body_get_mass(world, body, &mass));
+	return mass;
+}
+
+// the largest gap of all joints whose translations are locked, m
+static double gap_of(scree_world* world)
+{
+	static scree_joint joints[2 * MOST];
+	static scree_joint_state states[2 * MOST];
+	int count;
+	double gap = 0.0;
+	OK(scree_world_get_joints(world, joints, 2 * MOST, &count));
+	OK(scree_joints_get_states(world, joints, states, count));
+	for (int k = 0; k < count; ++k)
+		if (!states[k].broken)
+			gap = fmax(gap, hypot(states[k].values[0], states[k].values[1]));
+	return gap;
+}
+
+// A load of so many links at the end of a rope that falls from the horizontal pulls with up to three times its weight: each joint
+// of the rope is longer by 2 F / m w^2.
+static void ropes_swing_heavy_loads(void** state)
+{
+	(void)state;
+	static const float ratios[] = {1.0f, 100.0f, 1000.0f, 1e4f};
+	for (int k = 0; k < 4; ++k)
+	{
+		scree_world* world = open_world((float)-G);
+		add_links(world, 40, 0.0f, 0.0f);
+		for (int i = 0; i < 40; ++i)
+			join(world, SCREE_JOINT_REVOLUTE, i ? links[i - 1] : NOBODY, links[i], 0.5f * (float)i, 0.0f);
+		scree_mass m = mass_of(world, links[39]);
+		OK(scree_body_set_mass(world, links[39],
+		                       (scree_mass){ratios[k] * m.mass, ratios[k] * m.inertia, {0.0f, 0.0f}}));
+		double gap = 0.0, longest = 0.0;
+		for (int i = 0; i < 1200; ++i)
+		{
+			run_steps(world, 1);
+			gap = fmax(gap, gap_of(world));
+			longest = fmax(longest, hypot(position_of(world, links[39]).x, position_of(world, links[39]).y));
+		}
+		print_message("rope of 20 m, load of %g links: gaps up to %.4f m, longer by %+.3f m\n", (double)ratios[k], gap,
+		              longest - 19.75);
+		check_finite(world);
+		double w = CHAIN_STIFFER * 2.0 * PI * 60.0, most = 2.0 * 3.0 * ((double)ratios[k] + 40.0) * G / (w * w);
+		assert_true(longest - 19.75 < 40.0 * most + 0.02);
+		scree_world_destroy(world);
+	}
+}
+
+// A rope of 300 links hangs.
+static void long_ropes_hang(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	for (int k = 0; k < MOST; ++k)
+	{
+		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.25f, 0.0f, -0.25f - 0.5f * (float)k);
+		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], 0.0f, -0.5f * (float)k);
+	}
+	run_steps(world, 1800);
+	double w = CHAIN_STIFFER * 2.0 * PI * 60.0, theory = (double)MOST * MOST * G / (w * w);
+	double longer = -(0.5 * MOST - 0.25) - position_of(world, links[MOST - 1]).y;
+	print_message("rope of %d links: longer by %.3f m, theory %.3f m\n", MOST, longer, theory);
+	NEAR(longer, theory, 0.02 * theory);
+	NEAR(position_of(world, links[MOST - 1]).x, 0.0, 0.01);
+	scree_world_destroy(world);
+}
+
+// Whirled in free flight, open and as a ring, at so many turns: momentum and angular momentum stay, and energy does not grow.
+static void whirls_keep_momentum(void** state)
+{
+	(void)state;
+	static const float spins[] = {1.0f, 5.0f, 20.0f};
+	for (int k = 0; k < 6; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		float spin = spins[k % 3];
+		bool ring = k >= 3;
+		for (int i = 0; i < 20; ++i)
+		{
+			float turn = ring ? (float)PI * 0.1f * (float)i : 0.0f, c = (float)cos(turn), s = (float)sin(turn);
+			float x = ring ? 1.6f * c : 0.5f * ((float)i - 9.5f), y = ring ? 1.6f * s : 0.0f;
+			scree_body_def def = scree_body_def_default();
+			scree_attribute_def box = surface_of(box_shape(0.24f, 0.05f));
+			def.attribute = add_attribute(world, &box);
+			def.pose = (scree_pose){{x, y}, scree_rot_make(turn + (ring ? (float)PI / 2.0f : 0.0f))};
+			def.velocity = (scree_velocity){{-spin * y, spin * x + (i == 0 ? 1.0f : 0.0f)}, spin};
+			OK(scree_body_create(world, &def, &links[i]));
+		}
+		for (int i = 0; i < (ring ? 20 : 19); ++i)
+		{
+			scree_vec a = position_of(world, links[i]), b = position_of(world, links[(i + 1) % 20]);
+			join(world, SCREE_JOINT_REVOLUTE, links[i], links[(i + 1) % 20], 0.5f * (a.x + b.x), 0.5f * (a.y + b.y));
+		}
+		Momentum before = momentum_of(world, links, 20);
+		double gap = 0.0;
+		for (int i = 0; i < 600; ++i)
+		{
+			run_steps(world, 1);
+			gap = fmax(gap, gap_of(world));
+		}
+		Momentum after = momentum_of(world, links, 20);
+		print_message("%s at %g rad/s: angular momentum %+.1e of it, energy %.4f, gaps up to %.4f m\n",
+		              ring ? "ring" : "row", (double)spin, after.spin / before.spin - 1.0, after.energy / before.energy,
+		              gap);
+		NEAR(after.x, before.x, 1e-4);
+		NEAR(after.y, before.y, 1e-4);
+		NEAR(after.spin / before.spin, 1.0, 1e-4);
+		assert_true(after.energy < 1.001 * before.energy && gap < 0.05);
+		scree_world_destroy(world);
+	}
+}
+
+// A rope that tears in its middle: what is below falls with g, what is above hangs on.
+static void ropes_tear(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_joint weak = SCREE_NULL_JOINT;
+	for (int k = 0; k < 30; ++k)
+	{
+		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.25f, 0.0f, -0.25f - 0.5f * (float)k);
+		scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], 0.0f,
+		                                   -0.5f * (float)k, 0.0f);
+		def.breaks = k == 12;
+		def.force_threshold = k == 12 ? (float)(18.5 * 0.05 * G) : 3e38f;
+		scree_joint joint = add_joint(world, &def);
+		weak = k == 12 ? joint : weak;
+	}
+	run_steps(world, 120);
+	assert_false(joint_state_of(world, weak).broken); // it carries 18 links
+	OK(scree_body_apply_force(world, links[29], (scree_vec){0.0f, -20.0f}));
+	run_steps(world, 1);
+	assert_true(joint_state_of(world, weak).broken);
+	float v = velocity_of(world, links[20]).linear.y;
+	run_steps(world, 30);
+	NEAR(velocity_of(world, links[20]).linear.y - v, -0.5 * G, 0.02);
+	run_steps(world, 90);
+	NEAR(position_of(world, links[11]).y, -5.75, 0.01);
+	assert_true(gap_of(world) < 0.01);
+	scree_world_destroy(world);
+}
+
+// Rows that grow link by link, are cut anywhere, joined to each other and to a body with many, in mid-flight.
+static void rows_change(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_joint joints[60] = {SCREE_NULL_JOINT};
+	add_links(world, 60, 0.0f, 0.0f);
+	double gap = 0.0;
+	for (int k = 0; k < 60; ++k)
+	{
+		// where the link is by now
+		scree_vec end = {0.0f, 0.0f};
+		if (k > 0)
+		{
+			OK(scree_body_get_world_point(world, links[k - 1], (scree_vec){0.25f, 0.0f}, &end));
+			scree_pose pose;
+			OK(scree_body_get_pose(world, links[k - 1], &pose));
+			scree_vec middle = {end.x + 0.25f * pose.rotation.c, end.y + 0.25f * pose.rotation.s};
+			OK(scree_body_set_pose(world, links[k], (scree_pose){middle, pose.rotation}));
+			OK(scree_body_set_velocity(world, links[k], velocity_of(world, links[k - 1])));
+		}
+		joints[k] = join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], end.x, end.y);
+		run_steps(world, 1);
+		gap = fmax(gap, gap_of(world));
+	}
+	print_message("row that grows to 60 links: gaps up to %.4f m\n", gap);
+	assert_true(gap < 0.05);
+
+	// cut twice, a ring closed by a rod, a third joint in the middle, a kinematic and a disabled link
+	OK(scree_joint_destroy(world, joints[20]));
+	run_steps(world, 2);
+	OK(scree_body_set_type(world, links[10], SCREE_BODY_KINEMATIC));
+	run_steps(world, 2);
+	OK(scree_body_set_enabled(world, links[40], false));
+	run_steps(world, 2);
+	OK(scree_body_set_type(world, links[10], SCREE_BODY_DYNAMIC));
+	OK(scree_body_set_enabled(world, links[40], true));
+	scree_body more = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, position_of(world, links[30]).x,
+	                          position_of(world, links[30]).y);
+	join(world, SCREE_JOINT_WELD, links[30], more, position_of(world, links[30]).x, position_of(world, links[30]).y);
+	run_steps(world, 2);
+	OK(scree_body_destroy(world, links[50]));
+	run_steps(world, 240);
+	check_finite(world);
+	gap = gap_of(world);
+	print_message("after it was cut and changed: gap %.4f m\n", gap);
+	assert_true(gap < 0.05);
+	scree_world_destroy(world);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// among contacts
+// ---------------------------------------------------------------------------------------------------------------
+
+// mean of v^2 + (r w)^2 of some bodies over a second, m^2/s^2
+static double mean_square(scree_world* world, const scree_body* bodies, int count, double reach)
+{
+	double sum = 0.0;
+	for (int k = 0; k < 60; ++k)
+	{
+		run_steps(world, 1);
+		for (int i = 0; i < count; ++i)
+		{
+			scree_velocity v = velocity_of(world, bodies[i]);
+			sum += (double)v.linear.x * v.linear.x + (double)v.linear.y * v.linear.y + pow(reach * v.angular, 2.0);
+		}
+	}
+	return sum / 60.0 / count;
+}
+
+static void damp(scree_world* world, int count, float rate)
+{
+	for (int k = 0; k < count; ++k)
+		OK(scree_body_set_damping(world, links[k], rate, rate));
+}
+
+// A bridge, taut between two points, whose second plank presses on a box at its end, comes to rest.
+static void bridges_rest_on_boxes(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	add_links(world, 20, 0.0f, 0.0f);
+	for (int k = 0; k <= 20; ++k)
+		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : box, k < 20 ? links[k] : NOBODY, 0.5f * (float)k, 0.0f);
+	damp(world, 20, 0.1f);
+	run_steps(world, 3600);
+	double speed = mean_square(world, links, 20, 0.25);
+	print_message("bridge on a box after a minute: %.2g m^2/s^2\n", speed);
+	assert_true(speed < 5e-4);
+	scree_world_destroy(world);
+}
+
+// A rope that hangs from the middle of a box, in which its second link lies, comes to rest between the two.
+static void ropes_rest_in_boxes(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	add_links(world, 10, 0.0f, 0.0f);
+	for (int k = 0; k < 10; ++k)
+		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : box, links[k], 0.5f * (float)k, 0.0f);
+	damp(world, 10, 0.5f);
+	run_steps(world, 3600);
+	double speed = mean_square(world, links, 10, 0.25);
+	print_message("rope in a box after a minute: %.2g m^2/s^2\n", speed);
+	assert_true(speed < 5e-4);
+	scree_world_destroy(world);
+}
+
+// A rope with a load of 20 links at both ends lies on a peg. Its links shiver by 0.3 m/s, because contacts of light links carry
+// its tension, and stay there.
+static void ropes_stay_on_pegs(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_attribute_def peg = surface_of(circle_shape(1.0f));
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &peg), 0.0f, 0.0f, 0.0f);
+	for (int k = 0; k < 42; ++k)
+	{
+		bool load = k % 41 == 0;
+		links[k] = add_box(world, SCREE_BODY_DYNAMIC, load ? 0.25f : 0.125f, load ? 0.25f : 0.025f,
+		                   load ? (k ? 5.25f : -5.25f) : 0.25f * (float)k - 5.125f, 1.2f);
+		if (k > 0)
+			join(world, SCREE_JOINT_REVOLUTE, links[k - 1], links[k], 0.25f * (float)(k - 1) - 5.0f, 1.2f);
+	}
+	damp(world, 42, 0.5f);
+	run_steps(world, 3600);
+	double speed = mean_square(world, links, 42, 0.12);
+	print_message("rope over a peg after a minute: %.2g m^2/s^2, loads at %.3f and %.3f m\n", speed,
+	              (double)position_of(world, links[0]).y, (double)position_of(world, links[41]).y);
+	assert_true(speed < 0.3);
+	NEAR(position_of(world, links[0]).y, position_of(world, links[41]).y, 0.5);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(ropes_swing_heavy_loads),
+	    cmocka_unit_test(long_ropes_hang),
+	    cmocka_unit_test(whirls_keep_momentum),
+	    cmocka_unit_test(ropes_tear),
+	    cmocka_unit_test(rows_change),
+	    cmocka_unit_test(bridges_rest_on_boxes),
+	    cmocka_unit_test(ropes_rest_in_boxes),
+	    cmocka_unit_test(ropes_stay_on_pegs),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

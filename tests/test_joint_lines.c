@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// test_joint_lines.c -- lines of joints: where they run, their color by load, and that broken and destroyed joints vanish.
+#include "view/joint_lines.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support.h"
+#include <float.h>
+#include <stdlib.h>
+
+// A box that hangs from the world by a pin of some height above its center.
+static scree_joint hang(scree_world* world, float x, float half, float above, float threshold)
+{
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	scree_joint joint;
+	def.body_b = add_box(world, SCREE_BODY_DYNAMIC, half, half, x, 5.0f);
+	OK(scree_joint_def_place(world, &def, (scree_pose){{x, 5.0f + above}, {1.0f, 0.0f}}));
+	def.force_threshold = threshold;
+	def.breaks = true;
+	OK(scree_joint_create(world, &def, &joint));
+	return joint;
+}
+
+// The loads of the boxes are their weights, 40, 10 and 10 N. The second joint breaks, the third is destroyed.
+static void lines_follow_joints(void** state)
+{
+	scree_world* world = open_world(-10.0f);
+	scree_body bodies[3];
+	int count;
+	hang(world, 0.0f, 1.0f, 2.0f, FLT_MAX);
+	hang(world, 10.0f, 0.5f, 2.0f, 5.0f);
+	scree_joint destroyed = hang(world, 20.0f, 0.5f, 2.0f, FLT_MAX);
+	OK(scree_world_get_bodies(world, bodies, 3, &count));
+
+	const RenderTables tables = {.world = world, .bodies = bodies, .body_count = 3};
+	const Camera camera = {.middle = {0.0f, 5.0f}, .scale = 50.0f, .width = 800, .height = 600};
+	JointLines lines = {0};
+	Strokes strokes = {0};
+	assert_true(joint_lines_build(&lines, &tables));
+	assert_int_equal(lines.links.count, 3);
+	OK(joint_lines_update(&lines, &tables));
+	assert_int_equal(lines.links.count, 3);
+	run_steps(world, 60);
+	OK(joint_lines_update(&lines, &tables));
+	assert_int_equal(lines.links.count, 2);
+	OK(scree_joint_destroy(world, destroyed));
+	OK(joint_lines_update(&lines, &tables));
+	assert_int_equal(lines.links.count, 1);
+
+	// from anchor to anchor, on to the center of the box, and a dot at each anchor; red for the largest load
+	joint_lines_mark(&lines, &strokes, &camera, 1.0f);
+	assert_int_equal(strokes.count, 4);
+	NEAR(strokes.list[1].a.y, 7.0f, 0.01f);
+	NEAR(strokes.list[1].b.y, 5.0f, 0.01f);
+	assert_true(strokes.list[1].color[0] > 200 && strokes.list[1].color[1] < 60);
+	joint_lines_close(&lines);
+	free(strokes.list);
+	scree_world_destroy(world);
+	(void)state;
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(lines_follow_joints)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
