@@ -14,7 +14,7 @@ int solve_runs_most(int substeps)
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 3) + 2 * CONSTRAINT_KINDS + 8;
 }
 
-// A pass over the hubs, then the colors. Whether any body is split is known on the host only when nothing changed.
+// A pass over the hubs, then the colors, then the chains. Whether any body is split is known on the host only when nothing changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;
@@ -27,8 +27,6 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 		else if (c->split > 0)
 			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
 	}
-	if (solve->chains > 0)
-		runs_add(list, STAGE_chain, 0, solve->chains, bound, pass);
 	if (c->overflow > 0)
 		runs_add(list, STAGE_joint_overflow, 0, 1, bound, pass);
 	for (int color = 0; color < COLORS; ++color)
@@ -38,6 +36,8 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 			if (count > 0)
 				runs_add(list, kind_info[kind].pass[pass], begin, begin + padded(count), bound, 0);
 		}
+	if (solve->chains > 0)
+		runs_add(list, STAGE_chain, 0, solve->chains, bound, pass);
 }
 
 void solve_list(const Solve* solve, RunList* list)

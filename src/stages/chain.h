@@ -2,7 +2,7 @@
 // chain.h -- a pass over a chain: joints in a row whose locks are solved together, exactly (chain_solve.h).
 //
 // A rope that carries a hundred times the mass of a link needs hundreds of passes from joint to joint until the links know of
-// the load. The host finds such rows of joints (src/world/chains.c); they have no color and come before the colors of a pass.
+// the load. The host finds such rows of joints (src/world/chains.c); they have no color, and come after the colors of a pass.
 //
 // Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can follow, and the rope
 // whips apart. So for the step a link's inertia is enlarged to what the tension makes it in an implicit integration, where that
