@@ -30,7 +30,12 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .steps = pipeline->steps,
 	                      .device_bytes = world->backend->bytes};
 	for (int color = 0; color < COLORS; ++color)
-		now.colors += c->layout[CONSTRAINT_CONTACT].count[color] > 0;
+	{
+		bool used = false;
+		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+			used |= c->layout[kind].count[color] > 0;
+		now.colors += used;
+	}
 	write_result(counters, size, &now, sizeof now);
 	return SCREE_OK;
 }
