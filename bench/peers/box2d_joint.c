@@ -21,20 +21,30 @@ static void set_base(b2JointDef* base, const scree_joint_def* def, b2BodyId a, b
 	base->collideConnected = def->collide_connected;
 }
 
+// Members that joints of several types have under one name.
+#define SET_SPRING(to, from)            \
+	(to).enableSpring = (from)->spring; \
+	(to).hertz = (from)->spring_hertz;  \
+	(to).dampingRatio = (from)->spring_damping_ratio;
+#define SET_MOTOR(to, from)           \
+	(to).enableMotor = (from)->motor; \
+	(to).motorSpeed = (from)->motor_speed;
+#define SET_TRANSLATIONS(to, from)         \
+	(to).enableLimit = (from)->limited;    \
+	(to).lowerTranslation = (from)->lower; \
+	(to).upperTranslation = (from)->upper;
+
 static void add_revolute(b2WorldId world, const scree_joint_def* def, b2BodyId a, b2BodyId b)
 {
 	const scree_joint_coordinate* angle = &def->coordinates[SCREE_ANGLE];
 	b2RevoluteJointDef to = b2DefaultRevoluteJointDef();
 	set_base(&to.base, def, a, b);
 	to.targetAngle = angle->target;
-	to.enableSpring = angle->spring;
-	to.hertz = angle->spring_hertz;
-	to.dampingRatio = angle->spring_damping_ratio;
+	SET_SPRING(to, angle)
 	to.enableLimit = angle->limited;
 	to.lowerAngle = angle->lower;
 	to.upperAngle = angle->upper;
-	to.enableMotor = angle->motor;
-	to.motorSpeed = angle->motor_speed;
+	SET_MOTOR(to, angle)
 	to.maxMotorTorque = angle->motor_max;
 	b2CreateRevoluteJoint(world, &to);
 }
@@ -45,14 +55,9 @@ static void add_prismatic(b2WorldId world, const scree_joint_def* def, b2BodyId 
 	b2PrismaticJointDef to = b2DefaultPrismaticJointDef();
 	set_base(&to.base, def, a, b);
 	to.targetTranslation = along->target;
-	to.enableSpring = along->spring;
-	to.hertz = along->spring_hertz;
-	to.dampingRatio = along->spring_damping_ratio;
-	to.enableLimit = along->limited;
-	to.lowerTranslation = along->lower;
-	to.upperTranslation = along->upper;
-	to.enableMotor = along->motor;
-	to.motorSpeed = along->motor_speed;
+	SET_SPRING(to, along)
+	SET_TRANSLATIONS(to, along)
+	SET_MOTOR(to, along)
 	to.maxMotorForce = along->motor_max;
 	b2CreatePrismaticJoint(world, &to);
 }
@@ -62,14 +67,9 @@ static void add_wheel(b2WorldId world, const scree_joint_def* def, b2BodyId a, b
 	const scree_joint_coordinate *along = &def->coordinates[SCREE_ALONG], *angle = &def->coordinates[SCREE_ANGLE];
 	b2WheelJointDef to = b2DefaultWheelJointDef();
 	set_base(&to.base, def, a, b);
-	to.enableSpring = along->spring;
-	to.hertz = along->spring_hertz;
-	to.dampingRatio = along->spring_damping_ratio;
-	to.enableLimit = along->limited;
-	to.lowerTranslation = along->lower;
-	to.upperTranslation = along->upper;
-	to.enableMotor = angle->motor;
-	to.motorSpeed = angle->motor_speed;
+	SET_SPRING(to, along)
+	SET_TRANSLATIONS(to, along)
+	SET_MOTOR(to, angle)
 	to.maxMotorTorque = angle->motor_max;
 	b2CreateWheelJoint(world, &to);
 }
@@ -86,8 +86,7 @@ static void add_distance(b2WorldId world, const scree_joint_def* def, b2BodyId a
 	to.enableLimit = along->limited;
 	to.minLength = along->lower;
 	to.maxLength = along->upper;
-	to.enableMotor = along->motor;
-	to.motorSpeed = along->motor_speed;
+	SET_MOTOR(to, along)
 	to.maxMotorForce = along->motor_max;
 	b2CreateDistanceJoint(world, &to);
 }

@@ -5,6 +5,8 @@
 #include "world/handles.h"
 #include "world/joint_check.h"
 #include "world/joints.h"
+#include <stddef.h>
+#include <string.h>
 
 typedef struct // a batch of changes
 {
@@ -13,6 +15,7 @@ typedef struct // a batch of changes
 	const scree_joint* joints;
 	int count;
 	scree_coordinate which;
+	size_t member; // of scree_joint_coordinate, where one number changes
 } Change;
 
 // Value k of a batch, checked and written to a definition.
@@ -47,13 +50,13 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 static Change batch(scree_world* world, const char* function, const char* value, const scree_joint* joints, int count,
                     scree_coordinate which)
 {
-	return (Change){world, {function, "joints", 0}, {function, value, 0}, joints, count, which};
+	return (Change){world, {function, "joints", 0}, {function, value, 0}, joints, count, which, 0};
 }
 
 static Change single(scree_world* world, const char* function, const char* value, const scree_joint* joint,
                      scree_coordinate which)
 {
-	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which};
+	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which, 0};
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -64,8 +67,9 @@ static scree_status set_coordinate(const Change* change, Where at, const void* v
 {
 	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
 	TRY(check_coordinate(at, change->which, value));
+	// chains are of joints with locks
+	change->world->chains_stale |= def->coordinates[change->which].locked != value->locked;
 	def->coordinates[change->which] = *value;
-	change->world->chains_stale = true; // its locks may have changed
 	return SCREE_OK;
 }
 
@@ -96,42 +100,42 @@ scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint jo
 	return SCREE_OK;
 }
 
-static scree_status set_target(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+// One number of a coordinate.
+static scree_status set_number(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
 {
-	def->coordinates[change->which].target = ((const float*)values)[k];
-	return check_real(at, "", ((const float*)values)[k], -SCREE_HUGE, SCREE_HUGE);
-}
-
-static scree_status set_speed(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
-{
-	def->coordinates[change->which].motor_speed = ((const float*)values)[k];
-	return check_real(at, "", ((const float*)values)[k], -SCREE_HUGE, SCREE_HUGE);
+	float value = ((const float*)values)[k];
+	memcpy((char*)(def->coordinates + change->which) + change->member, &value, sizeof value);
+	return check_real(at, "", value, -SCREE_HUGE, SCREE_HUGE);
 }
 
 scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
                                       const float* targets, int count)
 {
 	Change change = batch(world, "scree_joints_set_targets", "targets", joints, count, which);
-	return change_all(&change, targets, set_target);
+	change.member = offsetof(scree_joint_coordinate, target);
+	return change_all(&change, targets, set_number);
 }
 
 scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which, float target)
 {
 	Change change = single(world, "scree_joint_set_target", "target", &joint, which);
-	return change_all(&change, &target, set_target);
+	change.member = offsetof(scree_joint_coordinate, target);
+	return change_all(&change, &target, set_number);
 }
 
 scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints, scree_coordinate which,
                                            const float* speeds, int count)
 {
 	Change change = batch(world, "scree_joints_set_motor_speeds", "speeds", joints, count, which);
-	return change_all(&change, speeds, set_speed);
+	change.member = offsetof(scree_joint_coordinate, motor_speed);
+	return change_all(&change, speeds, set_number);
 }
 
 scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which, float speed)
 {
 	Change change = single(world, "scree_joint_set_motor_speed", "speed", &joint, which);
-	return change_all(&change, &speed, set_speed);
+	change.member = offsetof(scree_joint_coordinate, motor_speed);
+	return change_all(&change, &speed, set_number);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -179,22 +183,17 @@ scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree
 // settings
 // ---------------------------------------------------------------------------------------------------------------
 
-// The definition of a joint, to be changed.
-static scree_status lookup(scree_world* world, const char* function, scree_joint joint, int* index,
-                           scree_joint_def* def)
+static scree_status lookup(const scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(world_check(world, function));
-	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, index));
-	*def = world->host_joints[*index].def;
-	return SCREE_OK;
+	return check_joint(world, (Where){function, "joint", ALONE}, joint, index);
 }
 
 scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
 {
 	const char* function = "scree_joint_set_stiffness";
 	int index = 0;
-	scree_joint_def def;
-	TRY(lookup(world, function, joint, &index, &def));
+	TRY(lookup(world, function, joint, &index));
 	TRY(check_real((Where){function, "hertz", ALONE}, "", hertz, 0.0f, 1e6f));
 	TRY(check_real((Where){function, "damping_ratio", ALONE}, "", damping_ratio, 0.0f, 1e6f));
 	world->host_joints[index].def.hertz = hertz;
@@ -207,8 +206,7 @@ scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, f
 {
 	const char* function = "scree_joint_set_thresholds";
 	int index = 0;
-	scree_joint_def def;
-	TRY(lookup(world, function, joint, &index, &def));
+	TRY(lookup(world, function, joint, &index));
 	TRY(check_real((Where){function, "force", ALONE}, "", force, 0.0f, FLT_MAX));
 	TRY(check_real((Where){function, "torque", ALONE}, "", torque, 0.0f, FLT_MAX));
 	HostJoint* host = world->host_joints + index;
@@ -222,8 +220,7 @@ scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, f
 scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides)
 {
 	int index = 0;
-	scree_joint_def def;
-	TRY(lookup(world, "scree_joint_set_collide_connected", joint, &index, &def));
+	TRY(lookup(world, "scree_joint_set_collide_connected", joint, &index));
 	world->host_joints[index].def.collide_connected = collides;
 	joint_changed(world, index, false);
 	return SCREE_OK;
@@ -232,8 +229,7 @@ scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint j
 scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user)
 {
 	int index = 0;
-	scree_joint_def def;
-	TRY(lookup(world, "scree_joint_set_user", joint, &index, &def));
+	TRY(lookup(world, "scree_joint_set_user", joint, &index));
 	world->host_joints[index].def.user = user;
 	return SCREE_OK;
 }

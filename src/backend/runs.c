@@ -31,3 +31,11 @@ void runs_add_sort(RunList* list, int end, int count, int low, int high)
 {
 	runs_add(list, PRIMITIVE_SORT, 0, end, count, low | high << 8);
 }
+
+int index_bits(int count)
+{
+	int bits = 1;
+	while (bits < 31 && 1 << bits < count)
+		++bits;
+	return bits;
+}

@@ -21,6 +21,9 @@ void runs_add(RunList* list, int stage, int begin, int end, int count, int argum
 // one item, for bookkeeping among the counters
 void runs_add_single(RunList* list, int stage);
 
+// bits of the indices below count, as a sort key holds them: at least 1
+int index_bits(int count);
+
 // sorts items 0 to end by the bits from low up to, not including, high
 void runs_add_sort(RunList* list, int end, int count, int low, int high);
 

@@ -14,7 +14,8 @@ int solve_runs_most(int substeps)
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 3) + 2 * CONSTRAINT_KINDS + 8;
 }
 
-// A pass over the hubs, then the colors, then the chains. Whether any body is split is known on the host only when nothing changed.
+// A pass over the hubs, then the colors, then the chains. Whether any body is split is known on the host only when nothing
+// changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

@@ -13,8 +13,6 @@
 //
 // This work is based on:
 // Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a biased and a relaxing pass per substep.
-// Thomas Jakobsen, Advanced Character Physics, 2001; Jan Bender, Matthias Mueller et al., A Survey on Position-Based
-// Simulation Methods in Computer Graphics, 2014: coordinates that are free, locked or driven.
 #ifndef CONSTRAINT_JOINT_H
 #define CONSTRAINT_JOINT_H
 #include "constraints/body.h"
@@ -139,6 +137,14 @@ typedef struct // its bodies and its coordinates now
 // Whether some lanes have one of these modes.
 INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
 
+// The axis of a radial joint: along the line between its anchors, d, or as it is where they coincide.
+INLINE Vec joint_line(Vec axis, Vec d, Int radial)
+{
+	Real square = vec_dot(d, d);
+	Int apart = radial & (square > splat(1.0e-12f)) & (square < splat(1.0e30f));
+	return vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
+}
+
 INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
 {
 	JointPose c;
@@ -160,9 +166,7 @@ INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
 
 	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
 	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
-	Real square = vec_dot(d, d);
-	Int apart = joint_has(u, JOINT_RADIAL) & (square > splat(1.0e-12f)) & (square < splat(1.0e30f));
-	axis = vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
+	axis = joint_line(axis, d, joint_has(u, JOINT_RADIAL));
 	c.axis[0] = axis;
 	c.axis[1] = vec(-axis.y, axis.x);
 	for (int k = 0; k < 2; ++k)

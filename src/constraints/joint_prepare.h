@@ -76,6 +76,19 @@ INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec
 	return end;
 }
 
+// From the anchor of a to that of b.
+INLINE Vec joint_gap(const JointFrame* a, const JointFrame* b)
+{
+	return vec_add(vec_add(vec_sub(b->position, a->position), vec_sub(b->rest, a->rest)), vec_sub(b->arm, a->arm));
+}
+
+// The angle from a to b over all turns: the one that is nearest to the last angle.
+INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
+{
+	Real angle = vec_angle(vec_turn_back(a->turn, b->turn));
+	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
+}
+
 // Whether the axes of a joint are those of the world: where both translations are rigid any axes will do, and impulses of the
 // world last longer than those of a body.
 INLINE Int joint_upright(const Joint* u)
@@ -100,7 +113,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Vec offset = vec(choose(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
 	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME_A, ia, offset);
 	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME_B, ib, vec(zero, zero));
-	Vec gap = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
+	Vec gap = joint_gap(&a, &b);
 	Int upright = joint_upright(u);
 	Vec axis = vec_choose(a.turn, vec(one, zero), upright);
 	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, upright | radial | (there == 0));
@@ -113,9 +126,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->gap_x = gap.x;
 	u->gap_y = gap.y;
 
-	// over all turns: the one that is nearest to the last angle
-	Real angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = load(&joint_row(p, turned, i), 0);
-	u->turned = angle + splat(TURN) * joint_round((old - angle) * splat(1.0f / TURN));
+	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));
 	u->angle = u->turned - target[JOINT_ANGLE];
 	Int chained = there & (gather_int((const GLOBAL int*)p->joint_spot, slot) >= 0);
 	joint_lock(p, slot, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);

@@ -43,13 +43,12 @@ scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 		cl_ulong begins[PER_COUNT - BUFFERS];
 		cl_int rooms[PER_COUNT + PER_COUNT % 2];
 	} rooms = {0};
-	int sharing = 0;
-	for (int place = 0; place < PER_COUNT; ++place)
-		for (int i = 0; i < PER_COUNT; ++i)
-			if (d->place[i] == place && d->home[i] != (Per)i)
-				rooms.begins[sharing++] = d->begin[i];
 	for (int i = 0; i < PER_COUNT; ++i)
+	{
+		if (d->home[i] != (Per)i)
+			rooms.begins[d->argument[i]] = d->begin[i];
 		rooms.rooms[d->place[i]] = d->room[i];
+	}
 	Per home = d->home[per];
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[home], sizeof(cl_mem), &d->buffers[home]));
 	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_ROOMS, sizeof rooms, &rooms);

@@ -183,7 +183,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 static void lay_out(OpenCl* d)
 {
 	size_t before[PER_COUNT] = {0};
-	int kinds = 0, buffers = 0;
+	int kinds = 0, buffers = 0, sharing = 0;
 	for (int i = 0; i < PER_COUNT; ++i)
 		d->home[i] = (Per)i;
 #define SHARES(kind, with) d->home[PER_##kind] = PER_##with;
@@ -195,8 +195,7 @@ static void lay_out(OpenCl* d)
 		if (before[per] == 0)
 		{
 			d->place[per] = kinds++;
-			if (d->home[per] == per)
-				d->argument[per] = buffers++;
+			d->argument[per] = d->home[per] == per ? buffers++ : sharing++;
 		}
 		d->before[i] = before[per];
 		before[per] += pool_info[i].bytes;

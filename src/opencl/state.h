@@ -168,7 +168,7 @@ typedef struct
 	size_t begin[PER_COUNT];   // where they begin there, bytes
 	int place[PER_COUNT];      // position of a kind in pools.def
 	int room[PER_COUNT];       // items, rounded up
-	int argument[PER_COUNT];   // argument index of each buffer
+	int argument[PER_COUNT];   // argument index of each buffer; of a kind without one its position among these
 	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind before this one
 
 	Kernel stages[STAGE_COUNT];

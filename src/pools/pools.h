@@ -235,7 +235,7 @@ typedef struct // 208 bytes
 	int body_a, body_b; // 0 for the world
 	float modes;        // JOINT_* bits, as a number
 	float unused;
-	float frame_a[4], frame_b[4];  // in the frames of the bodies: x, y (m), cos, sin
+	Float4 frame_a, frame_b;       // in the frames of the bodies: x, y (m), cos, sin
 	float hertz, ratio;            // of rigid locks and limits
 	float most_force, most_torque; // N, N m: thresholds
 	JointCoordinate coordinate[JOINT_COORDINATES];

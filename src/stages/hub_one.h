@@ -4,6 +4,7 @@
 #define HUB_ONE_H
 #include "constraints/body.h"
 #include "stages/edge.h"
+#include "stages/key_bound.h"
 #include "stages/spoke.h"
 
 // All contacts of a body that became a hub free their colors.
@@ -73,20 +74,6 @@ STAGE(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// The first of the sorted keys from low up to high that is not less than key.
-INLINE int hub_bound(const Pools* p, int low, int high, Word64 key)
-{
-	while (low < high)
-	{
-		int middle = low + (high - low) / 2;
-		if (p->key[middle] < key)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	return low;
-}
-
 // The number of parts of each light end. It has an equal part for each hub of a turn, and that part is split equally
 // among the spokes that it shares with this hub. argument is the number of spokes. The keys are sorted by body, then by
 // turn, then by hub.
@@ -97,14 +84,14 @@ STAGE(hub_order)
 	p->spoke_order[i] = -1;
 	if (body == (Word64)0xffffffffu)
 		return;
-	int first = hub_bound(p, 0, i, group << HUB_KEY_TURN),
-	    end = hub_bound(p, i + 1, p->argument, (group + (Word64)1) << HUB_KEY_TURN);
+	int first = key_bound(p->key, 0, i, group << HUB_KEY_TURN),
+	    end = key_bound(p->key, i + 1, p->argument, (group + (Word64)1) << HUB_KEY_TURN);
 	int own = hub_number(p, (int)body), shares = own >= 0 && hub_turn(own) == turn, hubs = shares, beside = 0;
 	for (int k = first; k < end; ++hubs)
 	{
 		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, hub_key_spoke(p->key[k]))));
 		Word64 behind = (Word64)(spoke_of(p, span.first) + span.count);
-		int next = hub_bound(p, k + 1, end, group << HUB_KEY_TURN | behind);
+		int next = key_bound(p->key, k + 1, end, group << HUB_KEY_TURN | behind);
 		if (k <= i && i < next)
 			beside = next - k;
 		k = next;
@@ -114,7 +101,7 @@ STAGE(hub_order)
 		int turns = own >= 0 ? 1 << hub_turn(own) : 0;
 		for (int t = 0, k = i; t < HUB_TURNS; ++t)
 		{
-			int next = hub_bound(p, k, p->argument, (body * HUB_TURNS + (Word64)(t + 1)) << HUB_KEY_TURN);
+			int next = key_bound(p->key, k, p->argument, (body * HUB_TURNS + (Word64)(t + 1)) << HUB_KEY_TURN);
 			turns |= k < next ? 1 << t : 0;
 			k = next;
 		}

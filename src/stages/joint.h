@@ -5,6 +5,7 @@
 #include "constraints/joint_one.h"
 #include "stages/box.h"
 #include "stages/edge.h"
+#include "stages/key_bound.h"
 
 // Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
 // joint that broke stays broken.
@@ -92,16 +93,8 @@ STAGE(joint_pair)
 INLINE int joint_parts(const Pools* p, Int2 bodies)
 {
 	Word64 key = joint_pair_of(bodies.x, bodies.y);
-	int low = 0, high = p->counters->joined, count = high;
-	while (low < high)
-	{
-		int middle = low + (high - low) / 2;
-		if (p->joined[middle] < key)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	return low < count && p->joined[low] == key;
+	int count = p->counters->joined, at = key_bound(p->joined, 0, count, key);
+	return at < count && p->joined[at] == key;
 }
 
 // Pairs changed: contact i ends or begins.

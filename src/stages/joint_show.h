@@ -37,11 +37,7 @@ STAGE(joint_show)
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
 	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME_A, ia, vec(0.0f, 0.0f));
 	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME_B, ib, vec(0.0f, 0.0f));
-	Vec d = vec_add(vec_add(vec_sub(b.position, a.position), vec_sub(b.rest, a.rest)), vec_sub(b.arm, a.arm));
-	Vec axis = a.turn;
-	float square = vec_dot(d, d);
-	if (modes & JOINT_RADIAL && square > 1.0e-12f && square < 1.0e30f)
-		axis = vec_scale(1.0f / square_root(square), d);
+	Vec d = joint_gap(&a, &b), axis = joint_line(a.turn, d, (modes & JOINT_RADIAL) != 0);
 	Vec across = vec(-axis.y, axis.x);
 	BodyState va = p->body[ia], vb = p->body[ib];
 	Vec at_a = vec_add(vec(va.vx, va.vy), vec_spin(va.w, vec_add(a.arm, d)));
@@ -49,10 +45,9 @@ STAGE(joint_show)
 
 	// over all turns, where the last step left them
 	int place = joint_show_place(p, i);
-	float angle = vec_angle(vec_turn_back(a.turn, b.turn)), old = place < 0 ? 0.0f : joint_row(p, turned, place);
 	state->value[0] = vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);
-	state->value[2] = angle + TURN * joint_round((old - angle) * (1.0f / TURN));
+	state->value[2] = joint_turned(&a, &b, place < 0 ? 0.0f : joint_row(p, turned, place));
 
 	// a velocity that the user's calls made infinite may be no number along an axis
 	state->speed[0] = number_of(vec_dot(apart, axis));

@@ -62,10 +62,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .contact_limit = contact_limit(request),
 	    .walk_nodes = b->walk_nodes,
 	    .walkers = b->walkers < collidables ? b->walkers : collidables,
-	    .key_bits = 1,
+	    .key_bits = index_bits(collidables),
 	};
 	step_places(&step, b);
-	while (step.key_bits < 31 && 1 << step.key_bits < collidables)
-		++step.key_bits;
 	return step;
 }

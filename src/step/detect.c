@@ -102,9 +102,7 @@ static void broad_phase(RunList* list, const Step* step)
 // The pairs of bodies that joints keep apart, sorted by two indices of bodies.
 static void join(RunList* list, int joints, int bodies)
 {
-	int bits = 1, count = COUNT(joint_stir);
-	while (bits < 31 && 1 << bits < bodies)
-		++bits;
+	int bits = index_bits(bodies), count = COUNT(joint_stir);
 	runs_add(list, STAGE_joint_pair_key, 0, joints, count, 0);
 	runs_add_sort(list, joints, count, 0, bits);
 	runs_add_sort(list, joints, count, 32, 32 + bits);

@@ -17,14 +17,13 @@ scree_status pipeline_run(Pipeline* pipeline, const Step* step)
 
 scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
 {
-	int spokes = layout_spokes(&pipeline->counters), body_bits = 1;
+	int spokes = layout_spokes(&pipeline->counters);
 	TRY(pipeline_reserve(pipeline, PER_KEY, spokes));
 	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
 	TRY(pipeline_reserve(pipeline, PER_SPOKE_BLOCK, spokes / MAX_LANES));
-	while (body_bits < 31 && 1u << body_bits <= (uint32_t)bodies)
-		++body_bits;
 
-	// the name of what cannot move has all bits set: one bit more than the names of bodies tells it from them
+	// the name of what cannot move has all bits set, which no body has
+	int body_bits = index_bits(bodies + 1);
 	RunList* list = &pipeline->list;
 	runs_add(list, STAGE_hub_key, 0, spokes, NO_COUNT, 0);
 	runs_add_sort(list, spokes, NO_COUNT, pipeline->counters.hubs > 1 ? HUB_KEY_TURN : 32, 32 + body_bits);

@@ -3,6 +3,20 @@
 #include "world/handles.h"
 #include "world/world.h"
 
+// Whether a handle to a slot is of what the slot holds now.
+static bool holds(const Slots* slots, uint32_t slot, uint32_t generation)
+{
+	return slot < (uint32_t)slots->used && generation & 1 && slots->generation[slot] == generation;
+}
+
+static scree_status refuse_stale(Where at, const char* member, uint32_t index, uint32_t generation)
+{
+	if (index == 0 && generation == 0)
+		return refuse(SCREE_ERROR_STALE, at, member, "is null");
+	return refuse(SCREE_ERROR_STALE, at, member, "(index %u, generation %u) was destroyed, or belongs to another world",
+	              index, generation);
+}
+
 scree_body body_handle(const scree_world* world, int index)
 {
 	return (scree_body){(uint32_t)index, world->bodies.generation[index]};
@@ -10,18 +24,13 @@ scree_body body_handle(const scree_world* world, int index)
 
 bool body_is_valid(const scree_world* world, scree_body body)
 {
-	return body.index < (uint32_t)world->bodies.used && body.generation & 1 &&
-	       world->bodies.generation[body.index] == body.generation;
+	return holds(&world->bodies, body.index, body.generation);
 }
 
 scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
 {
-	if (scree_body_is_null(body))
-		return refuse(SCREE_ERROR_STALE, at, member, "is null");
 	if (!body_is_valid(world, body))
-		return refuse(SCREE_ERROR_STALE, at, member,
-		              "(index %u, generation %u) was destroyed, or belongs to another world", body.index,
-		              body.generation);
+		return refuse_stale(at, member, body.index, body.generation);
 	*index = (int)body.index;
 	return SCREE_OK;
 }
@@ -35,17 +44,13 @@ scree_collidable collidable_handle(const scree_world* world, int index)
 
 bool collidable_is_valid(const scree_world* world, scree_collidable collidable)
 {
-	return collidable.index >= 1 && collidable.index <= (uint32_t)world->collidables.used &&
-	       collidable.generation & 1 && world->collidables.generation[collidable.index - 1] == collidable.generation;
+	return holds(&world->collidables, collidable.index - 1, collidable.generation);
 }
 
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index)
 {
-	if (scree_collidable_is_null(collidable))
-		return refuse(SCREE_ERROR_STALE, at, "", "is null");
 	if (!collidable_is_valid(world, collidable))
-		return refuse(SCREE_ERROR_STALE, at, "", "(index %u, generation %u) was destroyed, or belongs to another world",
-		              collidable.index, collidable.generation);
+		return refuse_stale(at, "", collidable.index, collidable.generation);
 	*index = (int)collidable.index - 1;
 	return SCREE_OK;
 }
@@ -90,17 +95,13 @@ scree_joint joint_handle(const scree_world* world, int index)
 
 bool joint_is_valid(const scree_world* world, scree_joint joint)
 {
-	return joint.index >= 1 && joint.index <= (uint32_t)world->joints.used && joint.generation & 1 &&
-	       world->joints.generation[joint.index - 1] == joint.generation;
+	return holds(&world->joints, joint.index - 1, joint.generation);
 }
 
 scree_status check_joint(const scree_world* world, Where at, scree_joint joint, int* index)
 {
-	if (scree_joint_is_null(joint))
-		return refuse(SCREE_ERROR_STALE, at, "", "is null");
 	if (!joint_is_valid(world, joint))
-		return refuse(SCREE_ERROR_STALE, at, "", "(index %u, generation %u) was destroyed, or belongs to another world",
-		              joint.index, joint.generation);
+		return refuse_stale(at, "", joint.index, joint.generation);
 	*index = (int)joint.index - 1;
 	return SCREE_OK;
 }

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "step/room.h"
 #include "world/memory.h"
+#include "world/rows.h"
 #include <float.h>
 #include <stdlib.h>
 
@@ -98,14 +99,6 @@ void body_joints_remove(scree_world* world, int body)
 // rows
 // ---------------------------------------------------------------------------------------------------------------
 
-static void put_pose(float row[4], scree_pose pose)
-{
-	row[0] = pose.position.x;
-	row[1] = pose.position.y;
-	row[2] = pose.rotation.c;
-	row[3] = pose.rotation.s;
-}
-
 // What is set of a coordinate, as JOINT_* bits. A locked one has no drives.
 static int coordinate_modes(const scree_joint_coordinate* from, int k)
 {
@@ -139,7 +132,8 @@ static int joint_modes(const scree_joint_def* def)
 	return modes;
 }
 
-JointEdit joint_edit(const scree_world* world, int index)
+// The row of a joint, and its flags.
+static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
 	const scree_joint_def* def = &host->def;
@@ -156,12 +150,12 @@ JointEdit joint_edit(const scree_world* world, int index)
 	edit.data = (JointData){.body_a = host->bodies[0],
 	                        .body_b = host->bodies[1],
 	                        .modes = (float)modes,
+	                        .frame_a = pose_row(def->frame_a),
+	                        .frame_b = pose_row(def->frame_b),
 	                        .hertz = def->hertz,
 	                        .ratio = def->damping_ratio,
 	                        .most_force = def->force_threshold,
 	                        .most_torque = def->torque_threshold};
-	put_pose(edit.data.frame_a, def->frame_a);
-	put_pose(edit.data.frame_b, def->frame_b);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		edit.data.coordinate[k] = coordinate_row(def->coordinates + k);
 	return edit;

@@ -27,9 +27,6 @@ static inline int joint_next(const scree_world* world, int end)
 	return world->host_joints[joint_of_end(end)].next[(end - 1) % 2];
 }
 
-// The row of a joint, and its flags.
-JointEdit joint_edit(const scree_world* world, int index);
-
 // Sends the joints that wait. memory has room for as many rows.
 scree_status upload_joints(scree_world* world, void* memory);
 
