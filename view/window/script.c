@@ -65,7 +65,7 @@ static void print_state(Viewer* v)
 	fflush(stdout); // the program that sends events waits for the line
 }
 
-// Whether the viewer is in a state; -1 for an unknown state.
+// Whether the viewer is in a state, or paints by an item's property; -1 for an unknown state.
 static int in_state(const Viewer* v, const char* state)
 {
 	const struct
@@ -81,6 +81,9 @@ static int in_state(const Viewer* v, const char* state)
 	for (size_t k = 0; k < sizeof states / sizeof *states; ++k)
 		if (strcmp(states[k].name, state) == 0)
 			return states[k].current;
+	for (int k = 0; k < PAINTS; ++k)
+		if (strcmp(paint_names[k], state) == 0)
+			return (int)v->style.paint == k;
 	return -1;
 }
 
