@@ -717,6 +717,8 @@ SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scr
 // of these, which can be changed.
 //
 // A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the distance.
+// Joints of types GEAR and PULLEY couple what is measured of each body in the world: see scree_joint_side.
+//
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual; between two
 // bodies that cannot move, or with a disabled body, a joint rests.
 //
@@ -748,6 +750,8 @@ typedef enum scree_joint_type // which coordinates are locked, and what else scr
 	SCREE_JOINT_MOTOR,     // none; motors of speed 0 and of no force on all three: friction, or a drive
 	SCREE_JOINT_TARGET,    // none; springs of 5 Hz and damping ratio 1 along and across: pulls a body to frame A
 	SCREE_JOINT_FILTER,    // none: the two bodies do not collide, and that is all
+	SCREE_JOINT_GEAR,      // along, of a coupling (scree_joint_side) of two angles
+	SCREE_JOINT_PULLEY,    // along, of a coupling of two distances; the two bodies may collide
 } scree_joint_type;
 
 // "free", "distance", ...; never null.
@@ -777,6 +781,24 @@ typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the 
 	float motor_max;            // largest force or torque of the motor, >= 0, default 0; with speed 0 it is friction
 } scree_joint_coordinate;
 
+typedef enum scree_measure // of a frame in a base, which is a frame of the world
+{
+	SCREE_MEASURE_ANGLE,       // rad, over all turns
+	SCREE_MEASURE_TRANSLATION, // m: of the anchor along the x axis of the base
+	SCREE_MEASURE_DISTANCE,    // m: of the anchor from the position of the base
+} scree_measure;
+
+// One side of a coupling. The coordinate along of joints of types GEAR and PULLEY is the measure of frame B in its base, plus
+// ratio times the measure of frame A in its base. It can be locked, limited, sprung and driven like any other; a force along
+// it is a torque where it measures an angle of b. Bases do not move: couple a wheel with another of the same vehicle through
+// both wheels' angles only if the vehicle does not turn.
+typedef struct scree_joint_side
+{
+	scree_measure measure;
+	scree_pose base; // in the world; default: its origin
+	float near;      // rad: the angle that the first one is nearest to; default 0. scree_joint_def_couple sets it
+} scree_joint_side;
+
 typedef struct scree_joint_def
 {
 	uint32_t size; // set by scree_joint_def_make
@@ -786,12 +808,14 @@ typedef struct scree_joint_def
 	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
 	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors stay. No stiffness, of
 	             // springs too, exceeds a quarter of the substep rate; joints in a row are stiffer (docs/joints.md)
-	float damping_ratio;    // of them, 0 to 1e6, default 2
-	bool collide_connected; // whether the two bodies may touch each other; default false
-	bool breaks;            // ends when a threshold is exceeded; default false
-	float force_threshold;  // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
-	float torque_threshold; // N m, likewise
-	uint64_t user;          // user data, not simulated; default 0
+	float damping_ratio;       // of them, 0 to 1e6, default 2
+	bool collide_connected;    // whether the two bodies may touch each other; default false
+	bool breaks;               // ends when a threshold is exceeded; default false
+	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
+	float torque_threshold;    // N m, likewise
+	uint64_t user;             // user data, not simulated; default 0
+	float ratio;               // of types GEAR and PULLEY: of a's measure, -1e6 to 1e6, default 1
+	scree_joint_side sides[2]; // of types GEAR and PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
 } scree_joint_def;
 
 // A definition with the defaults of a type, between the world and the world: set bodies and frames. An unknown type gives
@@ -801,6 +825,10 @@ static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 // Sets frame_a and frame_b of a definition, whose bodies are set, so that both lie at a pose in the world, where the bodies
 // are now. Locks and springs whose target is 0 then hold the bodies as they are.
 SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
+
+// Sets the target along of a GEAR or a PULLEY, whose bodies, frames, sides and ratio are set, to what it measures now: two
+// wheels mesh as they are, a rope is as long as it is. Sets sides[].near to the angles measured.
+SCREE_API scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def);
 
 // Creates count joints from count definitions and writes their handles to joints (may be null). On failure no joint is
 // created.
@@ -859,8 +887,10 @@ SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint join
 
 typedef struct scree_joint_state
 {
-	float values[3]; // by scree_coordinate: m, m, rad; the angle counts all turns
-	float speeds[3]; // m/s, m/s, rad/s
+	float
+	    values[3]; // by scree_coordinate: m, m, rad; the angle counts all turns. Of a GEAR or a PULLEY: the coordinate
+	               // along, the measure of a, the measure of b
+	float speeds[3]; // their speeds: m/s, m/s, rad/s
 	scree_vec force; // N: on body b, in the world, of the last substep; its opposite acts on body a
 	float torque;    // N m: likewise
 	bool broken;     // the joint broke, and does nothing

@@ -1,106 +1,12 @@
 // SPDX-License-Identifier: MIT
-// joint.c -- joints: defined, created, destroyed and listed.
+// joint.c -- joints: created, destroyed and listed.
 #include "world/definition.h"
 #include "world/failure.h"
-#include "world/geometry.h"
 #include "world/handles.h"
 #include "world/joint_check.h"
 #include "world/joints.h"
 #include "world/memory.h"
 #include <stdlib.h>
-
-static const char* const type_names[] = {
-    [SCREE_JOINT_FREE] = "free",           [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
-    [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",         [SCREE_JOINT_WELD] = "weld",
-    [SCREE_JOINT_WHEEL] = "wheel",         [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
-    [SCREE_JOINT_FILTER] = "filter",
-};
-#define JOINT_TYPES (sizeof type_names / sizeof type_names[0])
-
-const char* scree_joint_type_name(scree_joint_type type)
-{
-	return (unsigned)type < JOINT_TYPES ? type_names[type] : "unknown";
-}
-
-// ---------------------------------------------------------------------------------------------------------------
-// definitions
-// ---------------------------------------------------------------------------------------------------------------
-
-// The coordinates that each type locks, a bit each.
-static const unsigned locks[JOINT_TYPES] = {
-    [SCREE_JOINT_DISTANCE] = 1 << SCREE_ALONG,
-    [SCREE_JOINT_REVOLUTE] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS,
-    [SCREE_JOINT_PRISMATIC] = 1 << SCREE_ACROSS | 1 << SCREE_ANGLE,
-    [SCREE_JOINT_SLOT] = 1 << SCREE_ACROSS,
-    [SCREE_JOINT_WELD] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS | 1 << SCREE_ANGLE,
-    [SCREE_JOINT_WHEEL] = 1 << SCREE_ACROSS,
-};
-
-static void set_spring(scree_joint_coordinate* coordinate, float hertz, float damping_ratio)
-{
-	coordinate->spring = true;
-	coordinate->spring_hertz = hertz;
-	coordinate->spring_damping_ratio = damping_ratio;
-}
-
-void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, size_t size)
-{
-	scree_joint_def made = {.size = (uint32_t)size,
-	                        .type = type,
-	                        .frame_a.rotation.c = 1.0f,
-	                        .frame_b.rotation.c = 1.0f,
-	                        .hertz = 60.0f,
-	                        .damping_ratio = 2.0f,
-	                        .force_threshold = FLT_MAX,
-	                        .torque_threshold = FLT_MAX};
-	for (int k = 0; k < JOINT_COORDINATES; ++k)
-	{
-		made.coordinates[k].spring_max = FLT_MAX;
-		made.coordinates[k].locked = (unsigned)type < JOINT_TYPES && locks[type] >> k & 1;
-		made.coordinates[k].motor = type == SCREE_JOINT_MOTOR;
-	}
-	if (type == SCREE_JOINT_DISTANCE)
-		made.coordinates[SCREE_ALONG].target = 1.0f;
-	if (type == SCREE_JOINT_WHEEL)
-		set_spring(made.coordinates + SCREE_ALONG, 1.0f, 0.7f);
-	for (int k = SCREE_ALONG; type == SCREE_JOINT_TARGET && k <= SCREE_ACROSS; ++k)
-		set_spring(made.coordinates + k, 5.0f, 1.0f);
-	write_result(def, size, &made, sizeof made);
-}
-
-// The frame of a body, or of the world, that lies at a pose in the world.
-static scree_status place(scree_world* world, Where at, const char* member, scree_body body, scree_pose pose,
-                          scree_pose* frame)
-{
-	int index = 0;
-	scree_pose own;
-	*frame = pose;
-	if (scree_body_is_null(body))
-		return SCREE_OK;
-	TRY(check_body(world, at, member, body, &index));
-	TRY(scree_body_get_pose(world, body, &own));
-	scree_rot back = {own.rotation.c, -own.rotation.s};
-	scree_vec shift = {pose.position.x - own.position.x, pose.position.y - own.position.y};
-	frame->position = pose_point((scree_pose){{0.0f, 0.0f}, back}, shift);
-	frame->rotation = (scree_rot){back.c * pose.rotation.c - back.s * pose.rotation.s,
-	                              back.s * pose.rotation.c + back.c * pose.rotation.s};
-	return SCREE_OK;
-}
-
-scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose)
-{
-	Where at = {"scree_joint_def_place", "def", ALONE};
-	TRY(world_check(world, at.function));
-	TRY(check_pointer(at.function, "def", def));
-	TRY(check_definition(at, def, 0, &joint_definition));
-	TRY(check_pose((Where){at.function, "pose", ALONE}, "", &pose));
-	scree_pose frame_a, frame_b;
-	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
-	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
-	def->frame_a = frame_a;
-	def->frame_b = frame_b;
-	return SCREE_OK;
-}
 
 static const scree_joint_def* def_at(const scree_joint_def* defs, int k, scree_joint_def* local)
 {
@@ -119,7 +25,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 {
 	TRY(check_definition(at, defs, k, &joint_definition));
 	*made = *def_at(defs, k, made);
-	if ((unsigned)made->type >= JOINT_TYPES)
+	if ((unsigned)made->type > SCREE_JOINT_PULLEY)
 		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %d, not a scree_joint_type", (int)made->type);
 	TRY(check_end(world, at, ".body_a", made->body_a, bodies));
 	TRY(check_end(world, at, ".body_b", made->body_b, bodies + 1));
@@ -129,7 +35,9 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 	TRY(check_pose(at, ".frame_a", &made->frame_a));
 	TRY(check_pose(at, ".frame_b", &made->frame_b));
 	for (int c = 0; c < JOINT_COORDINATES; ++c)
-		TRY(check_coordinate(at, (scree_coordinate)c, made->coordinates + c));
+		TRY(check_coordinate(at, made->type, (scree_coordinate)c, made->coordinates + c));
+	if (joint_couples(made->type))
+		TRY(check_joint_coupling(at, made));
 	return check_joint_numbers(at, made);
 }
 

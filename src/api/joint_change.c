@@ -66,7 +66,7 @@ static Change single(scree_world* world, const char* function, const char* value
 static scree_status set_coordinate(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
 {
 	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
-	TRY(check_coordinate(at, change->which, value));
+	TRY(check_coordinate(at, def->type, change->which, value));
 	// chains are of joints with locks
 	change->world->chains_stale |= def->coordinates[change->which].locked != value->locked;
 	def->coordinates[change->which] = *value;

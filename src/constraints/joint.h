@@ -73,13 +73,34 @@
 	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)    \
 	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
-#define JOINT_RARE_ROWS(X)                                                 \
-	JOINT_DRIVE_ROWS(X, along)                                             \
-	JOINT_DRIVE_ROWS(X, across)                                            \
-	JOINT_DRIVE_ROWS(X, angle)                                             \
-	/* N s, N m s: the largest of all substeps */                          \
-	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
-	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)
+// of gears and pulleys (coupling.h)
+#define JOINT_COUPLING_ROWS(X)                                                                                    \
+	X(gear_ratio, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                \
+	/* m, rad: the coordinate at the start of the step, without distances */                                      \
+	X(coupled, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                   \
+	/* of a and b: m, from the base to the anchor; or the direction of a translation */                           \
+	X(line_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(line_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(line_b_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(line_b_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	/* rad: the last angles, how often each turned round since, and the part of the coordinate that angles are */ \
+	X(angle_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(angle_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                      \
+	/* N s: given to a, its opposite */                                                                           \
+	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                                      \
+	X(given_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
+
+#define JOINT_RARE_ROWS(X)                                                  \
+	JOINT_DRIVE_ROWS(X, along)                                              \
+	JOINT_DRIVE_ROWS(X, across)                                             \
+	JOINT_DRIVE_ROWS(X, angle)                                              \
+	/* N s, N m s: the largest of all substeps */                           \
+	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
+	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
+	JOINT_COUPLING_ROWS(X)
 
 #define JOINT_STREAM(QUAD, PAIR)                                         \
 	QUAD(0, name, u->modes, u->axis_x, u->axis_y)                        \
@@ -132,6 +153,10 @@ typedef struct // its bodies and its coordinates now
 	Vec arm_a, arm_b;                    // from the centers of mass to the anchor of b
 	Real lever_a[2], lever_b[2];         // of a unit impulse along the axes
 	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum; m, m, rad
+	// of lanes with a coupling: what its coordinate along is on the side of a, and what was given there
+	Word couples;
+	Int coupled;
+	Vec axis_a, given_a;
 } JointPose;
 
 // Whether some lanes have one of these modes.
@@ -177,6 +202,9 @@ INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
 	}
 	c.value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
 	c.mass = a->inv_mass + b->inv_mass;
+	c.couples = 0;
+	c.coupled = joint_has(u, JOINT_COUPLED);
+	c.axis_a = c.given_a = zero;
 	return c;
 }
 
@@ -185,7 +213,11 @@ INLINE Real joint_speed(const JointPose* c, int k)
 {
 	if (k == JOINT_ANGLE)
 		return c->b.w - c->a.w;
-	return vec_dot(vec_sub(c->b.v, c->a.v), c->axis[k]) + (c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w);
+	Real spin = c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w;
+	Real speed = vec_dot(vec_sub(c->b.v, c->a.v), c->axis[k]) + spin;
+	if (k != JOINT_ALONG || !c->couples)
+		return speed;
+	return choose(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
 // 1/kg, 1/(kg m^2): the speed of coordinate k by a unit impulse along it
@@ -193,13 +225,17 @@ INLINE Real joint_yield(const JointPose* c, int k)
 {
 	if (k == JOINT_ANGLE)
 		return c->a.inv_inertia + c->b.inv_inertia;
-	return c->mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] +
-	       c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
+	Real mass = c->mass;
+	if (k == JOINT_ALONG && c->couples)
+		mass = choose(mass,
+		              c->a.inv_mass * vec_dot(c->axis_a, c->axis_a) + c->b.inv_mass * vec_dot(c->axis[0], c->axis[0]),
+		              c->coupled);
+	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 }
 
 typedef struct // impulses on body b, their opposite on a: N s, N m s
 {
-	Vec push;
+	Vec push, push_a;
 	Real angular_a, angular_b;
 } JointImpulse;
 
@@ -209,13 +245,20 @@ INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, R
 	j.push = vec_add(vec_scale(along, c->axis[0]), vec_scale(across, c->axis[1]));
 	j.angular_a = vec_cross(c->arm_a, j.push) + angle;
 	j.angular_b = vec_cross(c->arm_b, j.push) + angle;
+	j.push_a = j.push;
+	if (c->couples)
+	{
+		j.push_a = vec_choose(j.push, vec_scale(along, c->axis_a), c->coupled);
+		j.angular_a = choose(j.angular_a, along * c->lever_a[0], c->coupled);
+		j.angular_b = choose(j.angular_b, along * c->lever_b[0], c->coupled);
+	}
 	return j;
 }
 
 // Applies impulses, and adds them to what the joint has given.
 INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 {
-	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, j.push));
+	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, j.push_a));
 	c->a.w = c->a.w - c->a.inv_inertia * j.angular_a;
 	c->b.v = vec_add(c->b.v, vec_scale(c->b.inv_mass, j.push));
 	c->b.w = c->b.w + c->b.inv_inertia * j.angular_b;
@@ -223,6 +266,8 @@ INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 	u->given_y = u->given_y + j.push.y;
 	u->given_a = u->given_a + j.angular_a;
 	u->given_b = u->given_b + j.angular_b;
+	if (c->couples)
+		c->given_a = vec_add(c->given_a, j.push_a);
 }
 
 // The same for the joints where wanted is set.
@@ -239,6 +284,7 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	u->given_y = choose(u->given_y, now.given_y, wanted);
 	u->given_a = choose(u->given_a, now.given_a, wanted);
 	u->given_b = choose(u->given_b, now.given_b, wanted);
+	c->given_a = vec_choose(c->given_a, then.given_a, wanted);
 }
 
 // An impulse of either sign; none in place of NaN, and of one that is beyond all bounds.

@@ -2,7 +2,7 @@
 // joint_one.h -- stages of joints that take one joint at a time: limits, springs and motors of the step.
 #ifndef JOINT_ONE_H
 #define JOINT_ONE_H
-#include "constraints/joint_prepare.h"
+#include "constraints/coupling_one.h"
 
 // The rows of one coordinate. What the user took from it since the last step loses its impulse: whether a pass looks at a
 // coordinate without drives depends on the joints beside it.
@@ -47,7 +47,30 @@ INLINE void joint_setup_rare(const Pools* p, int i, const Joint* u)
 	JOINT_DRIVE_SETUP(along, JOINT_ALONG)
 	JOINT_DRIVE_SETUP(across, JOINT_ACROSS)
 	JOINT_DRIVE_SETUP(angle, JOINT_ANGLE)
+	if (modes & JOINT_COUPLED)
+		coupling_setup(p, i);
 	(void)u;
+}
+
+// What is counted of turns: of a joint that is at no place, because it rests, at its slot.
+INLINE float joint_turned_last(const Pools* p, int slot)
+{
+	int place = p->joint_place[slot];
+	if (p->joint_flags[slot] & JOINT_NEW)
+		return 0.0f;
+	return place < 0 ? p->joint_kept[slot].turned : joint_row(p, turned, place);
+}
+
+INLINE CouplingCount coupling_count_last(const Pools* p, int slot)
+{
+	int place = p->joint_place[slot];
+	if (p->joint_flags[slot] & JOINT_NEW)
+		return coupling_count_new(p, slot);
+	if (place >= 0)
+		return coupling_count_at(p, place);
+	const GLOBAL JointRareKept* kept = p->joint_rare_kept + slot;
+	CouplingCount count = {{kept->angle_a, kept->angle_b}, {kept->turns_a, kept->turns_b}, kept->geared};
+	return count;
 }
 
 INLINE void joint_set_place(const Pools* p, int slot, int i)

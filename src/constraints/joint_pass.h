@@ -3,6 +3,7 @@
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
 #include "constraints/contact.h"
+#include "constraints/coupling.h"
 #include "constraints/joint_drive.h"
 
 // share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
@@ -100,6 +101,11 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
 	Real most = splat(START_SHARE * p->step.max_speed), spin = splat(START_SHARE * p->step.max_spin);
 	Real faster = c->mass * (absolute(j.push.x) + absolute(j.push.y));
+	if (c->couples)
+		faster = choose(faster,
+		                c->a.inv_mass * (absolute(j.push_a.x) + absolute(j.push_a.y)) +
+		                    c->b.inv_mass * (absolute(j.push.x) + absolute(j.push.y)),
+		                c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
 	Real part =
 	    minimum(choose(splat(1.0f), most / faster, faster > most), choose(splat(1.0f), spin / spins, spins > spin));
@@ -108,6 +114,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	{
 		joint_scale(p, i, u, part);
 		j.push = vec_choose(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push), part > splat(0.0f));
+		j.push_a = vec_choose(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push_a), part > splat(0.0f));
 		j.angular_a = choose(splat(0.0f), part * j.angular_a, part > splat(0.0f));
 		j.angular_b = choose(splat(0.0f), part * j.angular_b, part > splat(0.0f));
 	}
@@ -121,6 +128,7 @@ INLINE void joint_turn(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
 	j.push = vec_sub(j.push, vec(u->given_x, u->given_y));
+	j.push_a = c->couples ? vec_choose(j.push, vec_sub(j.push_a, c->given_a), c->coupled) : j.push;
 	j.angular_a = j.angular_a - u->given_a;
 	j.angular_b = j.angular_b - u->given_b;
 	joint_give(u, c, j);
@@ -132,6 +140,12 @@ INLINE void joint_peak(const Pools* p, int i, const Joint* u)
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, i, u, sum);
 	Real force = root(sum[0] * sum[0] + sum[1] * sum[1]), torque = absolute(sum[2]);
+	if (p->step.couplings)
+	{
+		Int turns = coupling_turns(u);
+		torque = choose(torque, absolute(sum[0]), turns);
+		force = choose(force, splat(0.0f), turns);
+	}
 	store(&joint_rare(p, peak_force, i), 0, maximum(load(&joint_rare(p, peak_force, i), 0), force));
 	store(&joint_rare(p, peak_torque, i), 0, maximum(load(&joint_rare(p, peak_torque, i), 0), torque));
 }
@@ -167,6 +181,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 	if (pass == PASS_BOUNCE)
 		return;
 	JointPose c = joint_pose(u, a, b);
+	coupling_pose(p, i, u, &c);
 	if (pass == PASS_WARM_START)
 		joint_warm(p, i, u, &c);
 	else
@@ -183,6 +198,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		if (pass == PASS_RELAX && p->step.drives)
 			joint_peak(p, i, u);
 	}
+	coupling_store(p, i, &c);
 	*a = c.a;
 	*b = c.b;
 }

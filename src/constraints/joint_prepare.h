@@ -104,15 +104,15 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Int there = slot >= 0, ia = load_int(&joint_row(p, body_a, i), 0), ib = load_int(&joint_row(p, body_b, i), 0);
 	slot = slot & ~(slot >> 31);
 	u->modes = choose(zero, joint_datum(p, slot, JOINT_AT_MODES), there);
-	Int radial = joint_has(u, JOINT_RADIAL);
+	Int radial = joint_has(u, JOINT_RADIAL | JOINT_COUPLED);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		target[k] = choose(zero, joint_datum(p, slot, JOINT_AT_TARGET(k)), joint_has(u, JOINT_LOCKED(k)));
 	u->length = choose(zero, target[JOINT_ALONG], radial);
 
 	// a lock that holds another value than 0 moves the frame
 	Vec offset = vec(choose(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
-	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME_A, ia, offset);
-	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME_B, ib, vec(zero, zero));
+	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), ia, offset);
+	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME(1), ib, vec(zero, zero));
 	Vec gap = joint_gap(&a, &b);
 	Int upright = joint_upright(u);
 	Vec axis = vec_choose(a.turn, vec(one, zero), upright);

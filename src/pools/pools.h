@@ -188,6 +188,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_THERE    1   // the slot holds a joint
 #define JOINT_ACTIVE   2   // both bodies are enabled, at least one of them moves
 #define JOINT_RESTARTS 4   // its constraint has to start anew
+#define JOINT_NEW      256 // the slot holds another joint than before
 #define JOINT_BROKEN   8   // it broke
 #define JOINT_COLLIDES 16  // its bodies may touch each other
 #define JOINT_BREAKS   32  // it breaks when its force or torque exceeds its threshold
@@ -204,6 +205,11 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_RADIAL     0x1000          // its axis lies along the line between the two anchors
 #define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring
 #define JOINT_TURNS      0x10000         // its axis turns with body a
+#define JOINT_COUPLED    0x20000         // it is a gear or a pulley, whose coordinate along is that of a coupling
+
+// what a coupling measures of a side, 0 for a: a translation or a distance, else an angle
+#define JOINT_SLIDES(side) (0x40000 << (side))
+#define JOINT_HOISTS(side) (0x100000 << (side))
 
 // coordinates of frame b in frame a
 #define JOINT_ALONG       0
@@ -211,37 +217,38 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_ANGLE       2
 #define JOINT_COORDINATES 3
 
-typedef struct // 48 bytes: a coordinate of a joint, in m or rad, N or N m
+typedef struct // 40 bytes: a coordinate of a joint, in m or rad, N or N m
 {
 	float target;                 // at which a lock holds it, to which a spring pulls it
 	float lock_hertz, lock_ratio; // 0 Hz: as stiff as the joint
 	float lower, upper;
 	float spring_hertz, spring_ratio, spring_most;
 	float speed, motor_most;
-	float unused[2];
 } JointCoordinate;
 
 // places in JointData, in floats
-#define JOINT_FLOATS        52
-#define JOINT_AT_MODES      2
-#define JOINT_AT_FRAME_A    4
-#define JOINT_AT_FRAME_B    8
-#define JOINT_AT_HERTZ      12
-#define JOINT_AT_COORDINATE 16
-#define JOINT_AT_TARGET(k)  (JOINT_AT_COORDINATE + 12 * (k))
+#define JOINT_FLOATS         56
+#define JOINT_AT_MODES       2
+#define JOINT_AT_FRAME(side) (4 + 4 * (side))
+#define JOINT_AT_BASE(side)  (12 + 4 * (side))
+#define JOINT_AT_HERTZ       20
+#define JOINT_AT_COORDINATE  24
+#define JOINT_AT_TARGET(k)   (JOINT_AT_COORDINATE + 10 * (k))
 
-typedef struct // 208 bytes
+typedef struct // 224 bytes
 {
-	int body_a, body_b; // 0 for the world
-	float modes;        // JOINT_* bits, as a number
-	float unused;
-	Float4 frame_a, frame_b;       // in the frames of the bodies: x, y (m), cos, sin
+	int body_a, body_b;            // 0 for the world
+	float modes;                   // JOINT_* bits, as a number
+	float gear_ratio;              // of a coupling
+	Float4 frame[2];               // in the frames of the bodies: x, y (m), cos, sin
+	Float4 base[2];                // of a coupling, in the world
 	float hertz, ratio;            // of rigid locks and limits
 	float most_force, most_torque; // N, N m: thresholds
 	JointCoordinate coordinate[JOINT_COORDINATES];
+	float near[2]; // rad: what angles of a coupling were nearest to when it began
 } JointData;
 
-typedef struct // 224 bytes: a joint as the user wants it
+typedef struct // 240 bytes: a joint as the user wants it
 {
 	int slot, flags, spot, unused;
 	JointData data;
@@ -381,7 +388,8 @@ typedef struct // constants of one step, passed by value to every stage
 	int bounces;          // some attribute has restitution
 	int joints;           // there may be joints among the constraints
 	int chain_places;     // spots of chains
-	int drives;           // some joint has a limit, a spring, a motor or a threshold
+	int drives;           // some joint has a limit, a spring, a motor or a threshold, or is a coupling
+	int couplings;        // some joint is a gear or a pulley
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach

@@ -12,14 +12,14 @@
 STAGE(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
-	int slot = edit.slot, restarts = edit.flags & JOINT_RESTARTS;
+	int slot = edit.slot;
 	if (slot >= p->argument)
 	{
 		p->joint_color[slot] = COLOR_NONE;
 		p->joint_place[slot] = -1;
 	}
-	else if (!restarts)
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_MOVED);
+	else if (!(edit.flags & JOINT_NEW))
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_MOVED | JOINT_NEW);
 	if (slot < p->argument && p->joint_spot[slot] != edit.spot)
 		edit.flags |= JOINT_MOVED;
 	p->joint_spot[slot] = edit.spot;
@@ -27,6 +27,20 @@ STAGE(joint_apply)
 	p->joint_data[slot] = edit.data;
 	raise_int(&p->counters->joints, slot + 1);
 	raise_int(&p->counters->joint_stir, 0x7fffffff);
+}
+
+// The constraint of joint i ends. Where the same joint begins again, it goes on counting turns.
+INLINE void joint_rest(const Pools* p, int i)
+{
+	float turned = joint_turned_last(p, i);
+	CouplingCount count = coupling_count_last(p, i);
+	joint_end(p, i);
+	p->joint_kept[i].turned = turned;
+	p->joint_rare_kept[i].angle_a = count.angle[0];
+	p->joint_rare_kept[i].angle_b = count.angle[1];
+	p->joint_rare_kept[i].turns_a = count.turns[0];
+	p->joint_rare_kept[i].turns_b = count.turns[1];
+	p->joint_rare_kept[i].geared = count.geared;
 }
 
 // Constraints of joints begin and end.
@@ -37,10 +51,10 @@ STAGE(joint_update)
 		return;
 	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
-		joint_end(p, i);
+		joint_rest(p, i);
 	if (flags & (JOINT_MOVED | JOINT_RESTARTS))
 		edge_stir(p, CONSTRAINT_JOINT);
-	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_MOVED);
+	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_MOVED | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
 	int a = p->joint_data[i].body_a, b = p->joint_data[i].body_b;

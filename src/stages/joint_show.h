@@ -28,15 +28,46 @@ INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, GLOBAL 
 		axis = vec(1.0f, 0.0f);
 	state->force_x = rate * (sum[0] * axis.x - sum[1] * axis.y);
 	state->force_y = rate * (sum[0] * axis.y + sum[1] * axis.x);
-	state->torque = rate * sum[2];
+	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
+}
+
+// The speed of one side of a coupling. Returns the direction of a force on that body.
+INLINE Vec joint_show_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
+{
+	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];
+	int modes = (int)p->joint_data[i].modes, slides = modes & JOINT_SLIDES(side), hoists = modes & JOINT_HOISTS(side);
+	Vec direction = joint_line(slides ? m->line : vec(0.0f, 0.0f), m->line, hoists != 0);
+	Vec at = vec_add(vec(now.vx, now.vy), vec_spin(now.w, m->arm));
+	*speed = number_of(slides || hoists ? vec_dot(at, direction) : now.w);
+	return direction;
+}
+
+// The coordinate of a coupling, and what it measures of a and of b in place of the other two.
+INLINE void joint_show_coupling(const Pools* p, int i, GLOBAL JointState* state)
+{
+	int modes = (int)p->joint_data[i].modes;
+	float ratio = p->joint_data[i].gear_ratio, speeds[2];
+	CouplingCount count = coupling_count_last(p, i);
+	CouplingState now = coupling_state(p, i, &count);
+	joint_show_side(p, i, 0, now.sides, speeds);
+	Vec direction = joint_show_side(p, i, 1, now.sides + 1, speeds + 1);
+	float far_a = modes & JOINT_HOISTS(0) ? now.sides[0].value : 0.0f;
+	float far_b = modes & JOINT_HOISTS(1) ? now.sides[1].value : 0.0f;
+	state->value[0] = now.value + (far_b + ratio * far_a);
+	state->value[1] = now.sides[0].value;
+	state->value[2] = now.sides[1].value;
+	state->speed[0] = number_of(speeds[1] + ratio * speeds[0]);
+	state->speed[1] = speeds[0];
+	state->speed[2] = speeds[1];
+	joint_show_force(p, i, modes, direction, state);
 }
 
 STAGE(joint_show)
 {
 	GLOBAL JointState* state = p->joint_state + i;
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
-	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME_A, ia, vec(0.0f, 0.0f));
-	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME_B, ib, vec(0.0f, 0.0f));
+	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
+	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME(1), ib, vec(0.0f, 0.0f));
 	Vec d = joint_gap(&a, &b), axis = joint_line(a.turn, d, (modes & JOINT_RADIAL) != 0);
 	Vec across = vec(-axis.y, axis.x);
 	BodyState va = p->body[ia], vb = p->body[ib];
@@ -44,10 +75,9 @@ STAGE(joint_show)
 	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
 
 	// over all turns, where the last step left them
-	int place = joint_show_place(p, i);
 	state->value[0] = vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);
-	state->value[2] = joint_turned(&a, &b, place < 0 ? 0.0f : joint_row(p, turned, place));
+	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));
 
 	// a velocity that the user's calls made infinite may be no number along an axis
 	state->speed[0] = number_of(vec_dot(apart, axis));
@@ -57,7 +87,10 @@ STAGE(joint_show)
 	state->force_y = 0.0f;
 	state->torque = 0.0f;
 	state->broken = (p->joint_flags[i] & JOINT_BROKEN) != 0;
-	joint_show_force(p, i, modes, axis, state);
+	if (modes & JOINT_COUPLED)
+		joint_show_coupling(p, i, state);
+	else
+		joint_show_force(p, i, modes, axis, state);
 }
 
 #endif

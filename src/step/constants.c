@@ -53,6 +53,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .joints = pipeline->counters.joints > 0,
 	    .chain_places = pipeline->chain_places,
 	    .drives = pipeline->drives,
+	    .couplings = pipeline->couplings,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,
 	    .guard_reach = pipeline->guard_reach,

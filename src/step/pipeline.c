@@ -187,6 +187,7 @@ scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
 	Run run = {.stage = STAGE_joint_show, .begin = first, .end = first + count, .count = NO_COUNT};
 	Step step = pipeline->step;
 	step.drives = pipeline->drives;
+	step.couplings = pipeline->couplings;
 	return b->f->run(b, &step, &run, 1);
 }
 

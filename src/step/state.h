@@ -59,7 +59,8 @@ typedef struct
 	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
-	bool drives;                  // some joint has a limit, a spring, a motor or a threshold
+	bool drives;                  // some joint has a limit, a spring, a motor or a threshold, or is a coupling
+	bool couplings;               // some joint is a gear or a pulley
 	bool bare;                    // some body with joints may have no collidables
 	bool breaks;                  // some joint may break
 	int chains, chain_places;     // rows of joints that are solved together, and joints in them

@@ -26,12 +26,12 @@ typedef struct
 	int count, places;
 } Search;
 
-// Whether a joint has a lock, and bodies that it can act on.
+// Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together.
 static bool acts(const scree_world* world, int joint)
 {
 	const HostJoint* host = world->host_joints + joint;
 	bool moves = false, locks = false;
-	if (!slots_in_use(&world->joints, joint))
+	if (!slots_in_use(&world->joints, joint) || joint_couples(host->def.type))
 		return false;
 	for (int side = 0; side < 2; ++side)
 	{

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // joint_check.c -- checks of the numbers of joints.
 #include "world/joint_check.h"
+#include "world/joints.h"
 #include <stdio.h>
 
-#define MOST_HERTZ 1e6f
-#define MOST_RATIO 1e6f
+#define MOST_HERTZ      1e6f
+#define MOST_RATIO      1e6f
+#define MOST_GEAR_RATIO 1e6f
 
 scree_status check_which(Where at, scree_coordinate which)
 {
@@ -13,7 +15,7 @@ scree_status check_which(Where at, scree_coordinate which)
 	return refuse(SCREE_ERROR_INVALID, at, "", "is %d, not a scree_coordinate", (int)which);
 }
 
-scree_status check_coordinate(Where at, scree_coordinate which, const scree_joint_coordinate* c)
+scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate which, const scree_joint_coordinate* c)
 {
 	static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
 	const struct
@@ -41,11 +43,35 @@ scree_status check_coordinate(Where at, scree_coordinate which, const scree_join
 		snprintf(member, sizeof member, ".coordinates[%s].%s", names[which], numbers[k].name);
 		TRY(check_real(at, member, numbers[k].value, numbers[k].low, numbers[k].high));
 	}
+	if (joint_couples(type) && which != SCREE_ALONG && (c->locked || c->limited || c->spring || c->motor))
+	{
+		snprintf(member, sizeof member, ".coordinates[%s]", names[which]);
+		return refuse(SCREE_ERROR_INVALID, at, member, "is held: a %s has the coordinate along only",
+		              scree_joint_type_name(type));
+	}
 	if (!c->limited || c->lower <= c->upper)
 		return SCREE_OK;
 	snprintf(member, sizeof member, ".coordinates[%s].lower", names[which]);
 	return refuse(SCREE_ERROR_INVALID, at, member, "is %s, above upper, which is %s", decimal(c->lower).text,
 	              decimal(c->upper).text);
+}
+
+static scree_status check_side(Where at, scree_joint_side* side, int k)
+{
+	static const char* const names[2][3] = {{".sides[0].measure", ".sides[0].base", ".sides[0].near"},
+	                                        {".sides[1].measure", ".sides[1].base", ".sides[1].near"}};
+	if ((unsigned)side->measure > SCREE_MEASURE_DISTANCE)
+		return refuse(SCREE_ERROR_INVALID, at, names[k][0], "is %d, not a scree_measure", (int)side->measure);
+	TRY(check_pose(at, names[k][1], &side->base));
+	return check_real(at, names[k][2], side->near, -SCREE_HUGE, SCREE_HUGE);
+}
+
+scree_status check_joint_coupling(Where at, scree_joint_def* def)
+{
+	TRY(check_real(at, ".ratio", def->ratio, -MOST_GEAR_RATIO, MOST_GEAR_RATIO));
+	for (int k = 0; k < 2; ++k)
+		TRY(check_side(at, def->sides + k, k));
+	return SCREE_OK;
 }
 
 scree_status check_joint_numbers(Where at, const scree_joint_def* def)

@@ -5,7 +5,10 @@
 #include "world/check.h"
 
 // A coordinate; the sentence names it as a member of the definition at at, or alone.
-scree_status check_coordinate(Where at, scree_coordinate which, const scree_joint_coordinate* c);
+scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate which, const scree_joint_coordinate* c);
+
+// The sides and the ratio of a gear or a pulley; rotations are normalized.
+scree_status check_joint_coupling(Where at, scree_joint_def* def);
 
 // Stiffness and thresholds of a definition.
 scree_status check_joint_numbers(Where at, const scree_joint_def* def);

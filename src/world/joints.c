@@ -66,8 +66,12 @@ int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int bo
 {
 	int index = slots_allocate(&world->joints);
 	HostJoint* host = world->host_joints + index;
-	*host = (HostJoint){
-	    .def = *def, .bodies = {body_a, body_b}, .born = world->pipeline.steps, .spot = -1, .waiting = host->waiting};
+	*host = (HostJoint){.def = *def,
+	                    .bodies = {body_a, body_b},
+	                    .born = world->pipeline.steps,
+	                    .spot = -1,
+	                    .created = true,
+	                    .waiting = host->waiting};
 	link_end(world, index, 0);
 	link_end(world, index, 1);
 	joint_changed(world, index, true);
@@ -129,7 +133,15 @@ static int joint_modes(const scree_joint_def* def)
 	int modes = def->type == SCREE_JOINT_DISTANCE ? JOINT_RADIAL : 0;
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		modes |= coordinate_modes(def->coordinates + k, k);
-	return modes;
+	if (!joint_couples(def->type))
+		return modes;
+	for (int side = 0; side < 2; ++side)
+	{
+		scree_measure measure = def->sides[side].measure;
+		modes |= measure == SCREE_MEASURE_TRANSLATION ? JOINT_SLIDES(side) : 0;
+		modes |= measure == SCREE_MEASURE_DISTANCE ? JOINT_HOISTS(side) : 0;
+	}
+	return modes | JOINT_COUPLED;
 }
 
 // The row of a joint, and its flags.
@@ -137,7 +149,9 @@ static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
 	const scree_joint_def* def = &host->def;
-	JointEdit edit = {.slot = index, .spot = host->spot, .flags = host->restarts ? JOINT_RESTARTS : 0};
+	JointEdit edit = {.slot = index,
+	                  .spot = host->spot,
+	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->created ? JOINT_NEW : 0)};
 	if (!slots_in_use(&world->joints, index))
 		return edit;
 	const HostBody *a = world->host_bodies + host->bodies[0], *b = world->host_bodies + host->bodies[1];
@@ -150,8 +164,10 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	edit.data = (JointData){.body_a = host->bodies[0],
 	                        .body_b = host->bodies[1],
 	                        .modes = (float)modes,
-	                        .frame_a = pose_row(def->frame_a),
-	                        .frame_b = pose_row(def->frame_b),
+	                        .gear_ratio = def->ratio,
+	                        .frame = {pose_row(def->frame_a), pose_row(def->frame_b)},
+	                        .base = {pose_row(def->sides[0].base), pose_row(def->sides[1].base)},
+	                        .near = {def->sides[0].near, def->sides[1].near},
 	                        .hertz = def->hertz,
 	                        .ratio = def->damping_ratio,
 	                        .most_force = def->force_threshold,
@@ -164,7 +180,8 @@ static JointEdit joint_edit(const scree_world* world, int index)
 // Whether a step has to look at rare rows because of the joint.
 static bool drives(const JointEdit* edit)
 {
-	return (int)edit->data.modes & JOINT_EXTRAS || edit->data.most_force < FLT_MAX || edit->data.most_torque < FLT_MAX;
+	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_COUPLED) || edit->data.most_force < FLT_MAX ||
+	       edit->data.most_torque < FLT_MAX;
 }
 
 static bool is_bare(const scree_world* world, int index)
@@ -191,6 +208,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 	{
 		rows[k] = joint_edit(world, p->joints[k]);
 		pipeline->drives |= drives(rows + k);
+		pipeline->couplings |= ((int)rows[k].data.modes & JOINT_COUPLED) != 0;
 		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
 		pipeline->bare |= is_bare(world, p->joints[k]);
 	}

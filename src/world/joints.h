@@ -20,6 +20,12 @@ void joint_changed(scree_world* world, int index, bool restarts);
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 
+// Whether a joint is a gear or a pulley, whose one coordinate is that along.
+static inline bool joint_couples(scree_joint_type type)
+{
+	return type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY;
+}
+
 // The first joint of a body, and the next one after an end, as 1 + end; 0 for none.
 static inline int joint_of_end(int end) { return (end - 1) / 2; }
 static inline int joint_next(const scree_world* world, int end)

@@ -106,7 +106,7 @@ static void clear(scree_world* world)
 	for (int k = 0; k < p->joint_count; ++k)
 	{
 		world->host_joints[p->joints[k]].waiting = false;
-		world->host_joints[p->joints[k]].restarts = false;
+		world->host_joints[p->joints[k]].restarts = world->host_joints[p->joints[k]].created = false;
 	}
 	p->body_count = p->collidable_count = p->command_count = p->attribute_count = p->joint_count = 0;
 }

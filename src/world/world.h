@@ -46,6 +46,7 @@ typedef struct // host data of a joint
 	int64_t born;             // Pipeline.steps when it was made
 	int spot;                 // its place among the chains, -1 for none
 	bool restarts;            // its constraint starts anew
+	bool created;             // since the last upload
 	bool waiting;             // for the next upload
 	bool marked;              // within one call: already seen in the batch
 } HostJoint;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// joint_def.c -- definitions of joints: the types, and what is filled in from where bodies are.
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/geometry.h"
+#include "world/handles.h"
+#include "world/joint_check.h"
+#include "world/joints.h"
+#include <math.h>
+
+static const char* const type_names[] = {
+    [SCREE_JOINT_FREE] = "free",           [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
+    [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",         [SCREE_JOINT_WELD] = "weld",
+    [SCREE_JOINT_WHEEL] = "wheel",         [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
+    [SCREE_JOINT_FILTER] = "filter",       [SCREE_JOINT_GEAR] = "gear",         [SCREE_JOINT_PULLEY] = "pulley",
+};
+#define JOINT_TYPES (sizeof type_names / sizeof type_names[0])
+
+const char* scree_joint_type_name(scree_joint_type type)
+{
+	return (unsigned)type < JOINT_TYPES ? type_names[type] : "unknown";
+}
+
+// The coordinates that each type locks, a bit each.
+static const unsigned locks[JOINT_TYPES] = {
+    [SCREE_JOINT_DISTANCE] = 1 << SCREE_ALONG,
+    [SCREE_JOINT_REVOLUTE] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS,
+    [SCREE_JOINT_PRISMATIC] = 1 << SCREE_ACROSS | 1 << SCREE_ANGLE,
+    [SCREE_JOINT_SLOT] = 1 << SCREE_ACROSS,
+    [SCREE_JOINT_WELD] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS | 1 << SCREE_ANGLE,
+    [SCREE_JOINT_WHEEL] = 1 << SCREE_ACROSS,
+    [SCREE_JOINT_GEAR] = 1 << SCREE_ALONG,
+    [SCREE_JOINT_PULLEY] = 1 << SCREE_ALONG,
+};
+
+static void set_spring(scree_joint_coordinate* coordinate, float hertz, float damping_ratio)
+{
+	coordinate->spring = true;
+	coordinate->spring_hertz = hertz;
+	coordinate->spring_damping_ratio = damping_ratio;
+}
+
+void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, size_t size)
+{
+	scree_joint_def made = {.size = (uint32_t)size,
+	                        .type = type,
+	                        .frame_a.rotation.c = 1.0f,
+	                        .frame_b.rotation.c = 1.0f,
+	                        .hertz = 60.0f,
+	                        .damping_ratio = 2.0f,
+	                        .force_threshold = FLT_MAX,
+	                        .torque_threshold = FLT_MAX,
+	                        .ratio = 1.0f,
+	                        .collide_connected = type == SCREE_JOINT_PULLEY};
+	for (int side = 0; side < 2; ++side)
+	{
+		made.sides[side].base.rotation.c = 1.0f;
+		made.sides[side].measure = type == SCREE_JOINT_PULLEY ? SCREE_MEASURE_DISTANCE : SCREE_MEASURE_ANGLE;
+	}
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		made.coordinates[k].spring_max = FLT_MAX;
+		made.coordinates[k].locked = (unsigned)type < JOINT_TYPES && locks[type] >> k & 1;
+		made.coordinates[k].motor = type == SCREE_JOINT_MOTOR;
+	}
+	if (type == SCREE_JOINT_DISTANCE)
+		made.coordinates[SCREE_ALONG].target = 1.0f;
+	if (type == SCREE_JOINT_WHEEL)
+		set_spring(made.coordinates + SCREE_ALONG, 1.0f, 0.7f);
+	for (int k = SCREE_ALONG; type == SCREE_JOINT_TARGET && k <= SCREE_ACROSS; ++k)
+		set_spring(made.coordinates + k, 5.0f, 1.0f);
+	write_result(def, size, &made, sizeof made);
+}
+
+static scree_rot turned(scree_rot a, scree_rot b) { return (scree_rot){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s}; }
+
+// The frame of a body, or of the world, that lies at a pose in the world.
+static scree_status place(scree_world* world, Where at, const char* member, scree_body body, scree_pose pose,
+                          scree_pose* frame)
+{
+	int index = 0;
+	scree_pose own;
+	*frame = pose;
+	if (scree_body_is_null(body))
+		return SCREE_OK;
+	TRY(check_body(world, at, member, body, &index));
+	TRY(scree_body_get_pose(world, body, &own));
+	scree_rot back = {own.rotation.c, -own.rotation.s};
+	scree_vec shift = {pose.position.x - own.position.x, pose.position.y - own.position.y};
+	frame->position = pose_point((scree_pose){{0.0f, 0.0f}, back}, shift);
+	frame->rotation = turned(back, pose.rotation);
+	return SCREE_OK;
+}
+
+scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose)
+{
+	Where at = {"scree_joint_def_place", "def", ALONE};
+	TRY(world_check(world, at.function));
+	TRY(check_pointer(at.function, "def", def));
+	TRY(check_definition(at, def, 0, &joint_definition));
+	TRY(check_pose((Where){at.function, "pose", ALONE}, "", &pose));
+	scree_pose frame_a, frame_b;
+	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
+	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
+	def->frame_a = frame_a;
+	def->frame_b = frame_b;
+	return SCREE_OK;
+}
+
+// What side k of a definition measures now.
+static scree_status measure(scree_world* world, Where at, const scree_joint_def* def, int k, float* value)
+{
+	static const char* const members[] = {".body_a", ".body_b"};
+	const scree_joint_side* side = def->sides + k;
+	scree_body body = k ? def->body_b : def->body_a;
+	scree_pose pose = {{0.0f, 0.0f}, {1.0f, 0.0f}}, frame = k ? def->frame_b : def->frame_a, base = side->base;
+	int index;
+	if (!scree_body_is_null(body))
+	{
+		TRY(check_body(world, at, members[k], body, &index));
+		TRY(scree_body_get_pose(world, body, &pose));
+	}
+	scree_vec anchor = pose_point(pose, frame.position);
+	scree_vec d = {anchor.x - base.position.x, anchor.y - base.position.y};
+	if (side->measure == SCREE_MEASURE_TRANSLATION)
+		*value = d.x * base.rotation.c + d.y * base.rotation.s;
+	else if (side->measure == SCREE_MEASURE_DISTANCE)
+		*value = sqrtf(d.x * d.x + d.y * d.y);
+	else
+	{
+		scree_rot now = turned(pose.rotation, frame.rotation);
+		*value = scree_rot_get_angle(turned((scree_rot){base.rotation.c, -base.rotation.s}, now));
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
+{
+	Where at = {"scree_joint_def_couple", "def", ALONE};
+	float values[2];
+	TRY(world_check(world, at.function));
+	TRY(check_pointer(at.function, "def", def));
+	TRY(check_definition(at, def, 0, &joint_definition));
+	if (def->size < joint_definition.bytes)
+		return refuse(SCREE_ERROR_INVALID, at, ".size", "is %u, of a version without gears and pulleys", def->size);
+	if (!joint_couples(def->type))
+		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %s: only a gear or a pulley couples",
+		              scree_joint_type_name(def->type));
+	TRY(check_joint_coupling(at, def));
+	TRY(check_pose(at, ".frame_a", &def->frame_a));
+	TRY(check_pose(at, ".frame_b", &def->frame_b));
+	for (int k = 0; k < 2; ++k)
+		TRY(measure(world, at, def, k, values + k));
+	for (int k = 0; k < 2; ++k)
+		def->sides[k].near = def->sides[k].measure == SCREE_MEASURE_ANGLE ? values[k] : 0.0f;
+	def->coordinates[SCREE_ALONG].target = values[1] + def->ratio * values[0];
+	return SCREE_OK;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// coupling.h -- gears and pulleys: joints whose one coordinate is a sum of what is measured of each body in the world.
+//
+//     along = measure of b + ratio * measure of a
+//
+// A measure is of a frame of the body in its base, a frame of the world that does not move: the angle over all turns, the
+// translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks, limits, springs and
+// motors act on the coordinate as they do on that of other joints.
+//
+// This work is based on:
+// Erin Catto, Iterative Dynamics with Temporal Coherence, GDC 2005: constraints as Jacobians, one body at a time.
+#ifndef COUPLING_H
+#define COUPLING_H
+#include "constraints/joint.h"
+
+typedef struct // one side: how its measure changes with the body's translation and rotation, and what it adds
+{
+	Vec direction; // 0 for an angle
+	Real lever, value;
+} CouplingSide;
+
+// arm is that at the start of the step; line as in the rows.
+INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, const Body* body)
+{
+	CouplingSide s;
+	Vec zero = vec(splat(0.0f), splat(0.0f)), swing = vec_sub(body_displacement(*body, arm), body->d);
+	Vec moved = vec_add(body->d, swing);
+	Int slides = joint_has(u, JOINT_SLIDES(side)), hoists = joint_has(u, JOINT_HOISTS(side));
+	Int turns = (slides | hoists) == 0;
+	moved = vec_choose(moved, vec_add(line, moved), hoists);
+	s.direction = joint_line(vec_choose(zero, line, slides), moved, hoists);
+	s.lever = choose(vec_cross(vec_add(arm, swing), s.direction), splat(1.0f), turns);
+	s.value = choose(vec_dot(moved, s.direction), body->da, turns);
+	return s;
+}
+
+// Replaces the coordinate along where lanes have a coupling.
+INLINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
+{
+	c->couples = p->step.couplings ? lane_bits(c->coupled) : 0u;
+	if (!c->couples)
+		return;
+	Real zero = splat(0.0f), ratio = load(&joint_rare(p, gear_ratio, i), 0);
+	Vec line_a = vec(load(&joint_rare(p, line_a_x, i), 0), load(&joint_rare(p, line_a_y, i), 0));
+	Vec line_b = vec(load(&joint_rare(p, line_b_x, i), 0), load(&joint_rare(p, line_b_y, i), 0));
+	CouplingSide a = coupling_side(u, 0, line_a, vec(u->arm_a_x, u->arm_a_y), &c->a);
+	CouplingSide b = coupling_side(u, 1, line_b, vec(u->arm_b_x, u->arm_b_y), &c->b);
+	Real value = load(&joint_rare(p, coupled, i), 0) + (b.value + ratio * a.value);
+
+	// a body whose state is not finite must not take the other one with it
+	Int sound = c->coupled & (absolute(value + (a.lever + b.lever)) <= splat(MOST_FLOAT));
+	Vec none = vec(zero, zero);
+	c->axis_a = vec_choose(none, vec_scale(-ratio, a.direction), sound);
+	c->axis[0] = vec_choose(c->axis[0], vec_choose(none, b.direction, sound), c->coupled);
+	c->lever_a[0] = choose(c->lever_a[0], choose(zero, -ratio * a.lever, sound), c->coupled);
+	c->lever_b[0] = choose(c->lever_b[0], choose(zero, b.lever, sound), c->coupled);
+	c->value[0] = choose(c->value[0], choose(zero, value, sound), c->coupled);
+	c->given_a = vec(load(&joint_rare(p, given_a_x, i), 0), load(&joint_rare(p, given_a_y, i), 0));
+}
+
+// Stores what the pass gave to a.
+INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
+{
+	if (!c->couples)
+		return;
+	store(&joint_rare(p, given_a_x, i), 0, c->given_a.x);
+	store(&joint_rare(p, given_a_y, i), 0, c->given_a.y);
+}
+
+// What an impulse along a coupling is: a torque's where it measures an angle of b.
+INLINE Int coupling_turns(const Joint* u)
+{
+	return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_SLIDES(1) | JOINT_HOISTS(1)) == 0);
+}
+
+#endif

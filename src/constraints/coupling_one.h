@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// coupling_one.h -- gears and pulleys, one at a time: what they measure of their bodies.
+//
+// Angles are counted over all turns. A sum of two large angles would be coarse, so what a step adds to the sum is added to it:
+// the ratio of a gear can change while it turns, and nothing jumps.
+#ifndef COUPLING_ONE_H
+#define COUPLING_ONE_H
+#include "constraints/joint_prepare.h"
+
+#define TURN_REST (-1.7484556e-7f) // 2 pi - TURN
+
+typedef struct // what was counted last
+{
+	float angle[2], turns[2]; // rad; of a and b
+	float geared;             // rad
+} CouplingCount;
+
+typedef struct // one side of a coupling in the world
+{
+	Vec line;           // m, from the base to the anchor; the direction of a translation; 0 for an angle
+	Vec arm;            // m, from the center of mass to the anchor
+	float value, added; // m, rad: its measure; rad: since it was counted last
+} CouplingMeasure;
+
+// Nothing has been counted of a new joint.
+INLINE CouplingCount coupling_count_new(const Pools* p, int slot)
+{
+	const GLOBAL JointData* data = p->joint_data + slot;
+	int modes = (int)data->modes;
+	float a = modes & (JOINT_SLIDES(0) | JOINT_HOISTS(0)) ? 0.0f : data->near[0];
+	float b = modes & (JOINT_SLIDES(1) | JOINT_HOISTS(1)) ? 0.0f : data->near[1];
+	CouplingCount count = {{a, b}, {0.0f, 0.0f}, b + data->gear_ratio * a};
+	return count;
+}
+
+INLINE CouplingCount coupling_count_at(const Pools* p, int place)
+{
+	CouplingCount count = {{joint_rare(p, angle_a, place), joint_rare(p, angle_b, place)},
+	                       {joint_rare(p, turns_a, place), joint_rare(p, turns_b, place)},
+	                       joint_rare(p, geared, place)};
+	return count;
+}
+
+// Measures a side, and counts its angle.
+INLINE CouplingMeasure coupling_measure(const Pools* p, int slot, int side, CouplingCount* count)
+{
+	const GLOBAL JointData* data = p->joint_data + slot;
+	int modes = (int)data->modes;
+	JointFrame frame = joint_frame(p, slot, JOINT_AT_FRAME(side), side ? data->body_b : data->body_a, vec(0.0f, 0.0f));
+	JointFrame base = joint_frame(p, slot, JOINT_AT_BASE(side), 0, vec(0.0f, 0.0f));
+	Vec d = joint_gap(&base, &frame);
+	CouplingMeasure m = {vec(0.0f, 0.0f), frame.arm, 0.0f, 0.0f};
+	if (modes & JOINT_HOISTS(side))
+	{
+		m.line = d;
+		m.value = root(vec_dot(d, d));
+		return m;
+	}
+	if (modes & JOINT_SLIDES(side))
+	{
+		m.line = base.turn;
+		m.value = vec_dot(d, m.line);
+		return m;
+	}
+	float angle = vec_angle(vec_turn_back(base.turn, frame.turn)), last = count->angle[side];
+	float turns = joint_round((last - angle) * (1.0f / TURN));
+	m.added = ((angle - last) + TURN * turns) + TURN_REST * turns;
+	count->angle[side] = angle;
+	count->turns[side] = count->turns[side] + turns;
+	m.value = angle + TURN * count->turns[side];
+	return m;
+}
+
+typedef struct // a coupling in the world
+{
+	CouplingMeasure sides[2];
+	float value; // its coordinate, without distances
+} CouplingState;
+
+INLINE CouplingState coupling_state(const Pools* p, int slot, CouplingCount* count)
+{
+	const GLOBAL JointData* data = p->joint_data + slot;
+	int modes = (int)data->modes;
+	CouplingState now;
+	now.sides[0] = coupling_measure(p, slot, 0, count);
+	now.sides[1] = coupling_measure(p, slot, 1, count);
+	count->geared = count->geared + (now.sides[1].added + data->gear_ratio * now.sides[0].added);
+	float a = modes & JOINT_SLIDES(0) ? now.sides[0].value : 0.0f,
+	      b = modes & JOINT_SLIDES(1) ? now.sides[1].value : 0.0f;
+	now.value = count->geared + (b + data->gear_ratio * a);
+	return now;
+}
+
+// The rows of joint i for the step, where it is a coupling.
+INLINE void coupling_setup(const Pools* p, int i)
+{
+	int slot = p->joint_place_slot[i];
+	CouplingCount count = coupling_count_at(p, i);
+	CouplingState now = coupling_state(p, slot, &count);
+	joint_rare(p, gear_ratio, i) = p->joint_data[slot].gear_ratio;
+	joint_rare(p, coupled, i) = now.value;
+	joint_rare(p, line_a_x, i) = now.sides[0].line.x;
+	joint_rare(p, line_a_y, i) = now.sides[0].line.y;
+	joint_rare(p, line_b_x, i) = now.sides[1].line.x;
+	joint_rare(p, line_b_y, i) = now.sides[1].line.y;
+	joint_rare(p, angle_a, i) = count.angle[0];
+	joint_rare(p, angle_b, i) = count.angle[1];
+	joint_rare(p, turns_a, i) = count.turns[0];
+	joint_rare(p, turns_b, i) = count.turns[1];
+	joint_rare(p, geared, i) = count.geared;
+	joint_rare(p, given_a_x, i) = 0.0f;
+	joint_rare(p, given_a_y, i) = 0.0f;
+}
+
+#endif

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// test_couplings.c -- gears and pulleys against formulas: ratios, tensions, racks, winches, many turns, swinging loads.
+#include "joint_support.h"
+#include "support.h"
+
+#define G 10.0 // m/s^2
+
+static double mass_of(scree_world* world, scree_body body)
+{
+	scree_mass mass;
+	OK(scree_body_get_mass(world, body, &mass));
+	return mass.mass;
+}
+
+static double inertia_of(scree_world* world, scree_body body)
+{
+	scree_mass mass;
+	OK(scree_body_get_mass(world, body, &mass));
+	return mass.inertia;
+}
+
+// A wheel on a hinge.
+static scree_body add_wheel(scree_world* world, float radius, float x, float y)
+{
+	scree_attribute_def def = surface_of(circle_shape(radius));
+	scree_body wheel = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
+	join(world, SCREE_JOINT_REVOLUTE, NOBODY, wheel, x, y);
+	return wheel;
+}
+
+static scree_joint_def coupling(scree_joint_type type, scree_body a, scree_body b, float ratio)
+{
+	scree_joint_def def = scree_joint_def_make(type);
+	def.body_a = a;
+	def.body_b = b;
+	def.ratio = ratio;
+	return def;
+}
+
+static scree_joint couple(scree_world* world, scree_joint_def* def)
+{
+	GOOD(scree_joint_def_couple(world, def));
+	return add_joint(world, def);
+}
+
+static scree_joint gear(scree_world* world, scree_body a, scree_body b, float ratio)
+{
+	scree_joint_def def = coupling(SCREE_JOINT_GEAR, a, b, ratio);
+	return couple(world, &def);
+}
+
+// A rope over two points above a and b, each at a height.
+static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float ratio, float height)
+{
+	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, a, b, ratio);
+	scree_vec at_a = position_of(world, a), at_b = position_of(world, b);
+	def.sides[0].base.position = (scree_vec){at_a.x, height};
+	def.sides[1].base.position = (scree_vec){at_b.x, height};
+	return couple(world, &def);
+}
+
+// Wheels of radii r and s turn by angles a and b = -a r / s, however often.
+static void gears_keep_their_ratio(void** state)
+{
+	(void)state;
+	static const float radii[] = {0.5f, 1.0f, 0.2f, 0.7f};
+	enum
+	{
+		WHEELS = sizeof radii / sizeof *radii
+	};
+	scree_world* world = open_world((float)-G);
+	scree_body wheels[WHEELS];
+	scree_joint gears[WHEELS];
+	float x = 0.0f;
+	for (int k = 0; k < WHEELS; ++k)
+	{
+		wheels[k] = add_wheel(world, radii[k], x, 0.0f);
+		if (k > 0)
+			gears[k] = gear(world, wheels[k - 1], wheels[k], radii[k - 1] / radii[k]);
+		x += k + 1 < WHEELS ? radii[k] + radii[k + 1] : 0.0f;
+	}
+	scree_joint_def drive = scree_joint_def_make(SCREE_JOINT_MOTOR);
+	drive.body_b = wheels[0];
+	drive.coordinates[SCREE_ANGLE].motor_speed = 12.0f;
+	drive.coordinates[SCREE_ANGLE].motor_max = 1e4f;
+	scree_joint motor = add_joint(world, &drive);
+	run_steps(world, 3600);
+	double turned = joint_state_of(world, motor).values[SCREE_ANGLE], ratio = 1.0;
+	NEAR(turned, 720.0, 1.0);
+	for (int k = 1; k < WHEELS; ++k)
+	{
+		scree_joint_state at = joint_state_of(world, gears[k]);
+		ratio *= (double)-radii[k - 1] / (double)radii[k];
+		print_message("wheel %d: %.4f rad, theory %.4f rad; speed %.4f rad/s\n", k, at.values[2], ratio * turned,
+		              at.speeds[2]);
+		NEAR(at.values[2], ratio * turned, 2e-3);
+		NEAR(at.speeds[2], ratio * 12.0, 1e-4 * fabs(ratio * 12.0));
+		NEAR(at.values[0], 0.0, 1e-3);
+	}
+	scree_world_destroy(world);
+}
+
+// A torque M on a accelerates both by M / (I + r^2 J) and -r times that; the gear's torque on b is -r J M / (I + r^2 J).
+static void gears_carry_torque(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 3; ++k)
+	{
+		static const float ratios[] = {1.0f, -2.5f, 0.2f};
+		double r = ratios[k];
+		scree_world* world = open_world(0.0f);
+		scree_body a = add_wheel(world, 0.5f, 0.0f, 0.0f), b = add_wheel(world, 0.8f, 5.0f, 0.0f);
+		scree_joint joint = gear(world, a, b, ratios[k]);
+		double i = inertia_of(world, a), j = inertia_of(world, b), acceleration = 3.0 / (i + r * r * j);
+		for (int n = 0; n < 60; ++n)
+		{
+			OK(scree_body_apply_torque(world, a, 3.0f));
+			run_steps(world, 1);
+		}
+		NEAR(velocity_of(world, a).angular, acceleration, 2e-3 * fabs(acceleration));
+		NEAR(velocity_of(world, b).angular, -r * acceleration, 2e-3 * fabs(r * acceleration));
+		NEAR(joint_state_of(world, joint).torque, -r * j * acceleration, 5e-3 * fabs(r * j * acceleration));
+		NEAR(joint_state_of(world, joint).force.x, 0.0, 0.0);
+		scree_world_destroy(world);
+	}
+}
+
+// George Atwood, A Treatise on the Rectilinear Motion and Rotation of Bodies, 1784: masses m and n on a rope without mass
+// accelerate by g (n - m) / (n + m), and its tension is 2 g m n / (n + m).
+static void atwood(void** state)
+{
+	(void)state;
+	for (int k = 1; k <= 100; k *= 10)
+	{
+		scree_world* world = open_world((float)-G);
+		scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, -1.0f, 0.0f);
+		scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 1.0f, 0.0f);
+		double m = mass_of(world, a), n = (1.0 + 0.5 * k) * m, h = STEP / SUBSTEPS;
+		OK(scree_body_set_mass(world, b, (scree_mass){(float)n, (float)n / 6.0f, {0.0f, 0.0f}}));
+		scree_joint joint = pulley(world, a, b, 1.0f, 20.0f);
+		run_steps(world, 60);
+		// the first substep's velocity moves bodies in the second: t (t + h) / 2 in place of t^2 / 2
+		double acceleration = G * (n - m) / (n + m), fallen = 0.5 * acceleration * (1.0 + h),
+		       tension = 2.0 * G * m * n / (n + m);
+		print_message("masses 1 : %.1f: fell %.4f m, theory %.4f m; tension %.3f N, theory %.3f N\n", n / m,
+		              -(double)position_of(world, b).y, fallen, (double)joint_state_of(world, joint).force.y, tension);
+		NEAR(position_of(world, b).y, -fallen, 2e-3 * fallen);
+		NEAR(position_of(world, a).y, fallen, 2e-3 * fallen);
+		NEAR(joint_state_of(world, joint).force.y, tension, 2e-3 * tension);
+		NEAR(position_of(world, b).x, 1.0, 1e-5);
+		scree_world_destroy(world);
+	}
+}
+
+// A tackle of ratio r balances a load of r times the mass, for a minute.
+static void tackles_balance(void** state)
+{
+	(void)state;
+	for (int ratio = 1; ratio <= 100; ratio *= 10)
+	{
+		scree_world* world = open_world((float)-G);
+		scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -2.0f, 0.0f);
+		scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 2.0f, 0.0f);
+		double m = mass_of(world, b);
+		float heavy = (float)(ratio * m);
+		OK(scree_body_set_mass(world, a, (scree_mass){heavy, heavy / 6.0f, {0.0f, 0.0f}}));
+		scree_joint joint = pulley(world, a, b, (float)ratio, 10.0f);
+		run_steps(world, 3600);
+		scree_joint_state at = joint_state_of(world, joint);
+		print_message("tackle of %d: a at %.6f m, b at %.6f m, rope longer by %.6f m\n", ratio,
+		              (double)position_of(world, a).y, (double)position_of(world, b).y,
+		              (double)at.values[0] - 10.0 * (1 + ratio));
+		NEAR(at.force.y, m * G, 1e-3 * m * G);
+		NEAR(at.values[0], 10.0 * (1 + ratio), 1e-3 * (1 + ratio));
+		NEAR(position_of(world, a).y, 0.0, 2e-3);
+		NEAR(velocity_of(world, b).linear.y, 0.0, 1e-3);
+		scree_world_destroy(world);
+	}
+}
+
+// A rope with an upper limit hangs slack when a load is lifted, and stops it when it is taut.
+static void ropes_hang_slack(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	add_floor(world);
+	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -2.0f, 0.5f);
+	scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 2.0f, 3.0f);
+	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, a, b, 1.0f);
+	def.sides[0].base.position = (scree_vec){-2.0f, 10.0f};
+	def.sides[1].base.position = (scree_vec){2.0f, 10.0f};
+	GOOD(scree_joint_def_couple(world, &def));
+	scree_joint_coordinate* along = def.coordinates;
+	along->locked = false;
+	along->limited = true;
+	along->upper = along->target + 1.0f;
+	along->lower = 0.0f;
+	scree_joint joint = add_joint(world, &def);
+	run_steps(world, 20);
+	assert_true(position_of(world, b).y < 2.6f && joint_state_of(world, joint).force.y == 0.0f);
+	run_steps(world, 1200);
+	NEAR(joint_state_of(world, joint).values[0], along->upper, 2e-3);
+	NEAR(joint_state_of(world, joint).force.y, mass_of(world, b) * G, 0.01 * mass_of(world, b) * G);
+	NEAR(joint_state_of(world, joint).speeds[0], 0.0, 1e-3);
+	scree_world_destroy(world);
+}
+
+// A pinion of radius r drives a rack by r times its angle; a winch of radius r lifts a load by as much.
+static void racks_and_winches(void** state)
+{
+	(void)state;
+	for (int hoists = 0; hoists < 2; ++hoists)
+	{
+		scree_world* world = open_world((float)-G);
+		scree_body wheel = add_wheel(world, 0.4f, 0.0f, 0.0f);
+		scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.1f, 0.0f, -5.0f);
+		scree_joint_def def = coupling(SCREE_JOINT_GEAR, wheel, load, 0.4f);
+		def.sides[1].measure = hoists ? SCREE_MEASURE_DISTANCE : SCREE_MEASURE_TRANSLATION;
+		if (!hoists)
+			join(world, SCREE_JOINT_PRISMATIC, NOBODY, load, 0.0f, -5.0f);
+		scree_joint joint = couple(world, &def);
+		scree_joint_def drive = scree_joint_def_make(SCREE_JOINT_MOTOR);
+		drive.body_b = wheel;
+		drive.coordinates[SCREE_ANGLE].motor_speed = 1.0f;
+		drive.coordinates[SCREE_ANGLE].motor_max = 1e4f;
+		scree_joint motor = add_joint(world, &drive);
+		run_steps(world, 480);
+		double turned = joint_state_of(world, motor).values[SCREE_ANGLE];
+		scree_vec at = position_of(world, load);
+		print_message("%s: %.4f m after %.4f rad\n", hoists ? "winch" : "rack",
+		              hoists ? (double)at.y + 5.0 : (double)at.x, turned);
+		NEAR(hoists ? at.y + 5.0f : -at.x, 0.4 * turned, 5e-3);
+		if (hoists)
+			NEAR(joint_state_of(world, joint).force.y, mass_of(world, load) * G, 0.01 * mass_of(world, load) * G);
+		scree_world_destroy(world);
+	}
+}
+
+// Nicholas Tufillaro and others, Swinging Atwood's Machine, Am. J. Phys. 52 (1984): a load M that moves up and down, and a load m
+// that swings at r, phi, both on one rope:
+//     (M + m) r'' = m r phi'^2 - M g + m g cos phi        r phi'' = -2 r' phi' - g sin phi
+// integrated here by the classical Runge-Kutta method. Kinetic and potential energy together stay.
+static void tufillaro(const double s[4], double ratio, double d[4])
+{
+	d[0] = s[2];
+	d[1] = s[3];
+	d[2] = (s[0] * s[3] * s[3] - ratio * G + G * cos(s[1])) / (1.0 + ratio);
+	d[3] = (-2.0 * s[2] * s[3] - G * sin(s[1])) / s[0];
+}
+
+static void runge_kutta(double s[4], double ratio, double h)
+{
+	double k[4][4], at[4];
+	for (int n = 0; n < 4; ++n)
+	{
+		for (int j = 0; j < 4; ++j)
+			at[j] = s[j] + (n ? (n == 3 ? h : 0.5 * h) * k[n - 1][j] : 0.0);
+		tufillaro(at, ratio, k[n]);
+	}
+	for (int j = 0; j < 4; ++j)
+		s[j] += h / 6.0 * (k[0][j] + 2.0 * k[1][j] + 2.0 * k[2][j] + k[3][j]);
+}
+
+static void swinging_loads(void** state)
+{
+	(void)state;
+	double ratio = 2.0, s[4] = {4.0, 1.5, 0.0, 0.0}, worst = 0.0;
+	scree_world* world = open_world((float)-G);
+	scree_body heavy = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, -5.0f, -10.0f);
+	scree_body swings =
+	    add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, (float)(4.0 * sin(1.5)), (float)(-4.0 * cos(1.5)));
+	float m = (float)(ratio * mass_of(world, swings));
+	OK(scree_body_set_mass(world, heavy, (scree_mass){m, m, {0.0f, 0.0f}}));
+	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, heavy, swings, 1.0f);
+	def.sides[0].base.position = (scree_vec){-5.0f, 0.0f};
+	couple(world, &def);
+	for (int k = 1; k <= 300; ++k)
+	{
+		run_steps(world, 1);
+		for (int n = 0; n < 16; ++n)
+			runge_kutta(s, ratio, STEP / 16.0);
+		scree_vec at = position_of(world, swings);
+		worst = fmax(worst, hypot(at.x - s[0] * sin(s[1]), at.y + s[0] * cos(s[1])));
+	}
+	double energy =
+	    0.5 * m * pow(velocity_of(world, heavy).linear.y, 2.0) + m * G * (position_of(world, heavy).y + 10.0);
+	scree_velocity v = velocity_of(world, swings);
+	energy += 0.5 * mass_of(world, swings) * (v.linear.x * v.linear.x + v.linear.y * v.linear.y);
+	energy += mass_of(world, swings) * G * (position_of(world, swings).y + 4.0 * cos(1.5));
+	print_message("swinging Atwood machine: at most %.4f m from Runge-Kutta in 5 s; energy %+.4f J\n", worst, energy);
+	assert_true(worst < 0.1);
+	NEAR(energy, 0.0, 0.02 * m * G * 4.0);
+	scree_world_destroy(world);
+}
+
+// Turns are counted while a joint rests; a teleport counts as the nearest angle; a coupling that broke stays broken.
+static void turns_are_counted(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body a = add_wheel(world, 0.5f, 0.0f, 0.0f), b = add_wheel(world, 0.5f, 5.0f, 0.0f);
+	scree_joint joint = gear(world, a, b, 1.0f);
+	OK(scree_body_set_velocity(world, a, (scree_velocity){{0.0f, 0.0f}, 20.0f}));
+	run_steps(world, 600);
+	double turned = joint_state_of(world, joint).values[1];
+	assert_true(turned > 50.0);
+	for (int way = 0; way < 3; ++way)
+	{
+		if (way == 0)
+		{
+			OK(scree_body_set_enabled(world, b, false));
+			run_steps(world, 3);
+			OK(scree_body_set_enabled(world, b, true));
+		}
+		else if (way == 1)
+		{
+			OK(scree_body_set_type(world, b, SCREE_BODY_KINEMATIC));
+			OK(scree_body_set_type(world, b, SCREE_BODY_DYNAMIC));
+		}
+		else
+			OK(scree_body_set_pose(world, b, (scree_pose){{5.0f, 0.0f}, scree_rot_make(angle_of(world, b) + 0.3f)}));
+		run_steps(world, 120);
+		scree_joint_state at = joint_state_of(world, joint);
+		print_message("way %d: gear at %.4f rad, wheels at %.3f and %.3f rad, %.3f rad/s\n", way, (double)at.values[0],
+		              (double)at.values[1], (double)at.values[2], (double)at.speeds[1]);
+		NEAR(at.values[0], 0.0, 2e-3);
+		NEAR(fabs(at.speeds[1]), 10.0, 4.0);
+	}
+	OK(scree_joint_set_thresholds(world, joint, 1e9f, 0.01f, true));
+	OK(scree_body_apply_angular_impulse(world, a, 3.0f));
+	run_steps(world, 2);
+	assert_true(joint_state_of(world, joint).broken);
+	OK(scree_body_set_enabled(world, b, false));
+	run_steps(world, 1);
+	OK(scree_body_set_enabled(world, b, true));
+	run_steps(world, 1);
+	assert_true(joint_state_of(world, joint).broken);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(gears_keep_their_ratio),
+	    cmocka_unit_test(gears_carry_torque),
+	    cmocka_unit_test(atwood),
+	    cmocka_unit_test(tackles_balance),
+	    cmocka_unit_test(ropes_hang_slack),
+	    cmocka_unit_test(racks_and_winches),
+	    cmocka_unit_test(swinging_loads),
+	    cmocka_unit_test(turns_are_counted),
+	};
+	return cmocka_run_group_tests(tests, set_warnings, reset_warnings);
+}
