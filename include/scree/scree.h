@@ -882,6 +882,10 @@ SCREE_API scree_status scree_joint_set_stiffness(scree_world* world, scree_joint
                                                  float damping_ratio);
 SCREE_API scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
                                                   bool breaks);
+// Of types GEAR and PULLEY only. Angles count on with the new ratio, so that a gear does not jump; distances do not.
+SCREE_API scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio);
+SCREE_API scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a,
+                                             scree_pose base_b); // in the world, as if they had always been there
 SCREE_API scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides);
 SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user);
 

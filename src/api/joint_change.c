@@ -202,6 +202,41 @@ scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, fl
 	return SCREE_OK;
 }
 
+// The index of a gear or a pulley.
+static scree_status lookup_coupling(const scree_world* world, const char* function, scree_joint joint, int* index)
+{
+	TRY(lookup(world, function, joint, index));
+	scree_joint_type type = world->host_joints[*index].def.type;
+	if (joint_couples(type))
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, (Where){function, "joint", ALONE}, "", "is of type %s, not a gear or a pulley",
+	              scree_joint_type_name(type));
+}
+
+scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio)
+{
+	const char* function = "scree_joint_set_ratio";
+	int index = 0;
+	TRY(lookup_coupling(world, function, joint, &index));
+	TRY(check_gear_ratio((Where){function, "ratio", ALONE}, "", ratio));
+	world->host_joints[index].def.ratio = ratio;
+	joint_changed(world, index, false);
+	return SCREE_OK;
+}
+
+scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a, scree_pose base_b)
+{
+	const char* function = "scree_joint_set_bases";
+	int index = 0;
+	TRY(lookup_coupling(world, function, joint, &index));
+	TRY(check_pose((Where){function, "base_a", ALONE}, "", &base_a));
+	TRY(check_pose((Where){function, "base_b", ALONE}, "", &base_b));
+	world->host_joints[index].def.sides[0].base = base_a;
+	world->host_joints[index].def.sides[1].base = base_b;
+	joint_changed(world, index, false);
+	return SCREE_OK;
+}
+
 scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque, bool breaks)
 {
 	const char* function = "scree_joint_set_thresholds";

@@ -66,9 +66,14 @@ static scree_status check_side(Where at, scree_joint_side* side, int k)
 	return check_real(at, names[k][2], side->near, -SCREE_HUGE, SCREE_HUGE);
 }
 
+scree_status check_gear_ratio(Where at, const char* member, float ratio)
+{
+	return check_real(at, member, ratio, -MOST_GEAR_RATIO, MOST_GEAR_RATIO);
+}
+
 scree_status check_joint_coupling(Where at, scree_joint_def* def)
 {
-	TRY(check_real(at, ".ratio", def->ratio, -MOST_GEAR_RATIO, MOST_GEAR_RATIO));
+	TRY(check_gear_ratio(at, ".ratio", def->ratio));
 	for (int k = 0; k < 2; ++k)
 		TRY(check_side(at, def->sides + k, k));
 	return SCREE_OK;

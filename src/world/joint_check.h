@@ -9,6 +9,7 @@ scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate 
 
 // The sides and the ratio of a gear or a pulley; rotations are normalized.
 scree_status check_joint_coupling(Where at, scree_joint_def* def);
+scree_status check_gear_ratio(Where at, const char* member, float ratio);
 
 // Stiffness and thresholds of a definition.
 scree_status check_joint_numbers(Where at, const scree_joint_def* def);

@@ -50,12 +50,34 @@ static void set_frame(Maker* m, Call* call, const char* x, const char* y, const 
 	call_set(call, turn, angle(m));
 }
 
+static float gear(Maker* m)
+{
+	if (chance(m, m->extreme))
+		return PICK(m, 0.0f, 1e-45f, -1e-20f, 1e6f, -1e6f, 1.1e6f, NAN);
+	return between(m, -4.0f, 4.0f);
+}
+
+// Gears and pulleys now and then measure something else than their type does.
+static void set_sides(Maker* m, Call* call)
+{
+	call_set(call, "gear", gear(m));
+	if (chance(m, 0.5))
+		call_set(call, "measure_a", (float)(below(m, 3) + 2 * chance(m, 0.01)));
+	if (chance(m, 0.5))
+		call_set(call, "measure_b", (float)below(m, 3));
+	set_frame(m, call, "bx", "by", "bangle");
+	if (chance(m, 0.1))
+		call_set(call, "near", bounded(m, 50.0f));
+	call_set(call, "couple", (float)chance(m, 0.6));
+}
+
 void put_joint(Maker* m)
 {
 	Call call = call_make(CALL_joint);
+	int type = below(m, 12 + chance(m, 0.01));
 	float a = any_body(m);
 	call_set(&call, "joint", (float)m->joints++);
-	call_set(&call, "type", (float)(below(m, 10 + chance(m, 0.01))));
+	call_set(&call, "type", (float)type);
 	// neighbors, or any two
 	call_set(&call, "a", chance(m, 0.25) ? -1.0f : a);
 	call_set(&call, "b", chance(m, 0.5) ? a + 1.0f : any_body(m));
@@ -67,6 +89,8 @@ void put_joint(Maker* m)
 	call_set(&call, "collides", (float)chance(m, 0.3));
 	if (chance(m, 0.2))
 		set_thresholds(m, &call);
+	if (type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY)
+		set_sides(m, &call);
 	put(m, call);
 }
 
@@ -76,7 +100,7 @@ void put_joints(Maker* m, int count)
 	float apart = PICK(m, 0.0f, 0.25f, 0.5f, 1.0f);
 	call_set(&call, "joint", (float)m->joints);
 	call_set(&call, "count", (float)(count - 1));
-	call_set(&call, "type", PICK(m, 1.0f, 2.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f, 9.0f));
+	call_set(&call, "type", PICK(m, 1.0f, 2.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f, 9.0f, 10.0f, 11.0f));
 	call_set(&call, "body", (float)(m->bodies - count));
 	call_set(&call, "dx", apart);
 	call_set(&call, "dy", chance(m, 0.8) ? 0.0f : apart);
@@ -91,7 +115,8 @@ static void put_coordinate(Maker* m)
 	call_set(&call, "joint", any_joint(m));
 	if (chance(m, 0.3))
 		call_set(&call, "count", (float)(1 + below(m, 6)));
-	call_set(&call, "which", (float)(below(m, 3) + 3 * chance(m, 0.01)));
+	// gears and pulleys have the first one only
+	call_set(&call, "which", (float)(chance(m, 0.3) ? 0 : below(m, 3) + 3 * chance(m, 0.01)));
 	call_set(&call, "drives", (float)below(m, 16));
 	call_set(&call, "target", bounded(m, 2.0f));
 	if (chance(m, 0.4))
@@ -141,7 +166,11 @@ void put_joint_change(Maker* m)
 		call_set(&call, "which", (float)below(m, 3));
 		call_set(&call, "x", bounded(m, 4.0f));
 		break;
+	case CALL_joint_ratio:
+		call_set(&call, "gear", gear(m));
+		break;
 	case CALL_joint_frames:
+	case CALL_joint_bases:
 		set_frame(m, &call, "x", "y", "angle");
 		set_frame(m, &call, "bx", "by", "bangle");
 		break;

@@ -21,7 +21,7 @@ typedef enum
 	CALL_KINDS
 } CallKind;
 
-#define MOST_ARGUMENTS 18
+#define MOST_ARGUMENTS 24
 
 typedef struct
 {

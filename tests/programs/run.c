@@ -499,6 +499,8 @@ scree_status run_call(const Turn* t)
 	case CALL_joint_target:
 	case CALL_joint_speed:
 	case CALL_joint_frames:
+	case CALL_joint_ratio:
+	case CALL_joint_bases:
 	case CALL_joint_stiffness:
 	case CALL_joint_thresholds:
 	case CALL_collide_connected:

@@ -28,6 +28,26 @@ static scree_status make(const Turn* t, const scree_joint_def* defs, int count)
 	return status;
 }
 
+static scree_pose second_pose(const Turn* t)
+{
+	return (scree_pose){call_vec(t, "bx", "by"), scree_rot_make(call_real(t, "bangle"))};
+}
+
+// Sides of a gear or a pulley, both with the same base.
+static void set_sides(const Turn* t, scree_joint_def* def)
+{
+	static const char* const names[] = {"measure_a", "measure_b"};
+	def->ratio = call_real(t, "gear");
+	for (int k = 0; k < 2; ++k)
+	{
+		int measure = call_whole(t, names[k]);
+		if (measure >= 0)
+			def->sides[k].measure = (scree_measure)measure;
+		def->sides[k].base = second_pose(t);
+		def->sides[k].near = call_real(t, "near");
+	}
+}
+
 static scree_status run_one(const Turn* t)
 {
 	scree_joint_def def = scree_joint_def_make((scree_joint_type)call_whole(t, "type"));
@@ -44,6 +64,13 @@ static scree_status run_one(const Turn* t)
 	if (call_whole(t, "far") == 0)
 	{
 		scree_status status = scree_joint_def_place(t->world, &def, call_pose(t));
+		if (status != SCREE_OK)
+			return status;
+	}
+	set_sides(t, &def);
+	if (call_whole(t, "couple") != 0)
+	{
+		scree_status status = scree_joint_def_couple(t->world, &def);
 		if (status != SCREE_OK)
 			return status;
 	}
@@ -132,8 +159,11 @@ scree_status run_joint(const Turn* t)
 		           ? scree_joint_destroy(t->world, joint)
 		           : scree_joints_destroy(t->world, t->names->joints + (count > 0 ? first : 0), count);
 	case CALL_joint_frames:
-		return scree_joint_set_frames(t->world, joint, call_pose(t),
-		                              (scree_pose){call_vec(t, "bx", "by"), scree_rot_make(call_real(t, "bangle"))});
+		return scree_joint_set_frames(t->world, joint, call_pose(t), second_pose(t));
+	case CALL_joint_ratio:
+		return scree_joint_set_ratio(t->world, joint, call_real(t, "gear"));
+	case CALL_joint_bases:
+		return scree_joint_set_bases(t->world, joint, call_pose(t), second_pose(t));
 	case CALL_joint_stiffness:
 		return scree_joint_set_stiffness(t->world, joint, call_real(t, "hertz"), call_real(t, "ratio"));
 	case CALL_joint_thresholds:
