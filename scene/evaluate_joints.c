@@ -16,6 +16,45 @@ static scree_pose frame_at(scree_pose body, const double anchor[2], scree_rot ax
 	                    {(float)(c * axis.c + s * axis.s), (float)(c * axis.s - s * axis.c)}};
 }
 
+static scree_pose pose_of(const Scene* scene, const JointBlock* block, int side, int index)
+{
+	int bodies = block->ends[side].block;
+	return bodies < 0 ? (scree_pose){{0, 0}, {1, 0}} : scene->blocks[bodies].poses[index];
+}
+
+// What side k of a gear or a pulley measures where the bodies are created.
+static double measure(scree_pose body, scree_pose frame, const scree_joint_side* side)
+{
+	double c = body.rotation.c, s = body.rotation.s, fx = frame.position.x, fy = frame.position.y;
+	double x = body.position.x + (c * fx - s * fy) - side->base.position.x;
+	double y = body.position.y + (s * fx + c * fy) - side->base.position.y;
+	double bc = side->base.rotation.c, bs = side->base.rotation.s;
+	if (side->measure == SCREE_MEASURE_TRANSLATION)
+		return x * bc + y * bs;
+	if (side->measure == SCREE_MEASURE_DISTANCE)
+		return sqrt(x * x + y * y);
+	double fc = c * frame.rotation.c - s * frame.rotation.s, fs = s * frame.rotation.c + c * frame.rotation.s;
+	return scree_rot_get_angle((scree_rot){(float)(bc * fc + bs * fs), (float)(bc * fs - bs * fc)});
+}
+
+static bool couple(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
+                   scree_joint_def* def)
+{
+	const scree_pose frames[2] = {def->frame_a, def->frame_b};
+	int indices[2] = {ends->a, ends->b};
+	double measures[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		if (!items_pose(items, block->base_positions[k], &block->base_angles[k], &def->sides[k].base))
+			return false;
+		measures[k] = measure(pose_of(scene, block, k, indices[k]), frames[k], def->sides + k);
+		def->sides[k].near = def->sides[k].measure == SCREE_MEASURE_ANGLE ? (float)measures[k] : 0.0f;
+	}
+	if (block->measured)
+		def->coordinates[SCREE_ALONG].target = (float)(measures[1] + (double)def->ratio * measures[0]);
+	return true;
+}
+
 static bool place(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
                   scree_joint_def* def)
 {
@@ -28,16 +67,14 @@ static bool place(const Items* items, const Scene* scene, const JointBlock* bloc
 	scree_rot axis = radians == 0 ? (scree_rot){1, 0} : scree_rot_make(radians);
 	for (int k = 0; k < 2; ++k)
 	{
-		scree_pose body = {{0, 0}, {1, 0}};
-		if (block->ends[k].block >= 0)
-			body = scene->blocks[block->ends[k].block].poses[indices[k]];
+		scree_pose body = pose_of(scene, block, k, indices[k]);
 		if (!items_value(items, &block->anchors[k][0], &anchors[k][0]) ||
 		    !items_value(items, &block->anchors[k][1], &anchors[k][1]))
 			return false;
 		*frames[k] = frame_at(body, anchors[k], axis);
 	}
 	double x = anchors[1][0] - anchors[0][0], y = anchors[1][1] - anchors[0][1];
-	if (block->measured)
+	if (block->measured && !block->coupled)
 		def->coordinates[SCREE_ALONG].target = (float)sqrt(x * x + y * y);
 	return true;
 }
@@ -72,10 +109,10 @@ static bool joint_of(const Items* items, const Scene* scene, const JointBlock* b
 		snprintf(text, sizeof text, "%s.limits: %.9g is above %.9g", names[k], c->lower, c->upper);
 		return items_fail(items, block->path, text);
 	}
-	if (block->placed)
-		return place(items, scene, block, ends, def);
-	return items_pose(items, block->positions[0], &block->angles[0], &def->frame_a) &&
-	       items_pose(items, block->positions[1], &block->angles[1], &def->frame_b);
+	bool good = block->placed ? place(items, scene, block, ends, def)
+	                          : items_pose(items, block->positions[0], &block->angles[0], &def->frame_a) &&
+	                                items_pose(items, block->positions[1], &block->angles[1], &def->frame_b);
+	return good && (!block->coupled || couple(items, scene, block, ends, def));
 }
 
 static bool flush(JointBatch* batch)

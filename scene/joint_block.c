@@ -18,6 +18,9 @@ static const char* const joint_keys[] = {"type",
                                          "angle",
                                          "hertz",
                                          "damping_ratio",
+                                         "ratio",
+                                         "side_a",
+                                         "side_b",
                                          "collide_connected",
                                          "breaks",
                                          "force_threshold",
@@ -27,8 +30,10 @@ static const char* const joint_keys[] = {"type",
                                          NULL};
 static const char* const end_keys[] = {"body", "index", NULL};
 static const char* const frame_keys[] = {"position", "angle", NULL};
+static const char* const side_keys[] = {"measure", "position", "angle", NULL};
 static const char* const coordinate_keys[] = {"locked", "target", "limits", "spring", "motor", "lock", NULL};
 
+static const Range any_ratio = {-1e6, 1e6, false, false};
 static const Range any_force = {0, FLT_MAX, false, false};
 
 typedef struct // a number and its place in scree_joint_def or scree_joint_coordinate
@@ -47,6 +52,7 @@ static const Member joint_members[] = {{"hertz", offsetof(scree_joint_def, hertz
                                        {"force_threshold", offsetof(scree_joint_def, force_threshold), &any_force},
                                        {"torque_threshold", offsetof(scree_joint_def, torque_threshold), &any_force},
                                        {NULL, 0, NULL}};
+static const Member ratio_members[] = {{"ratio", offsetof(scree_joint_def, ratio), &any_ratio}, {NULL, 0, NULL}};
 static const Member target_members[] = {COORDINATE("target", target, &any_coordinate), {NULL, 0, NULL}};
 static const Member spring_members[] = {COORDINATE("hertz", spring_hertz, &not_negative),
                                         COORDINATE("damping_ratio", spring_damping_ratio, &not_negative),
@@ -145,7 +151,7 @@ static bool read_coordinate(Reader* reader, const Location* location, const json
 static bool read_type(Reader* reader, const Location* location, const json_t* value, scree_joint_type* type)
 {
 	char names[160] = "";
-	for (int k = SCREE_JOINT_FREE; k <= SCREE_JOINT_FILTER; ++k)
+	for (int k = SCREE_JOINT_FREE; k <= SCREE_JOINT_PULLEY; ++k)
 	{
 		const char* name = scree_joint_type_name((scree_joint_type)k);
 		*type = (scree_joint_type)k;
@@ -230,6 +236,48 @@ static bool read_place(Reader* reader, const Location* location, const json_t* v
 	return !anchor || read_anchors(reader, location, value, block);
 }
 
+static bool read_side(Reader* reader, const Location* location, const json_t* value, int side, JointBlock* block)
+{
+	static const char* const names[] = {"angle", "translation", "distance"};
+	const json_t* measure = json_object_get(value, "measure");
+	if (!value)
+		return true;
+	if (!reader_object(reader, location, value, side_keys))
+		return false;
+	bool known = measure == NULL;
+	for (int k = 0; !known && k < 3; ++k)
+	{
+		known = json_is_string(measure) && strcmp(json_string_value(measure), names[k]) == 0;
+		block->def.sides[side].measure = (scree_measure)k;
+	}
+	if (!known)
+		return reader_fail_value(reader, KEY(location, "measure"), measure,
+		                         "must be one of angle, translation, distance");
+	return (!json_object_get(value, "position") ||
+	        reader_pair(reader, location, value, "position", any_coordinate, block->base_positions[side])) &&
+	       reader_member(reader, location, value, "angle", any_angle, 0, &block->base_angles[side]);
+}
+
+// Reads what only gears and pulleys have.
+static bool read_coupling(Reader* reader, const Location* location, const json_t* value, JointBlock* block)
+{
+	static const char* const keys[] = {"side_a", "side_b", "ratio"};
+	block->coupled = block->def.type == SCREE_JOINT_GEAR || block->def.type == SCREE_JOINT_PULLEY;
+	for (int k = 0; !block->coupled && k < 3; ++k)
+		if (json_object_get(value, keys[k]))
+			return reader_fail(reader, KEY(location, keys[k]), "only a gear or a pulley has it");
+	for (int k = 0; block->coupled && k < 2; ++k)
+	{
+		const char* key = k ? "across" : "angle";
+		if (json_object_get(value, key))
+			return reader_fail(reader, KEY(location, key), "a gear or a pulley has the coordinate along only");
+		if (!read_side(reader, KEY(location, keys[k]), json_object_get(value, keys[k]), k, block))
+			return false;
+	}
+	block->measured |= block->coupled && !json_object_get(json_object_get(value, "along"), "target");
+	return read_members(reader, location, value, ratio_members, 0, block);
+}
+
 static bool read_joint(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                        JointBlock* block)
 {
@@ -245,6 +293,7 @@ static bool read_joint(Reader* reader, const Location* location, const json_t* v
 			return false;
 	}
 	return read_ends(reader, location, value, scene, block) && read_place(reader, location, value, block) &&
+	       read_coupling(reader, location, value, block) &&
 	       read_members(reader, location, value, joint_members, 0, block) &&
 	       reader_boolean(reader, KEY(location, "collide_connected"), json_object_get(value, "collide_connected"),
 	                      &block->def.collide_connected) &&
@@ -272,10 +321,12 @@ void joint_block_free(JointBlock* block)
 	{
 		number_free(&block->ends[k].index);
 		number_free(&block->angles[k]);
+		number_free(&block->base_angles[k]);
 		for (int axis = 0; axis < 2; ++axis)
 		{
 			number_free(&block->anchors[k][axis]);
 			number_free(&block->positions[k][axis]);
+			number_free(&block->base_positions[k][axis]);
 		}
 	}
 }

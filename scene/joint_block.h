@@ -5,7 +5,7 @@
 #include "scene/loop.h"
 #include "scene/scene.h"
 
-#define MAX_JOINT_NUMBERS 34 // 4 of the joint and 10 of each coordinate: more than any entry can have
+#define MAX_JOINT_NUMBERS 35 // 5 of the joint and 10 of each coordinate: more than any entry can have
 
 typedef struct // one of the two bodies of each joint
 {
@@ -28,13 +28,16 @@ struct JointBlock
 	JointNumber numbers[MAX_JOINT_NUMBERS];
 	int number_count;
 	// either anchors in the world, where the bodies are created, and the direction of the x axes of both frames
-	bool placed, measured; // measured: the target along is the distance of the anchors
-	Number anchors[2][2];  // m
-	Number axis;           // rad
+	bool placed, coupled, measured; // measured: the target along is the distance of the anchors
+	Number anchors[2][2];           // m
+	Number axis;                    // rad
 	// or frames in the bodies
 	Number positions[2][2]; // m
 	Number angles[2];       // rad
-	int64_t count;          // items
+	// bases of a gear or a pulley, in the world; measured: the target along is what it measures from them
+	Number base_positions[2][2]; // m
+	Number base_angles[2];       // rad
+	int64_t count;               // items
 };
 
 // Reads one entry of "joints". The blocks of bodies have been read. The caller frees the block, also on failure.

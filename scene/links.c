@@ -27,6 +27,13 @@ static bool set_end(Link* link, int end, const Sprites* sprites, const scree_wor
 	return true;
 }
 
+// Whether a rope goes over the bases of both sides.
+static bool joint_hoists(const scree_joint_def* def)
+{
+	return (def->type == SCREE_JOINT_GEAR || def->type == SCREE_JOINT_PULLEY) &&
+	       def->sides[0].measure == SCREE_MEASURE_DISTANCE && def->sides[1].measure == SCREE_MEASURE_DISTANCE;
+}
+
 bool links_list(Links* links, const Sprites* sprites, scree_world* world)
 {
 	int count;
@@ -43,6 +50,9 @@ bool links_list(Links* links, const Sprites* sprites, scree_world* world)
 		good = scree_joint_get_def(world, joints[k], &def) == SCREE_OK &&
 		       set_end(link, 0, sprites, world, def.body_a, def.frame_a) &&
 		       set_end(link, 1, sprites, world, def.body_b, def.frame_b);
+		link->roped = joint_hoists(&def);
+		for (int side = 0; side < 2; ++side)
+			link->bases[side] = def.sides[side].base.position;
 		links->count += def.type != SCREE_JOINT_FILTER;
 	}
 	free(joints);
@@ -61,7 +71,7 @@ static scree_vec anchor_of(const Link* link, int end, const scree_pose* poses)
 	                   body.position.y + body.rotation.s * at.x + body.rotation.c * at.y};
 }
 
-int link_points(const Link* link, const scree_pose* poses, scree_vec points[4], int anchors[2])
+int link_points(const Link* link, const scree_pose* poses, scree_vec points[LINK_POINTS], int anchors[2])
 {
 	int count = 0;
 	if (link->centers[0])
@@ -70,6 +80,8 @@ int link_points(const Link* link, const scree_pose* poses, scree_vec points[4], 
 	{
 		anchors[end] = count;
 		points[count++] = anchor_of(link, end, poses);
+		for (int side = 0; end == 0 && link->roped && side < 2; ++side)
+			points[count++] = link->bases[side];
 	}
 	if (link->centers[1])
 		points[count++] = poses[link->bodies[1]].position;

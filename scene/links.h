@@ -10,6 +10,8 @@ typedef struct // one joint to draw
 	int bodies[2];        // index in Sprites.bodies, -1 for the world
 	bool centers[2];      // whether the line goes on to the body's origin
 	scree_vec anchors[2]; // m, in the bodies' frames or in the world
+	bool roped;           // between the anchors the line goes over the bases of a pulley
+	scree_vec bases[2];   // m, in the world
 } Link;
 
 typedef struct
@@ -22,7 +24,9 @@ typedef struct
 bool links_list(Links* links, const Sprites* sprites, scree_world* world);
 void links_free(Links* links);
 
-// The 2 to 4 points of the line in the world, and the places of both anchors among them; returns the count of points.
-int link_points(const Link* link, const scree_pose* poses, scree_vec points[4], int anchors[2]);
+#define LINK_POINTS 6
+
+// The 2 to LINK_POINTS points of the line in the world, and the places of both anchors among them; returns the count of points.
+int link_points(const Link* link, const scree_pose* poses, scree_vec points[LINK_POINTS], int anchors[2]);
 
 #endif

@@ -197,10 +197,10 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 
 static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 {
-	scree_vec points[4];
+	scree_vec points[LINK_POINTS];
 	int anchors[2];
 	int count = link_points(link, poses, points, anchors);
-	double x[4], y[4], length = 0;
+	double x[LINK_POINTS], y[LINK_POINTS], length = 0;
 	for (int k = 0; k < count; ++k)
 	{
 		x[k] = (points[k].x - p->viewport.left) * p->viewport.scale;

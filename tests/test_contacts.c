@@ -248,6 +248,31 @@ static void contacts_of_one_body(void** state)
 	scree_world_destroy(world);
 }
 
+// Before any step took time, the contacts of a body are still those of all, with the same details.
+static void details_of_a_first_look(void** state)
+{
+	(void)state;
+	scree_world_def world_def = scree_world_def_default();
+	world_def.contact_details = true;
+	world_def.device = device;
+	scree_world* world;
+	assert_ok(scree_world_create(&world_def, &world));
+	add_ground(world);
+	scree_body_def def = box_def(world, SCREE_BODY_DYNAMIC, 0.0f, 0.45f);
+	def.velocity.linear.y = -3.0f;
+	scree_body body;
+	scree_contact all, one;
+	int count, total;
+	assert_ok(scree_body_create(world, &def, &body));
+	assert_ok(scree_world_step(world, 0.0f, 4));
+	assert_ok(scree_world_get_contacts(world, &all, 1, &total));
+	assert_ok(scree_body_get_contacts(world, body, &one, 1, &count));
+	assert_true(total == 1 && count == 1);
+	assert_memory_equal(&all, &one, sizeof all);
+	assert_true(one.details[0].approach_speed == 3.0f);
+	scree_world_destroy(world);
+}
+
 // Bullets of 0.1 kg and 100 m/s stop at a wall in the course of a step, by one substep's impulse or another's: each tells of it,
 // with the momentum that it lost and the speed at which it came.
 static void details_tell_of_every_blow(void** state)
@@ -316,6 +341,7 @@ int main(void)
 	    cmocka_unit_test(free_collidables_only_detect),
 	    cmocka_unit_test(settings_are_kept),
 	    cmocka_unit_test(contacts_of_one_body),
+	    cmocka_unit_test(details_of_a_first_look),
 	    cmocka_unit_test(details_tell_of_every_blow),
 	};
 	return RUN_ON_DEVICES(tests);

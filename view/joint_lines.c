@@ -149,7 +149,7 @@ void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* c
 		largest = fmaxf(largest, force_of(&lines->states[k]));
 	for (int k = 0; k < lines->links.count; ++k)
 	{
-		scree_vec points[4];
+		scree_vec points[LINK_POINTS];
 		int anchors[2], count = link_points(&lines->links.list[k], lines->poses, points, anchors);
 		// the square root makes small loads visible beside large ones
 		bool small = 0.04f * camera->scale < LEAST && length_of(points, count) * camera->scale < detail;

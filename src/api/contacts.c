@@ -245,7 +245,7 @@ scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, 
 	TRY(check_list(function, "contacts", contacts, capacity, count));
 	TRY(world_upload(world));
 	if (world->pipeline.counters.contacts > 0)
-		TRY(world_note(world, pipeline_list_contacts(&world->pipeline, index, &found)));
+		TRY(world_note(world, pipeline_list_contacts(&world->pipeline, index, world->def.contact_details, &found)));
 	if (found > 0)
 		return list_rows(world, function, found, contacts, size, capacity, count);
 	*count = 0;

@@ -191,19 +191,21 @@ scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
 	return b->f->run(b, &step, &run, 1);
 }
 
-scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count)
+scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count)
 {
 	Backend* b = pipeline->backend;
+	Step step = pipeline->step; // of the last step that took time, if there was one
+	step.details = details;
 	int slots = pipeline->counters.contacts;
 	Run mark[] = {{.stage = STAGE_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
 	              {.stage = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
-	TRY(b->f->run(b, &pipeline->step, mark, 2));
+	TRY(b->f->run(b, &step, mark, 2));
 	TRY(b->f->read(b, POOL_scan, slots, 1, count));
 	if (*count == 0)
 		return SCREE_OK;
 	TRY(pipeline_reserve(pipeline, PER_LISTED, *count));
 	Run list = {.stage = STAGE_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
-	return b->f->run(b, &pipeline->step, &list, 1);
+	return b->f->run(b, &step, &list, 1);
 }
 
 void pipeline_move(Pipeline* pipeline, Backend* backend)

@@ -24,8 +24,8 @@ scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared);
 // Updates the pool joint_state for slots first to first + count - 1 of joints. The user's changes are on the device.
 scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count);
 
-// Collects the touching contacts of a body in the pool listed, and sets *count to their number. The user's changes are on the
-// device.
-scree_status pipeline_list_contacts(Pipeline* pipeline, int body, int* count);
+// Collects the touching contacts of a body in the pool listed, with what they did in the last step if details are kept, and sets
+// *count to their number. The user's changes are on the device.
+scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count);
 
 #endif
