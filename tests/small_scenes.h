@@ -26,6 +26,7 @@ static const SmallScene small_scenes[] = {
     {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
+    {"gears", 240, {{"columns", "3"}, {"rows", "2"}}},
     {"machine", 240, {{"columns", "3"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
