@@ -255,9 +255,18 @@ typedef struct // 240 bytes: a joint as the user wants it
 } JointEdit;
 
 // Spots of a chain: its joints 0, 2, 4, ... first, then, from the next block of MAX_LANES on, 1, 3, 5, ... Those of one half
-// have no bodies in common, so that a wide pass takes a block of them.
-#define CHAIN_HALF(count)    (((count) + 2 * MAX_LANES - 1) / (2 * MAX_LANES) * MAX_LANES)
-#define CHAIN_SPOT(count, k) ((k) / 2 + ((k) % 2) * CHAIN_HALF(count))
+// have no bodies in common, so that a wide pass takes a block of them. Chains of similar lengths lie side by side: joints k of
+// MAX_LANES chains are one block. stride is from joint 0 of a chain to its joint 2: 1, or MAX_LANES.
+#define CHAIN_HALF(count, stride)    ((((count) + 1) / 2 * (stride) + MAX_LANES - 1) / MAX_LANES * MAX_LANES)
+#define CHAIN_SPOT(count, stride, k) ((k) / 2 * (stride) + ((k) % 2) * CHAIN_HALF(count, stride))
+
+typedef struct // 16 bytes: a chain, or some side by side
+{
+	int first; // spot of joint 0
+	int count; // joints of the longest one
+	int stride;
+	int lanes; // chains
+} ChainRange;
 
 typedef struct // MAX_LANES joints in the systems of their chains: working data of a pass
 {

@@ -9,7 +9,7 @@
 // exceeds its own. All constraints of the link see the same inertia: otherwise they would take turns in adding energy.
 //
 // Joints 0, 2, 4, ... of a chain have no bodies in common, nor have 1, 3, 5, ...: each half is a row of places, of which a wide
-// pass takes a block at once. Only the system itself is solved joint by joint.
+// pass takes a block at once. Chains of similar lengths lie side by side: a block has one joint of each.
 //
 // This work is based on:
 // Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
@@ -17,13 +17,6 @@
 #define CHAIN_H
 #include "constraints/kinds.h"
 #include "stages/chain_solve.h"
-
-typedef struct // where a chain is
-{
-	int count;       // joints
-	int first, odds; // spot of joint 0; spots from there to that of joint 1
-	int begin;       // place of spot 0 of all chains
-} Chain;
 
 typedef struct // a joint of a chain, with its bodies, in registers
 {
@@ -33,9 +26,17 @@ typedef struct // a joint of a chain, with its bodies, in registers
 } ChainLink;
 
 // Loops over the spots of one half of a chain: 0 for even joints, 1 for odd ones. A wide pass runs on into inert places.
-#define CHAIN_EACH(spot, chain, odd)                                       \
-	for (int spot = (chain)->first + (odd) * (chain)->odds + group_lane(); \
-	     spot < (chain)->first + (odd) * (chain)->odds + ((chain)->count + 1 - (odd)) / 2; spot += group_width())
+#define CHAIN_EACH(spot, chain, odd)                                                                         \
+	for (int spot = (chain)->first + (odd) * (chain)->odds + group_lane();                                   \
+	     spot < (chain)->first + (odd) * (chain)->odds + ((chain)->count + 1 - (odd)) / 2 * (chain)->stride; \
+	     spot += group_width())                                                                              \
+		if (chain_has(chain, spot))
+
+// Whether there is a chain at a spot, of those that lie side by side.
+INLINE int chain_has(const Chain* chain, int spot)
+{
+	return chain->stride == 1 || (spot & (MAX_LANES - 1)) < chain->lanes;
+}
 
 // A row of chain_joints, and a member of it at spots.
 #define CHAIN_AT(p, member, spot)     load(&chain_at(p, member, spot), 0)
@@ -86,9 +87,6 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	CHAIN_PUT(p, tension_a, spot, splat(-p->step.h) * vec_dot(link.c.arm_a, push));
 	CHAIN_PUT(p, tension_b, spot, splat(p->step.h) * vec_dot(link.c.arm_b, push));
 }
-
-// The spot of joint k.
-INLINE int chain_spot(const Chain* chain, int k) { return chain->first + CHAIN_SPOT(chain->count, k); }
 
 INLINE float chain_pull_of(const Pools* p, int spot, int side)
 {
@@ -199,29 +197,32 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 }
 
 // Floats between two blocks of a row of chain_joints, in lanes.
-#define CHAIN_ROWS                  ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
-#define CHAIN_GATHER(p, member, at) gather((const GLOBAL float*)(p)->chain_joints->member, at)
+#define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
+// A member of the joints before: from spot first on where chains lie side by side.
+#define CHAIN_BEFORE(p, member) \
+	(chain->stride > 1 ? CHAIN_AT(p, member, first) : gather((const GLOBAL float*)(p)->chain_joints->member, at))
 
 // The velocities that impulses along the coordinates of the joint before cause along those of this one, through their common
 // body.
 INLINE void chain_couple(const Pools* p, const Chain* chain, int spot, int odd)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
-	Int before = indices(odd ? spot - chain->odds : spot + chain->odds - 1), low = before & (MAX_LANES - 1);
+	int first = odd ? spot - chain->odds : spot + chain->odds - chain->stride;
+	Int before = indices(first), low = before & (MAX_LANES - 1);
 	Int at = (before - low) * CHAIN_ROWS + low, right = CHAIN_AT(p, side, spot) > zero;
 	Int right_there = CHAIN_AT(p, other, spot) > zero;
 	Real inverse = CHAIN_AT(p, inv_mass, spot), turning = CHAIN_AT(p, turns, spot);
 	Real sign = choose(splat(-1.0f), one, right == right_there), lever[3], across[3];
-	Int holds = whole(CHAIN_AT(p, holds, spot)), locks = whole(CHAIN_GATHER(p, locks, at));
+	Int holds = whole(CHAIN_AT(p, holds, spot)), locks = whole(CHAIN_BEFORE(p, locks));
 	Vec axis[2], other[2];
 	axis[0] = vec(CHAIN_AT(p, axis[0], spot), CHAIN_AT(p, axis[1], spot));
-	other[0] = vec(CHAIN_GATHER(p, axis[0], at), CHAIN_GATHER(p, axis[1], at));
+	other[0] = vec(CHAIN_BEFORE(p, axis[0]), CHAIN_BEFORE(p, axis[1]));
 	axis[1] = vec(-axis[0].y, axis[0].x);
 	other[1] = vec(-other[0].y, other[0].x);
 	for (int k = 0; k < 2; ++k)
 	{
 		lever[k] = choose(CHAIN_AT(p, lever_a[k], spot), CHAIN_AT(p, lever_b[k], spot), right);
-		across[k] = choose(CHAIN_GATHER(p, lever_a[k], at), CHAIN_GATHER(p, lever_b[k], at), right_there);
+		across[k] = choose(CHAIN_BEFORE(p, lever_a[k]), CHAIN_BEFORE(p, lever_b[k]), right_there);
 	}
 	lever[JOINT_ANGLE] = across[JOINT_ANGLE] = one;
 	for (int i = 0; i < 3; ++i)
@@ -245,18 +246,29 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	chain_store(p, chain, spot, &link);
 }
 
+// One of chains side by side.
+INLINE Chain chain_lane(const Chain* chain, int lane)
+{
+	Chain one = *chain;
+	one.first += lane;
+	return one;
+}
+
 INLINE void chain_begin(const Pools* p, const Chain* chain)
 {
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(spot, chain, odd)
 	chain_tension(p, chain, spot);
 	group_meet();
-	for (int k = part_lane(); k < chain->count; k += part_width())
-		chain_stiffen(p, chain, k);
-	group_meet();
-	for (int k = part_lane(); k < chain->count; k += part_width())
+	for (int k = part_lane(); k < chain->count * chain->lanes; k += part_width())
 	{
-		int spot = chain_spot(chain, k);
+		Chain one = chain_lane(chain, k % chain->lanes);
+		chain_stiffen(p, &one, k / chain->lanes);
+	}
+	group_meet();
+	for (int k = part_lane(); k < chain->count * chain->lanes; k += part_width())
+	{
+		int spot = chain_spot(chain, k / chain->lanes) + k % chain->lanes;
 		chain_set_inertias(p, chain->begin + spot, chain_at(p, step_a, spot), chain_at(p, step_b, spot));
 	}
 	group_meet();
@@ -271,7 +283,7 @@ INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(spot, chain, odd)
 	chain_couple(p, chain, spot, odd);
-	chain_solve(p, chain->first, chain->count);
+	chain_solve(p, chain);
 	for (int odd = 0; odd < 2; ++odd)
 	{
 		CHAIN_EACH(spot, chain, odd)
@@ -283,9 +295,11 @@ INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
 INLINE Chain chain_number(const Pools* p, int i)
 {
 	Chain chain;
-	chain.first = p->chain[i].x;
-	chain.count = p->chain[i].y;
-	chain.odds = CHAIN_HALF(chain.count);
+	chain.first = p->chain[i].first;
+	chain.count = p->chain[i].count;
+	chain.stride = p->chain[i].stride;
+	chain.lanes = p->chain[i].lanes;
+	chain.odds = CHAIN_HALF(chain.count, chain.stride);
 	chain.begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
 	return chain;
 }
@@ -314,9 +328,9 @@ GROUP_STAGE(chain)
 GROUP_STAGE(chain_end)
 {
 	Chain chain = chain_number(p, i);
-	for (int k = part_lane(); k < chain.count; k += part_width())
+	for (int k = part_lane(); k < chain.count * chain.lanes; k += part_width())
 	{
-		int spot = chain_spot(&chain, k);
+		int spot = chain_spot(&chain, k / chain.lanes) + k % chain.lanes;
 		chain_set_inertias(p, chain.begin + spot, chain_at(p, own_a, spot), chain_at(p, own_b, spot));
 	}
 	(void)bench;

@@ -2,7 +2,8 @@
 // chain_solve.h -- the linear system of a chain of joints, by cyclic reduction: a work-group eliminates every second joint at once.
 //
 // The system is symmetric and block tridiagonal with blocks of 3 x 3, one row of blocks for each joint. Its solution is exact, so
-// a load at one end acts on the other end within a pass, whatever the masses between them.
+// a load at one end acts on the other end within a pass, whatever the masses between them. Of chains that lie side by side a CPU
+// takes LANES at once. A shorter one is inert at its end, which changes no bit.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -13,130 +14,93 @@
 
 #define CHAIN_PIVOT 1.0e-6f // least share of its diagonal that a pivot keeps: below it is rounding
 
-// Components of a joint in chain_joints are MAX_LANES floats apart: the n-th one of a block that begins at v.
-#define CHAIN_OF(v, n) (v)[(n)*MAX_LANES]
-
-// The inverse of a symmetric block: 00, 01, 02, 11, 12, 22, by L D L^T.
-INLINE void chain_invert(GLOBAL float* block)
+typedef struct // where a chain is, or some side by side
 {
-	float d[6];
-	for (int n = 0; n < 6; ++n)
-		d[n] = CHAIN_OF(block, n);
-	float d0 = d[0], l1 = d[1] / d0, l2 = d[2] / d0, d1 = d[3] - l1 * d[1], rest = d[4] - l1 * d[2];
-	d1 = d1 > CHAIN_PIVOT * d[3] ? d1 : CHAIN_PIVOT * d[3];
-	float l12 = rest / d1, d2 = (d[5] - l2 * d[2]) - l12 * rest;
-	d2 = d2 > CHAIN_PIVOT * d[5] ? d2 : CHAIN_PIVOT * d[5];
-	// columns of the inverse of L are (1, -l1, l1 l12 - l2), (0, 1, -l12), (0, 0, 1)
-	float m2 = l1 * l12 - l2, i0 = 1.0f / d0, i1 = 1.0f / d1, i2 = 1.0f / d2;
-	CHAIN_OF(block, 0) = i0 + (l1 * i1 * l1 + m2 * i2 * m2);
-	CHAIN_OF(block, 1) = -l1 * i1 - m2 * i2 * l12;
-	CHAIN_OF(block, 2) = m2 * i2;
-	CHAIN_OF(block, 3) = i1 + l12 * i2 * l12;
-	CHAIN_OF(block, 4) = -l12 * i2;
-	CHAIN_OF(block, 5) = i2;
+	int count;       // joints
+	int first, odds; // spot of joint 0; spots from there to that of joint 1
+	int stride;      // spots from joint 0 to joint 2
+	int lanes;       // chains
+	int begin;       // place of spot 0 of all chains
+} Chain;
+
+#define NUMBER        float
+#define SOLVES(name)  chain_##name
+#define GET(at)       (*(at))
+#define PUT(at, x)    (*(at) = (x))
+#define PICK(a, b, c) ((c) ? (b) : (a))
+#include "stages/chain_block.h"
+#undef NUMBER
+#undef SOLVES
+#undef GET
+#undef PUT
+#undef PICK
+
+#if LANES > 1
+#define NUMBER        Real
+#define SOLVES(name)  chains_##name
+#define GET(at)       load(at, 0)
+#define PUT(at, x)    store(at, 0, x)
+#define PICK(a, b, c) choose(a, b, c)
+#include "stages/chain_block.h"
+#undef NUMBER
+#undef SOLVES
+#undef GET
+#undef PUT
+#undef PICK
+#define CHAIN_DO(chain, name, ...) ((chain)->stride > 1 ? chains_##name(__VA_ARGS__) : chain_##name(__VA_ARGS__))
+#else
+#define CHAIN_DO(chain, name, ...) chain_##name(__VA_ARGS__)
+#endif
+
+// The spot of joint k of the first chain.
+INLINE int chain_spot(const Chain* chain, int k) { return chain->first + k / 2 * chain->stride + k % 2 * chain->odds; }
+
+// Chains that lie side by side are solved so many at a time.
+INLINE int chain_turns(const Chain* chain) { return chain->stride > 1 ? (chain->lanes + LANES - 1) / LANES : 1; }
+
+// The spot of joint k in a turn, -1 where there is none.
+INLINE int chain_spot_at(const Chain* chain, int k, int turn)
+{
+	return k < 0 || k >= chain->count ? -1 : chain_spot(chain, k) + turn * LANES;
 }
 
-// A symmetric block times a vector.
-INLINE void chain_times(const GLOBAL float* d, const float v[3], float out[3])
+// Loops over joints from, from + by, ... in all turns, split among a work-group.
+#define CHAIN_JOINTS(k, turn, chain, from, by)                                                                   \
+	for (int turns_ = chain_turns(chain), n_ = part_lane(), turn = n_ % turns_, k = (from) + n_ / turns_ * (by); \
+	     k < (chain)->count; n_ += part_width(), turn = n_ % turns_, k = (from) + n_ / turns_ * (by))
+
+// Takes the joints that lie top joints away out of joint k.
+INLINE void chain_reduce(const Pools* p, const Chain* chain, int k, int top, int turn)
 {
-	out[0] = CHAIN_OF(d, 0) * v[0] + CHAIN_OF(d, 1) * v[1] + CHAIN_OF(d, 2) * v[2];
-	out[1] = CHAIN_OF(d, 1) * v[0] + CHAIN_OF(d, 3) * v[1] + CHAIN_OF(d, 4) * v[2];
-	out[2] = CHAIN_OF(d, 2) * v[0] + CHAIN_OF(d, 4) * v[1] + CHAIN_OF(d, 5) * v[2];
+	int spot = chain_spot_at(chain, k, turn), behind = chain_spot_at(chain, k + top, turn);
+	if (behind >= 0)
+		CHAIN_DO(chain, take, p, spot, behind, 1);
+	if (k >= top)
+		CHAIN_DO(chain, take, p, spot, chain_spot_at(chain, k - top, turn), -1);
 }
 
-// Takes the joint at spot `other`, eliminated, out of the one at spot k: side is -1 if it comes before, 1 if behind. l is the
-// block that couples the two.
-INLINE void chain_take(const Pools* p, int k, int other, const GLOBAL float* l, int side, float coupled[9])
-{
-	const GLOBAL float *d = &chain_at(p, d[0], other), *r = &chain_at(p, r[0], other);
-	float row[3][3], times[3][3], column[3];
-	for (int i = 0; i < 3; ++i)
-		for (int j = 0; j < 3; ++j)
-			row[i][j] = side > 0 ? CHAIN_OF(l, 3 * j + i) : CHAIN_OF(l, 3 * i + j);
-	for (int i = 0; i < 3; ++i)
-		chain_times(d, row[i], times[i]); // row i of coupling times inverse
-	for (int i = 0; i < 3; ++i)
-		chain_at(p, r[i], k) -=
-		    times[i][0] * CHAIN_OF(r, 0) + times[i][1] * CHAIN_OF(r, 1) + times[i][2] * CHAIN_OF(r, 2);
-	for (int i = 0, n = 0; i < 3; ++i)
-		for (int j = i; j < 3; ++j, ++n)
-			chain_at(p, d[n], k) -= times[i][0] * row[j][0] + times[i][1] * row[j][1] + times[i][2] * row[j][2];
-	// what couples k with the joint before the one that was taken out
-	for (int i = 0; i < 3 && side < 0; ++i)
-	{
-		for (int j = 0; j < 3; ++j)
-		{
-			for (int m = 0; m < 3; ++m)
-				column[m] = chain_at(p, l[3 * m + j], other);
-			coupled[3 * i + j] = -(times[i][0] * column[0] + times[i][1] * column[1] + times[i][2] * column[2]);
-		}
-	}
-}
-
-// The solution of joint k, which lies between two that are solved, top joints away.
-INLINE void chain_back(const Pools* p, int first, int count, int k, int top)
-{
-	int spot = first + CHAIN_SPOT(count, k), before = first + CHAIN_SPOT(count, k - top);
-	float r[3], x[3];
-	for (int i = 0; i < 3; ++i)
-		r[i] = chain_at(p, r[i], spot) - (chain_at(p, l[3 * i], spot) * chain_at(p, x[0], before) +
-		                                  chain_at(p, l[3 * i + 1], spot) * chain_at(p, x[1], before) +
-		                                  chain_at(p, l[3 * i + 2], spot) * chain_at(p, x[2], before));
-	if (k + top < count)
-	{
-		int behind = first + CHAIN_SPOT(count, k + top);
-		for (int i = 0; i < 3; ++i)
-			r[i] -= chain_at(p, m[i], spot) * chain_at(p, x[0], behind) +
-			        chain_at(p, m[3 + i], spot) * chain_at(p, x[1], behind) +
-			        chain_at(p, m[6 + i], spot) * chain_at(p, x[2], behind);
-	}
-	chain_times(&chain_at(p, d[0], spot), r, x);
-	for (int i = 0; i < 3; ++i)
-		chain_at(p, x[i], spot) = x[i];
-}
-
-// Solves the system of a chain by a group: so many joints from spot first on, each of which has d, l and r.
-INLINE void chain_solve(const Pools* p, int first, int count)
+// Solves the system by a group, each joint of which has d, l and r.
+INLINE void chain_solve(const Pools* p, const Chain* chain)
 {
 	int top = 1;
-	for (; top < count; top *= 2)
+	for (; top < chain->count; top *= 2)
 	{
 		group_meet();
-		for (int k = (2 * part_lane() + 1) * top; k < count; k += 2 * top * part_width())
-		{
-			int spot = first + CHAIN_SPOT(count, k), behind = first + CHAIN_SPOT(count, k + top);
-			chain_invert(&chain_at(p, d[0], spot));
-			for (int n = 0; n < 9 && k + top < count; ++n)
-				chain_at(p, m[n], spot) = chain_at(p, l[n], behind);
-		}
+		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
+		CHAIN_DO(chain, eliminate, p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k + top, turn));
 		group_meet();
-		for (int k = 2 * part_lane() * top; k < count; k += 2 * top * part_width())
-		{
-			int spot = first + CHAIN_SPOT(count, k), behind = first + CHAIN_SPOT(count, k + top);
-			float coupled[9];
-			if (k + top < count)
-				chain_take(p, spot, behind, &chain_at(p, l[0], behind), 1, coupled);
-			if (k < top)
-				continue;
-			chain_take(p, spot, first + CHAIN_SPOT(count, k - top), &chain_at(p, l[0], spot), -1, coupled);
-			for (int n = 0; n < 9; ++n)
-				chain_at(p, l[n], spot) = coupled[n];
-		}
+		CHAIN_JOINTS(k, turn, chain, 0, 2 * top)
+		chain_reduce(p, chain, k, top, turn);
 	}
 	group_meet();
-	if (group_lane() == 0)
-	{
-		float r[3] = {chain_at(p, r[0], first), chain_at(p, r[1], first), chain_at(p, r[2], first)}, x[3];
-		chain_invert(&chain_at(p, d[0], first));
-		chain_times(&chain_at(p, d[0], first), r, x);
-		for (int i = 0; i < 3; ++i)
-			chain_at(p, x[i], first) = x[i];
-	}
+	CHAIN_JOINTS(k, turn, chain, 0, chain->count)
+	CHAIN_DO(chain, last, p, chain_spot_at(chain, k, turn));
 	for (top /= 2; top >= 1; top /= 2)
 	{
 		group_meet();
-		for (int k = (2 * part_lane() + 1) * top; k < count; k += 2 * top * part_width())
-			chain_back(p, first, count, k, top);
+		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
+		CHAIN_DO(chain, back, p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k - top, turn),
+		         chain_spot_at(chain, k + top, turn));
 	}
 	group_meet();
 }

@@ -9,21 +9,32 @@
 #include "step/room.h"
 #include "world/joints.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 // A chain has so many joints at least, or two and masses of such a ratio.
-#define CHAIN_JOINTS 8
-#define CHAIN_RATIO  8.0f
+#define LEAST_JOINTS 8
+#define LEAST_RATIO  8.0f
+
+// Chains lie side by side if they have so many times the joints of the longest one at least, and each so much of them.
+#define SIDE_JOINTS 7
+#define SIDE_SHARE  0.75f
+
+typedef struct
+{
+	int first, count; // in Search.row
+} Row;
 
 typedef struct
 {
 	const scree_world* world;
-	Int2* chains;   // first spot, and how many
-	int* spots;     // of each joint, -1 for none
-	int* row;       // joints of a chain, in order
-	uint8_t* seen;  // of each joint
-	uint8_t* owned; // of each body: it is at the end of a chain
-	int count, places;
+	Row* rows;          // of each chain
+	ChainRange* ranges; // of chains, side by side or alone
+	int* spots;         // of each joint, -1 for none
+	int* row;           // joints of all chains, in order
+	uint8_t* seen;      // of each joint
+	uint8_t* owned;     // of each body: it is at the end of a chain
+	int count, joints, ranged, places;
 } Search;
 
 // Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together.
@@ -89,7 +100,7 @@ static int chain_list(Search* s, int first, int* at)
 	for (int joint = first; joint >= 0 && !s->seen[joint]; joint = next_joint(s->world, *at, joint))
 	{
 		s->seen[joint] = 1;
-		s->row[count++] = joint;
+		s->row[s->joints + count++] = joint;
 		*at = other_body(s->world, joint, *at);
 	}
 	return count;
@@ -136,12 +147,43 @@ static void add_chain(Search* s, int joint)
 		count -= count > begin && !own(s, last_body);
 	}
 	int joints = count - begin;
-	if (joints < 2 || (joints < CHAIN_JOINTS && mass_ratio(world, s->row + begin, joints) < CHAIN_RATIO))
+	begin += s->joints;
+	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, s->row + begin, joints) < LEAST_RATIO))
 		return;
-	s->chains[s->count++] = make_int2(s->places, joints);
-	for (int k = 0; k < joints; ++k)
-		s->spots[s->row[begin + k]] = s->places + CHAIN_SPOT(joints, k);
-	s->places += 2 * CHAIN_HALF(joints);
+	s->rows[s->count++] = (Row){begin, joints};
+	s->joints = begin + joints;
+}
+
+// The longest first; those of one length as they were found.
+static int compare_rows(const void* a, const void* b)
+{
+	const Row *first = a, *second = b;
+	return first->count != second->count ? second->count - first->count : first->first - second->first;
+}
+
+// How many chains from one on lie side by side.
+static int side_by_side(const Search* s, int k)
+{
+	int most = s->rows[k].count, joints = 0, lanes = 0;
+	while (k + lanes < s->count && lanes < MAX_LANES && (float)s->rows[k + lanes].count >= SIDE_SHARE * (float)most)
+		joints += s->rows[k + lanes++].count;
+	return joints >= SIDE_JOINTS * most ? lanes : 1;
+}
+
+// Gives spots to the joints of all chains.
+static void range(Search* s)
+{
+	qsort(s->rows, (size_t)s->count, sizeof *s->rows, compare_rows);
+	for (int k = 0, lanes; k < s->count; k += lanes)
+	{
+		lanes = side_by_side(s, k);
+		ChainRange at = {s->places, s->rows[k].count, lanes > 1 ? MAX_LANES : 1, lanes};
+		for (int c = 0; c < lanes; ++c)
+			for (int n = 0; n < s->rows[k + c].count; ++n)
+				s->spots[s->row[s->rows[k + c].first + n]] = at.first + c + CHAIN_SPOT(at.count, at.stride, n);
+		s->places += 2 * CHAIN_HALF(at.count, at.stride);
+		s->ranges[s->ranged++] = at;
+	}
 }
 
 // Sets the spots of all joints; those that changed wait for the upload.
@@ -161,11 +203,11 @@ static void set_spots(scree_world* world, const int* spots)
 static scree_status upload_chains(scree_world* world, const Search* s)
 {
 	Backend* b = world->backend;
-	if (s->count == 0)
+	if (s->ranged == 0)
 		return SCREE_OK;
-	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, s->count));
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, s->ranged));
 	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, s->places / MAX_LANES));
-	return b->f->write(b, POOL_chain, 0, s->count, s->chains);
+	return b->f->write(b, POOL_chain, 0, s->ranged, s->ranges);
 }
 
 scree_status chains_update(scree_world* world)
@@ -173,13 +215,14 @@ scree_status chains_update(scree_world* world)
 	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
 	if (!world->chains_stale)
 		return SCREE_OK;
-	size_t bytes = joints * (sizeof(Int2) + 2 * sizeof(int) + 1) + bodies + 1;
+	size_t bytes = joints * (sizeof(Row) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
 	char* memory = scree_allocate(bytes);
 	if (!memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
 	memset(memory, 0, bytes);
-	Search s = {.world = world, .chains = (Int2*)memory};
-	s.spots = (int*)(s.chains + joints);
+	Search s = {.world = world, .rows = (Row*)memory};
+	s.ranges = (ChainRange*)(s.rows + joints);
+	s.spots = (int*)(s.ranges + joints);
 	s.row = s.spots + joints;
 	s.seen = (uint8_t*)(s.row + joints);
 	s.owned = s.seen + joints;
@@ -187,11 +230,12 @@ scree_status chains_update(scree_world* world)
 	for (int k = 0; k < world->joints.used; ++k)
 		if (!s.seen[k] && acts(world, k))
 			add_chain(&s, k);
+	range(&s);
 	scree_status status = upload_chains(world, &s);
 	if (status == SCREE_OK)
 	{
 		set_spots(world, s.spots);
-		world->pipeline.chains = s.count;
+		world->pipeline.chains = s.ranged;
 		world->pipeline.chain_places = s.places;
 		world->chains_stale = false;
 	}
