@@ -37,7 +37,10 @@ INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, c
 // Replaces the coordinate along where lanes have a coupling.
 INLINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
-	c->couples = p->step.couplings ? lane_bits(c->coupled) : 0u;
+	if (!p->step.couplings)
+		return;
+	c->coupled = joint_has(u, JOINT_COUPLED);
+	c->couples = lane_bits(c->coupled);
 	if (!c->couples)
 		return;
 	Real zero = splat(0.0f), ratio = load(&joint_rare(p, gear_ratio, i), 0);

@@ -170,6 +170,14 @@ INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 	return vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
 }
 
+// No lane has a coupling, until coupling.h finds one.
+INLINE void joint_alone(JointPose* c)
+{
+	c->couples = 0;
+	c->coupled = splat(0.0f) > splat(0.0f);
+	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
+}
+
 INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
 {
 	JointPose c;
@@ -202,9 +210,7 @@ INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
 	}
 	c.value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
 	c.mass = a->inv_mass + b->inv_mass;
-	c.couples = 0;
-	c.coupled = joint_has(u, JOINT_COUPLED);
-	c.axis_a = c.given_a = zero;
+	joint_alone(&c);
 	return c;
 }
 
@@ -243,15 +249,9 @@ INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, R
 {
 	JointImpulse j;
 	j.push = vec_add(vec_scale(along, c->axis[0]), vec_scale(across, c->axis[1]));
-	j.angular_a = vec_cross(c->arm_a, j.push) + angle;
-	j.angular_b = vec_cross(c->arm_b, j.push) + angle;
-	j.push_a = j.push;
-	if (c->couples)
-	{
-		j.push_a = vec_choose(j.push, vec_scale(along, c->axis_a), c->coupled);
-		j.angular_a = choose(j.angular_a, along * c->lever_a[0], c->coupled);
-		j.angular_b = choose(j.angular_b, along * c->lever_b[0], c->coupled);
-	}
+	j.angular_a = along * c->lever_a[0] + across * c->lever_a[1] + angle;
+	j.angular_b = along * c->lever_b[0] + across * c->lever_b[1] + angle;
+	j.push_a = c->couples ? vec_choose(j.push, vec_scale(along, c->axis_a), c->coupled) : j.push;
 	return j;
 }
 

@@ -42,14 +42,53 @@ INLINE int chain_has(const Chain* chain, int spot)
 #define CHAIN_AT(p, member, spot)     load(&chain_at(p, member, spot), 0)
 #define CHAIN_PUT(p, member, spot, x) store(&chain_at(p, member, spot), 0, x)
 
+// The rows and the bodies of a joint.
 INLINE ChainLink chain_load(const Pools* p, int place)
 {
 	ChainLink link;
 	link.ia = load_int(&joint_row(p, body_a, place), 0);
 	link.ib = load_int(&joint_row(p, body_b, place), 0);
 	joint_load(p, place, PASS_BIAS, &link.u);
-	Body a = body_gather(p, link.ia), b = body_gather(p, link.ib);
-	link.c = joint_pose(&link.u, &a, &b);
+	link.c.a = body_gather(p, link.ia);
+	link.c.b = body_gather(p, link.ib);
+	return link;
+}
+
+// The same with its pose now.
+INLINE ChainLink chain_load_posed(const Pools* p, int place)
+{
+	ChainLink link = chain_load(p, place);
+	link.c = joint_pose(&link.u, &link.c.a, &link.c.b);
+	return link;
+}
+
+// What the end of a pass needs of a pose: impulses are given along the axes of the equations.
+INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
+{
+	CHAIN_PUT(p, axis[0], spot, c->axis[0].x);
+	CHAIN_PUT(p, axis[1], spot, c->axis[0].y);
+	for (int k = 0; k < 2; ++k)
+	{
+		CHAIN_PUT(p, lever_a[k], spot, c->lever_a[k]);
+		CHAIN_PUT(p, lever_b[k], spot, c->lever_b[k]);
+	}
+}
+
+// Inertias of the step lie beside the pose, so that only half of a body's state is gathered.
+INLINE ChainLink chain_load_kept(const Pools* p, const Chain* chain, int spot)
+{
+	ChainLink link = chain_load(p, chain->begin + spot);
+	JointPose* c = &link.c;
+	c->a.inv_inertia = CHAIN_AT(p, step_a, spot);
+	c->b.inv_inertia = CHAIN_AT(p, step_b, spot);
+	c->axis[0] = vec(CHAIN_AT(p, axis[0], spot), CHAIN_AT(p, axis[1], spot));
+	c->axis[1] = vec(-c->axis[0].y, c->axis[0].x);
+	for (int k = 0; k < 2; ++k)
+	{
+		c->lever_a[k] = CHAIN_AT(p, lever_a[k], spot);
+		c->lever_b[k] = CHAIN_AT(p, lever_b[k], spot);
+	}
+	joint_alone(c);
 	return link;
 }
 
@@ -80,7 +119,7 @@ INLINE int chain_side(const Pools* p, int place, int neighbor)
 // kg m^2: what the pull of a joint adds to the inertia of its bodies
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
-	ChainLink link = chain_load(p, chain->begin + spot);
+	ChainLink link = chain_load_posed(p, chain->begin + spot);
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, chain->begin + spot, &link.u, sum);
 	Vec push = joint_impulse(&link.c, sum[0], sum[1], splat(0.0f)).push;
@@ -148,10 +187,13 @@ INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float
 // a pass
 // ---------------------------------------------------------------------------------------------------------------
 
+// Whether a pass begins with what each joint does by itself.
+INLINE int chain_owns(const Pools* p, int pass) { return pass != PASS_RELAX || p->step.drives; }
+
 // What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
 INLINE void chain_own(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_load(p, chain->begin + spot);
+	ChainLink link = chain_load_posed(p, chain->begin + spot);
 	int place = chain->begin + spot;
 	if (pass == PASS_WARM_START)
 		joint_warm(p, place, &link.u, &link.c);
@@ -170,7 +212,8 @@ INLINE void chain_own(const Pools* p, const Chain* chain, int spot, int pass)
 // The equations of a joint: diagonal block, right side; and what couples it with others.
 INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_load(p, chain->begin + spot);
+	ChainLink link = chain_load_posed(p, chain->begin + spot);
+	chain_keep_pose(p, spot, &link.c);
 	JointSystem s = joint_system(p, pass == PASS_BIAS, &link.u, &link.c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
@@ -184,13 +227,6 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 		CHAIN_PUT(p, r[k], spot, s.goal[k]);
 		locks = locks + choose(zero, splat((float)(1 << k)), joint_has(&link.u, JOINT_LOCKED(k)));
 		holds = holds + choose(zero, splat((float)(1 << k)), s.locked[k]);
-	}
-	CHAIN_PUT(p, axis[0], spot, link.c.axis[0].x);
-	CHAIN_PUT(p, axis[1], spot, link.c.axis[0].y);
-	for (int k = 0; k < 2; ++k)
-	{
-		CHAIN_PUT(p, lever_a[k], spot, link.c.lever_a[k]);
-		CHAIN_PUT(p, lever_b[k], spot, link.c.lever_b[k]);
 	}
 	CHAIN_PUT(p, locks, spot, locks);
 	CHAIN_PUT(p, holds, spot, holds);
@@ -238,7 +274,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, int spot, int odd)
 // Gives the bodies of a joint the impulses of the solution.
 INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 {
-	ChainLink link = chain_load(p, chain->begin + spot);
+	ChainLink link = chain_load_kept(p, chain, spot);
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
 	joint_hold(&link.u, &link.c, x);
 	if (pass == PASS_RELAX && p->step.drives)
@@ -314,7 +350,7 @@ GROUP_STAGE(chain)
 		return;
 	if (pass == PASS_WARM_START)
 		chain_begin(p, &chain);
-	for (int odd = 0; odd < 2 && (pass != PASS_RELAX || p->step.drives); ++odd)
+	for (int odd = 0; odd < 2 && chain_owns(p, pass); ++odd)
 	{
 		CHAIN_EACH(spot, &chain, odd)
 		chain_own(p, &chain, spot, pass);
