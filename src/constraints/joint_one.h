@@ -8,7 +8,7 @@
 // coordinate without drives depends on the joints beside it.
 #define JOINT_DRIVE_SETUP(of, k)                                                                     \
 	{                                                                                                \
-		JointCoordinate from = p->joint_data[slot].coordinate[k];                                    \
+		JointDriveData from = p->joint_data[slot].drive[k];                                          \
 		float rate, soft;                                                                            \
 		joint_rare(p, of##_lower, i) = from.lower;                                                   \
 		joint_rare(p, of##_upper, i) = from.upper;                                                   \
@@ -16,7 +16,7 @@
 		joint_rare(p, of##_limit_rate, i) = rate;                                                    \
 		joint_rare(p, of##_limit_soft, i) = soft;                                                    \
 		joint_softness(p, from.spring_hertz, from.spring_ratio, 1.0f, &rate, &soft);                 \
-		joint_rare(p, of##_target, i) = from.target;                                                 \
+		joint_rare(p, of##_target, i) = p->joint_data[slot].lock[k].target;                          \
 		joint_rare(p, of##_spring_rate, i) = rate;                                                   \
 		joint_rare(p, of##_spring_soft, i) = soft;                                                   \
 		joint_rare(p, of##_spring_most, i) = joint_most(p, from.spring_most);                        \

@@ -7,10 +7,10 @@
 
 #define TURN 6.28318531f
 
-// A number of joint `slot`, at a place in JointData.
-INLINE Real joint_datum(const Pools* p, Int slot, int place)
+// Four numbers of joint `slot`, at a place in JointData.
+INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 {
-	return gather((const GLOBAL float*)p->joint_data, slot * JOINT_FLOATS + place);
+	gather_rows4((GLOBAL float*)p->joint_data, slot * JOINT_QUADS + place, out);
 }
 
 // The nearest whole number of a number below 2^22.
@@ -34,13 +34,12 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	*soft = choose(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
-// The softness of the lock of coordinate k.
-INLINE void joint_lock(const Pools* p, Int slot, int k, Int chained, Real* rate, Real* soft)
+// The softness of the lock of coordinate k, of a joint with a stiffness of its own.
+INLINE void joint_lock(const Pools* p, const Real lock[4], const Real joint[4], int k, Int chained, Real* rate,
+                       Real* soft)
 {
-	Real hertz = joint_datum(p, slot, JOINT_AT_TARGET(k) + 1), ratio = joint_datum(p, slot, JOINT_AT_TARGET(k) + 2);
-	Int own = hertz > splat(0.0f);
-	hertz = choose(joint_datum(p, slot, JOINT_AT_HERTZ), hertz, own);
-	ratio = choose(joint_datum(p, slot, JOINT_AT_HERTZ + 1), ratio, own);
+	Int own = lock[1] > splat(0.0f);
+	Real hertz = choose(joint[0], lock[1], own), ratio = choose(joint[1], lock[2], own);
 	Int rigid = chained & (own == 0);
 	joint_softness(p, hertz, ratio, choose(splat(1.0f), splat(JOINT_CHAIN_STIFFER), rigid), rate, soft);
 
@@ -60,18 +59,18 @@ typedef struct // where a frame is in the world
 INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
 {
 	JointFrame end;
-	Vec own = vec(joint_datum(p, slot, place), joint_datum(p, slot, place + 1));
-	Vec frame = vec(joint_datum(p, slot, place + 2), joint_datum(p, slot, place + 3));
-	const GLOBAL float *pose = (const GLOBAL float*)p->pose, *center = (const GLOBAL float*)p->local_center,
-	                   *low = (const GLOBAL float*)p->pose_low;
-	Vec turn = vec(gather(pose, body * 4 + 2), gather(pose, body * 4 + 3));
+	Real placed[4], pose[4];
+	joint_quad(p, slot, place, placed);
+	gather_rows4((GLOBAL float*)p->pose, body, pose);
+	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
+	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
 	// a point of the world far from its origin is exact as a position, but not as an arm, of which another is taken
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_choose(vec_turn(turn, own), zero, world);
 	end.turn = vec_turn(turn, frame);
-	end.position = vec_choose(vec(gather(pose, body * 4), gather(pose, body * 4 + 1)), own, world);
+	end.position = vec_choose(vec(pose[0], pose[1]), own, world);
 	end.rest = vec(gather(low, body * 2), gather(low, body * 2 + 1));
 	return end;
 }
@@ -103,10 +102,16 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Real zero = splat(0.0f), one = splat(1.0f), target[JOINT_COORDINATES];
 	Int there = slot >= 0, ia = load_int(&joint_row(p, body_a, i), 0), ib = load_int(&joint_row(p, body_b, i), 0);
 	slot = slot & ~(slot >> 31);
-	u->modes = choose(zero, joint_datum(p, slot, JOINT_AT_MODES), there);
+	Real head[4], joint[4], lock[JOINT_COORDINATES][4];
+	joint_quad(p, slot, JOINT_AT_MODES, head);
+	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
+	u->modes = choose(zero, head[2], there);
 	Int radial = joint_has(u, JOINT_RADIAL | JOINT_COUPLED);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		target[k] = choose(zero, joint_datum(p, slot, JOINT_AT_TARGET(k)), joint_has(u, JOINT_LOCKED(k)));
+	{
+		joint_quad(p, slot, JOINT_AT_LOCK(k), lock[k]);
+		target[k] = choose(zero, lock[k][0], joint_has(u, JOINT_LOCKED(k)));
+	}
 	u->length = choose(zero, target[JOINT_ALONG], radial);
 
 	// a lock that holds another value than 0 moves the frame
@@ -129,9 +134,9 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));
 	u->angle = u->turned - target[JOINT_ANGLE];
 	Int chained = there & (gather_int((const GLOBAL int*)p->joint_spot, slot) >= 0);
-	joint_lock(p, slot, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);
-	joint_lock(p, slot, JOINT_ACROSS, chained, &u->rate_across, &u->soft_across);
-	joint_lock(p, slot, JOINT_ANGLE, chained, &u->rate_angle, &u->soft_angle);
+	joint_lock(p, lock[JOINT_ALONG], joint, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);
+	joint_lock(p, lock[JOINT_ACROSS], joint, JOINT_ACROSS, chained, &u->rate_across, &u->soft_across);
+	joint_lock(p, lock[JOINT_ANGLE], joint, JOINT_ANGLE, chained, &u->rate_angle, &u->soft_angle);
 	u->given_x = zero;
 	u->given_y = zero;
 	u->given_a = zero;

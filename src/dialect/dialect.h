@@ -93,9 +93,10 @@ INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 #define gather_int(array, index)    ((array)[index])
 #define load_int2(array, i, x0, y0) (*(x0) = (array)[i].x, *(y0) = (array)[i].y)
 // a bit mask of the lanes where c is set; the value of a lane
-#define lane_bits(c)                 ((Word)((c) != 0))
-#define lane(x, k)                   (x)
-#define load_rows8(base, first, out) gather_rows8(base, first, out)
+#define lane_bits(c)                   ((Word)((c) != 0))
+#define lane(x, k)                     (x)
+#define load_rows8(base, first, out)   gather_rows8(base, first, out)
+#define gather_rows4(base, index, out) load_rows4(base, index, out)
 // one row, whatever the number of lanes
 #define read_row8(base, index, out) gather_rows8(base, index, out)
 #else

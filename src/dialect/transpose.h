@@ -199,7 +199,10 @@ WIDE_INLINE void store_rows8(float* base, int first, const Real in[8])
 	quads_scatter(rows + 4, neighbors(8), in + 4, ALL_LANES);
 }
 
-// Items of four floats, aligned to 16 bytes.
+// Items of four floats, aligned to 16 bytes: out[j], lane k, is float j of item index[k].
+WIDE_INLINE void gather_rows4(const float* base, Int index, Real out[4]) { quads_gather(base, (Words)index * 4u, out); }
+
+// The same for items first to first + LANES - 1.
 WIDE_INLINE void load_rows4(const float* base, int first, Real out[4])
 {
 	quads_gather(base + 4 * (size_t)first, neighbors(4), out);

@@ -41,7 +41,7 @@ INLINE Word64 hash_JointData(Word64 h, JointData v)
 {
 	const float* numbers = &v.modes;
 	h = hash_int(hash_int(h, v.body_a), v.body_b);
-	for (int k = 0; k < JOINT_FLOATS - JOINT_AT_MODES; ++k)
+	for (int k = 0; k < 4 * JOINT_QUADS - 2; ++k)
 		h = hash_float(h, numbers[k]);
 	return h;
 }

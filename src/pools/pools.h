@@ -217,38 +217,44 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_ANGLE       2
 #define JOINT_COORDINATES 3
 
-typedef struct // 40 bytes: a coordinate of a joint, in m or rad, N or N m
+typedef struct // 16 bytes: the lock of a coordinate, in m or rad
 {
-	float target;                 // at which a lock holds it, to which a spring pulls it
-	float lock_hertz, lock_ratio; // 0 Hz: as stiff as the joint
+	float target;       // at which a lock holds it, to which a spring pulls it
+	float hertz, ratio; // 0 Hz: as stiff as the joint
+	float unused;
+} JointLock;
+
+typedef struct // 28 bytes: limits, spring and motor of a coordinate, in m or rad, N or N m
+{
 	float lower, upper;
 	float spring_hertz, spring_ratio, spring_most;
 	float speed, motor_most;
-} JointCoordinate;
+} JointDriveData;
 
-// places in JointData, in floats
-#define JOINT_FLOATS         56
-#define JOINT_AT_MODES       2
-#define JOINT_AT_FRAME(side) (4 + 4 * (side))
-#define JOINT_AT_BASE(side)  (12 + 4 * (side))
-#define JOINT_AT_HERTZ       20
-#define JOINT_AT_COORDINATE  24
-#define JOINT_AT_TARGET(k)   (JOINT_AT_COORDINATE + 10 * (k))
+// places in JointData, in rows of four floats
+#define JOINT_QUADS       16
+#define JOINT_AT_MODES    0
+#define JOINT_AT_FRAME(s) (1 + (s))
+#define JOINT_AT_HERTZ    3
+#define JOINT_AT_LOCK(k)  (4 + (k))
+#define JOINT_AT_BASE(s)  (7 + (s))
 
-typedef struct // 224 bytes
+typedef struct // 256 bytes, of which every joint needs the first half
 {
 	int body_a, body_b;            // 0 for the world
 	float modes;                   // JOINT_* bits, as a number
 	float gear_ratio;              // of a coupling
 	Float4 frame[2];               // in the frames of the bodies: x, y (m), cos, sin
-	Float4 base[2];                // of a coupling, in the world
 	float hertz, ratio;            // of rigid locks and limits
 	float most_force, most_torque; // N, N m: thresholds
-	JointCoordinate coordinate[JOINT_COORDINATES];
+	JointLock lock[JOINT_COORDINATES];
+	Float4 base[2]; // of a coupling, in the world
+	JointDriveData drive[JOINT_COORDINATES];
 	float near[2]; // rad: what angles of a coupling were nearest to when it began
+	float unused[5];
 } JointData;
 
-typedef struct // 240 bytes: a joint as the user wants it
+typedef struct // 272 bytes: a joint as the user wants it
 {
 	int slot, flags, spot, unused;
 	JointData data;

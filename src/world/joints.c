@@ -112,18 +112,20 @@ static int coordinate_modes(const scree_joint_coordinate* from, int k)
 	       (from->motor ? JOINT_MOTOR(k) : 0);
 }
 
-static JointCoordinate coordinate_row(const scree_joint_coordinate* from)
+static JointLock lock_row(const scree_joint_coordinate* from)
 {
-	return (JointCoordinate){.target = from->target,
-	                         .lock_hertz = from->lock_hertz,
-	                         .lock_ratio = from->lock_damping_ratio,
-	                         .lower = from->lower,
-	                         .upper = from->upper,
-	                         .spring_hertz = from->spring_hertz,
-	                         .spring_ratio = from->spring_damping_ratio,
-	                         .spring_most = from->spring_max,
-	                         .speed = from->motor_speed,
-	                         .motor_most = from->motor_max};
+	return (JointLock){.target = from->target, .hertz = from->lock_hertz, .ratio = from->lock_damping_ratio};
+}
+
+static JointDriveData drive_row(const scree_joint_coordinate* from)
+{
+	return (JointDriveData){.lower = from->lower,
+	                        .upper = from->upper,
+	                        .spring_hertz = from->spring_hertz,
+	                        .spring_ratio = from->spring_damping_ratio,
+	                        .spring_most = from->spring_max,
+	                        .speed = from->motor_speed,
+	                        .motor_most = from->motor_max};
 }
 
 static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMIC; }
@@ -173,7 +175,10 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	                        .most_force = def->force_threshold,
 	                        .most_torque = def->torque_threshold};
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		edit.data.coordinate[k] = coordinate_row(def->coordinates + k);
+	{
+		edit.data.lock[k] = lock_row(def->coordinates + k);
+		edit.data.drive[k] = drive_row(def->coordinates + k);
+	}
 	return edit;
 }
 
