@@ -11,13 +11,22 @@
 #include "bad_input.h"
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-static scree_joint joint, weld, gone, alien;
+static scree_joint joint, weld, gear, gone, alien;
 
 static scree_joint_def good_def(void)
 {
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	def.body_a = body;
+	def.body_b = second;
+	return def;
+}
+
+static scree_joint_def good_gear(void)
+{
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_GEAR);
 	def.body_a = body;
 	def.body_b = second;
 	return def;
@@ -33,6 +42,8 @@ static int set_up(void** state)
 	def.type = SCREE_JOINT_WELD;
 	def.body_a = SCREE_NULL_BODY;
 	assert_ok(scree_joint_create(world, &def, &weld));
+	def = good_gear();
+	assert_ok(scree_joint_create(world, &def, &gear));
 
 	// of another world, with a slot that this one has not
 	scree_body_def body_def = scree_body_def_default();
@@ -162,6 +173,124 @@ static void places(void** state)
 	assert_memory_equal(&def, &same, sizeof def);
 }
 
+// What only gears and pulleys have, in a definition that is created, and in one that is measured.
+static void couplings(void** state)
+{
+	(void)state;
+	scree_joint_def defs[2], same;
+	defs[0] = good_gear();
+#define DEF(change, sentence)                                                     \
+	for (int pulley = 0; pulley < 2; ++pulley)                                    \
+	{                                                                             \
+		defs[1] = good_gear();                                                    \
+		defs[1].type = pulley ? SCREE_JOINT_PULLEY : SCREE_JOINT_GEAR;            \
+		defs[1].change;                                                           \
+		INVALID(scree_joints_create, (world, defs, 2, NULL), "defs[1]" sentence); \
+		INVALID(scree_joint_create, (world, &defs[1], NULL), "def" sentence);     \
+		same = defs[1];                                                           \
+		INVALID(scree_joint_def_couple, (world, &defs[1]), "def" sentence);       \
+		assert_memory_equal(&defs[1], &same, sizeof same);                        \
+	}
+	DEF(sides[0].measure = (scree_measure)3, ".sides[0].measure is 3, not a scree_measure");
+	DEF(sides[1].measure = (scree_measure)-1, ".sides[1].measure is -1, not a scree_measure");
+	DEF(sides[0].base.position.x = INFINITY, ".sides[0].base.position.x is inf");
+	DEF(sides[1].base.position.y = NAN, ".sides[1].base.position.y is nan");
+	DEF(sides[1].base.position.y = -2e5f, ".sides[1].base.position.y is -200000");
+	DEF(sides[0].base.rotation.c = 0.0f, ".sides[0].base.rotation is (0, 0)");
+	DEF(sides[1].base.rotation.s = NAN, ".sides[1].base.rotation is (1, nan)");
+	DEF(sides[0].near = NAN, ".sides[0].near is nan");
+	DEF(sides[1].near = 2e5f, ".sides[1].near is 200000");
+	DEF(ratio = 2e6f, ".ratio is 2000000");
+	DEF(ratio = -2e6f, ".ratio is -2000000");
+	DEF(ratio = NAN, ".ratio is nan");
+	DEF(frame_b.position.x = NAN, ".frame_b.position.x is nan");
+#undef DEF
+}
+
+// A gear or a pulley has the coordinate along only.
+static void held_coordinates(void** state)
+{
+	(void)state;
+	static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
+	for (int which = SCREE_ACROSS; which <= SCREE_ANGLE; ++which)
+		for (int k = 0; k < 4; ++k)
+		{
+			scree_joint_def def = good_gear();
+			scree_joint handles[2] = {joint, gear};
+			scree_joint_coordinate values[2] = {def.coordinates[which], def.coordinates[which]};
+			char sentence[96];
+			bool* parts[] = {&values[1].locked, &values[1].limited, &values[1].spring, &values[1].motor};
+			*parts[k] = true;
+			def.coordinates[which] = values[1];
+			snprintf(sentence, sizeof sentence, "def.coordinates[%s] is held: a gear has the coordinate along only",
+			         names[which]);
+			INVALID(scree_joint_create, (world, &def, NULL), sentence);
+			def.type = SCREE_JOINT_PULLEY;
+			INVALID(scree_joint_create, (world, &def, NULL), "is held: a pulley has the coordinate along only");
+			snprintf(sentence, sizeof sentence, "coordinates[%s] is held: a gear has the coordinate along only",
+			         names[which]);
+			INVALID(scree_joint_set_coordinate, (world, gear, (scree_coordinate)which, &values[1]), sentence);
+			INVALID(scree_joints_set_coordinates, (world, handles, (scree_coordinate)which, values, 2), "values[1]");
+		}
+}
+
+static void measures(void** state)
+{
+	(void)state;
+	scree_joint_def def = good_gear(), same = def;
+	INVALID(scree_joint_def_couple, (NULL, &def), "world is null");
+	INVALID(scree_joint_def_couple, (world, NULL), "def is null");
+#define DEF(change, undo, status, sentence)                           \
+	def.change;                                                       \
+	REFUSED(scree_joint_def_couple, (world, &def), status, sentence); \
+	def.undo;                                                         \
+	assert_memory_equal(&def, &same, sizeof def)
+	DEF(type = SCREE_JOINT_REVOLUTE, type = same.type, SCREE_ERROR_INVALID,
+	    "def.type is revolute: only a gear or a pulley couples");
+	DEF(type = (scree_joint_type)77, type = same.type, SCREE_ERROR_INVALID, "def.type is unknown");
+	DEF(size = 0, size = same.size, SCREE_ERROR_INVALID, "def.size is 0: the definition was not made by");
+	DEF(body_a = stale, body_a = body, SCREE_ERROR_STALE, "def.body_a (index 4");
+	DEF(body_b = stale, body_b = second, SCREE_ERROR_STALE, "def.body_b (index 4");
+
+	// the end of a definition before there were gears and pulleys
+	uint32_t older = (uint32_t)offsetof(scree_joint_def, ratio);
+	char sentence[96];
+	snprintf(sentence, sizeof sentence, "def.size is %u, of a version without gears and pulleys", older);
+	DEF(size = older, size = same.size, SCREE_ERROR_INVALID, sentence);
+#undef DEF
+
+	// what an older definition lacks is read as 0: its bases have no direction
+	def.size = older;
+	INVALID(scree_joint_create, (world, &def, NULL), "def.sides[0].base.rotation is (0, 0)");
+}
+
+static void coupling_changes(void** state)
+{
+	(void)state;
+	scree_pose bad = good_pose, flat = good_pose;
+	bad.position.x = NAN;
+	flat.rotation.s = 0.0f;
+	INVALID(scree_joint_set_ratio, (NULL, gear, 1.0f), "world is null");
+	INVALID(scree_joint_set_ratio, (world, joint, 1.0f), "joint is of type revolute, not a gear or a pulley");
+	INVALID(scree_joint_set_ratio, (world, gear, NAN), "ratio is nan");
+	INVALID(scree_joint_set_ratio, (world, gear, 2e6f), "ratio is 2000000");
+	INVALID(scree_joint_set_ratio, (world, gear, -INFINITY), "ratio is -inf");
+	STALE(scree_joint_set_ratio, (world, gone, 1.0f), "joint (index 2");
+	STALE(scree_joint_set_ratio, (world, alien, 1.0f), "joint (index 5");
+	STALE(scree_joint_set_ratio, (world, SCREE_NULL_JOINT, 1.0f), "joint is null");
+	INVALID(scree_joint_set_bases, (NULL, gear, good_pose, good_pose), "world is null");
+	INVALID(scree_joint_set_bases, (world, weld, good_pose, good_pose),
+	        "joint is of type weld, not a gear or a pulley");
+	INVALID(scree_joint_set_bases, (world, gear, bad, good_pose), "base_a.position.x is nan");
+	INVALID(scree_joint_set_bases, (world, gear, good_pose, bad), "base_b.position.x is nan");
+	INVALID(scree_joint_set_bases, (world, gear, good_pose, flat), "base_b.rotation is (0, 0)");
+	STALE(scree_joint_set_bases, (world, gone, good_pose, good_pose), "joint (index 2");
+	STALE(scree_joint_set_bases, (world, SCREE_NULL_JOINT, good_pose, good_pose), "joint is null");
+	scree_joint_def def;
+	assert_ok(scree_joint_get_def(world, gear, &def));
+	assert_true(def.ratio == 1.0f && def.sides[0].base.position.x == 0.0f && def.sides[1].base.rotation.c == 1.0f);
+}
+
 static void handles(void** state)
 {
 	(void)state;
@@ -288,9 +417,10 @@ static void unknown_members(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(definitions),     cmocka_unit_test(coordinates), cmocka_unit_test(places),
-	    cmocka_unit_test(handles),         cmocka_unit_test(changes),     cmocka_unit_test(readings),
-	    cmocka_unit_test(unknown_members),
+	    cmocka_unit_test(definitions),     cmocka_unit_test(coordinates),      cmocka_unit_test(places),
+	    cmocka_unit_test(handles),         cmocka_unit_test(changes),          cmocka_unit_test(readings),
+	    cmocka_unit_test(unknown_members), cmocka_unit_test(couplings),        cmocka_unit_test(held_coordinates),
+	    cmocka_unit_test(measures),        cmocka_unit_test(coupling_changes),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down_bad_input);
 }

@@ -152,6 +152,41 @@ static void test_bad_joints(void** state)
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
 
+#define COUPLING(type, text) \
+	JOINT("\"type\": \"" type "\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [0, 0], " text)
+
+static void test_bad_couplings(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {COUPLING("revolute", "\"ratio\": 2"), "joints[0].ratio: only a gear or a pulley has it"},
+	    {COUPLING("revolute", "\"side_a\": {}"), "joints[0].side_a: only a gear or a pulley has it"},
+	    {COUPLING("distance", "\"to\": [1, 0], \"side_b\": {}"), "joints[0].side_b: only a gear or a pulley has it"},
+	    {COUPLING("gear", "\"side_a\": {\"measure\": \"turns\"}"),
+	     "joints[0].side_a.measure: \"turns\" must be one of angle, translation, distance"},
+	    {COUPLING("gear", "\"side_b\": {\"measure\": 1}"),
+	     "joints[0].side_b.measure: 1 must be one of angle, translation, distance"},
+	    {COUPLING("gear", "\"side_b\": {\"measure\": null}"),
+	     "joints[0].side_b.measure: null must be one of angle, translation, distance"},
+	    {COUPLING("pulley", "\"side_a\": 3"), "joints[0].side_a: 3 must be an object"},
+	    {COUPLING("pulley", "\"side_a\": {\"base\": [0, 1]}"),
+	     "joints[0].side_a: unknown key \"base\"; known are measure, position, angle"},
+	    {COUPLING("pulley", "\"side_b\": {\"position\": [0]}"),
+	     "joints[0].side_b.position: [0] must be a list of 2 numbers"},
+	    {COUPLING("pulley", "\"side_b\": {\"position\": [0, 1e6]}"),
+	     "joints[0].side_b.position[1]: 1000000.0 must be at most 100000"},
+	    {COUPLING("gear", "\"side_b\": {\"angle\": true}"), "joints[0].side_b.angle: true must be a number"},
+	    {COUPLING("pulley", "\"across\": {\"locked\": true}"),
+	     "joints[0].across: a gear or a pulley has the coordinate along only"},
+	    {COUPLING("gear", "\"angle\": {\"motor\": {\"speed\": 1, \"max\": 1}}"),
+	     "joints[0].angle: a gear or a pulley has the coordinate along only"},
+	    {COUPLING("gear", "\"ratio\": 2e6"), "joints[0].ratio: 2000000.0 must be at most 1000000"},
+	    {COUPLING("gear", "\"ratio\": \"-1e6 * (i + 1)\", \"repeat\": {\"index\": \"i\", \"to\": 3}"),
+	     "joints[0].ratio: \"-1e6 * (i + 1)\" is -2000000, must be at least -1000000, at i = 1"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
 #define TWO(a, b) JOINT("\"type\": \"revolute\", \"repeat\": {\"index\": \"i\", \"to\": 10}, \"a\": " a ", \"b\": " b)
 
 static void test_bad_ends(void** state)
@@ -290,7 +325,7 @@ int main(void)
 	    cmocka_unit_test(test_bad_joints),      cmocka_unit_test(test_bad_ends),
 	    cmocka_unit_test(test_bad_coordinates), cmocka_unit_test(test_bad_values),
 	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
-	    cmocka_unit_test(test_bad_loops),
+	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_bad_couplings),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -103,6 +103,129 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_joint_set_coordinate(world, joints[(k + some) % count], SCREE_ANGLE, &at));
 }
 
+// Trains of gears with racks and winches, ropes over pulleys, tackles: of all drives, of ratios and bases that change, on
+// bodies that are moved, disabled and change their type.
+#define WHEELS 9
+#define ROPES  12
+
+static void couple(scree_world* world, scree_joint_def* def)
+{
+	GOOD(scree_joint_def_couple(world, def));
+	add_joint(world, def);
+}
+
+// The parts of coupling k in place of a lock.
+static void vary(scree_joint_def* def, int k)
+{
+	scree_joint_coordinate* along = def->coordinates;
+	def->hertz = k % 5 == 4 ? 10.0f : 60.0f;
+	along->lock_hertz = k % 7 == 6 ? 3.0f : 0.0f;
+	along->locked = k % 4 < 2;
+	along->limited = k % 4 == 2;
+	along->lower = along->target - 0.4f;
+	along->upper = along->target + 0.2f;
+	along->spring = k % 4 == 3;
+	along->spring_hertz = 2.0f;
+	along->spring_damping_ratio = 0.2f;
+	along->motor = k % 8 == 7;
+	along->motor_speed = 1.0f;
+	along->motor_max = 20.0f;
+	def->breaks = k % 6 == 5;
+	def->force_threshold = k % 6 == 5 ? 1.5f : 3.4e38f;
+	def->torque_threshold = k % 3 == 2 ? 2.0f : 3.4e38f;
+}
+
+static void build_couplings(scree_world* world, const void* context)
+{
+	(void)context;
+	add_floor(world);
+	scree_body last = NOBODY;
+	for (int k = 0; k < WHEELS; ++k)
+	{
+		float x = 2.0f * (float)k, radius = k % 2 ? 0.4f : 0.7f;
+		scree_attribute_def round = surface_of(circle_shape(radius));
+		scree_body wheel = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &round), x, 6.0f, 0.3f * (float)k);
+		join(world, SCREE_JOINT_REVOLUTE, NOBODY, wheel, x, 6.0f);
+		scree_joint_def gear = scree_joint_def_make(SCREE_JOINT_GEAR);
+		gear.body_a = last;
+		gear.body_b = wheel;
+		gear.ratio = k % 2 ? -1.75f : 0.5f;
+		GOOD(scree_joint_def_couple(world, &gear));
+		vary(&gear, k + 3);
+		add_joint(world, &gear);
+		scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f, x + 0.2f, 3.0f);
+		scree_joint_def winch = scree_joint_def_make(SCREE_JOINT_GEAR);
+		winch.body_a = k % 3 ? wheel : load;
+		winch.body_b = k % 3 ? load : wheel;
+		winch.ratio = k % 3 ? radius : 1.0f / radius;
+		winch.sides[k % 3 ? 1 : 0].measure = k % 2 ? SCREE_MEASURE_DISTANCE : SCREE_MEASURE_TRANSLATION;
+		winch.sides[k % 3 ? 1 : 0].base = (scree_pose){{x, 6.0f}, scree_rot_make(1.2f)};
+		couple(world, &winch);
+		last = wheel;
+	}
+	scree_joint_def drive = scree_joint_def_make(SCREE_JOINT_MOTOR);
+	drive.body_b = last;
+	drive.coordinates[SCREE_ANGLE].motor_speed = 12.0f;
+	drive.coordinates[SCREE_ANGLE].motor_max = 300.0f;
+	add_joint(world, &drive);
+	for (int k = 0; k < ROPES; ++k)
+	{
+		float x = -2.0f - 2.0f * (float)k;
+		scree_joint_def rope = scree_joint_def_make(SCREE_JOINT_PULLEY);
+		rope.body_a = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f, x - 0.4f, 2.0f);
+		rope.body_b = add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.2f, x + 0.4f, 1.0f);
+		rope.frame_a.position = (scree_vec){0.2f, 0.2f};
+		rope.sides[0].base.position = (scree_vec){x - 0.6f, 6.0f};
+		rope.sides[1].base.position = (scree_vec){x + 0.6f, 6.0f};
+		rope.ratio = 1.0f + (float)(k % 3);
+		GOOD(scree_joint_def_couple(world, &rope));
+		vary(&rope, k);
+		add_joint(world, &rope);
+	}
+}
+
+static void act_couplings(scree_world* world, int step, const void* context)
+{
+	(void)context;
+	scree_joint joints[64];
+	scree_joint_state states[64];
+	scree_body bodies[64];
+	int count, some;
+	OK(scree_world_get_joints(world, joints, 64, &count));
+	OK(scree_world_get_bodies(world, bodies, 64, &some));
+	OK(scree_joints_get_states(world, joints, states, count));
+
+	// what is read drives what follows, so that it must be equal too
+	int k = step * 7 % count;
+	scree_joint_def def;
+	OK(scree_joint_get_def(world, joints[k], &def));
+	if (def.type == SCREE_JOINT_GEAR || def.type == SCREE_JOINT_PULLEY)
+	{
+		OK(scree_joint_set_ratio(world, joints[k], def.ratio + 0.01f * states[k].speeds[0]));
+		def.sides[1].base.position.x += 0.001f * states[k].values[1];
+		OK(scree_joint_set_bases(world, joints[k], def.sides[0].base, def.sides[1].base));
+	}
+	scree_body moved = bodies[1 + step * 5 % (some - 1)];
+	if (step % 6 == 1)
+		OK(scree_body_set_enabled(world, moved, false));
+	if (step % 6 == 4)
+		for (int n = 0; n < some; ++n)
+			OK(scree_body_set_enabled(world, bodies[n], true));
+	if (step % 8 == 3)
+		OK(scree_body_set_type(world, moved, step % 16 == 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC));
+	if (step % 8 == 5)
+		for (int n = 1; n < some; ++n)
+			OK(scree_body_set_type(world, bodies[n], SCREE_BODY_DYNAMIC));
+	if (step % 10 == 9)
+	{
+		scree_pose pose;
+		OK(scree_body_get_pose(world, moved, &pose));
+		pose.rotation = scree_rot_make((float)step);
+		pose.position.y += 0.1f;
+		OK(scree_body_set_pose(world, moved, pose));
+	}
+}
+
 static void joints_are_equal(void** state)
 {
 	(void)state;
@@ -118,6 +241,7 @@ static void joints_are_equal(void** state)
 	     .context = form_scene("joint hubs")},
 	    {.name = "wheel", .steps = 30, .build = build_wheel, .act = act_wheel},
 	    {.name = "chains", .steps = 60, .build = build_chains, .act = act_chains},
+	    {.name = "couplings", .steps = 48, .build = build_couplings, .act = act_couplings},
 	};
 	print_ways(ways, count);
 	for (size_t k = 0; k < sizeof stories / sizeof *stories; ++k)

@@ -146,11 +146,18 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
+// Side k of a coupling. Of other types, whose sides are not checked, the default: what is not finite must not get into a pool.
+static scree_joint_side side_of(const scree_joint_def* def, int k)
+{
+	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
+}
+
 // The row of a joint, and its flags.
 static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
 	const scree_joint_def* def = &host->def;
+	scree_joint_side side_a = side_of(def, 0), side_b = side_of(def, 1);
 	JointEdit edit = {.slot = index,
 	                  .spot = host->spot,
 	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->created ? JOINT_NEW : 0)};
@@ -166,10 +173,10 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	edit.data = (JointData){.body_a = host->bodies[0],
 	                        .body_b = host->bodies[1],
 	                        .modes = (float)modes,
-	                        .gear_ratio = def->ratio,
+	                        .gear_ratio = joint_couples(def->type) ? def->ratio : 1.0f,
 	                        .frame = {pose_row(def->frame_a), pose_row(def->frame_b)},
-	                        .base = {pose_row(def->sides[0].base), pose_row(def->sides[1].base)},
-	                        .near = {def->sides[0].near, def->sides[1].near},
+	                        .base = {pose_row(side_a.base), pose_row(side_b.base)},
+	                        .near = {side_a.near, side_b.near},
 	                        .hertz = def->hertz,
 	                        .ratio = def->damping_ratio,
 	                        .most_force = def->force_threshold,
