@@ -47,9 +47,9 @@ typedef struct // where a chain is, or some side by side
 #undef GET
 #undef PUT
 #undef PICK
-#define CHAIN_DO(chain, name, ...) ((chain)->stride > 1 ? chains_##name(__VA_ARGS__) : chain_##name(__VA_ARGS__))
+#define CHAIN_DO(chain, name, arguments) ((chain)->stride > 1 ? chains_##name arguments : chain_##name arguments)
 #else
-#define CHAIN_DO(chain, name, ...) chain_##name(__VA_ARGS__)
+#define CHAIN_DO(chain, name, arguments) chain_##name arguments
 #endif
 
 // The spot of joint k of the first chain.
@@ -74,9 +74,9 @@ INLINE void chain_reduce(const Pools* p, const Chain* chain, int k, int top, int
 {
 	int spot = chain_spot_at(chain, k, turn), behind = chain_spot_at(chain, k + top, turn);
 	if (behind >= 0)
-		CHAIN_DO(chain, take, p, spot, behind, 1);
+		CHAIN_DO(chain, take, (p, spot, behind, 1));
 	if (k >= top)
-		CHAIN_DO(chain, take, p, spot, chain_spot_at(chain, k - top, turn), -1);
+		CHAIN_DO(chain, take, (p, spot, chain_spot_at(chain, k - top, turn), -1));
 }
 
 // Solves the system by a group, each joint of which has d, l and r.
@@ -87,20 +87,21 @@ INLINE void chain_solve(const Pools* p, const Chain* chain)
 	{
 		group_meet();
 		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
-		CHAIN_DO(chain, eliminate, p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k + top, turn));
+		CHAIN_DO(chain, eliminate, (p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k + top, turn)));
 		group_meet();
 		CHAIN_JOINTS(k, turn, chain, 0, 2 * top)
 		chain_reduce(p, chain, k, top, turn);
 	}
 	group_meet();
 	CHAIN_JOINTS(k, turn, chain, 0, chain->count)
-	CHAIN_DO(chain, last, p, chain_spot_at(chain, k, turn));
+	CHAIN_DO(chain, last, (p, chain_spot_at(chain, k, turn)));
 	for (top /= 2; top >= 1; top /= 2)
 	{
 		group_meet();
 		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
-		CHAIN_DO(chain, back, p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k - top, turn),
-		         chain_spot_at(chain, k + top, turn));
+		CHAIN_DO(chain, back,
+		         (p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k - top, turn),
+		          chain_spot_at(chain, k + top, turn)));
 	}
 	group_meet();
 }
