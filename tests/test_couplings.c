@@ -367,6 +367,38 @@ static void other_types_have_none(void** state)
 	assert_int_equal(hashes[2], hashes[0]);
 }
 
+// The ratio of a gear that turns can change: what was turned before counts with the old one.
+static void gears_shift(void** state)
+{
+	(void)state;
+	static const float ratios[] = {3.0f, -0.5f, 1.0f};
+	scree_world* world = open_world(0.0f);
+	scree_body a = add_wheel(world, 0.5f, 0.0f, 0.0f), b = add_wheel(world, 0.5f, 5.0f, 0.0f);
+	scree_joint joint = gear(world, a, b, 1.0f);
+	scree_joint_def drive = scree_joint_def_make(SCREE_JOINT_MOTOR);
+	drive.body_b = a;
+	drive.coordinates[SCREE_ANGLE].motor_speed = 10.0f;
+	drive.coordinates[SCREE_ANGLE].motor_max = 1e6f;
+	add_joint(world, &drive);
+	run_steps(world, 300);
+	for (int k = 0; k < 3; ++k)
+	{
+		double worst = 0.0;
+		OK(scree_joint_set_ratio(world, joint, ratios[k]));
+		for (int n = 0; n < 120; ++n)
+		{
+			run_steps(world, 1);
+			worst = fmax(worst, fabs((double)joint_state_of(world, joint).values[0]));
+		}
+		print_message("ratio %.1f: at most %.4f rad off; b at %.4f rad/s\n", (double)ratios[k], worst,
+		              (double)velocity_of(world, b).angular);
+		// the other wheel changes its speed by up to 40 rad/s, and the lock is soft for two substeps
+		assert_true(worst < 0.15);
+		NEAR(velocity_of(world, b).angular, -10.0f * ratios[k], 0.01);
+	}
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -377,6 +409,7 @@ int main(void)
 	    cmocka_unit_test(ropes_hang_slack),
 	    cmocka_unit_test(racks_and_winches),
 	    cmocka_unit_test(swinging_loads),
+	    cmocka_unit_test(gears_shift),
 	    cmocka_unit_test(turns_are_counted),
 	    cmocka_unit_test(other_types_have_none),
 	};

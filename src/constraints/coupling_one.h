@@ -41,6 +41,15 @@ INLINE CouplingCount coupling_count_at(const Pools* p, int place)
 	return count;
 }
 
+INLINE void coupling_count_put(const Pools* p, int place, const CouplingCount* count)
+{
+	joint_rare(p, angle_a, place) = count->angle[0];
+	joint_rare(p, angle_b, place) = count->angle[1];
+	joint_rare(p, turns_a, place) = count->turns[0];
+	joint_rare(p, turns_b, place) = count->turns[1];
+	joint_rare(p, geared, place) = count->geared;
+}
+
 // Measures a side, and counts its angle.
 INLINE CouplingMeasure coupling_measure(const Pools* p, int slot, int side, CouplingCount* count)
 {
@@ -103,11 +112,7 @@ INLINE void coupling_setup(const Pools* p, int i)
 	joint_rare(p, line_a_y, i) = now.sides[0].line.y;
 	joint_rare(p, line_b_x, i) = now.sides[1].line.x;
 	joint_rare(p, line_b_y, i) = now.sides[1].line.y;
-	joint_rare(p, angle_a, i) = count.angle[0];
-	joint_rare(p, angle_b, i) = count.angle[1];
-	joint_rare(p, turns_a, i) = count.turns[0];
-	joint_rare(p, turns_b, i) = count.turns[1];
-	joint_rare(p, geared, i) = count.geared;
+	coupling_count_put(p, i, &count);
 	joint_rare(p, given_a_x, i) = 0.0f;
 	joint_rare(p, given_a_y, i) = 0.0f;
 }

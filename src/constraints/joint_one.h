@@ -73,6 +73,22 @@ INLINE CouplingCount coupling_count_last(const Pools* p, int slot)
 	return count;
 }
 
+// Stores what was counted, at a place, or at the slot of a joint that is at none.
+INLINE void coupling_count_store(const Pools* p, int slot, int place, const CouplingCount* count)
+{
+	GLOBAL JointRareKept* kept = p->joint_rare_kept + slot;
+	if (place >= 0)
+	{
+		coupling_count_put(p, place, count);
+		return;
+	}
+	kept->angle_a = count->angle[0];
+	kept->angle_b = count->angle[1];
+	kept->turns_a = count->turns[0];
+	kept->turns_b = count->turns[1];
+	kept->geared = count->geared;
+}
+
 INLINE void joint_set_place(const Pools* p, int slot, int i)
 {
 	(void)p;

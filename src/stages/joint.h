@@ -7,6 +7,17 @@
 #include "stages/edge.h"
 #include "stages/key_bound.h"
 
+// What the sides of a coupling turned since the last step counts with the ratio of that time.
+INLINE void joint_count(const Pools* p, int slot, const JointData* changed)
+{
+	const GLOBAL JointData* data = p->joint_data + slot;
+	if (!((int)data->modes & JOINT_COUPLED) || data->gear_ratio == changed->gear_ratio)
+		return;
+	CouplingCount count = coupling_count_last(p, slot);
+	coupling_state(p, slot, &count);
+	coupling_count_store(p, slot, p->joint_place[slot], &count);
+}
+
 // Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
 // joint that broke stays broken.
 STAGE(joint_apply)
@@ -20,6 +31,8 @@ STAGE(joint_apply)
 	}
 	else if (!(edit.flags & JOINT_NEW))
 		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_MOVED | JOINT_NEW);
+	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
+		joint_count(p, slot, &edit.data);
 	if (slot < p->argument && p->joint_spot[slot] != edit.spot)
 		edit.flags |= JOINT_MOVED;
 	p->joint_spot[slot] = edit.spot;
@@ -36,11 +49,7 @@ INLINE void joint_rest(const Pools* p, int i)
 	CouplingCount count = coupling_count_last(p, i);
 	joint_end(p, i);
 	p->joint_kept[i].turned = turned;
-	p->joint_rare_kept[i].angle_a = count.angle[0];
-	p->joint_rare_kept[i].angle_b = count.angle[1];
-	p->joint_rare_kept[i].turns_a = count.turns[0];
-	p->joint_rare_kept[i].turns_b = count.turns[1];
-	p->joint_rare_kept[i].geared = count.geared;
+	coupling_count_store(p, i, -1, &count);
 }
 
 // Constraints of joints begin and end.
