@@ -21,7 +21,7 @@ static const SmallScene small_scenes[] = {
     {"billiards", 300, {{"rack", "10"}}},
     {"bridge", 240, {{"planks", "30"}}},
     {"cars", 240, {{"roads", "3"}}},
-    {"chains", 240, {{"lengths", "3"}}},
+    {"chains", 240, {{"lengths", "4"}}}, // enough to lie side by side
     {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
     {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},

@@ -2,6 +2,7 @@
 // test_joint_chains.c -- rows of joints, which are solved together: heavy loads, rings, rows that grow, tear and meet.
 #include "joint_support.h"
 #include "support.h"
+#include <string.h>
 
 #define G    10.0 // m/s^2
 #define MOST 300
@@ -302,9 +303,58 @@ static void ropes_stay_on_pegs(void** state)
 	scree_world_destroy(world);
 }
 
+#define ROPES 20
+
+// A rope of so many links, the last of which is heavy, and another joint of which has a motor.
+static scree_joint hang(scree_world* world, int count, float x)
+{
+	scree_joint cut = SCREE_NULL_JOINT;
+	add_links(world, count, x, 0.0f);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k],
+		                                   x + 0.5f * (float)k, 0.0f, 0.0f);
+		def.coordinates[SCREE_ANGLE].motor = k == count / 3;
+		def.coordinates[SCREE_ANGLE].motor_max = 2.0f;
+		scree_joint joint = add_joint(world, &def);
+		cut = k == 2 * count / 3 ? joint : cut;
+	}
+	scree_mass m = mass_of(world, links[count - 1]);
+	OK(scree_body_set_mass(world, links[count - 1], (scree_mass){30.0f * m.mass, 30.0f * m.inertia, {0.0f, 0.0f}}));
+	return cut;
+}
+
+// Ropes of many lengths lie side by side, and each moves as it does alone, bit by bit: while it hangs, and after it was cut.
+static void ropes_side_by_side(void** state)
+{
+	(void)state;
+	static scree_pose poses[2][MOST];
+	for (int way = 0; way < 4; ++way)
+	{
+		int count = 10 + 9 * way;
+		for (int many = 0; many < 2; ++many)
+		{
+			scree_world* world = open_world((float)-G);
+			scree_joint cut = hang(world, count, 0.0f);
+			scree_body own[MOST];
+			memcpy(own, links, sizeof own);
+			for (int k = 1; many && k < ROPES; ++k)
+				hang(world, 8 + 3 * k, 100.0f * (float)k);
+			run_steps(world, 60);
+			OK(scree_joint_destroy(world, cut));
+			run_steps(world, 60);
+			for (int k = 0; k < count; ++k)
+				OK(scree_body_get_pose(world, own[k], &poses[many][k]));
+			scree_world_destroy(world);
+		}
+		assert_memory_equal(poses[0], poses[1], (size_t)count * sizeof poses[0][0]);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(ropes_side_by_side),
 	    cmocka_unit_test(ropes_swing_heavy_loads),
 	    cmocka_unit_test(long_ropes_hang),
 	    cmocka_unit_test(whirls_keep_momentum),
