@@ -262,8 +262,10 @@ typedef struct // 272 bytes: a joint as the user wants it
 
 // Spots of a chain: its joints 0, 2, 4, ... first, then, from the next block of MAX_LANES on, 1, 3, 5, ... Those of one half
 // have no bodies in common, so that a wide pass takes a block of them. Chains of similar lengths lie side by side: joints k of
-// MAX_LANES chains are one block. stride is from joint 0 of a chain to its joint 2: 1, or MAX_LANES.
-#define CHAIN_HALF(count, stride)    ((((count) + 1) / 2 * (stride) + MAX_LANES - 1) / MAX_LANES * MAX_LANES)
+// MAX_LANES chains are one block. stride is from joint 0 of a chain to its joint 2: 1, or MAX_LANES. Where a chain is alone, each
+// half ends with an inert joint at least.
+#define CHAIN_HALF(count, stride) \
+	((((count) + 1) / 2 * (stride) + ((stride) == 1) + MAX_LANES - 1) / MAX_LANES * MAX_LANES)
 #define CHAIN_SPOT(count, stride, k) ((k) / 2 * (stride) + ((k) % 2) * CHAIN_HALF(count, stride))
 
 typedef struct // 16 bytes: a chain, or some side by side

@@ -174,6 +174,24 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, int k)
 	chain_at(p, turns, spot) = side ? step_b : step_a;
 }
 
+// The inert joints at the end of both halves of a chain alone: what is coupled with them stays as it is.
+INLINE void chain_clear(const Pools* p, const Chain* chain)
+{
+	for (int n = part_lane(); n < 2 * chain->odds; n += part_width())
+	{
+		int odd = n >= chain->odds, spot = chain->first + n;
+		if (n - odd * chain->odds < (chain->count + 1 - odd) / 2)
+			continue;
+		for (int k = 0; k < 9; ++k)
+			chain_at(p, l[k], spot) = 0.0f;
+		for (int k = 0; k < 6; ++k)
+			chain_at(p, d[k], spot) = 0.0f;
+		for (int k = 0; k < 3; ++k)
+			chain_at(p, r[k], spot) = chain_at(p, x[k], spot) = 0.0f;
+		chain_at(p, inv_mass, spot) = 0.0f;
+	}
+}
+
 // Sets the inertias of a joint's bodies. Two joints set the same of their common body.
 INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float inverse_b)
 {
@@ -232,8 +250,6 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// Floats between two blocks of a row of chain_joints, in lanes.
-#define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
 // A member of the joints before: from spot first on where chains lie side by side.
 #define CHAIN_BEFORE(p, member) \
 	(chain->stride > 1 ? CHAIN_AT(p, member, first) : gather((const GLOBAL float*)(p)->chain_joints->member, at))
@@ -244,8 +260,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, int spot, int odd)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
 	int first = odd ? spot - chain->odds : spot + chain->odds - chain->stride;
-	Int before = indices(first), low = before & (MAX_LANES - 1);
-	Int at = (before - low) * CHAIN_ROWS + low, right = CHAIN_AT(p, side, spot) > zero;
+	Int at = chain_index(first), right = CHAIN_AT(p, side, spot) > zero;
 	Int right_there = CHAIN_AT(p, other, spot) > zero;
 	Real inverse = CHAIN_AT(p, inv_mass, spot), turning = CHAIN_AT(p, turns, spot);
 	Real sign = choose(splat(-1.0f), one, right == right_there), lever[3], across[3];
@@ -295,6 +310,8 @@ INLINE void chain_begin(const Pools* p, const Chain* chain)
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(spot, chain, odd)
 	chain_tension(p, chain, spot);
+	if (chain->stride == 1)
+		chain_clear(p, chain);
 	group_meet();
 	for (int k = part_lane(); k < chain->count * chain->lanes; k += part_width())
 	{

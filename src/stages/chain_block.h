@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// chain_block.h -- one step of cyclic reduction (chain_solve.h), for one joint or for joints of several chains.
+// chain_block.h -- one step of cyclic reduction (chain_solve.h), for one joint or for several.
 //
-// Included for each of both: NUMBER is the type of a number, SOLVES(name) the name of a function, GET, PUT and PICK load, store
-// and choose.
+// Included once for each way: NUMBER is the type of a number, SOLVES(name) the name of a function; GET, PUT and PICK load, store
+// and choose, and NEAR loads from the neighbors of joints.
 
 #define AT(block, n) \
 	GET((block) + (n)*MAX_LANES) // component n of a block: components of a joint are MAX_LANES floats apart
@@ -40,21 +40,20 @@ INLINE void SOLVES(eliminate)(const Pools* p, int spot, int behind)
 {
 	SOLVES(invert)(&chain_at(p, d[0], spot));
 	for (int n = 0; n < 9 && behind >= 0; ++n)
-		PUT(&chain_at(p, m[n], spot), GET(&chain_at(p, l[n], behind)));
+		PUT(&chain_at(p, m[n], spot), NEAR(l[n], behind));
 }
 
 // Takes the joint at spot `other`, eliminated, out of the one at a spot: side is -1 if it comes before, 1 if behind.
 INLINE void SOLVES(take)(const Pools* p, int spot, int other, int side)
 {
-	const GLOBAL float* l = side > 0 ? &chain_at(p, l[0], other) : &chain_at(p, l[0], spot);
 	NUMBER d[6], r[3], row[3][3], times[3][3], coupled[9];
 	for (int n = 0; n < 6; ++n)
-		d[n] = GET(&chain_at(p, d[n], other));
+		d[n] = NEAR(d[n], other);
 	for (int i = 0; i < 3; ++i)
 	{
-		r[i] = GET(&chain_at(p, r[i], other));
+		r[i] = NEAR(r[i], other);
 		for (int j = 0; j < 3; ++j)
-			row[i][j] = side > 0 ? AT(l, 3 * j + i) : AT(l, 3 * i + j);
+			row[i][j] = side > 0 ? NEAR(l[3 * j + i], other) : GET(&chain_at(p, l[3 * i + j], spot));
 	}
 	for (int i = 0; i < 3; ++i)
 		SOLVES(times)(d, row[i], times[i]); // row i of coupling times inverse
@@ -71,8 +70,7 @@ INLINE void SOLVES(take)(const Pools* p, int spot, int other, int side)
 	// what couples it with the joint before the one that was taken out
 	for (int j = 0; j < 3; ++j)
 	{
-		NUMBER c0 = GET(&chain_at(p, l[j], other)), c1 = GET(&chain_at(p, l[3 + j], other)),
-		       c2 = GET(&chain_at(p, l[6 + j], other));
+		NUMBER c0 = NEAR(l[j], other), c1 = NEAR(l[3 + j], other), c2 = NEAR(l[6 + j], other);
 		for (int i = 0; i < 3; ++i)
 			coupled[3 * i + j] = -(times[i][0] * c0 + times[i][1] * c1 + times[i][2] * c2);
 	}
@@ -90,9 +88,9 @@ INLINE void SOLVES(back)(const Pools* p, int spot, int before, int behind)
 		                                     GET(&chain_at(p, l[3 * i + 1], spot)) * GET(&chain_at(p, x[1], before)) +
 		                                     GET(&chain_at(p, l[3 * i + 2], spot)) * GET(&chain_at(p, x[2], before)));
 	for (int i = 0; i < 3 && behind >= 0; ++i)
-		r[i] = r[i] - (GET(&chain_at(p, m[i], spot)) * GET(&chain_at(p, x[0], behind)) +
-		               GET(&chain_at(p, m[3 + i], spot)) * GET(&chain_at(p, x[1], behind)) +
-		               GET(&chain_at(p, m[6 + i], spot)) * GET(&chain_at(p, x[2], behind)));
+		r[i] = r[i] - (GET(&chain_at(p, m[i], spot)) * NEAR(x[0], behind) +
+		               GET(&chain_at(p, m[3 + i], spot)) * NEAR(x[1], behind) +
+		               GET(&chain_at(p, m[6 + i], spot)) * NEAR(x[2], behind));
 	for (int n = 0; n < 6; ++n)
 		d[n] = GET(&chain_at(p, d[n], spot));
 	SOLVES(times)(d, r, x);

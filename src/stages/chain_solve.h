@@ -23,30 +23,49 @@ typedef struct // where a chain is, or some side by side
 	int begin;       // place of spot 0 of all chains
 } Chain;
 
-#define NUMBER        float
-#define SOLVES(name)  chain_##name
-#define GET(at)       (*(at))
-#define PUT(at, x)    (*(at) = (x))
-#define PICK(a, b, c) ((c) ? (b) : (a))
-#include "stages/chain_block.h"
-#undef NUMBER
-#undef SOLVES
-#undef GET
-#undef PUT
-#undef PICK
+// Floats between two blocks of a row of chain_joints, in lanes; where LANES joints from a spot on have a component.
+#define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
 
-#if LANES > 1
-#define NUMBER        Real
-#define SOLVES(name)  chains_##name
-#define GET(at)       load(at, 0)
-#define PUT(at, x)    store(at, 0, x)
-#define PICK(a, b, c) choose(a, b, c)
+INLINE Int chain_index(int spot)
+{
+	Int at = indices(spot), low = at & (MAX_LANES - 1);
+	return (at - low) * CHAIN_ROWS + low;
+}
+
+#define NUMBER             float
+#define SOLVES(name)       chain_##name
+#define GET(at)            (*(at))
+#define PUT(at, x)         (*(at) = (x))
+#define PICK(a, b, c)      ((c) ? (b) : (a))
+#define NEAR(member, spot) chain_at(p, member, spot)
 #include "stages/chain_block.h"
 #undef NUMBER
 #undef SOLVES
 #undef GET
 #undef PUT
 #undef PICK
+#undef NEAR
+
+// Of chains side by side; and of joints of one chain, whose neighbors do not begin with a block.
+#if LANES > 1
+#define NUMBER             Real
+#define SOLVES(name)       chains_##name
+#define GET(at)            load(at, 0)
+#define PUT(at, x)         store(at, 0, x)
+#define PICK(a, b, c)      choose(a, b, c)
+#define NEAR(member, spot) load(&chain_at(p, member, spot), 0)
+#include "stages/chain_block.h"
+#undef SOLVES
+#undef NEAR
+#define SOLVES(name)       chain_row_##name
+#define NEAR(member, spot) gather((const float*)p->chain_joints->member, chain_index(spot))
+#include "stages/chain_block.h"
+#undef NUMBER
+#undef SOLVES
+#undef GET
+#undef PUT
+#undef PICK
+#undef NEAR
 #define CHAIN_DO(chain, name, arguments) ((chain)->stride > 1 ? chains_##name arguments : chain_##name arguments)
 #else
 #define CHAIN_DO(chain, name, arguments) chain_##name arguments
@@ -69,6 +88,36 @@ INLINE int chain_spot_at(const Chain* chain, int k, int turn)
 	for (int turns_ = chain_turns(chain), n_ = part_lane(), turn = n_ % turns_, k = (from) + n_ / turns_ * (by); \
 	     k < (chain)->count; n_ += part_width(), turn = n_ % turns_, k = (from) + n_ / turns_ * (by))
 
+// One chain alone: its two halves lie side by side, so that LANES of its joints are taken out at once, and later solved.
+INLINE void chain_reduce_row(const Pools* p, const Chain* chain)
+{
+#if LANES > 1
+	int first = chain->first, odds = chain->odds;
+	for (int n = 0; n < chain->count / 2; n += LANES)
+		chain_row_eliminate(p, first + odds + n, first + n + 1);
+	for (int n = 0; n < (chain->count + 1) / 2; n += LANES)
+	{
+		chains_take(p, first + n, first + odds + n, 1);
+		chain_row_take(p, first + n, first + odds + n - 1, -1);
+	}
+#else
+	(void)p;
+	(void)chain;
+#endif
+}
+
+INLINE void chain_back_row(const Pools* p, const Chain* chain)
+{
+#if LANES > 1
+	int first = chain->first, odds = chain->odds;
+	for (int n = 0; n < chain->count / 2; n += LANES)
+		chain_row_back(p, first + odds + n, first + n, first + n + 1);
+#else
+	(void)p;
+	(void)chain;
+#endif
+}
+
 // Takes the joints that lie top joints away out of joint k.
 INLINE void chain_reduce(const Pools* p, const Chain* chain, int k, int top, int turn)
 {
@@ -82,7 +131,9 @@ INLINE void chain_reduce(const Pools* p, const Chain* chain, int k, int top, int
 // Solves the system by a group, each joint of which has d, l and r.
 INLINE void chain_solve(const Pools* p, const Chain* chain)
 {
-	int top = 1;
+	int row = LANES > 1 && chain->stride == 1, top = row ? 2 : 1;
+	if (row)
+		chain_reduce_row(p, chain);
 	for (; top < chain->count; top *= 2)
 	{
 		group_meet();
@@ -95,7 +146,7 @@ INLINE void chain_solve(const Pools* p, const Chain* chain)
 	group_meet();
 	CHAIN_JOINTS(k, turn, chain, 0, chain->count)
 	CHAIN_DO(chain, last, (p, chain_spot_at(chain, k, turn)));
-	for (top /= 2; top >= 1; top /= 2)
+	for (top /= 2; top > row; top /= 2)
 	{
 		group_meet();
 		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
@@ -104,6 +155,8 @@ INLINE void chain_solve(const Pools* p, const Chain* chain)
 		          chain_spot_at(chain, k + top, turn)));
 	}
 	group_meet();
+	if (row)
+		chain_back_row(p, chain);
 }
 
 #endif

@@ -162,7 +162,11 @@ static int compare_rows(const void* a, const void* b)
 	return first->count != second->count ? second->count - first->count : first->first - second->first;
 }
 
-static int cost_alone(int joints) { return joints + BLOCK_COST * 2 * CHAIN_HALF(joints, 1) / MAX_LANES; }
+static int cost_alone(int joints)
+{
+	int blocks = 2 * (((joints + 1) / 2 + MAX_LANES - 1) / MAX_LANES);
+	return joints + BLOCK_COST * blocks;
+}
 
 // How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
 // nothing beside a longer one.
