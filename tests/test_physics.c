@@ -296,6 +296,34 @@ static void rolling_resistance(void** state)
 	scree_world_destroy(world);
 }
 
+// Circles without friction that touch, and of which one spins: the normal goes from center to center, and does not turn with the
+// one that spins. What a point of its surface rises within a step, r (1 - cos w dt), counts as overlap, so that it is pushed.
+static void spinning_circles(void** state)
+{
+	(void)state;
+	static const float spins[] = {10.0f, 62.0f, 85.0f, 140.0f, 180.0f};
+	for (int k = 0; k < 10; ++k)
+	{
+		bool first = k < 5; // is created before the static one
+		scree_world* world = open_world(0.0f);
+		scree_attribute large = add_surface(world, circle_shape(3.5f), 0.0f, 0.0f);
+		scree_attribute small = add_surface(world, circle_shape(0.09f), 0.0f, 0.0f);
+		if (!first)
+			add_body(world, SCREE_BODY_STATIC, large, 0.0f, 0.0f, 0.0f);
+		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, small, 3.59f, 0.0f, 0.0f);
+		if (first)
+			add_body(world, SCREE_BODY_STATIC, large, 0.0f, 0.0f, 0.0f);
+		OK(scree_body_set_velocity(world, body, (scree_velocity){{0.0f, 0.0f}, spins[k % 5]}));
+		float deepest = deepest_of(world, 120);
+		double rises = 0.09 * (1.0 - cos((double)spins[k % 5] * STEP));
+		assert_true((double)deepest < 1.01 * rises + 1e-4);
+		NEAR(position_of(world, body).x, 3.59, 0.05);
+		NEAR(position_of(world, body).y, 0.0, 1e-3);
+		NEAR(velocity_of(world, body).angular, spins[k % 5], 1e-3);
+		scree_world_destroy(world);
+	}
+}
+
 // ---------------------------------------------------------------------------------------------------------------
 // impacts
 // ---------------------------------------------------------------------------------------------------------------
@@ -506,6 +534,7 @@ int main(void)
 	    cmocka_unit_test(stopping_distance),
 	    cmocka_unit_test(conveyor),
 	    cmocka_unit_test(rolling_resistance),
+	    cmocka_unit_test(spinning_circles),
 	    cmocka_unit_test(restitution_height),
 	    cmocka_unit_test(impact_on_a_line),
 	    cmocka_unit_test(momentum),

@@ -81,8 +81,9 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
-	points.normal = vec_choose(vec_turn(ra.turn, vec_turn(ra.axes, normal)),
-	                           vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
+	Vec now = vec_turn(ra.axes, normal); // with which that from corner to corner is compared, however fast both spin
+	points.normal =
+	    vec_choose(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
 	for (int k = 0; k < 2; ++k)
 	{
@@ -100,8 +101,8 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		{
 			// corners at the same place have no direction
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
-			points.normal =
-			    vec_choose(points.normal, direction, corners & (vec_dot(direction, points.normal) > splat(0.5f)));
+			direction = vec_choose(now, direction, vec_dot(direction, now) > splat(0.5f));
+			points.normal = vec_choose(points.normal, direction, corners);
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 

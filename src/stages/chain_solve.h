@@ -84,9 +84,9 @@ INLINE int chain_spot_at(const Chain* chain, int k, int turn)
 }
 
 // Loops over joints from, from + by, ... in all turns, split among a work-group.
-#define CHAIN_JOINTS(k, turn, chain, from, by)                                                                   \
-	for (int turns_ = chain_turns(chain), n_ = part_lane(), turn = n_ % turns_, k = (from) + n_ / turns_ * (by); \
-	     k < (chain)->count; n_ += part_width(), turn = n_ % turns_, k = (from) + n_ / turns_ * (by))
+#define CHAIN_JOINTS(k, turn, chain, from, by)                                                                      \
+	for (int turns = chain_turns(chain), item = part_lane(), turn = item % turns, k = (from) + item / turns * (by); \
+	     k < (chain)->count; item += part_width(), turn = item % turns, k = (from) + item / turns * (by))
 
 // One chain alone: its two halves lie side by side, so that LANES of its joints are taken out at once, and later solved.
 INLINE void chain_reduce_row(const Pools* p, const Chain* chain)
