@@ -72,4 +72,11 @@ static inline int joints_of(scree_world* world)
 	return count;
 }
 
+static inline scree_mass mass_of(scree_world* world, scree_body body)
+{
+	scree_mass mass;
+	GOOD(scree_body_get_mass(world, body, &mass));
+	return mass;
+}
+
 #endif

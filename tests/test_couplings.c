@@ -5,20 +5,6 @@
 
 #define G 10.0 // m/s^2
 
-static double mass_of(scree_world* world, scree_body body)
-{
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
-	return mass.mass;
-}
-
-static double inertia_of(scree_world* world, scree_body body)
-{
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
-	return mass.inertia;
-}
-
 // A wheel on a hinge.
 static scree_body add_wheel(scree_world* world, float radius, float x, float y)
 {
@@ -111,7 +97,7 @@ static void gears_carry_torque(void** state)
 		scree_world* world = open_world(0.0f);
 		scree_body a = add_wheel(world, 0.5f, 0.0f, 0.0f), b = add_wheel(world, 0.8f, 5.0f, 0.0f);
 		scree_joint joint = gear(world, a, b, ratios[k]);
-		double i = inertia_of(world, a), j = inertia_of(world, b), acceleration = 3.0 / (i + r * r * j);
+		double i = mass_of(world, a).inertia, j = mass_of(world, b).inertia, acceleration = 3.0 / (i + r * r * j);
 		for (int n = 0; n < 60; ++n)
 		{
 			OK(scree_body_apply_torque(world, a, 3.0f));
@@ -135,7 +121,7 @@ static void atwood(void** state)
 		scree_world* world = open_world((float)-G);
 		scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, -1.0f, 0.0f);
 		scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 1.0f, 0.0f);
-		double m = mass_of(world, a), n = (1.0 + 0.5 * k) * m, h = STEP / SUBSTEPS;
+		double m = mass_of(world, a).mass, n = (1.0 + 0.5 * k) * m, h = STEP / SUBSTEPS;
 		OK(scree_body_set_mass(world, b, (scree_mass){(float)n, (float)n / 6.0f, {0.0f, 0.0f}}));
 		scree_joint joint = pulley(world, a, b, 1.0f, 20.0f);
 		run_steps(world, 60);
@@ -161,7 +147,7 @@ static void tackles_balance(void** state)
 		scree_world* world = open_world((float)-G);
 		scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -2.0f, 0.0f);
 		scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 2.0f, 0.0f);
-		double m = mass_of(world, b);
+		double m = mass_of(world, b).mass;
 		float heavy = (float)(ratio * m);
 		OK(scree_body_set_mass(world, a, (scree_mass){heavy, heavy / 6.0f, {0.0f, 0.0f}}));
 		scree_joint joint = pulley(world, a, b, (float)ratio, 10.0f);
@@ -200,7 +186,7 @@ static void ropes_hang_slack(void** state)
 	assert_true(position_of(world, b).y < 2.6f && joint_state_of(world, joint).force.y == 0.0f);
 	run_steps(world, 1200);
 	NEAR(joint_state_of(world, joint).values[0], along->upper, 2e-3);
-	NEAR(joint_state_of(world, joint).force.y, mass_of(world, b) * G, 0.01 * mass_of(world, b) * G);
+	NEAR(joint_state_of(world, joint).force.y, mass_of(world, b).mass * G, 0.01 * mass_of(world, b).mass * G);
 	NEAR(joint_state_of(world, joint).speeds[0], 0.0, 1e-3);
 	scree_world_destroy(world);
 }
@@ -231,7 +217,8 @@ static void racks_and_winches(void** state)
 		              hoists ? (double)at.y + 5.0 : (double)at.x, turned);
 		NEAR(hoists ? at.y + 5.0f : -at.x, 0.4 * turned, 5e-3);
 		if (hoists)
-			NEAR(joint_state_of(world, joint).force.y, mass_of(world, load) * G, 0.01 * mass_of(world, load) * G);
+			NEAR(joint_state_of(world, joint).force.y, mass_of(world, load).mass * G,
+			     0.01 * mass_of(world, load).mass * G);
 		scree_world_destroy(world);
 	}
 }
@@ -269,7 +256,7 @@ static void swinging_loads(void** state)
 	scree_body heavy = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, -5.0f, -10.0f);
 	scree_body swings =
 	    add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, (float)(4.0 * sin(1.5)), (float)(-4.0 * cos(1.5)));
-	float m = (float)(ratio * mass_of(world, swings));
+	float m = (float)(ratio * mass_of(world, swings).mass);
 	OK(scree_body_set_mass(world, heavy, (scree_mass){m, m, {0.0f, 0.0f}}));
 	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, heavy, swings, 1.0f);
 	def.sides[0].base.position = (scree_vec){-5.0f, 0.0f};
@@ -285,8 +272,8 @@ static void swinging_loads(void** state)
 	double energy =
 	    0.5 * m * pow(velocity_of(world, heavy).linear.y, 2.0) + m * G * (position_of(world, heavy).y + 10.0);
 	scree_velocity v = velocity_of(world, swings);
-	energy += 0.5 * mass_of(world, swings) * (v.linear.x * v.linear.x + v.linear.y * v.linear.y);
-	energy += mass_of(world, swings) * G * (position_of(world, swings).y + 4.0 * cos(1.5));
+	energy += 0.5 * mass_of(world, swings).mass * (v.linear.x * v.linear.x + v.linear.y * v.linear.y);
+	energy += mass_of(world, swings).mass * G * (position_of(world, swings).y + 4.0 * cos(1.5));
 	print_message("swinging Atwood machine: at most %.4f m from Runge-Kutta in 5 s; energy %+.4f J\n", worst, energy);
 	assert_true(worst < 0.1);
 	NEAR(energy, 0.0, 0.02 * m * G * 4.0);

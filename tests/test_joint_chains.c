@@ -16,13 +16,6 @@ static void add_links(scree_world* world, int count, float x, float y)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-static scree_mass mass_of(scree_world* world, scree_body body)
-{
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
-	return mass;
-}
-
 // the largest gap of all joints whose translations are locked, m
 static double gap_of(scree_world* world)
 {

@@ -14,13 +14,6 @@ static scree_body add_disc(scree_world* world, float radius, float x, float y)
 	return add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
 }
 
-static scree_mass mass_of(scree_world* world, scree_body body)
-{
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
-	return mass;
-}
-
 // ---------------------------------------------------------------------------------------------------------------
 // pendulums
 // ---------------------------------------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ static void list_names(const char* const* names, int count, char* text, size_t s
 		length += (size_t)snprintf(text + length, size - length, "%s%s", k ? ", " : "", names[k]);
 }
 
-static int find_name(const char* const* names, int count, const char* text, size_t length)
+int find_name(const char* const* names, int count, const char* text, size_t length)
 {
 	for (int k = 0; k < count; ++k)
 		if (strlen(names[k]) == length && strncmp(names[k], text, length) == 0)

@@ -14,6 +14,7 @@ typedef enum // what colors a body; row.glsl has the same numbers
 
 // "attribute", "speed", "graph"
 extern const char* const paint_names[PAINTS];
+int find_name(const char* const* names, int count, const char* text, size_t length); // -1 where there is none
 
 #define GRAPH_COLORS 64 // of scree_contact.color
 

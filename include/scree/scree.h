@@ -891,9 +891,9 @@ SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint join
 
 typedef struct scree_joint_state
 {
-	float
-	    values[3]; // by scree_coordinate: m, m, rad; the angle counts all turns. Of a GEAR or a PULLEY: the coordinate
-	               // along, the measure of a, the measure of b
+	// by scree_coordinate: m, m, rad; the angle counts all turns. Of a GEAR or a PULLEY: the coordinate along, the measure of a,
+	// the measure of b
+	float values[3];
 	float speeds[3]; // their speeds: m/s, m/s, rad/s
 	scree_vec force; // N: on body b, in the world, of the last substep; its opposite acts on body a
 	float torque;    // N m: likewise

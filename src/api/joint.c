@@ -25,7 +25,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 {
 	TRY(check_definition(at, defs, k, &joint_definition));
 	*made = *def_at(defs, k, made);
-	if ((unsigned)made->type > SCREE_JOINT_PULLEY)
+	if ((unsigned)made->type >= JOINT_TYPES)
 		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %d, not a scree_joint_type", (int)made->type);
 	TRY(check_end(world, at, ".body_a", made->body_a, bodies));
 	TRY(check_end(world, at, ".body_b", made->body_b, bodies + 1));

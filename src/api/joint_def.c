@@ -8,13 +8,12 @@
 #include "world/joints.h"
 #include <math.h>
 
-static const char* const type_names[] = {
+static const char* const type_names[JOINT_TYPES] = {
     [SCREE_JOINT_FREE] = "free",           [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
     [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",         [SCREE_JOINT_WELD] = "weld",
     [SCREE_JOINT_WHEEL] = "wheel",         [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
     [SCREE_JOINT_FILTER] = "filter",       [SCREE_JOINT_GEAR] = "gear",         [SCREE_JOINT_PULLEY] = "pulley",
 };
-#define JOINT_TYPES (sizeof type_names / sizeof type_names[0])
 
 const char* scree_joint_type_name(scree_joint_type type)
 {

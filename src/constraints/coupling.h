@@ -71,9 +71,6 @@ INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 }
 
 // What an impulse along a coupling is: a torque's where it measures an angle of b.
-INLINE Int coupling_turns(const Joint* u)
-{
-	return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_SLIDES(1) | JOINT_HOISTS(1)) == 0);
-}
+INLINE Int coupling_turns(const Joint* u) { return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_LINEAR(1)) == 0); }
 
 #endif

@@ -27,8 +27,8 @@ INLINE CouplingCount coupling_count_new(const Pools* p, int slot)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;
 	int modes = (int)data->modes;
-	float a = modes & (JOINT_SLIDES(0) | JOINT_HOISTS(0)) ? 0.0f : data->near[0];
-	float b = modes & (JOINT_SLIDES(1) | JOINT_HOISTS(1)) ? 0.0f : data->near[1];
+	float a = modes & JOINT_LINEAR(0) ? 0.0f : data->near[0];
+	float b = modes & JOINT_LINEAR(1) ? 0.0f : data->near[1];
 	CouplingCount count = {{a, b}, {0.0f, 0.0f}, b + data->gear_ratio * a};
 	return count;
 }

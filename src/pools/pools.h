@@ -188,12 +188,12 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_THERE    1   // the slot holds a joint
 #define JOINT_ACTIVE   2   // both bodies are enabled, at least one of them moves
 #define JOINT_RESTARTS 4   // its constraint has to start anew
-#define JOINT_NEW      256 // the slot holds another joint than before
 #define JOINT_BROKEN   8   // it broke
 #define JOINT_COLLIDES 16  // its bodies may touch each other
 #define JOINT_BREAKS   32  // it breaks when its force or torque exceeds its threshold
-#define JOINT_MOVED    128 // its place among the chains changed
 #define JOINT_ACTS     64  // it has something to solve: a lock, a limit, a spring or a motor
+#define JOINT_MOVED    128 // its place among the chains changed
+#define JOINT_NEW      256 // the slot holds another joint than before
 
 // JointData.modes: a whole number, of four bits for each coordinate, and more
 #define JOINT_LOCKED(k)  (1 << (4 * (k)))
@@ -210,6 +210,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 // what a coupling measures of a side, 0 for a: a translation or a distance, else an angle
 #define JOINT_SLIDES(side) (0x40000 << (side))
 #define JOINT_HOISTS(side) (0x100000 << (side))
+#define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
 
 // coordinates of frame b in frame a
 #define JOINT_ALONG       0
@@ -266,7 +267,7 @@ typedef struct // 272 bytes: a joint as the user wants it
 // half ends with an inert joint at least.
 #define CHAIN_HALF(count, stride) \
 	((((count) + 1) / 2 * (stride) + ((stride) == 1) + MAX_LANES - 1) / MAX_LANES * MAX_LANES)
-#define CHAIN_SPOT(count, stride, k) ((k) / 2 * (stride) + ((k) % 2) * CHAIN_HALF(count, stride))
+#define CHAIN_SPOT(half, stride, k) ((k) / 2 * (stride) + (k) % 2 * (half))
 
 typedef struct // 16 bytes: a chain, or some side by side
 {

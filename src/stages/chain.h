@@ -38,8 +38,6 @@ INLINE int chain_has(const Chain* chain, int spot)
 	return chain->stride == 1 || (spot & (MAX_LANES - 1)) < chain->lanes;
 }
 
-// A row of chain_joints, and a member of it at spots.
-#define CHAIN_AT(p, member, spot)     load(&chain_at(p, member, spot), 0)
 #define CHAIN_PUT(p, member, spot, x) store(&chain_at(p, member, spot), 0, x)
 
 // The rows and the bodies of a joint.
@@ -205,9 +203,6 @@ INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float
 // a pass
 // ---------------------------------------------------------------------------------------------------------------
 
-// Whether a pass begins with what each joint does by itself.
-INLINE int chain_owns(const Pools* p, int pass) { return pass != PASS_RELAX || p->step.drives; }
-
 // What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
 INLINE void chain_own(const Pools* p, const Chain* chain, int spot, int pass)
 {
@@ -250,9 +245,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass)
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// A member of the joints before: from spot first on where chains lie side by side.
-#define CHAIN_BEFORE(p, member) \
-	(chain->stride > 1 ? CHAIN_AT(p, member, first) : gather((const GLOBAL float*)(p)->chain_joints->member, at))
+// A component of the joints before: a block of them begins where chains lie side by side.
+#define CHAIN_BEFORE(p, member) (chain->stride > 1 ? CHAIN_AT(p, member, first) : CHAIN_GATHER(p, member, first))
 
 // The velocities that impulses along the coordinates of the joint before cause along those of this one, through their common
 // body.
@@ -260,8 +254,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, int spot, int odd)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
 	int first = odd ? spot - chain->odds : spot + chain->odds - chain->stride;
-	Int at = chain_index(first), right = CHAIN_AT(p, side, spot) > zero;
-	Int right_there = CHAIN_AT(p, other, spot) > zero;
+	Int right = CHAIN_AT(p, side, spot) > zero, right_there = CHAIN_AT(p, other, spot) > zero;
 	Real inverse = CHAIN_AT(p, inv_mass, spot), turning = CHAIN_AT(p, turns, spot);
 	Real sign = choose(splat(-1.0f), one, right == right_there), lever[3], across[3];
 	Int holds = whole(CHAIN_AT(p, holds, spot)), locks = whole(CHAIN_BEFORE(p, locks));
@@ -321,7 +314,7 @@ INLINE void chain_begin(const Pools* p, const Chain* chain)
 	group_meet();
 	for (int k = part_lane(); k < chain->count * chain->lanes; k += part_width())
 	{
-		int spot = chain_spot(chain, k / chain->lanes) + k % chain->lanes;
+		int spot = chain_spot_of(chain, k);
 		chain_set_inertias(p, chain->begin + spot, chain_at(p, step_a, spot), chain_at(p, step_b, spot));
 	}
 	group_meet();
@@ -367,7 +360,7 @@ GROUP_STAGE(chain)
 		return;
 	if (pass == PASS_WARM_START)
 		chain_begin(p, &chain);
-	for (int odd = 0; odd < 2 && chain_owns(p, pass); ++odd)
+	for (int odd = 0; odd < 2 && (pass != PASS_RELAX || p->step.drives); ++odd)
 	{
 		CHAIN_EACH(spot, &chain, odd)
 		chain_own(p, &chain, spot, pass);
@@ -383,7 +376,7 @@ GROUP_STAGE(chain_end)
 	Chain chain = chain_number(p, i);
 	for (int k = part_lane(); k < chain.count * chain.lanes; k += part_width())
 	{
-		int spot = chain_spot(&chain, k / chain.lanes) + k % chain.lanes;
+		int spot = chain_spot_of(&chain, k);
 		chain_set_inertias(p, chain.begin + spot, chain_at(p, own_a, spot), chain_at(p, own_b, spot));
 	}
 	(void)bench;

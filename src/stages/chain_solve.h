@@ -32,47 +32,45 @@ INLINE Int chain_index(int spot)
 	return (at - low) * CHAIN_ROWS + low;
 }
 
+// A component of LANES joints from a spot on: where a block begins there, and anywhere.
+#define CHAIN_AT(p, member, spot)     load(&chain_at(p, member, spot), 0)
+#define CHAIN_GATHER(p, member, spot) gather((const GLOBAL float*)(p)->chain_joints->member, chain_index(spot))
+
+// one joint
 #define NUMBER             float
 #define SOLVES(name)       chain_##name
 #define GET(at)            (*(at))
 #define PUT(at, x)         (*(at) = (x))
 #define PICK(a, b, c)      ((c) ? (b) : (a))
 #define NEAR(member, spot) chain_at(p, member, spot)
-#include "stages/chain_block.h"
-#undef NUMBER
-#undef SOLVES
-#undef GET
-#undef PUT
-#undef PICK
-#undef NEAR
+#include "stages/chain_block.def"
 
-// Of chains side by side; and of joints of one chain, whose neighbors do not begin with a block.
-#if LANES > 1
+// joints of chains side by side
 #define NUMBER             Real
 #define SOLVES(name)       chains_##name
 #define GET(at)            load(at, 0)
 #define PUT(at, x)         store(at, 0, x)
 #define PICK(a, b, c)      choose(a, b, c)
-#define NEAR(member, spot) load(&chain_at(p, member, spot), 0)
-#include "stages/chain_block.h"
-#undef SOLVES
-#undef NEAR
+#define NEAR(member, spot) CHAIN_AT(p, member, spot)
+#include "stages/chain_block.def"
+
+// joints of one half of a chain alone, whose neighbors do not begin with a block
+#define NUMBER             Real
 #define SOLVES(name)       chain_row_##name
-#define NEAR(member, spot) gather((const float*)p->chain_joints->member, chain_index(spot))
-#include "stages/chain_block.h"
-#undef NUMBER
-#undef SOLVES
-#undef GET
-#undef PUT
-#undef PICK
-#undef NEAR
-#define CHAIN_DO(chain, name, arguments) ((chain)->stride > 1 ? chains_##name arguments : chain_##name arguments)
-#else
-#define CHAIN_DO(chain, name, arguments) chain_##name arguments
-#endif
+#define GET(at)            load(at, 0)
+#define PUT(at, x)         store(at, 0, x)
+#define PICK(a, b, c)      choose(a, b, c)
+#define NEAR(member, spot) CHAIN_GATHER(p, member, spot)
+#include "stages/chain_block.def"
+
+#define CHAIN_DO(chain, name, arguments) \
+	(LANES > 1 && (chain)->stride > 1 ? chains_##name arguments : chain_##name arguments)
 
 // The spot of joint k of the first chain.
-INLINE int chain_spot(const Chain* chain, int k) { return chain->first + k / 2 * chain->stride + k % 2 * chain->odds; }
+INLINE int chain_spot(const Chain* chain, int k) { return chain->first + CHAIN_SPOT(chain->odds, chain->stride, k); }
+
+// The spot of joint n of all chains, of those that lie side by side.
+INLINE int chain_spot_of(const Chain* chain, int n) { return chain_spot(chain, n / chain->lanes) + n % chain->lanes; }
 
 // Chains that lie side by side are solved so many at a time.
 INLINE int chain_turns(const Chain* chain) { return chain->stride > 1 ? (chain->lanes + LANES - 1) / LANES : 1; }
@@ -91,7 +89,6 @@ INLINE int chain_spot_at(const Chain* chain, int k, int turn)
 // One chain alone: its two halves lie side by side, so that LANES of its joints are taken out at once, and later solved.
 INLINE void chain_reduce_row(const Pools* p, const Chain* chain)
 {
-#if LANES > 1
 	int first = chain->first, odds = chain->odds;
 	for (int n = 0; n < chain->count / 2; n += LANES)
 		chain_row_eliminate(p, first + odds + n, first + n + 1);
@@ -100,22 +97,13 @@ INLINE void chain_reduce_row(const Pools* p, const Chain* chain)
 		chains_take(p, first + n, first + odds + n, 1);
 		chain_row_take(p, first + n, first + odds + n - 1, -1);
 	}
-#else
-	(void)p;
-	(void)chain;
-#endif
 }
 
 INLINE void chain_back_row(const Pools* p, const Chain* chain)
 {
-#if LANES > 1
 	int first = chain->first, odds = chain->odds;
 	for (int n = 0; n < chain->count / 2; n += LANES)
 		chain_row_back(p, first + odds + n, first + n, first + n + 1);
-#else
-	(void)p;
-	(void)chain;
-#endif
 }
 
 // Takes the joints that lie top joints away out of joint k.

@@ -186,10 +186,11 @@ static void range(Search* s)
 	{
 		lanes = side_by_side(s, k);
 		ChainRange at = {s->places, s->rows[k].count, lanes > 1 ? MAX_LANES : 1, lanes};
+		int half = CHAIN_HALF(at.count, at.stride);
 		for (int c = 0; c < lanes; ++c)
 			for (int n = 0; n < s->rows[k + c].count; ++n)
-				s->spots[s->row[s->rows[k + c].first + n]] = at.first + c + CHAIN_SPOT(at.count, at.stride, n);
-		s->places += 2 * CHAIN_HALF(at.count, at.stride);
+				s->spots[s->row[s->rows[k + c].first + n]] = at.first + c + CHAIN_SPOT(half, at.stride, n);
+		s->places += 2 * half;
 		s->ranges[s->ranged++] = at;
 	}
 }

@@ -20,6 +20,8 @@ void joint_changed(scree_world* world, int index, bool restarts);
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 
+#define JOINT_TYPES (SCREE_JOINT_PULLEY + 1)
+
 // Whether a joint is a gear or a pulley, whose one coordinate is that along.
 static inline bool joint_couples(scree_joint_type type)
 {

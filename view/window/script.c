@@ -81,10 +81,8 @@ static int in_state(const Viewer* v, const char* state)
 	for (size_t k = 0; k < sizeof states / sizeof *states; ++k)
 		if (strcmp(states[k].name, state) == 0)
 			return states[k].current;
-	for (int k = 0; k < PAINTS; ++k)
-		if (strcmp(paint_names[k], state) == 0)
-			return (int)v->style.paint == k;
-	return -1;
+	int paint = find_name(paint_names, PAINTS, state, strlen(state));
+	return paint < 0 ? -1 : (int)v->style.paint == paint;
 }
 
 // Ends the viewer with an error of the current line. Returns true: the line needs no other error.
