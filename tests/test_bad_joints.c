@@ -257,7 +257,19 @@ static void measures(void** state)
 	char sentence[96];
 	snprintf(sentence, sizeof sentence, "def.size is %u, of a version without gears and pulleys", older);
 	DEF(size = older, size = same.size, SCREE_ERROR_INVALID, sentence);
+
 #undef DEF
+
+	// a coordinate of 1,000 km, from bases that need normalizing: they are as they were
+	for (int k = 0; k < 2; ++k)
+	{
+		def.sides[k].measure = SCREE_MEASURE_DISTANCE;
+		def.sides[k].base = (scree_pose){{1000.0f, 0.0f}, {0.9999f, 0.0f}};
+	}
+	def.ratio = 1000.0f;
+	same = def;
+	INVALID(scree_joint_def_couple, (world, &def), "def.coordinates[SCREE_ALONG].target is ");
+	assert_memory_equal(&def, &same, sizeof def);
 
 	// what an older definition lacks is read as 0: its bases have no direction
 	def.size = older;

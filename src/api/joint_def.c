@@ -145,13 +145,16 @@ scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
 	if (!joint_couples(def->type))
 		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %s: only a gear or a pulley couples",
 		              scree_joint_type_name(def->type));
-	TRY(check_joint_coupling(at, def));
-	TRY(check_pose(at, ".frame_a", &def->frame_a));
-	TRY(check_pose(at, ".frame_b", &def->frame_b));
+	scree_joint_def made = *def;
+	TRY(check_joint_coupling(at, &made));
+	TRY(check_pose(at, ".frame_a", &made.frame_a));
+	TRY(check_pose(at, ".frame_b", &made.frame_b));
 	for (int k = 0; k < 2; ++k)
-		TRY(measure(world, at, def, k, values + k));
+		TRY(measure(world, at, &made, k, values + k));
 	for (int k = 0; k < 2; ++k)
-		def->sides[k].near = def->sides[k].measure == SCREE_MEASURE_ANGLE ? values[k] : 0.0f;
-	def->coordinates[SCREE_ALONG].target = values[1] + def->ratio * values[0];
+		made.sides[k].near = made.sides[k].measure == SCREE_MEASURE_ANGLE ? values[k] : 0.0f;
+	made.coordinates[SCREE_ALONG].target = values[1] + made.ratio * values[0];
+	TRY(check_coordinate(at, made.type, SCREE_ALONG, &made.coordinates[SCREE_ALONG]));
+	*def = made;
 	return SCREE_OK;
 }
