@@ -77,6 +77,7 @@ struct Backend
 	int threads, lanes;      // 0 on OpenCL
 	int walkers;             // work-items among which the rest of a long walk is split, at least 1
 	int walk_nodes;          // nodes over leaves in a short walk; one that visits more is long
+	int groups;              // work-groups that run at the same time, at least 1
 	bool distant;            // a read takes as long as many runs
 	scree_sharing sharing;   // what share accepts; SCREE_SHARING_COPIED for nothing, then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for

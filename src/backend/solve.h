@@ -15,7 +15,7 @@ typedef struct
 	bool rare[CONSTRAINT_KINDS]; // the kind uses its rare rows
 	bool bounces;                // as in Step
 	bool bare;                   // some body with joints may have no collidables, and so no leaf in a tree
-	int chains;                  // rows of joints that are solved together
+	int chains, chain_places;    // rows of joints that are solved together, and places in them
 	const Counters* counters;    // with the layout of the constraints
 	int bound; // counter that is 0 when that is not the layout after all, or NO_COUNT; then nothing may be done
 } Solve;

@@ -178,9 +178,10 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
-INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
+// The pose of a joint whose bodies are set.
+INLINE void joint_pose(const Joint* u, JointPose* c)
 {
-	JointPose c;
+	const Body *a = &c->a, *b = &c->b;
 	Vec arm_a = vec(u->arm_a_x, u->arm_a_y), arm_b = vec(u->arm_b_x, u->arm_b_y), axis = vec(u->axis_x, u->axis_y);
 	Vec swing_a = vec_sub(body_displacement(*a, arm_a), a->d), swing_b = vec_sub(body_displacement(*b, arm_b), b->d);
 	Vec d = vec_add(vec(u->gap_x, u->gap_y), vec_add(vec_sub(b->d, a->d), vec_sub(swing_b, swing_a)));
@@ -192,26 +193,23 @@ INLINE JointPose joint_pose(const Joint* u, const Body* a, const Body* b)
 	d = vec_choose(zero, d, sound);
 	swing_a = vec_choose(zero, swing_a, sound);
 	swing_b = vec_choose(zero, swing_b, sound);
-	c.a = *a;
-	c.b = *b;
-	c.arm_a = vec_add(vec_add(arm_a, swing_a), d);
-	c.arm_b = vec_add(arm_b, swing_b);
+	c->arm_a = vec_add(vec_add(arm_a, swing_a), d);
+	c->arm_b = vec_add(arm_b, swing_b);
 
 	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
 	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
 	axis = joint_line(axis, d, joint_has(u, JOINT_RADIAL));
-	c.axis[0] = axis;
-	c.axis[1] = vec(-axis.y, axis.x);
+	c->axis[0] = axis;
+	c->axis[1] = vec(-axis.y, axis.x);
 	for (int k = 0; k < 2; ++k)
 	{
-		c.lever_a[k] = vec_cross(c.arm_a, c.axis[k]);
-		c.lever_b[k] = vec_cross(c.arm_b, c.axis[k]);
-		c.value[k] = vec_dot(d, c.axis[k]);
+		c->lever_a[k] = vec_cross(c->arm_a, c->axis[k]);
+		c->lever_b[k] = vec_cross(c->arm_b, c->axis[k]);
+		c->value[k] = vec_dot(d, c->axis[k]);
 	}
-	c.value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
-	c.mass = a->inv_mass + b->inv_mass;
-	joint_alone(&c);
-	return c;
+	c->value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
+	c->mass = a->inv_mass + b->inv_mass;
+	joint_alone(c);
 }
 
 // m/s, rad/s: the speed of coordinate k, a constant

@@ -180,7 +180,10 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 	(void)held;
 	if (pass == PASS_BOUNCE)
 		return;
-	JointPose c = joint_pose(u, a, b);
+	JointPose c;
+	c.a = *a;
+	c.b = *b;
+	joint_pose(u, &c);
 	coupling_pose(p, i, u, &c);
 	if (pass == PASS_WARM_START)
 		joint_warm(p, i, u, &c);

@@ -15,11 +15,11 @@
 
 // The other way is measured again at times, less often the slower it was. A time longer than the last may be due to an
 // interruption, so it is averaged in with a weight of a quarter.
-void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items)
+void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains)
 {
 	Choice* c = &cpu->choice;
 	double mean = items / count;
-	bool open = mean >= SOLVE_GRAIN && mean <= ALWAYS_SHARED, first = open && c->solves < FIRST_SOLVES;
+	bool open = mean + chains / count >= SOLVE_GRAIN && mean <= ALWAYS_SHARED, first = open && c->solves < FIRST_SOLVES;
 	bool tries = open && !first && --c->rest < 0;
 	if (!open)
 		c->shares = mean > ALWAYS_SHARED;

@@ -10,6 +10,8 @@
 // A walk of more nodes than this, about 5 us, is cut into so many parts per worker.
 #define WALK_NODES 128
 #define WALKERS    4
+// A joint of a chain takes as long as so many constraints of a color.
+#define CHAIN_ITEM 8
 
 static void set_step(Cpu* cpu, const Step* step)
 {
@@ -31,11 +33,14 @@ static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, 
 	Cpu* cpu = b->state;
 	set_step(cpu, step);
 	solve_list(solve, list);
-	double items = 0;
+	double items = 0, chains = 0;
 	for (int k = 0; k < list->count; ++k)
+	{
 		items += list->runs[k].end - list->runs[k].begin;
+		chains += list->runs[k].stage == STAGE_chain && solve->chains > 1 ? CHAIN_ITEM * solve->chain_places : 0;
+	}
 	if (b->threads > 1 && items > 0)
-		cpu_work_solve(cpu, list->runs, list->count, items);
+		cpu_work_solve(cpu, list->runs, list->count, items, chains);
 	else
 		cpu_work(cpu, list->runs, list->count, INT_MAX);
 	list->count = 0;
@@ -134,6 +139,7 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	b->lanes = lanes;
 	b->walkers = threads > 1 ? WALKERS * threads : 1;
 	b->walk_nodes = threads > 1 ? WALK_NODES : INT_MAX;
+	b->groups = threads;
 	b->state = cpu;
 	snprintf(b->name, sizeof(b->name), "cpu");
 	cpu->timed = options->timings;

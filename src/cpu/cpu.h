@@ -57,8 +57,9 @@ typedef struct // the state of the backend
 // work.c: executes a list of runs. A run of fewer items than grain is done by one worker.
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain);
 
-// choice.c: the list of a solve of so many items, shared or by one worker, whichever took less time before.
-void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items);
+// choice.c: the list of a solve of so many items, and of chains that take as long as so many more, shared or by one worker,
+// whichever took less time before.
+void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains);
 
 // memory.c: functions of the backend
 void cpu_free_pools(Cpu* cpu);

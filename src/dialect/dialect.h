@@ -71,11 +71,12 @@ INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 #if LANES == 1
 typedef float Real;
 typedef int Int;
-#define splat(x)           (x)
-#define load(array, i)     ((array)[i])
-#define load_int(array, i) ((array)[i])
-#define store(array, i, x) ((array)[i] = (x))
-#define real_bits(x)       float_bits(x)
+#define splat(x)               (x)
+#define load(array, i)         ((array)[i])
+#define load_int(array, i)     ((array)[i])
+#define store(array, i, x)     ((array)[i] = (x))
+#define store_int(array, i, x) ((array)[i] = (x))
+#define real_bits(x)           float_bits(x)
 // b where c is set, else a
 INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
@@ -88,7 +89,12 @@ INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 #define root(x)                         square_root(x)
 
 // the numbers i to i + LANES - 1; items of an array by index; the members of rows of two integers
-#define indices(i)                  (i)
+#define indices(i) (i)
+// the next item of each lane: of a, and then of b; and the item before it
+#define following(a, b)             (b)
+#define preceding(a, b)             (a)
+#define following_int(a, b)         (b)
+#define preceding_int(a, b)         (a)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])
 #define load_int2(array, i, x0, y0) (*(x0) = (array)[i].x, *(y0) = (array)[i].y)

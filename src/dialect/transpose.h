@@ -64,6 +64,16 @@ WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE
 #endif
 #define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
 
+// the items behind those of a: the last one is the first of b; the items before those of b: the first one is the last of a
+#define NEXT(k) k + 1
+#define LAST(k) k + LANES - 1
+WIDE_INLINE Real following(Real a, Real b) { return SHUFFLE_ALL(a, b, EACH_LANE(NEXT)); }
+WIDE_INLINE Real preceding(Real a, Real b) { return SHUFFLE_ALL(a, b, EACH_LANE(LAST)); }
+WIDE_INLINE Int following_int(Int a, Int b) { return SHUFFLE_ALL(a, b, EACH_LANE(NEXT)); }
+WIDE_INLINE Int preceding_int(Int a, Int b) { return SHUFFLE_ALL(a, b, EACH_LANE(LAST)); }
+#undef NEXT
+#undef LAST
+
 // the members of rows i to i + LANES - 1 of two integers
 WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 {

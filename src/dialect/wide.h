@@ -8,12 +8,13 @@ typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
 typedef Word Words __attribute__((vector_size(4 * LANES)));
 // a difference keeps the sign of zero: -0 - 0 is -0, but -0 + 0 is +0
-#define splat(x)           ((x) - (Real){0})
-#define load(array, i)     (*(const Real*)((array) + (i)))
-#define load_int(array, i) (*(const Int*)((array) + (i)))
-#define store(array, i, x) (*(Real*)((array) + (i)) = (x))
-#define real_bits(x)       ((Int)(x))
-#define lane(x, k)         ((x)[k])
+#define splat(x)               ((x) - (Real){0})
+#define load(array, i)         (*(const Real*)((array) + (i)))
+#define load_int(array, i)     (*(const Int*)((array) + (i)))
+#define store(array, i, x)     (*(Real*)((array) + (i)) = (x))
+#define store_int(array, i, x) (*(Int*)((array) + (i)) = (x))
+#define real_bits(x)           ((Int)(x))
+#define lane(x, k)             ((x)[k])
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Int choose_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
 #define whole(x)         __builtin_convertvector(x, Int)

@@ -261,21 +261,24 @@ typedef struct // 272 bytes: a joint as the user wants it
 	JointData data;
 } JointEdit;
 
-// Spots of a chain: its joints 0, 2, 4, ... first, then, from the next block of MAX_LANES on, 1, 3, 5, ... Those of one half
-// have no bodies in common, so that a wide pass takes a block of them. Chains of similar lengths lie side by side: joints k of
-// MAX_LANES chains are one block. stride is from joint 0 of a chain to its joint 2: 1, or MAX_LANES. Where a chain is alone, each
-// half ends with an inert joint at least.
-#define CHAIN_HALF(count, stride) \
-	((((count) + 1) / 2 * (stride) + ((stride) == 1) + MAX_LANES - 1) / MAX_LANES * MAX_LANES)
-#define CHAIN_SPOT(half, stride, k) ((k) / 2 * (stride) + (k) % 2 * (half))
-
-typedef struct // 16 bytes: a chain, or some side by side
+// Spots of a chain: its joints are in rows, joint k in row k mod R, where R is a power of two. The even rows come first, then the
+// odd ones. Joints of one half have no bodies in common, so that a wide pass takes a block of them, and the neighbors of a block
+// are a block, but those of a row's ends. Or chains of similar lengths lie side by side: joints k of LANES chains are one block,
+// or a part of one; then R is 2, and joint k + 2 is MAX_LANES spots behind joint k.
+typedef struct // 24 bytes: a chain, or some side by side
 {
-	int first; // spot of joint 0
-	int count; // joints of the longest one
-	int stride;
-	int lanes; // chains
+	int first;  // spot of joint 0
+	int count;  // joints of the longest one
+	int odds;   // spots from joint 0 to joint 1
+	int stride; // spots between neighbors in a row: 1, or MAX_LANES
+	int length; // joints of a row, with inert ones at its end
+	int bits;   // of the number of rows, at least 1
 } ChainRange;
+
+// The spot of joint k of a ChainRange.
+#define CHAIN_SPOT(c, k)                                                                           \
+	((c)->first + ((k)&1) * (c)->odds + (((k) >> 1) & ((1 << (c)->bits >> 1) - 1)) * (c)->length + \
+	 ((k) >> (c)->bits) * (c)->stride)
 
 typedef struct // MAX_LANES joints in the systems of their chains: working data of a pass
 {
@@ -284,14 +287,14 @@ typedef struct // MAX_LANES joints in the systems of their chains: working data 
 	float m[9][MAX_LANES];    // block that couples one behind with it, at this level
 	float r[3][MAX_LANES];    // right side
 	float x[3][MAX_LANES];    // solution
-	float axis[2][MAX_LANES]; // the first axis; levers of both axes on a, and on b
-	float lever_a[2][MAX_LANES], lever_b[2][MAX_LANES];
+	float pose[6][MAX_LANES]; // the first axis; levers of both axes on a, and on b
+	int body_a[MAX_LANES], body_b[MAX_LANES];
 	float locks[MAX_LANES], holds[MAX_LANES];    // bits of coordinates: locked; and with a yield
 	float side[MAX_LANES], other[MAX_LANES];     // of the body shared with the joint before: 0 for a, 1 for b; there
 	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): of the shared body; 0 for none
-	float tension_a[MAX_LANES], tension_b[MAX_LANES]; // kg m^2: what its pull adds to the inertia of its bodies
-	float own_a[MAX_LANES], own_b[MAX_LANES];         // 1/(kg m^2): inverse inertias of its bodies
-	float step_a[MAX_LANES], step_b[MAX_LANES];       // the same for the step, with the tension
+	float tension[2][MAX_LANES];                 // kg m^2: what its pull adds to the inertia of its bodies
+	float own_a[MAX_LANES], own_b[MAX_LANES];    // 1/(kg m^2): inverse inertias of its bodies
+	float step_a[MAX_LANES], step_b[MAX_LANES];  // the same for the step, with the tension
 } ChainBlock;
 
 // a component of the joint at a spot

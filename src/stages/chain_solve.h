@@ -2,8 +2,8 @@
 // chain_solve.h -- the linear system of a chain of joints, by cyclic reduction: a work-group eliminates every second joint at once.
 //
 // The system is symmetric and block tridiagonal with blocks of 3 x 3, one row of blocks for each joint. Its solution is exact, so
-// a load at one end acts on the other end within a pass, whatever the masses between them. Of chains that lie side by side a CPU
-// takes LANES at once. A shorter one is inert at its end, which changes no bit.
+// a load at one end acts on the other end within a pass, whatever the masses between them. A CPU takes LANES joints at once: of
+// a chain's rows, until one row is left, or of chains that lie side by side. Inert joints at the ends change no bit.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -14,137 +14,217 @@
 
 #define CHAIN_PIVOT 1.0e-6f // least share of its diagonal that a pivot keeps: below it is rounding
 
-typedef struct // where a chain is, or some side by side
+typedef struct
 {
-	int count;       // joints
-	int first, odds; // spot of joint 0; spots from there to that of joint 1
-	int stride;      // spots from joint 0 to joint 2
-	int lanes;       // chains
-	int begin;       // place of spot 0 of all chains
+	ChainRange at;
+	int begin; // place of spot 0 of all chains
 } Chain;
+
+typedef struct // where LANES joints are; or where each is one further or back in a row, that goes on somewhere else
+{
+	int here, next; // offsets in the pool, in floats; -1 for none
+	int shift;
+} ChainNear;
 
 // Floats between two blocks of a row of chain_joints, in lanes; where LANES joints from a spot on have a component.
 #define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
 
-INLINE Int chain_index(int spot)
+INLINE int chain_offset(int spot)
 {
-	Int at = indices(spot), low = at & (MAX_LANES - 1);
-	return (at - low) * CHAIN_ROWS + low;
+	int low = spot & (MAX_LANES - 1);
+	return (spot - low) * CHAIN_ROWS + low;
 }
 
-// A component of LANES joints from a spot on: where a block begins there, and anywhere.
-#define CHAIN_AT(p, member, spot)     load(&chain_at(p, member, spot), 0)
-#define CHAIN_GATHER(p, member, spot) gather((const GLOBAL float*)(p)->chain_joints->member, chain_index(spot))
-
-// one joint
-#define NUMBER             float
-#define SOLVES(name)       chain_##name
-#define GET(at)            (*(at))
-#define PUT(at, x)         (*(at) = (x))
-#define PICK(a, b, c)      ((c) ? (b) : (a))
-#define NEAR(member, spot) chain_at(p, member, spot)
-#include "stages/chain_block.def"
-
-// joints of chains side by side
-#define NUMBER             Real
-#define SOLVES(name)       chains_##name
-#define GET(at)            load(at, 0)
-#define PUT(at, x)         store(at, 0, x)
-#define PICK(a, b, c)      choose(a, b, c)
-#define NEAR(member, spot) CHAIN_AT(p, member, spot)
-#include "stages/chain_block.def"
-
-// joints of one half of a chain alone, whose neighbors do not begin with a block
-#define NUMBER             Real
-#define SOLVES(name)       chain_row_##name
-#define GET(at)            load(at, 0)
-#define PUT(at, x)         store(at, 0, x)
-#define PICK(a, b, c)      choose(a, b, c)
-#define NEAR(member, spot) CHAIN_GATHER(p, member, spot)
-#include "stages/chain_block.def"
-
-#define CHAIN_DO(chain, name, arguments) \
-	(LANES > 1 && (chain)->stride > 1 ? chains_##name arguments : chain_##name arguments)
-
-// The spot of joint k of the first chain.
-INLINE int chain_spot(const Chain* chain, int k) { return chain->first + CHAIN_SPOT(chain->odds, chain->stride, k); }
-
-// The spot of joint n of all chains, of those that lie side by side.
-INLINE int chain_spot_of(const Chain* chain, int n) { return chain_spot(chain, n / chain->lanes) + n % chain->lanes; }
-
-// Chains that lie side by side are solved so many at a time.
-INLINE int chain_turns(const Chain* chain) { return chain->stride > 1 ? (chain->lanes + LANES - 1) / LANES : 1; }
-
-// The spot of joint k in a turn, -1 where there is none.
-INLINE int chain_spot_at(const Chain* chain, int k, int turn)
+// Components of LANES joints that are near others; zero where there are none.
+INLINE void chain_near(const GLOBAL float (*member)[MAX_LANES], int count, ChainNear near, Real* out)
 {
-	return k < 0 || k >= chain->count ? -1 : chain_spot(chain, k) + turn * LANES;
-}
-
-// Loops over joints from, from + by, ... in all turns, split among a work-group.
-#define CHAIN_JOINTS(k, turn, chain, from, by)                                                                      \
-	for (int turns = chain_turns(chain), item = part_lane(), turn = item % turns, k = (from) + item / turns * (by); \
-	     k < (chain)->count; item += part_width(), turn = item % turns, k = (from) + item / turns * (by))
-
-// One chain alone: its two halves lie side by side, so that LANES of its joints are taken out at once, and later solved.
-INLINE void chain_reduce_row(const Pools* p, const Chain* chain)
-{
-	int first = chain->first, odds = chain->odds;
-	for (int n = 0; n < chain->count / 2; n += LANES)
-		chain_row_eliminate(p, first + odds + n, first + n + 1);
-	for (int n = 0; n < (chain->count + 1) / 2; n += LANES)
+	for (int k = 0; k < count && near.here < 0; ++k)
+		out[k] = splat(0.0f);
+	for (int k = 0; k < count && near.here >= 0; ++k)
+		out[k] = load(member[k], near.here);
+	if (near.shift == 0)
+		return;
+	for (int k = 0; k < count; ++k)
 	{
-		chains_take(p, first + n, first + odds + n, 1);
-		chain_row_take(p, first + n, first + odds + n - 1, -1);
+		Real next = near.next < 0 ? splat(0.0f) : load(member[k], near.next);
+		out[k] = near.shift > 0 ? following(out[k], next) : preceding(next, out[k]);
 	}
 }
 
-INLINE void chain_back_row(const Pools* p, const Chain* chain)
+INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 {
-	int first = chain->first, odds = chain->odds;
-	for (int n = 0; n < chain->count / 2; n += LANES)
-		chain_row_back(p, first + odds + n, first + n, first + n + 1);
+	Int first = load_int(member, 0), none = first ^ first;
+	Int here = near.here < 0 ? none : load_int(member, near.here);
+	if (near.shift == 0)
+		return here;
+	Int next = near.next < 0 ? none : load_int(member, near.next);
+	return near.shift > 0 ? following_int(here, next) : preceding_int(next, here);
 }
 
-// Takes the joints that lie top joints away out of joint k.
-INLINE void chain_reduce(const Pools* p, const Chain* chain, int k, int top, int turn)
+// one joint
+#define NUMBER        float
+#define NEIGHBOR      int
+#define SOLVES(name)  chain_##name
+#define GET(at)       (*(at))
+#define PUT(at, x)    (*(at) = (x))
+#define PICK(a, b, c) ((c) ? (b) : (a))
+#define THERE(at)     ((at) >= 0)
+#define LOAD(member, count, at, out)  \
+	for (int k = 0; k < (count); ++k) \
+	(out)[k] = chain_at(p, member[k], at)
+#include "stages/chain_block.def"
+
+// LANES joints
+#define NUMBER                       Real
+#define NEIGHBOR                     ChainNear
+#define SOLVES(name)                 chains_##name
+#define GET(at)                      load(at, 0)
+#define PUT(at, x)                   store(at, 0, x)
+#define PICK(a, b, c)                choose(a, b, c)
+#define THERE(at)                    ((at).here >= 0)
+#define LOAD(member, count, at, out) chain_near(p->chain_joints->member, count, at, out)
+#include "stages/chain_block.def"
+
+INLINE int chain_rows(const Chain* chain) { return 1 << chain->at.bits; }
+
+// Whether chains lie side by side, which only a device of several lanes has.
+INLINE int chain_side(const Chain* chain) { return LANES > 1 && chain->at.stride > 1; }
+
+// The spot of joint k, -1 where there is none.
+INLINE int chain_spot(const Chain* chain, int k)
 {
-	int spot = chain_spot_at(chain, k, turn), behind = chain_spot_at(chain, k + top, turn);
-	if (behind >= 0)
-		CHAIN_DO(chain, take, (p, spot, behind, 1));
-	if (k >= top)
-		CHAIN_DO(chain, take, (p, spot, chain_spot_at(chain, k - top, turn), -1));
+	return k < 0 || k >= chain->at.count ? -1 : CHAIN_SPOT(&chain->at, k);
+}
+
+// Joints of a row, inert ones included.
+INLINE int chain_length(const Chain* chain, int row)
+{
+	return chain_side(chain) ? (chain->at.count + 1 - (row & 1)) / 2 : chain->at.length;
+}
+
+// The spot of joint n of a row.
+INLINE int chain_row_spot(const Chain* chain, int row, int n)
+{
+	const ChainRange* at = &chain->at;
+	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
+}
+
+// Where the joints are that come `far` joints behind those from number n of a row on; before them, if far is less than 0. It is no
+// more than the number of rows.
+INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
+{
+	ChainNear near;
+	int rows = chain_rows(chain), at = row + far, shift = at < 0 ? -1 : at >= rows ? 1 : 0;
+	int whole = LANES == 1 || chain_side(chain), next = n + shift * (whole ? 1 : LANES);
+	int other = at - shift * rows;
+	near.next = -1;
+	if (next >= 0 && next < chain_length(chain, other))
+		near.next = chain_offset(chain_row_spot(chain, other, next));
+	near.here = whole ? near.next : chain_offset(chain_row_spot(chain, other, n));
+	near.shift = whole ? 0 : shift;
+	return near;
+}
+
+// Loops over joints from, from + by, ..., split among a work-group.
+#define CHAIN_JOINTS(k, chain, from, by) \
+	for (int k = (from) + part_lane() * (by); k < (chain)->at.count; k += part_width() * (by))
+
+// Loops over blocks of joints of rows from, from + by, ...
+#define CHAIN_BLOCKS(row, n, chain, from, by)                    \
+	for (int row = (from); row < chain_rows(chain); row += (by)) \
+		for (int n = 0; n < (chain)->at.length; n += LANES)
+
+// Takes every second one of the joints that are top joints apart out of the others: rows, or joints one by one.
+INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
+{
+	CHAIN_BLOCKS(row, n, chain, top, 2 * top)
+	chains_eliminate(p, chain_row_spot(chain, row, n), chain_neighbor(chain, row, n, top));
+	CHAIN_BLOCKS(row, n, chain, 0, 2 * top)
+	chains_take(p, chain_row_spot(chain, row, n), chain_neighbor(chain, row, n, -top),
+	            chain_neighbor(chain, row, n, top));
+}
+
+INLINE void chain_back_rows(const Pools* p, const Chain* chain, int top)
+{
+	CHAIN_BLOCKS(row, n, chain, top, 2 * top)
+	chains_back(p, chain_row_spot(chain, row, n), chain_neighbor(chain, row, n, -top),
+	            chain_neighbor(chain, row, n, top));
+}
+
+INLINE void chain_reduce_joints(const Pools* p, const Chain* chain, int top)
+{
+	group_meet();
+	CHAIN_JOINTS(k, chain, top, 2 * top)
+	chain_eliminate(p, chain_spot(chain, k), chain_spot(chain, k + top));
+	group_meet();
+	CHAIN_JOINTS(k, chain, 0, 2 * top)
+	chain_take(p, chain_spot(chain, k), chain_spot(chain, k - top), chain_spot(chain, k + top));
+}
+
+INLINE void chain_back_joints(const Pools* p, const Chain* chain, int top)
+{
+	group_meet();
+	CHAIN_JOINTS(k, chain, top, 2 * top)
+	chain_back(p, chain_spot(chain, k), chain_spot(chain, k - top), chain_spot(chain, k + top));
+}
+
+// Of chains side by side, the joints k, k + by, ... are a block each.
+#define CHAIN_SIDE(k, chain, from, by) for (int k = (from); k < (chain)->at.count; k += (by))
+
+INLINE int chain_side_spot(const Chain* chain, int k)
+{
+	return chain->at.first + (k & 1) * chain->at.odds + (k >> 1) * MAX_LANES;
+}
+
+INLINE ChainNear chain_side_near(const Chain* chain, int k)
+{
+	ChainNear near;
+	near.here = k < 0 || k >= chain->at.count ? -1 : chain_offset(chain_side_spot(chain, k));
+	near.shift = 0;
+	near.next = -1;
+	return near;
+}
+
+INLINE void chain_solve_side(const Pools* p, const Chain* chain)
+{
+	int top = 1;
+	for (; top < chain->at.count; top *= 2)
+	{
+		CHAIN_SIDE(k, chain, top, 2 * top)
+		chains_eliminate(p, chain_side_spot(chain, k), chain_side_near(chain, k + top));
+		CHAIN_SIDE(k, chain, 0, 2 * top)
+		chains_take(p, chain_side_spot(chain, k), chain_side_near(chain, k - top), chain_side_near(chain, k + top));
+	}
+	chains_last(p, chain_side_spot(chain, 0));
+	for (top /= 2; top > 0; top /= 2)
+		CHAIN_SIDE(k, chain, top, 2 * top)
+	chains_back(p, chain_side_spot(chain, k), chain_side_near(chain, k - top), chain_side_near(chain, k + top));
+}
+
+INLINE void chain_solve_alone(const Pools* p, const Chain* chain)
+{
+	int top = 1, rows = LANES > 1 ? chain_rows(chain) : 1;
+	for (; top < rows; top *= 2)
+		chain_reduce_rows(p, chain, top);
+	for (; top < chain->at.count; top *= 2)
+		chain_reduce_joints(p, chain, top);
+	group_meet();
+	if (part_lane() == 0)
+		chain_last(p, chain_spot(chain, 0));
+	for (top /= 2; top >= rows; top /= 2)
+		chain_back_joints(p, chain, top);
+	group_meet();
+	for (; LANES > 1 && top > 0; top /= 2)
+		chain_back_rows(p, chain, top);
 }
 
 // Solves the system by a group, each joint of which has d, l and r.
 INLINE void chain_solve(const Pools* p, const Chain* chain)
 {
-	int row = LANES > 1 && chain->stride == 1, top = row ? 2 : 1;
-	if (row)
-		chain_reduce_row(p, chain);
-	for (; top < chain->count; top *= 2)
-	{
-		group_meet();
-		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
-		CHAIN_DO(chain, eliminate, (p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k + top, turn)));
-		group_meet();
-		CHAIN_JOINTS(k, turn, chain, 0, 2 * top)
-		chain_reduce(p, chain, k, top, turn);
-	}
-	group_meet();
-	CHAIN_JOINTS(k, turn, chain, 0, chain->count)
-	CHAIN_DO(chain, last, (p, chain_spot_at(chain, k, turn)));
-	for (top /= 2; top > row; top /= 2)
-	{
-		group_meet();
-		CHAIN_JOINTS(k, turn, chain, top, 2 * top)
-		CHAIN_DO(chain, back,
-		         (p, chain_spot_at(chain, k, turn), chain_spot_at(chain, k - top, turn),
-		          chain_spot_at(chain, k + top, turn)));
-	}
-	group_meet();
-	if (row)
-		chain_back_row(p, chain);
+	if (chain_side(chain))
+		chain_solve_side(p, chain);
+	else
+		chain_solve_alone(p, chain);
 }
 
 #endif

@@ -44,6 +44,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .bounces = step->bounces,
 	               .bare = pipeline->bare,
 	               .chains = pipeline->chains,
+	               .chain_places = pipeline->chain_places,
 	               .counters = c,
 	               .bound = bound};
 #define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);

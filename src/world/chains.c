@@ -3,39 +3,26 @@
 //
 // A chain goes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are chains;
 // nets are none, and what is short and of similar masses gains nothing. The choice depends on the user's calls alone, so it is
-// the same on every device.
+// the same on every device. How chains lie in memory (chain_layout.c) is not, and changes no bit.
 #include "world/chains.h"
 #include "platform/error.h"
 #include "step/room.h"
+#include "world/chain_layout.h"
 #include "world/joints.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 // A chain has so many joints at least, or two and masses of such a ratio.
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-// What a pass takes, measured on a CPU with 16 lanes, in units of what the system of one joint takes that is solved alone: for
-// each block of joints, and for each joint of the longest chain of those that lie side by side.
-#define BLOCK_COST 10
-#define SIDE_COST  12
-
-typedef struct
-{
-	int first, count; // in Search.row
-} Row;
-
 typedef struct
 {
 	const scree_world* world;
-	Row* rows;          // of each chain
-	ChainRange* ranges; // of chains, side by side or alone
-	int* spots;         // of each joint, -1 for none
-	int* row;           // joints of all chains, in order
-	uint8_t* seen;      // of each joint
-	uint8_t* owned;     // of each body: it is at the end of a chain
-	int count, joints, ranged, places;
+	ChainLayout layout;
+	uint8_t* seen;  // of each joint
+	uint8_t* owned; // of each body: it is at the end of a chain
+	int joints;     // of all chains
 } Search;
 
 // Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together.
@@ -101,7 +88,7 @@ static int chain_list(Search* s, int first, int* at)
 	for (int joint = first; joint >= 0 && !s->seen[joint]; joint = next_joint(s->world, *at, joint))
 	{
 		s->seen[joint] = 1;
-		s->row[s->joints + count++] = joint;
+		s->layout.joints[s->joints + count++] = joint;
 		*at = other_body(s->world, joint, *at);
 	}
 	return count;
@@ -149,50 +136,10 @@ static void add_chain(Search* s, int joint)
 	}
 	int joints = count - begin;
 	begin += s->joints;
-	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, s->row + begin, joints) < LEAST_RATIO))
+	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, s->layout.joints + begin, joints) < LEAST_RATIO))
 		return;
-	s->rows[s->count++] = (Row){begin, joints};
+	s->layout.rows[s->layout.count++] = (ChainRow){begin, joints};
 	s->joints = begin + joints;
-}
-
-// The longest first; those of one length as they were found.
-static int compare_rows(const void* a, const void* b)
-{
-	const Row *first = a, *second = b;
-	return first->count != second->count ? second->count - first->count : first->first - second->first;
-}
-
-static int cost_alone(int joints)
-{
-	int blocks = 2 * (((joints + 1) / 2 + MAX_LANES - 1) / MAX_LANES);
-	return joints + BLOCK_COST * blocks;
-}
-
-// How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
-// nothing beside a longer one.
-static int side_by_side(const Search* s, int k)
-{
-	int alone = 0, lanes = 0;
-	for (; k + lanes < s->count && lanes < MAX_LANES; ++lanes)
-		alone += cost_alone(s->rows[k + lanes].count);
-	return alone > SIDE_COST * s->rows[k].count ? lanes : 1;
-}
-
-// Gives spots to the joints of all chains.
-static void range(Search* s)
-{
-	qsort(s->rows, (size_t)s->count, sizeof *s->rows, compare_rows);
-	for (int k = 0, lanes; k < s->count; k += lanes)
-	{
-		lanes = side_by_side(s, k);
-		ChainRange at = {s->places, s->rows[k].count, lanes > 1 ? MAX_LANES : 1, lanes};
-		int half = CHAIN_HALF(at.count, at.stride);
-		for (int c = 0; c < lanes; ++c)
-			for (int n = 0; n < s->rows[k + c].count; ++n)
-				s->spots[s->row[s->rows[k + c].first + n]] = at.first + c + CHAIN_SPOT(half, at.stride, n);
-		s->places += 2 * half;
-		s->ranges[s->ranged++] = at;
-	}
 }
 
 // Sets the spots of all joints; those that changed wait for the upload.
@@ -209,14 +156,14 @@ static void set_spots(scree_world* world, const int* spots)
 	}
 }
 
-static scree_status upload_chains(scree_world* world, const Search* s)
+static scree_status upload_chains(scree_world* world, const ChainLayout* layout)
 {
 	Backend* b = world->backend;
-	if (s->ranged == 0)
+	if (layout->ranged == 0)
 		return SCREE_OK;
-	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, s->ranged));
-	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, s->places / MAX_LANES));
-	return b->f->write(b, POOL_chain, 0, s->ranged, s->ranges);
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, layout->ranged));
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, layout->places / MAX_LANES));
+	return b->f->write(b, POOL_chain, 0, layout->ranged, layout->ranges);
 }
 
 scree_status chains_update(scree_world* world)
@@ -224,28 +171,30 @@ scree_status chains_update(scree_world* world)
 	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
 	if (!world->chains_stale)
 		return SCREE_OK;
-	size_t bytes = joints * (sizeof(Row) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
+	size_t bytes = joints * (sizeof(ChainRow) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
 	char* memory = scree_allocate(bytes);
 	if (!memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
 	memset(memory, 0, bytes);
-	Search s = {.world = world, .rows = (Row*)memory};
-	s.ranges = (ChainRange*)(s.rows + joints);
-	s.spots = (int*)(s.ranges + joints);
-	s.row = s.spots + joints;
-	s.seen = (uint8_t*)(s.row + joints);
+	Search s = {.world = world};
+	ChainLayout* layout = &s.layout;
+	layout->rows = (ChainRow*)memory;
+	layout->ranges = (ChainRange*)(layout->rows + joints);
+	layout->spots = (int*)(layout->ranges + joints);
+	layout->joints = layout->spots + joints;
+	s.seen = (uint8_t*)(layout->joints + joints);
 	s.owned = s.seen + joints;
-	memset(s.spots, -1, joints * sizeof *s.spots);
+	memset(layout->spots, -1, joints * sizeof *layout->spots);
 	for (int k = 0; k < world->joints.used; ++k)
 		if (!s.seen[k] && acts(world, k))
 			add_chain(&s, k);
-	range(&s);
-	scree_status status = upload_chains(world, &s);
+	chain_layout(layout, world->backend->lanes > 1 ? world->backend->lanes : 1, world->backend->groups);
+	scree_status status = upload_chains(world, layout);
 	if (status == SCREE_OK)
 	{
-		set_spots(world, s.spots);
-		world->pipeline.chains = s.ranged;
-		world->pipeline.chain_places = s.places;
+		set_spots(world, layout->spots);
+		world->pipeline.chains = layout->ranged;
+		world->pipeline.chain_places = layout->places;
 		world->chains_stale = false;
 	}
 	scree_release(memory);

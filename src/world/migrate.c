@@ -114,7 +114,8 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_release(m.bounce);
 	if (status != SCREE_OK)
 		return status;
-	world_unshare(world); // another device cannot use that memory
+	world_unshare(world);       // another device cannot use that memory
+	world->chains_stale = true; // how chains lie depends on the device
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
 	pipeline_move(&world->pipeline, to);

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// chain_layout.c -- where the joints of chains lie on a device: chains alone in rows, or side by side.
+//
+// A device has work for all its lanes in either way: in the rows of a chain, or in chains of similar lengths side by side, which
+// takes less of one worker. But a worker solves all chains that lie side by side, so a few of them lie alone if there are more
+// workers. The estimate of what a pass takes decides.
+#include "world/chain_layout.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+// What a pass takes for a block of joints, measured on a CPU with 16 lanes, in units of what the system of one joint takes that is
+// solved by itself.
+#define BLOCK_COST 12
+
+typedef struct
+{
+	ChainLayout* layout;
+	int lanes, groups;
+	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, lanes in use
+	int column, column_odds, column_used;
+} Placing;
+
+static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
+
+// Joints of a row, if there are 2^bits rows.
+static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
+
+// The number of rows of a chain alone, as bits, that takes least; *cost becomes what it takes.
+static int rows_alone(int lanes, int joints, int* cost)
+{
+	int best = 1;
+	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= joints); ++bits)
+	{
+		int length = row_length(joints, bits), takes = (BLOCK_COST << bits) * padded(length, lanes) / lanes + length;
+		if (bits > 1 && takes >= *cost)
+			continue;
+		best = bits;
+		*cost = takes;
+	}
+	return best;
+}
+
+static int cost_alone(int lanes, int joints)
+{
+	int cost;
+	rows_alone(lanes, joints, &cost);
+	return cost;
+}
+
+// How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
+// nothing beside a longer one. *cost becomes what these chains take.
+static int side_by_side(const Placing* s, int k, int* cost)
+{
+	const ChainLayout* layout = s->layout;
+	int alone = 0, count = 0, side = BLOCK_COST * layout->rows[k].count;
+	for (; k + count < layout->count && count < s->lanes; ++count)
+		alone += cost_alone(s->lanes, layout->rows[k + count].count);
+	count = alone > side ? count : 1;
+	*cost = count > 1 ? side : cost_alone(s->lanes, layout->rows[k].count);
+	return count;
+}
+
+// What all chains take, if all lie alone or not: no less than the longest range, nor than the share of a work-group.
+static double cost_of_all(const Placing* s, bool alone)
+{
+	double sum = 0, most = 0;
+	for (int k = 0, cost; k < s->layout->count;)
+	{
+		int count = side_by_side(s, k, &cost);
+		if (alone)
+			cost = cost_alone(s->lanes, s->layout->rows[k].count);
+		k += alone ? 1 : count;
+		sum += cost;
+		most = fmax(most, cost);
+	}
+	return fmax(sum / s->groups, most);
+}
+
+static ChainRange place_alone(Placing* s, int count)
+{
+	int cost, bits = rows_alone(s->lanes, count, &cost), length = padded(row_length(count, bits), s->lanes);
+	ChainRange at = {s->layout->places, count, length << bits >> 1, 1, length, bits};
+	s->layout->places += padded(2 * at.odds, MAX_LANES);
+	return at;
+}
+
+// Blocks of MAX_LANES have room for several ranges of chains side by side: those that follow have no longer chains.
+static ChainRange place_side(Placing* s, int count)
+{
+	int length = (count + 1) / 2;
+	if (s->column_used + s->lanes > MAX_LANES)
+	{
+		s->column = s->layout->places;
+		s->column_odds = length * MAX_LANES;
+		s->column_used = 0;
+		s->layout->places += 2 * s->column_odds;
+	}
+	ChainRange at = {s->column + s->column_used, count, s->column_odds, MAX_LANES, length, 1};
+	s->column_used += s->lanes;
+	return at;
+}
+
+// The longest first; those of one length as they were found.
+static int compare_rows(const void* a, const void* b)
+{
+	const ChainRow *first = a, *second = b;
+	return first->count != second->count ? second->count - first->count : first->first - second->first;
+}
+
+void chain_layout(ChainLayout* layout, int lanes, int groups)
+{
+	Placing s = {.layout = layout, .lanes = lanes, .groups = groups, .column_used = MAX_LANES};
+	qsort(layout->rows, (size_t)layout->count, sizeof *layout->rows, compare_rows);
+	bool alone = cost_of_all(&s, true) < cost_of_all(&s, false);
+	for (int k = 0, count, cost; k < layout->count; k += count)
+	{
+		const ChainRow* row = layout->rows + k;
+		count = alone ? 1 : side_by_side(&s, k, &cost);
+		ChainRange at = count > 1 ? place_side(&s, row->count) : place_alone(&s, row->count);
+		for (int c = 0; c < count; ++c)
+			for (int n = 0; n < row[c].count; ++n)
+				layout->spots[layout->joints[row[c].first + n]] = c + CHAIN_SPOT(&at, n);
+		layout->ranges[layout->ranged++] = at;
+	}
+}

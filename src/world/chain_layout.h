@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// chain_layout.h -- where the joints of chains lie on a device: chains alone in rows, or side by side.
+#ifndef CHAIN_LAYOUT_H
+#define CHAIN_LAYOUT_H
+#include "pools/pools.h"
+
+typedef struct // a chain
+{
+	int first, count; // in ChainLayout.joints
+} ChainRow;
+
+typedef struct
+{
+	int* joints;    // of all chains, in order
+	ChainRow* rows; // will be sorted
+	int count;      // chains
+	// results
+	ChainRange* ranges; // as many as there are chains, at most
+	int* spots;         // of each joint of the world; those of no chain are left alone
+	int ranged, places; // ranges, spots with padding
+} ChainLayout;
+
+// Gives spots to the joints of all chains, for a device of so many lanes that has so many work-groups at the same time. ranged and
+// places must be zero.
+void chain_layout(ChainLayout* layout, int lanes, int groups);
+
+#endif
