@@ -48,6 +48,15 @@ INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing clos
 	return said > -PAST_ERROR ? now : ahead_later(p, a, b, closing, now, time, said);
 }
 
+// Whether a pair is farther apart than it can approach in the step: then it has no manifold, of whatever poses. Shapes are no
+// nearer than circles around them; a little more than their distance covers rounding.
+INLINE int ahead_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
+{
+	Real most = SPECULATIVE_DISTANCE + closing.swing + root(vec_dot(closing.near, closing.near));
+	Real reach = (a->reach + b->reach + most) * 1.001f + LINEAR_SLOP;
+	return vec_dot(apart, apart) > reach * reach;
+}
+
 // The manifold of a pair that may approach by more than the speculative distance: of the poses where they meet, with the
 // points that may follow in the rest of the step; if they will not meet, of the poses now.
 INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead start)
@@ -56,6 +65,8 @@ INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing c
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
 	Ahead now = start, then = start;
 	now.m = no_manifold();
+	if (ahead_away(shape_a, shape_b, closing, start.f.position))
+		return now;
 	Real time = 0.0f;
 	for (int round = 0; round < SWEEP_ROUNDS; ++round)
 	{
