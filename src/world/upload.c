@@ -111,9 +111,16 @@ static void clear(scree_world* world)
 	p->body_count = p->collidable_count = p->command_count = p->attribute_count = p->joint_count = 0;
 }
 
+static bool no_edits(const Edits* p)
+{
+	return p->body_count + p->collidable_count + p->command_count + p->attribute_count + p->joint_count == 0;
+}
+
 static scree_status upload_all(scree_world* world)
 {
-	TRY(chains_update(world));
+	TRY(chains_update(world)); // joints whose place changed are edits
+	if (no_edits(&world->edits))
+		return SCREE_OK;
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
@@ -129,8 +136,7 @@ static scree_status upload_all(scree_world* world)
 
 scree_status world_upload(scree_world* world)
 {
-	const Edits* p = &world->edits;
-	if (p->body_count + p->collidable_count + p->command_count + p->attribute_count + p->joint_count == 0)
+	if (no_edits(&world->edits) && !world->chains_stale)
 		return SCREE_OK;
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world));
