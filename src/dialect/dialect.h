@@ -88,13 +88,14 @@ INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
 
+// the items behind those of a, where b follows; the items before those of b, where a precedes
+#define following(a, b)     (b)
+#define preceding(a, b)     (a)
+#define following_int(a, b) (b)
+#define preceding_int(a, b) (a)
+
 // the numbers i to i + LANES - 1; items of an array by index; the members of rows of two integers
-#define indices(i) (i)
-// the next item of each lane: of a, and then of b; and the item before it
-#define following(a, b)             (b)
-#define preceding(a, b)             (a)
-#define following_int(a, b)         (b)
-#define preceding_int(a, b)         (a)
+#define indices(i)                  (i)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])
 #define load_int2(array, i, x0, y0) (*(x0) = (array)[i].x, *(y0) = (array)[i].y)

@@ -288,7 +288,7 @@ typedef struct // MAX_LANES joints in the systems of their chains: working data 
 	float r[3][MAX_LANES];    // right side
 	float x[3][MAX_LANES];    // solution
 	float pose[6][MAX_LANES]; // the first axis; levers of both axes on a, and on b
-	int body_a[MAX_LANES], body_b[MAX_LANES];
+	int body_a[MAX_LANES], body_b[MAX_LANES];    // indices of its bodies
 	float locks[MAX_LANES], holds[MAX_LANES];    // bits of coordinates: locked; and with a yield
 	float side[MAX_LANES], other[MAX_LANES];     // of the body shared with the joint before: 0 for a, 1 for b; there
 	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): of the shared body; 0 for none

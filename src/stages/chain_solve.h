@@ -171,10 +171,8 @@ INLINE void chain_back_joints(const Pools* p, const Chain* chain, int top)
 // Of chains side by side, the joints k, k + by, ... are a block each.
 #define CHAIN_SIDE(k, chain, from, by) for (int k = (from); k < (chain)->at.count; k += (by))
 
-INLINE int chain_side_spot(const Chain* chain, int k)
-{
-	return chain->at.first + (k & 1) * chain->at.odds + (k >> 1) * MAX_LANES;
-}
+// The spot of joint k of chains side by side, which lie in two rows.
+INLINE int chain_side_spot(const Chain* chain, int k) { return chain_row_spot(chain, k & 1, k >> 1); }
 
 INLINE ChainNear chain_side_near(const Chain* chain, int k)
 {

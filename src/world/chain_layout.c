@@ -17,6 +17,7 @@ typedef struct
 {
 	ChainLayout* layout;
 	int lanes, groups;
+	bool alone; // all chains lie alone
 	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, lanes in use
 	int column, column_odds, column_used;
 } Placing;
@@ -26,26 +27,18 @@ static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * l
 // Joints of a row, if there are 2^bits rows.
 static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
 
-// The number of rows of a chain alone, as bits, that takes least; *cost becomes what it takes.
-static int rows_alone(int lanes, int joints, int* cost)
+// Finds the number of rows in which a chain alone takes least.
+static void choose_rows(ChainRow* row, int lanes)
 {
-	int best = 1;
-	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= joints); ++bits)
+	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
 	{
-		int length = row_length(joints, bits), takes = (BLOCK_COST << bits) * padded(length, lanes) / lanes + length;
-		if (bits > 1 && takes >= *cost)
+		int length = row_length(row->count, bits);
+		int cost = (BLOCK_COST << bits) * padded(length, lanes) / lanes + length;
+		if (bits > 1 && cost >= row->cost)
 			continue;
-		best = bits;
-		*cost = takes;
+		row->bits = bits;
+		row->cost = cost;
 	}
-	return best;
-}
-
-static int cost_alone(int lanes, int joints)
-{
-	int cost;
-	rows_alone(lanes, joints, &cost);
-	return cost;
 }
 
 // How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
@@ -54,33 +47,30 @@ static int side_by_side(const Placing* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
 	int alone = 0, count = 0, side = BLOCK_COST * layout->rows[k].count;
-	for (; k + count < layout->count && count < s->lanes; ++count)
-		alone += cost_alone(s->lanes, layout->rows[k + count].count);
+	for (; !s->alone && k + count < layout->count && count < s->lanes; ++count)
+		alone += layout->rows[k + count].cost;
 	count = alone > side ? count : 1;
-	*cost = count > 1 ? side : cost_alone(s->lanes, layout->rows[k].count);
+	*cost = count > 1 ? side : layout->rows[k].cost;
 	return count;
 }
 
-// What all chains take, if all lie alone or not: no less than the longest range, nor than the share of a work-group.
-static double cost_of_all(const Placing* s, bool alone)
+// What all chains take: no less than the longest range, nor than the share of a work-group.
+static double cost_of_all(const Placing* s)
 {
 	double sum = 0, most = 0;
 	for (int k = 0, cost; k < s->layout->count;)
 	{
-		int count = side_by_side(s, k, &cost);
-		if (alone)
-			cost = cost_alone(s->lanes, s->layout->rows[k].count);
-		k += alone ? 1 : count;
+		k += side_by_side(s, k, &cost);
 		sum += cost;
 		most = fmax(most, cost);
 	}
 	return fmax(sum / s->groups, most);
 }
 
-static ChainRange place_alone(Placing* s, int count)
+static ChainRange place_alone(Placing* s, const ChainRow* row)
 {
-	int cost, bits = rows_alone(s->lanes, count, &cost), length = padded(row_length(count, bits), s->lanes);
-	ChainRange at = {s->layout->places, count, length << bits >> 1, 1, length, bits};
+	int length = padded(row_length(row->count, row->bits), s->lanes);
+	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits};
 	s->layout->places += padded(2 * at.odds, MAX_LANES);
 	return at;
 }
@@ -111,13 +101,17 @@ static int compare_rows(const void* a, const void* b)
 void chain_layout(ChainLayout* layout, int lanes, int groups)
 {
 	Placing s = {.layout = layout, .lanes = lanes, .groups = groups, .column_used = MAX_LANES};
+	for (int k = 0; k < layout->count; ++k)
+		choose_rows(layout->rows + k, lanes);
 	qsort(layout->rows, (size_t)layout->count, sizeof *layout->rows, compare_rows);
-	bool alone = cost_of_all(&s, true) < cost_of_all(&s, false);
+	double side = cost_of_all(&s);
+	s.alone = true;
+	s.alone = cost_of_all(&s) < side;
 	for (int k = 0, count, cost; k < layout->count; k += count)
 	{
 		const ChainRow* row = layout->rows + k;
-		count = alone ? 1 : side_by_side(&s, k, &cost);
-		ChainRange at = count > 1 ? place_side(&s, row->count) : place_alone(&s, row->count);
+		count = side_by_side(&s, k, &cost);
+		ChainRange at = count > 1 ? place_side(&s, row->count) : place_alone(&s, row);
 		for (int c = 0; c < count; ++c)
 			for (int n = 0; n < row[c].count; ++n)
 				layout->spots[layout->joints[row[c].first + n]] = c + CHAIN_SPOT(&at, n);

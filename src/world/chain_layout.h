@@ -7,6 +7,7 @@
 typedef struct // a chain
 {
 	int first, count; // in ChainLayout.joints
+	int bits, cost;   // chain_layout's: of the number of rows that it has alone, and what a pass takes then
 } ChainRow;
 
 typedef struct

@@ -138,7 +138,7 @@ static void add_chain(Search* s, int joint)
 	begin += s->joints;
 	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, s->layout.joints + begin, joints) < LEAST_RATIO))
 		return;
-	s->layout.rows[s->layout.count++] = (ChainRow){begin, joints};
+	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints};
 	s->joints = begin + joints;
 }
 
