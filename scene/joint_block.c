@@ -23,6 +23,8 @@ static const char* const joint_keys[] = {"type",
                                          "side_b",
                                          "collide_connected",
                                          "breaks",
+                                         "disabled",
+                                         "elliptic",
                                          "force_threshold",
                                          "torque_threshold",
                                          "repeat",
@@ -54,10 +56,10 @@ static const Member joint_members[] = {{"hertz", offsetof(scree_joint_def, hertz
                                        {NULL, 0, NULL}};
 static const Member ratio_members[] = {{"ratio", offsetof(scree_joint_def, ratio), &any_ratio}, {NULL, 0, NULL}};
 static const Member target_members[] = {COORDINATE("target", target, &any_coordinate), {NULL, 0, NULL}};
-static const Member spring_members[] = {COORDINATE("hertz", spring_hertz, &not_negative),
-                                        COORDINATE("damping_ratio", spring_damping_ratio, &not_negative),
-                                        COORDINATE("max", spring_max, &any_force),
-                                        {NULL, 0, NULL}};
+static const Member spring_members[] = {
+    COORDINATE("hertz", spring_hertz, &not_negative), COORDINATE("damping_ratio", spring_damping_ratio, &not_negative),
+    COORDINATE("max", spring_max, &any_force),        COORDINATE("push", spring_push, &any_force),
+    COORDINATE("pull", spring_pull, &any_force),      {NULL, 0, NULL}};
 static const Member motor_members[] = {
     COORDINATE("speed", motor_speed, &any_coordinate), COORDINATE("max", motor_max, &any_force), {NULL, 0, NULL}};
 static const Member lock_members[] = {COORDINATE("hertz", lock_hertz, &not_negative),
@@ -98,7 +100,7 @@ static bool read_group(Reader* reader, const Location* location, const json_t* o
                        const Member* members, size_t start, JointBlock* block, bool* there)
 {
 	const json_t* value = json_object_get(object, key);
-	const char* keys[4] = {NULL};
+	const char* keys[6] = {NULL};
 	if (!value)
 		return true;
 	for (int k = 0; members[k].key; ++k)
@@ -297,7 +299,10 @@ static bool read_joint(Reader* reader, const Location* location, const json_t* v
 	       read_members(reader, location, value, joint_members, 0, block) &&
 	       reader_boolean(reader, KEY(location, "collide_connected"), json_object_get(value, "collide_connected"),
 	                      &block->def.collide_connected) &&
-	       reader_boolean(reader, KEY(location, "breaks"), json_object_get(value, "breaks"), &block->def.breaks);
+	       reader_boolean(reader, KEY(location, "breaks"), json_object_get(value, "breaks"), &block->def.breaks) &&
+	       reader_boolean(reader, KEY(location, "disabled"), json_object_get(value, "disabled"),
+	                      &block->def.disabled) &&
+	       reader_boolean(reader, KEY(location, "elliptic"), json_object_get(value, "elliptic"), &block->def.elliptic);
 }
 
 bool joint_block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene,

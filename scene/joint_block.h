@@ -5,7 +5,7 @@
 #include "scene/loop.h"
 #include "scene/scene.h"
 
-#define MAX_JOINT_NUMBERS 35 // 5 of the joint and 10 of each coordinate: more than any entry can have
+#define MAX_JOINT_NUMBERS 41 // 5 of the joint and 12 of each coordinate: more than any entry can have
 
 typedef struct // one of the two bodies of each joint
 {

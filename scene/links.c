@@ -53,7 +53,7 @@ bool links_list(Links* links, const Sprites* sprites, scree_world* world)
 		link->roped = joint_hoists(&def);
 		for (int side = 0; side < 2; ++side)
 			link->bases[side] = def.sides[side].base.position;
-		links->count += def.type != SCREE_JOINT_FILTER;
+		links->count += def.type != SCREE_JOINT_FILTER && !def.disabled;
 	}
 	free(joints);
 	return good;

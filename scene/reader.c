@@ -190,8 +190,10 @@ bool reader_string(Reader* reader, const Location* location, const json_t* value
 
 bool reader_boolean(Reader* reader, const Location* location, const json_t* value, bool* boolean)
 {
+	if (!value)
+		return true;
 	*boolean = json_is_true(value);
-	return !value || json_is_boolean(value) || reader_fail_value(reader, location, value, "must be true or false");
+	return json_is_boolean(value) || reader_fail_value(reader, location, value, "must be true or false");
 }
 
 void number_free(Number* number)

@@ -77,8 +77,8 @@ bool reader_number(Reader* reader, const Location* location, const json_t* value
 bool reader_constant(Reader* reader, const Location* location, const json_t* value, Range range, double* constant);
 bool reader_vec(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* vec);
 bool reader_string(Reader* reader, const Location* location, const json_t* value, const char** string);
-// false without a value
-bool reader_boolean(Reader* reader, const Location* location, const json_t* value, bool* boolean);
+bool reader_boolean(Reader* reader, const Location* location, const json_t* value,
+                    bool* boolean); // stays as it is without a value
 
 // Read a member of an object: a number, which is missing without the member, or a list of two numbers, which are 0 then.
 bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,

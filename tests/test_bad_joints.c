@@ -118,6 +118,8 @@ static void coordinates(void** state)
 	    NUMBER(spring_hertz, -1.0f, 2e6f),
 	    NUMBER(spring_damping_ratio, -1.0f, 2e6f),
 	    NUMBER(spring_max, -1.0f, INFINITY),
+	    NUMBER(spring_push, -1.0f, INFINITY),
+	    NUMBER(spring_pull, -1.0f, INFINITY),
 	    NUMBER(motor_speed, -2e5f, 2e5f),
 	    NUMBER(motor_max, -1.0f, INFINITY),
 	};
@@ -382,6 +384,18 @@ static void changes(void** state)
 	INVALID(scree_joint_set_thresholds, (world, joint, 1.0f, INFINITY, true), "torque is inf");
 	INVALID(scree_joint_set_thresholds, (NULL, joint, 1.0f, 1.0f, true), "world is null");
 	STALE(scree_joint_set_thresholds, (world, gone, 1.0f, 1.0f, true), "joint (index 2");
+	const bool enabled[2] = {false, false};
+	both[1] = gone;
+	INVALID(scree_joints_set_enabled, (world, both, NULL, 2), "enabled is null");
+	INVALID(scree_joints_set_enabled, (world, NULL, enabled, 2), "joints is null");
+	STALE(scree_joints_set_enabled, (world, both, enabled, 2), "joints[1] (index 2");
+	assert_true(scree_joint_is_enabled(world, both[0]));
+	both[1] = weld;
+	INVALID(scree_joint_set_enabled, (NULL, joint, true), "world is null");
+	STALE(scree_joint_set_enabled, (world, gone, true), "joint (index 2");
+	assert_false(scree_joint_is_enabled(world, gone) || scree_joint_is_enabled(NULL, joint));
+	INVALID(scree_joint_set_elliptic, (NULL, joint, true), "world is null");
+	STALE(scree_joint_set_elliptic, (world, gone, true), "joint (index 2");
 	INVALID(scree_joint_set_collide_connected, (NULL, joint, true), "world is null");
 	STALE(scree_joint_set_collide_connected, (world, gone, true), "joint (index 2");
 	INVALID(scree_joint_set_user, (NULL, joint, 1), "world is null");

@@ -299,6 +299,95 @@ static void settings_are_read_and_act(void** state)
 	scree_world_destroy(world);
 }
 
+// A joint that is disabled lets go and lets its bodies touch; enabled, it begins anew and has counted its turns.
+static void joints_are_disabled(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	scree_body a = add_box(world, SCREE_BODY_STATIC, 0.0f, 0.0f), b = add_box(world, SCREE_BODY_DYNAMIC, 0.9f, 0.0f);
+	scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, a, b, 0.0f, 0.0f, 0.0f);
+	def.coordinates[SCREE_ANGLE].motor = true;
+	def.coordinates[SCREE_ANGLE].motor_speed = 20.0f;
+	def.coordinates[SCREE_ANGLE].motor_max = 1e4f;
+	def.disabled = true;
+	scree_joint joint = add_joint(world, &def);
+	assert_false(scree_joint_is_enabled(world, joint));
+	step(world, 1);
+	assert_int_equal(contacts_of(world), 1);
+	assert_near(joint_state_of(world, joint).force.y, 0.0, 0.0);
+	step(world, 60);
+	assert_true(pose_of(world, b).position.y < -1.0f);
+
+	// enabled: three turns
+	assert_ok(scree_body_set_pose(world, b, pose_at(0.9f, 0.0f, 0.0f)));
+	assert_ok(scree_body_set_velocity(world, b, (scree_velocity){0}));
+	assert_ok(scree_joint_set_enabled(world, joint, true));
+	assert_true(scree_joint_is_enabled(world, joint));
+	step(world, 60);
+	assert_int_equal(contacts_of(world), 0);
+	assert_near(joint_state_of(world, joint).values[SCREE_ANGLE], 20.0, 0.4);
+	assert_true(joint_state_of(world, joint).torque != 0.0f);
+
+	// enabled again in the middle of a step's calls: nothing changes
+	float turned = joint_state_of(world, joint).values[SCREE_ANGLE];
+	uint64_t before = hash_of(world);
+	assert_ok(scree_joint_set_enabled(world, joint, true));
+	assert_true(hash_of(world) == before);
+	step(world, 1);
+	assert_near(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 20.0 / 60.0, 0.05);
+
+	// disabled at speed: flies off, and the thresholds see nothing
+	assert_ok(scree_joint_set_thresholds(world, joint, 0.0f, 0.0f, true));
+	assert_ok(scree_joint_set_enabled(world, joint, false));
+	assert_ok(scree_joint_set_enabled(world, joint, true));
+	assert_ok(scree_joint_set_enabled(world, joint, false));
+	step(world, 2);
+	scree_joint_event event;
+	assert_int_equal(joint_events_of(world, &event, 1), 0);
+	assert_false(joint_state_of(world, joint).broken);
+	assert_near(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 3.0 * 20.0 / 60.0, 0.5);
+	assert_near(joint_state_of(world, joint).torque, 0.0, 0.0);
+	assert_ok(scree_joint_get_def(world, joint, &def));
+	assert_true(def.disabled && def.breaks);
+	scree_world_destroy(world);
+}
+
+// The middle joint of a chain is disabled: two ropes; and one rope again.
+static void chains_are_disabled(void** state)
+{
+	(void)state;
+	enum
+	{
+		LINKS = 20
+	};
+	scree_world* world = make_world(-10.0f);
+	scree_body bodies[LINKS];
+	scree_joint joints[LINKS];
+	bool enabled[LINKS];
+	for (int k = 0; k < LINKS; ++k)
+	{
+		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, -1.5f * (float)k);
+		joints[k] = join(world, SCREE_JOINT_REVOLUTE, k ? bodies[k - 1] : SCREE_NULL_BODY, bodies[k], 0.0f,
+		                 0.75f - 1.5f * (float)k);
+		enabled[k] = k != LINKS / 2;
+	}
+	step(world, 60);
+	assert_near(joint_state_of(world, joints[0]).force.y, 10.0 * LINKS, 1.0);
+	assert_ok(scree_joints_set_enabled(world, joints, enabled, LINKS));
+	step(world, 60);
+	assert_near(joint_state_of(world, joints[0]).force.y, 5.0 * LINKS, 1.0);
+	assert_near(pose_of(world, bodies[LINKS / 2 - 1]).position.y, -1.5 * (LINKS / 2 - 1), 0.01);
+	assert_near(pose_of(world, bodies[LINKS - 1]).position.y, -1.5 * (LINKS - 1) - 5.0, 0.2);
+	assert_near(joint_state_of(world, joints[LINKS - 1]).force.y, 0.0, 0.1);
+
+	// the fallen half is as far below as it fell: the joint pulls both together
+	assert_ok(scree_joint_set_enabled(world, joints[LINKS / 2], true));
+	step(world, 600);
+	assert_near(joint_state_of(world, joints[0]).force.y, 10.0 * LINKS, 5.0);
+	assert_near(pose_of(world, bodies[LINKS - 1]).position.y, -1.5 * (LINKS - 1), 0.05);
+	scree_world_destroy(world);
+}
+
 // A joint made and one destroyed in every step: slots are taken again, and colors and impulses with them.
 static void joints_come_and_go(void** state)
 {
@@ -375,6 +464,8 @@ int main(void)
 	    cmocka_unit_test(types_change),
 	    cmocka_unit_test(bodies_are_switched),
 	    cmocka_unit_test(settings_are_read_and_act),
+	    cmocka_unit_test(joints_are_disabled),
+	    cmocka_unit_test(chains_are_disabled),
 	    cmocka_unit_test(joints_come_and_go),
 	    cmocka_unit_test(steps_of_no_time),
 	};

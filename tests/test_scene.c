@@ -12,6 +12,7 @@
 #include "scene/find.h"
 #include "scene/load.h"
 #include "scene_text.h"
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -205,9 +206,11 @@ static void test_joints(void** state)
 	    "\"joints\": [{\"type\": \"wheel\", \"a\": {\"body\": \"link\", \"index\": \"i\"}, \"b\": {\"body\": \"link\", "
 	    "\"index\": \"i + 1\"}, \"repeat\": {\"index\": \"i\", \"to\": 3}, \"at\": [\"10 * i + 4\", 23], \"axis\": "
 	    "\"pi / 2\","
-	    " \"along\": {\"limits\": [-1, \"i\"], \"spring\": {\"hertz\": 4}}, \"angle\": {\"motor\": {\"speed\": 5, "
+	    " \"along\": {\"limits\": [-1, \"i\"], \"spring\": {\"hertz\": 4, \"push\": 5, \"pull\": \"i\"}}, \"angle\": "
+	    "{\"motor\": {\"speed\": 5, "
 	    "\"max\": \"i\"}},"
-	    " \"hertz\": 30, \"breaks\": true, \"force_threshold\": \"100 + i\", \"collide_connected\": true},"
+	    " \"hertz\": 30, \"breaks\": true, \"force_threshold\": \"100 + i\", \"collide_connected\": true, "
+	    "\"disabled\": true, \"elliptic\": true},"
 	    "{\"type\": \"distance\", \"a\": {\"body\": \"link\", \"index\": 2}, \"b\": null, \"at\": [20, 20], \"to\": "
 	    "[23, 24]},"
 	    "{\"type\": \"weld\", \"a\": null, \"b\": {\"body\": \"link\", \"index\": 3}, \"frame_b\": {\"position\": [1, "
@@ -240,7 +243,9 @@ static void test_joints(void** state)
 	assert_true(d->coordinates[SCREE_ACROSS].locked && !along->locked && !along->motor);
 	assert_true(angle->motor && angle->motor_speed == 5 && angle->motor_max == 2 && !angle->limited);
 	assert_true(d->hertz == 30 && d->damping_ratio == 2 && d->breaks && d->force_threshold == 102);
+	assert_true(along->spring_push == 5 && along->spring_pull == 2 && along->spring_max == FLT_MAX);
 	assert_true(d->collide_connected && !defs[3].collide_connected);
+	assert_true(d->disabled && d->elliptic && !defs[3].disabled && !defs[3].elliptic);
 
 	// 3 m, 4 m, so 5 m
 	assert_true(scree_body_is_null(defs[3].body_b));

@@ -777,6 +777,8 @@ typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the 
 	float spring_hertz;         // 0 to 1e6, default 0; a spring of 0 Hz does nothing
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
+	float spring_push;          // the same of one that increases the coordinate; the smaller one holds
+	float spring_pull;          // and of one that decreases it: with a push of 0 a spring of DISTANCE is a rubber band
 	float motor_speed;          // m/s, rad/s; default 0
 	float motor_max;            // largest force or torque of the motor, >= 0, default 0; with speed 0 it is friction
 } scree_joint_coordinate;
@@ -808,9 +810,13 @@ typedef struct scree_joint_def
 	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
 	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors stay. No stiffness, of
 	             // springs too, exceeds a quarter of the substep rate; joints in a row are stiffer (docs/joints.md)
-	float damping_ratio;       // of them, 0 to 1e6, default 2
-	bool collide_connected;    // whether the two bodies may touch each other; default false
-	bool breaks;               // ends when a threshold is exceeded; default false
+	float damping_ratio;    // of them, 0 to 1e6, default 2
+	bool collide_connected; // whether the two bodies may touch each other; default false
+	bool breaks;            // ends when a threshold is exceeded; default false
+	bool disabled;          // starts disabled, see scree_joint_set_enabled; default false
+	bool
+	    elliptic; // spring_max and motor_max of along and across are half axes of an ellipse, so that equal ones bound the
+	              // force in any direction; else each bounds its own coordinate. Default true for MOTOR and TARGET
 	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
 	float torque_threshold;    // N m, likewise
 	uint64_t user;             // user data, not simulated; default 0
@@ -877,6 +883,14 @@ SCREE_API scree_status scree_joint_set_motor_speed(scree_world* world, scree_joi
 SCREE_API scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a,
                                               scree_pose frame_b);
 
+// Whether joints act. One that is disabled does nothing, and does not keep its bodies from touching. It can be read and changed
+// as ever, and begins anew when it is enabled, without impulses; it keeps its turns. One that broke stays broken. Enabling what
+// is enabled changes nothing, nor does disabling what is disabled.
+SCREE_API scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled,
+                                                int count); // all or none
+SCREE_API scree_status scree_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled);
+SCREE_API bool scree_joint_is_enabled(const scree_world* world, scree_joint joint); // false for one that is not there
+
 // Settings of one joint; units and ranges as in scree_joint_def.
 SCREE_API scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz,
                                                  float damping_ratio);
@@ -886,6 +900,7 @@ SCREE_API scree_status scree_joint_set_thresholds(scree_world* world, scree_join
 SCREE_API scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio);
 SCREE_API scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a,
                                              scree_pose base_b); // in the world, as if they had always been there
+SCREE_API scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic);
 SCREE_API scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides);
 SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_change.c -- joints: coordinates, frames and settings, changed and read by the user.
+// joint_change.c -- joints: coordinates and frames, changed in batches or one by one; enabled or not.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/handles.h"
@@ -41,8 +41,10 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 	for (int k = 0; k < change->count; ++k)
 	{
 		int index = (int)change->joints[k].index - 1;
-		set(change, value, values, k, &world->host_joints[index].def);
-		joint_changed(world, index, false);
+		scree_joint_def* def = &world->host_joints[index].def;
+		bool disabled = def->disabled;
+		set(change, value, values, k, def);
+		joint_changed(world, index, def->disabled != disabled);
 	}
 	return SCREE_OK;
 }
@@ -180,104 +182,30 @@ scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// settings
+// enabled or not
 // ---------------------------------------------------------------------------------------------------------------
 
-static scree_status lookup(const scree_world* world, const char* function, scree_joint joint, int* index)
+static scree_status set_enabled(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
 {
-	TRY(world_check(world, function));
-	return check_joint(world, (Where){function, "joint", ALONE}, joint, index);
-}
-
-scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
-{
-	const char* function = "scree_joint_set_stiffness";
-	int index = 0;
-	TRY(lookup(world, function, joint, &index));
-	TRY(check_real((Where){function, "hertz", ALONE}, "", hertz, 0.0f, 1e6f));
-	TRY(check_real((Where){function, "damping_ratio", ALONE}, "", damping_ratio, 0.0f, 1e6f));
-	world->host_joints[index].def.hertz = hertz;
-	world->host_joints[index].def.damping_ratio = damping_ratio;
-	joint_changed(world, index, false);
+	def->disabled = !((const bool*)values)[k];
+	(void)change;
+	(void)at;
 	return SCREE_OK;
 }
 
-// The index of a gear or a pulley.
-static scree_status lookup_coupling(const scree_world* world, const char* function, scree_joint joint, int* index)
+scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled, int count)
 {
-	TRY(lookup(world, function, joint, index));
-	scree_joint_type type = world->host_joints[*index].def.type;
-	if (joint_couples(type))
-		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, (Where){function, "joint", ALONE}, "", "is of type %s, not a gear or a pulley",
-	              scree_joint_type_name(type));
+	Change change = batch(world, "scree_joints_set_enabled", "enabled", joints, count, SCREE_ALONG);
+	return change_all(&change, enabled, set_enabled);
 }
 
-scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio)
+scree_status scree_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled)
 {
-	const char* function = "scree_joint_set_ratio";
-	int index = 0;
-	TRY(lookup_coupling(world, function, joint, &index));
-	TRY(check_gear_ratio((Where){function, "ratio", ALONE}, "", ratio));
-	world->host_joints[index].def.ratio = ratio;
-	joint_changed(world, index, false);
-	return SCREE_OK;
+	Change change = single(world, "scree_joint_set_enabled", "enabled", &joint, SCREE_ALONG);
+	return change_all(&change, &enabled, set_enabled);
 }
 
-scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a, scree_pose base_b)
+bool scree_joint_is_enabled(const scree_world* world, scree_joint joint)
 {
-	const char* function = "scree_joint_set_bases";
-	int index = 0;
-	TRY(lookup_coupling(world, function, joint, &index));
-	TRY(check_pose((Where){function, "base_a", ALONE}, "", &base_a));
-	TRY(check_pose((Where){function, "base_b", ALONE}, "", &base_b));
-	world->host_joints[index].def.sides[0].base = base_a;
-	world->host_joints[index].def.sides[1].base = base_b;
-	joint_changed(world, index, false);
-	return SCREE_OK;
-}
-
-scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque, bool breaks)
-{
-	const char* function = "scree_joint_set_thresholds";
-	int index = 0;
-	TRY(lookup(world, function, joint, &index));
-	TRY(check_real((Where){function, "force", ALONE}, "", force, 0.0f, FLT_MAX));
-	TRY(check_real((Where){function, "torque", ALONE}, "", torque, 0.0f, FLT_MAX));
-	HostJoint* host = world->host_joints + index;
-	host->def.force_threshold = force;
-	host->def.torque_threshold = torque;
-	host->def.breaks = breaks;
-	joint_changed(world, index, false);
-	return SCREE_OK;
-}
-
-scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides)
-{
-	int index = 0;
-	TRY(lookup(world, "scree_joint_set_collide_connected", joint, &index));
-	world->host_joints[index].def.collide_connected = collides;
-	joint_changed(world, index, false);
-	return SCREE_OK;
-}
-
-scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user)
-{
-	int index = 0;
-	TRY(lookup(world, "scree_joint_set_user", joint, &index));
-	world->host_joints[index].def.user = user;
-	return SCREE_OK;
-}
-
-scree_status scree_joint_get_def_sized(const scree_world* world, scree_joint joint, scree_joint_def* def, size_t size)
-{
-	const char* function = "scree_joint_get_def";
-	int index = 0;
-	TRY(check_pointer(function, "world", world));
-	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, &index));
-	TRY(check_pointer(function, "def", def));
-	scree_joint_def now = world->host_joints[index].def;
-	now.size = (uint32_t)size;
-	write_result(def, size, &now, sizeof now);
-	return SCREE_OK;
+	return world && joint_is_valid(world, joint) && !world->host_joints[joint.index - 1].def.disabled;
 }

@@ -50,7 +50,8 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	                        .force_threshold = FLT_MAX,
 	                        .torque_threshold = FLT_MAX,
 	                        .ratio = 1.0f,
-	                        .collide_connected = type == SCREE_JOINT_PULLEY};
+	                        .collide_connected = type == SCREE_JOINT_PULLEY,
+	                        .elliptic = type == SCREE_JOINT_MOTOR || type == SCREE_JOINT_TARGET};
 	for (int side = 0; side < 2; ++side)
 	{
 		made.sides[side].base.rotation.c = 1.0f;
@@ -58,7 +59,7 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	}
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		made.coordinates[k].spring_max = FLT_MAX;
+		made.coordinates[k].spring_max = made.coordinates[k].spring_push = made.coordinates[k].spring_pull = FLT_MAX;
 		made.coordinates[k].locked = (unsigned)type < JOINT_TYPES && locks[type] >> k & 1;
 		made.coordinates[k].motor = type == SCREE_JOINT_MOTOR;
 	}

@@ -58,19 +58,20 @@
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
 // what a limit, a spring and a motor along one coordinate need: in m or rad, 1/s, N s or N m s
-#define JOINT_DRIVE_ROWS(X, of)                                       \
-	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
-	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
-	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
-	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
-	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)      \
-	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
-	X(of##_spring_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
-	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
-	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
-	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
-	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)     \
-	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)    \
+#define JOINT_DRIVE_ROWS(X, of)                                        \
+	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)        \
+	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)        \
+	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
+	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
+	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
+	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
+	X(of##_spring_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
+	X(of##_spring_least, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
+	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
+	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)        \
+	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
+	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)      \
+	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)     \
 	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
 // of gears and pulleys (coupling.h)

@@ -7,7 +7,7 @@
 typedef struct // the rows of one coordinate
 {
 	Real lower, upper, limit_rate, limit_soft;
-	Real target, spring_rate, spring_soft, spring_most;
+	Real target, spring_rate, spring_soft, spring_least, spring_most;
 	Real speed, motor_most;
 	Real limit_impulse, spring_impulse, motor_impulse;
 } JointDrive;
@@ -20,6 +20,7 @@ typedef struct // the rows of one coordinate
 	d.target = load(&joint_rare(p, of##_target, i), 0);                 \
 	d.spring_rate = load(&joint_rare(p, of##_spring_rate, i), 0);       \
 	d.spring_soft = load(&joint_rare(p, of##_spring_soft, i), 0);       \
+	d.spring_least = load(&joint_rare(p, of##_spring_least, i), 0);     \
 	d.spring_most = load(&joint_rare(p, of##_spring_most, i), 0);       \
 	d.speed = load(&joint_rare(p, of##_speed, i), 0);                   \
 	d.motor_most = load(&joint_rare(p, of##_motor_most, i), 0);         \
@@ -80,7 +81,12 @@ INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error
 {
 	Real stiff = yield + d->spring_soft * yield;
 	Real change = -(speed + d->spring_rate * error + d->spring_soft * yield * d->spring_impulse) / stiff;
-	return grip_of(hold_of(d->spring_impulse + change), d->spring_most);
+	return hold_of(d->spring_impulse + change);
+}
+
+INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
+{
+	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
 // The impulse of a limit: the nearer one, from which it pushes away. It ends an approach just there (s > 0), and is as soft
@@ -107,9 +113,12 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointP
 	Real safe = choose(splat(1.0f), yield, yields);
 	Int spring = joint_has(u, JOINT_SPRING(k)) & yields, motor = joint_has(u, JOINT_MOTOR(k)) & yields,
 	    limit = joint_has(u, JOINT_LIMITED(k)) & yields;
-	d.spring_impulse = choose(zero, joint_spring(&d, safe, speed, c->value[k] - d.target), spring);
+	Int together = joint_has(u, k == JOINT_ANGLE ? 0 : JOINT_ELLIPTIC);
+	Real pull = joint_spring(&d, safe, speed, c->value[k] - d.target);
+	d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
 	speed = speed + yield * (d.spring_impulse - old.spring_impulse);
-	d.motor_impulse = choose(zero, grip_of(hold_of(d.motor_impulse - (speed - d.speed) / safe), d.motor_most), motor);
+	Real drive = hold_of(d.motor_impulse - (speed - d.speed) / safe);
+	d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
 	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
 	d.limit_impulse = choose(zero, joint_limit(p, &d, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
@@ -117,6 +126,56 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointP
 	JointImpulse j = joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
 	                               k == JOINT_ANGLE ? change : zero);
 	joint_give_where(u, c, j, joint_has(u, JOINT_DRIVES(k)));
+}
+
+// An impulse as a share of a bound, but no more than would have a finite square.
+INLINE Real joint_share(Real impulse, Real most)
+{
+	Int there = most > splat(0.0f);
+	return choose(splat(0.0f), within(impulse / choose(splat(1.0f), most, there), splat(1.0e15f)), there);
+}
+
+// Shortens the impulse (x, y) to an ellipse, along the line to its center.
+INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
+{
+	Real zero = splat(0.0f), one = splat(1.0f);
+	Real share_x = joint_share(*x, most_x), share_y = joint_share(*y, most_y);
+	Real square = share_x * share_x + share_y * share_y;
+	Int beyond = square > one;
+	Real back = one / root(choose(one, square, beyond));
+	*x = choose(zero, choose(*x, back * share_x * most_x, beyond), most_x > zero);
+	*y = choose(zero, choose(*y, back * share_y * most_y, beyond), most_y > zero);
+}
+
+// Bounds springs and motors along and across together, where the joint wants it: each by itself, a friction of F in any
+// direction would be 1.41 F on the diagonal, and turn aside what slides aslant.
+INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
+{
+	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
+	Real zero = splat(0.0f), old_x = joint_drive_sum(&x), old_y = joint_drive_sum(&y);
+	Int together = joint_has(u, JOINT_ELLIPTIC);
+	JointDrive now_x = x, now_y = y;
+	joint_shorten(&now_x.spring_impulse, &now_y.spring_impulse, maximum(x.spring_most, -x.spring_least),
+	              maximum(y.spring_most, -y.spring_least));
+	joint_shorten(&now_x.motor_impulse, &now_y.motor_impulse, x.motor_most, y.motor_most);
+	x.spring_impulse = choose(x.spring_impulse, joint_spring_bounded(&x, now_x.spring_impulse), together);
+	y.spring_impulse = choose(y.spring_impulse, joint_spring_bounded(&y, now_y.spring_impulse), together);
+	x.motor_impulse = choose(x.motor_impulse, now_x.motor_impulse, together);
+	y.motor_impulse = choose(y.motor_impulse, now_y.motor_impulse, together);
+	joint_drive_store(p, i, JOINT_ALONG, &x);
+	joint_drive_store(p, i, JOINT_ACROSS, &y);
+	JointImpulse j = joint_impulse(c, joint_drive_sum(&x) - old_x, joint_drive_sum(&y) - old_y, zero);
+	joint_give_where(u, c, j, together);
+}
+
+// Solves springs, motors and limits.
+INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose* c)
+{
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		if (joint_drives(p, u, k))
+			joint_drive(p, i, k, soft, u, c);
+	if (p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
+		joint_drive_together(p, i, u, c);
 }
 
 // The impulses along all coordinates, of locks too.

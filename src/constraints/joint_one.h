@@ -19,6 +19,7 @@
 		joint_rare(p, of##_target, i) = p->joint_data[slot].lock[k].target;                          \
 		joint_rare(p, of##_spring_rate, i) = rate;                                                   \
 		joint_rare(p, of##_spring_soft, i) = soft;                                                   \
+		joint_rare(p, of##_spring_least, i) = -joint_most(p, -from.spring_least);                    \
 		joint_rare(p, of##_spring_most, i) = joint_most(p, from.spring_most);                        \
 		joint_rare(p, of##_speed, i) = from.speed;                                                   \
 		joint_rare(p, of##_motor_most, i) = joint_most(p, from.motor_most);                          \

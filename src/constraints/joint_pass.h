@@ -191,9 +191,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 	{
 		if (pass == PASS_BIAS)
 			joint_turn(p, i, u, &c);
-		for (int k = 0; k < JOINT_COORDINATES; ++k)
-			if (joint_drives(p, u, k))
-				joint_drive(p, i, k, pass == PASS_BIAS, u, &c);
+		joint_drive_all(p, i, pass == PASS_BIAS, u, &c);
 		JointSystem system = joint_system(p, pass == PASS_BIAS, u, &c);
 		Real x[3];
 		joint_solve(&system, c.mass, x);

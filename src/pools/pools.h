@@ -211,6 +211,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_SLIDES(side) (0x40000 << (side))
 #define JOINT_HOISTS(side) (0x100000 << (side))
 #define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
+#define JOINT_ELLIPTIC     0x400000 // springs and motors along and across are bounded together
 
 // coordinates of frame b in frame a
 #define JOINT_ALONG       0
@@ -225,10 +226,10 @@ typedef struct // 16 bytes: the lock of a coordinate, in m or rad
 	float unused;
 } JointLock;
 
-typedef struct // 28 bytes: limits, spring and motor of a coordinate, in m or rad, N or N m
+typedef struct // 32 bytes: limits, spring and motor of a coordinate, in m or rad, N or N m
 {
 	float lower, upper;
-	float spring_hertz, spring_ratio, spring_most;
+	float spring_hertz, spring_ratio, spring_least, spring_most;
 	float speed, motor_most;
 } JointDriveData;
 
@@ -252,7 +253,7 @@ typedef struct // 256 bytes, of which every joint needs the first half
 	Float4 base[2]; // of a coupling, in the world
 	JointDriveData drive[JOINT_COORDINATES];
 	float near[2]; // rad: what angles of a coupling were nearest to when it began
-	float unused[5];
+	float unused[2];
 } JointData;
 
 typedef struct // 272 bytes: a joint as the user wants it

@@ -16,9 +16,8 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 		joint_warm(p, place, &link->u, &link->c);
 	if (pass == PASS_BIAS)
 		joint_turn(p, place, &link->u, &link->c);
-	for (int k = 0; k < JOINT_COORDINATES && pass != PASS_WARM_START; ++k)
-		if (joint_drives(p, &link->u, k))
-			joint_drive(p, place, k, pass == PASS_BIAS, &link->u, &link->c);
+	if (pass != PASS_WARM_START)
+		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
 
 // Where joints hold a body twice over, as in a welded bridge, the system has no single solution. A little more on the diagonal

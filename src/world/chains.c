@@ -30,7 +30,7 @@ static bool acts(const scree_world* world, int joint)
 {
 	const HostJoint* host = world->host_joints + joint;
 	bool moves = false, locks = false;
-	if (!slots_in_use(&world->joints, joint) || joint_couples(host->def.type))
+	if (!slots_in_use(&world->joints, joint) || host->def.disabled || joint_couples(host->def.type))
 		return false;
 	for (int side = 0; side < 2; ++side)
 	{

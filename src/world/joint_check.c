@@ -31,6 +31,8 @@ scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate 
 	    {"spring_hertz", c->spring_hertz, 0.0f, MOST_HERTZ},
 	    {"spring_damping_ratio", c->spring_damping_ratio, 0.0f, MOST_RATIO},
 	    {"spring_max", c->spring_max, 0.0f, FLT_MAX},
+	    {"spring_push", c->spring_push, 0.0f, FLT_MAX},
+	    {"spring_pull", c->spring_pull, 0.0f, FLT_MAX},
 	    {"motor_speed", c->motor_speed, -SCREE_HUGE, SCREE_HUGE},
 	    {"motor_max", c->motor_max, 0.0f, FLT_MAX},
 	};

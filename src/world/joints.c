@@ -6,6 +6,7 @@
 #include "world/memory.h"
 #include "world/rows.h"
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 scree_status joints_reserve(scree_world* world, const char* function, int more)
@@ -123,12 +124,17 @@ static JointDriveData drive_row(const scree_joint_coordinate* from)
 	                        .upper = from->upper,
 	                        .spring_hertz = from->spring_hertz,
 	                        .spring_ratio = from->spring_damping_ratio,
-	                        .spring_most = from->spring_max,
+	                        .spring_least = -fminf(from->spring_max, from->spring_pull),
+	                        .spring_most = fminf(from->spring_max, from->spring_push),
 	                        .speed = from->motor_speed,
 	                        .motor_most = from->motor_max};
 }
 
 static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMIC; }
+
+// springs and motors along and across
+#define LINEAR_DRIVES \
+	(JOINT_SPRING(JOINT_ALONG) | JOINT_MOTOR(JOINT_ALONG) | JOINT_SPRING(JOINT_ACROSS) | JOINT_MOTOR(JOINT_ACROSS))
 
 static int joint_modes(const scree_joint_def* def)
 {
@@ -136,7 +142,7 @@ static int joint_modes(const scree_joint_def* def)
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		modes |= coordinate_modes(def->coordinates + k, k);
 	if (!joint_couples(def->type))
-		return modes;
+		return def->elliptic && modes & LINEAR_DRIVES ? modes | JOINT_ELLIPTIC : modes;
 	for (int side = 0; side < 2; ++side)
 	{
 		scree_measure measure = def->sides[side].measure;
@@ -166,8 +172,8 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	const HostBody *a = world->host_bodies + host->bodies[0], *b = world->host_bodies + host->bodies[1];
 	int modes = joint_modes(def), acts = JOINT_EXTRAS | JOINT_LOCKED(0) | JOINT_LOCKED(1) | JOINT_LOCKED(2);
 	edit.flags |= JOINT_THERE;
-	edit.flags |= (moves(a) || moves(b)) && !a->disabled && !b->disabled ? JOINT_ACTIVE : 0;
-	edit.flags |= def->collide_connected ? JOINT_COLLIDES : 0;
+	edit.flags |= (moves(a) || moves(b)) && !a->disabled && !b->disabled && !def->disabled ? JOINT_ACTIVE : 0;
+	edit.flags |= def->collide_connected || def->disabled ? JOINT_COLLIDES : 0;
 	edit.flags |= def->breaks ? JOINT_BREAKS : 0;
 	edit.flags |= modes & acts ? JOINT_ACTS : 0;
 	edit.data = (JointData){.body_a = host->bodies[0],

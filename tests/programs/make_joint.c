@@ -133,6 +133,8 @@ static void put_coordinate(Maker* m)
 	call_set(&call, "spring_ratio", ratio(m));
 	if (chance(m, 0.4))
 		call_set(&call, "spring_max", most(m));
+	if (chance(m, 0.2))
+		call_set(&call, chance(m, 0.5) ? "push" : "pull", chance(m, 0.5) ? 0.0f : most(m));
 	call_set(&call, "speed", bounded(m, 5.0f));
 	call_set(&call, "motor_max", most(m));
 	put(m, call);
@@ -165,6 +167,14 @@ void put_joint_change(Maker* m)
 			call_set(&call, "count", (float)(1 + below(m, 6)));
 		call_set(&call, "which", (float)below(m, 3));
 		call_set(&call, "x", bounded(m, 4.0f));
+		break;
+	case CALL_joint_enabled:
+		if (chance(m, 0.3))
+			call_set(&call, "count", (float)(1 + below(m, 6)));
+		call_set(&call, "enabled", (float)chance(m, 0.6));
+		break;
+	case CALL_joint_elliptic:
+		call_set(&call, "elliptic", (float)chance(m, 0.5));
 		break;
 	case CALL_joint_ratio:
 		call_set(&call, "gear", gear(m));

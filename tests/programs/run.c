@@ -502,6 +502,8 @@ scree_status run_call(const Turn* t)
 	case CALL_joint_ratio:
 	case CALL_joint_bases:
 	case CALL_joint_stiffness:
+	case CALL_joint_enabled:
+	case CALL_joint_elliptic:
 	case CALL_joint_thresholds:
 	case CALL_collide_connected:
 		return run_joint(t);

@@ -111,6 +111,8 @@ static scree_joint_coordinate coordinate_of(const Turn* t)
 	                                .spring_hertz = call_real(t, "spring_hertz"),
 	                                .spring_damping_ratio = call_real(t, "spring_ratio"),
 	                                .spring_max = call_real(t, "spring_max"),
+	                                .spring_push = call_real(t, "push"),
+	                                .spring_pull = call_real(t, "pull"),
 	                                .motor_speed = call_real(t, "speed"),
 	                                .motor_max = call_real(t, "motor_max")};
 }
@@ -120,22 +122,28 @@ static scree_status run_change(const Turn* t)
 {
 	CallKind kind = t->call->kind;
 	int first = call_whole(t, "joint"), count = call_batch(t, "joint");
-	scree_coordinate which = (scree_coordinate)call_whole(t, "which");
+	scree_coordinate which = kind == CALL_joint_enabled ? SCREE_ALONG : (scree_coordinate)call_whole(t, "which");
 	scree_joint_coordinate coordinates[MOST_BATCH];
 	scree_joint joints[MOST_BATCH];
 	float values[MOST_BATCH];
+	bool enabled[MOST_BATCH];
 	bool alone = call_whole(t, "count") == 0;
 	for (int k = 0; k < (alone ? 1 : count); ++k)
 	{
 		joints[k] = joint_of(t, first + k);
 		if (kind == CALL_joint_coordinate)
 			coordinates[k] = coordinate_of(t);
+		else if (kind == CALL_joint_enabled)
+			enabled[k] = call_whole(t, "enabled") != (k & 1); // neighbors by turns
 		else
 			values[k] = call_real(t, "x");
 	}
 	if (kind == CALL_joint_coordinate)
 		return alone ? scree_joint_set_coordinate(t->world, joints[0], which, coordinates)
 		             : scree_joints_set_coordinates(t->world, joints, which, coordinates, count);
+	if (kind == CALL_joint_enabled)
+		return alone ? scree_joint_set_enabled(t->world, joints[0], enabled[0])
+		             : scree_joints_set_enabled(t->world, joints, enabled, count);
 	if (kind == CALL_joint_target)
 		return alone ? scree_joint_set_target(t->world, joints[0], which, values[0])
 		             : scree_joints_set_targets(t->world, joints, which, values, count);
@@ -169,6 +177,8 @@ scree_status run_joint(const Turn* t)
 	case CALL_joint_thresholds:
 		return scree_joint_set_thresholds(t->world, joint, threshold_of(t, "force"), threshold_of(t, "torque"),
 		                                  call_whole(t, "breaks") != 0);
+	case CALL_joint_elliptic:
+		return scree_joint_set_elliptic(t->world, joint, call_whole(t, "elliptic") != 0);
 	case CALL_collide_connected:
 		return scree_joint_set_collide_connected(t->world, joint, call_whole(t, "collides") != 0);
 	default:
