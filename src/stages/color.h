@@ -191,7 +191,8 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
 	{                                                                            \
 		int soon = p->kind##_place[i + KEY_SOON];                                \
-		kind##_fetch_kept(p, soon < 0 ? 0 : soon);                               \
+		if (soon >= 0)                                                           \
+			kind##_fetch_kept(p, soon);                                          \
 	}                                                                            \
 	int color = p->kind##_color[i], place = p->kind##_place[i];                  \
 	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \

@@ -2,6 +2,7 @@
 // prepare.h -- the terms of the constraints that the passes need, once per step.
 #ifndef PREPARE_H
 #define PREPARE_H
+#include "constraints/contact_bounce.h"
 #include "constraints/contact_prepare.h"
 #include "constraints/joint_prepare.h"
 #include "constraints/kinds.h"
@@ -15,5 +16,13 @@
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+
+// The rare rows, from those that contact_prepare wrote.
+WIDE_STAGE(contact_prepare_rare)
+{
+	Contact u;
+	contact_load(p, i, PREPARE_BOUNCE, &u);
+	contact_setup_rare(p, i, &u);
+}
 
 #endif

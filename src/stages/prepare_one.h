@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// prepare_one.h -- the state of bodies at the beginning of a step, and the rare rows of constraints.
+// prepare_one.h -- the state of bodies at the beginning of a step, and the rare rows of joints.
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
-#include "constraints/contact_one.h"
 #include "constraints/joint_one.h"
 #include "constraints/kinds.h"
 
@@ -25,17 +24,14 @@ STAGE(solve_begin)
 		counters_clear(p);
 }
 
-// Uses the rows that prepare wrote.
-#define CONSTRAINT_KIND(kind, Kind, KIND)      \
-	STAGE(kind##_prepare_rare)                 \
-	{                                          \
-		Kind u;                                \
-		if (p->kind##_place_slot[i] < 0)       \
-			return;                            \
-		kind##_load(p, i, PREPARE_BOUNCE, &u); \
-		kind##_setup_rare(p, i, &u);           \
-	}
-#include "pools/kinds.def"
-#undef CONSTRAINT_KIND
+// The rare rows, from those that joint_prepare wrote.
+STAGE(joint_prepare_rare)
+{
+	Joint u;
+	if (p->joint_place_slot[i] < 0)
+		return;
+	joint_load(p, i, PREPARE_BOUNCE, &u);
+	joint_setup_rare(p, i, &u);
+}
 
 #endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// contact_bounce.h -- rare rows of contacts that are prepared: rebound speeds by restitution, approach speeds.
+#ifndef CONTACT_BOUNCE_H
+#define CONTACT_BOUNCE_H
+#include "constraints/contact.h"
+
+// A body at the start of the step, with its speed within the limits.
+INLINE Body prepare_body(const Pools* p, Int index)
+{
+	Body b = body_gather(p, index);
+	b.v = vec_scale(vec_shrink(b.v, p->step.max_speed), b.v);
+	b.w = within(b.w, splat(p->step.max_spin));
+	return b;
+}
+
+typedef struct // both bodies at the start of the step, and the normal velocities of the points, m/s
+{
+	Int ia, ib;
+	ContactArms arms;
+	Real speed[2];
+} Approach;
+
+INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
+{
+	Approach at;
+	at.ia = load_int(&contact_row(p, body_a, i), 0);
+	at.ib = load_int(&contact_row(p, body_b, i), 0);
+	Body a = prepare_body(p, at.ia), b = prepare_body(p, at.ib);
+	at.arms = pair_of(u, &a, &b);
+	for (int k = 0; k < 2; ++k)
+		at.speed[k] = pair_approach(at.arms, k, at.arms.n);
+	return at;
+}
+
+// m/s^2: of a body by gravity and the user's forces. A body that is slower than gravity would make it in one step, and that
+// touches something else, is assumed to be supported: 0.
+INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
+{
+	Real row[8], zero = splat(0.0f);
+	gather_rows8((GLOBAL float*)p->motion, body, row);
+	Vec gravity = vec(splat(p->step.gravity_x), splat(p->step.gravity_y));
+	Real gained = p->step.dt * p->step.dt * vec_dot(gravity, gravity);
+	Int supported = (vec_dot(b.v, b.v) < gained) & (gather_int(p->touching, body) > 1);
+	Vec fall =
+	    vec(row[6] * (row[3] * gravity.x + b.inv_mass * row[0]), row[7] * (row[3] * gravity.y + b.inv_mass * row[1]));
+	return vec_choose(fall, vec(zero, zero), supported);
+}
+
+// Newton's law of impact, m/s: the speed with which a point leaves that approaches with a normal velocity (negative) and is a
+// gap away. Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. So
+// half of a substep's acceleration is added before the impact and subtracted after it (bounce_speed), which conserves energy.
+INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
+{
+	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
+	Real square = before * before - 2.0f * fall * gap;
+	Int bounces = (before < zero) & (square > splat(step->restitution_threshold * step->restitution_threshold));
+	return choose(zero, restitution * root(choose(splat(1.0f), square, bounces)), bounces);
+}
+
+// m/s^2: with the largest gap and step the square of a speed is still finite
+#define MOST_FALL 1.0e18f
+
+// Rebound speeds of the points that may bounce within the step. Points that hardly move are left out.
+INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
+{
+	Real e = load(&contact_rare(p, restitution, i), 0), zero = splat(0.0f), fall = zero, rebound1 = zero,
+	     rebound2 = zero;
+	Int elastic = e > zero;
+	if (lane_bits(elastic))
+	{
+		Approach at = prepare_velocities(p, i, u);
+		Int nears = elastic & (minimum(at.speed[0], at.speed[1]) < splat(-0.25f * p->step.restitution_threshold));
+		if (lane_bits(nears))
+		{
+			Vec fall_a = prepare_acceleration(p, at.ia, at.arms.a), fall_b = prepare_acceleration(p, at.ib, at.arms.b);
+			Real falls = vec_dot(vec_sub(fall_b, fall_a), at.arms.n);
+			fall = choose(zero, falls, nears & (falls >= splat(-MOST_FALL)) & (falls <= splat(MOST_FALL)));
+			rebound1 = choose(zero, prepare_rebound(&p->step, e, at.speed[0], fall, u->separation1), nears);
+			rebound2 = choose(zero, prepare_rebound(&p->step, e, at.speed[1], fall, u->separation2), nears);
+		}
+	}
+	store(&contact_rare(p, fall, i), 0, fall);
+	store(&contact_rare(p, rebound1, i), 0, rebound1);
+	store(&contact_rare(p, rebound2, i), 0, rebound2);
+}
+
+// m/s: approach speeds of the points at the start of the step.
+INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
+{
+	Approach at = prepare_velocities(p, i, u);
+	Real zero = splat(0.0f), speed1 = -at.speed[0], speed2 = -at.speed[1];
+	store(&contact_rare(p, approach1, i), 0, choose(zero, speed1, (speed1 > zero) & (speed1 <= splat(MOST_FLOAT))));
+	store(&contact_rare(p, approach2, i), 0, choose(zero, speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
+}
+
+// The rare rows that are prepared. Those of padding stay 0.
+INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
+{
+	store(&contact_rare(p, total_impulse1, i), 0, splat(0.0f));
+	store(&contact_rare(p, total_impulse2, i), 0, splat(0.0f));
+	if (p->step.details)
+		prepare_approach(p, i, u);
+	if (p->step.bounces)
+		prepare_bounce(p, i, u);
+}
+
+#endif
