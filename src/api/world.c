@@ -8,6 +8,7 @@
 #include "world/create.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/idle.h"
 #include "world/targets.h"
 #include "world/tuning.h"
 #include "world/upload.h"
@@ -102,9 +103,13 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .details = world->def.contact_details};
 	if (dt > 0.0f)
 		TRY(targets_commands(world, &request.commands));
+	idle_begin(world);
 	scree_status status = pipeline_step(&world->pipeline, &request);
 	if (status == SCREE_OK && dt > 0.0f)
+	{
 		targets_arrived(world);
+		idle_end(world);
+	}
 	// the boxes have moved and the bodies have not: pairs that began to touch in between would never be found
 	if (status != SCREE_OK && world->pipeline.begun)
 		world->broken = status;

@@ -31,6 +31,21 @@ typedef struct // memory that OpenGL draws from; the caller owns it
 	size_t bytes;
 } SharedMemory;
 
+// Blocks of so many bodies, or collidables, that a step may change. A backend may leave out the others in stages over all of
+// them: these would write what is there already.
+#define ACTIVE_ITEMS (8 * MAX_LANES)
+enum
+{
+	ACTIVE_BODIES,
+	ACTIVE_COLLIDABLES,
+	ACTIVE_KINDS
+};
+typedef struct
+{
+	const int* blocks; // numbers, ascending; null: all of them
+	int count;
+} ActiveBlocks;
+
 typedef struct Backend Backend;
 typedef struct // every function that returns a status has set the error's sentence (fail, src/platform/error.h)
 {
@@ -81,9 +96,10 @@ struct Backend
 	bool distant;            // a read takes as long as many runs
 	scree_sharing sharing;   // what share accepts; SCREE_SHARING_COPIED for nothing, then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
-	uint64_t bytes;          // memory of the pools
-	uint64_t memory;         // bytes of the device for them; 0 for the host's memory
-	void* state;             // the backend's own
+	ActiveBlocks active[ACTIVE_KINDS]; // the caller sets them before a step
+	uint64_t bytes;                    // memory of the pools
+	uint64_t memory;                   // bytes of the device for them; 0 for the host's memory
+	void* state;                       // the backend's own
 };
 
 // Open a device into *backend (allocated with scree_allocate, src/platform/error.h). On failure *backend is null.

@@ -30,9 +30,45 @@ static const int chunks[STAGE_COUNT] = {
 #undef CONSTRAINT_KIND
 };
 
+// Stages over all bodies, or all collidables: 1 + the kind of blocks that may be left out.
+static const int kinds[STAGE_COUNT] = {
+    [STAGE_transform] = 1 + ACTIVE_COLLIDABLES,     [STAGE_solve_begin] = 1 + ACTIVE_BODIES,
+    [STAGE_integrate_velocity] = 1 + ACTIVE_BODIES, [STAGE_integrate_position] = 1 + ACTIVE_BODIES,
+    [STAGE_finalize] = 1 + ACTIVE_BODIES,
+};
+
+// The blocks that a run of a stage is limited to, or null.
+static const ActiveBlocks* active_blocks(const Cpu* cpu, int stage)
+{
+	int kind = stage < STAGE_COUNT ? kinds[stage] : 0;
+	const ActiveBlocks* active = kind ? &cpu->backend.active[kind - 1] : NULL;
+	return active && active->blocks ? active : NULL;
+}
+
+// A worker's share of the active blocks, those in a row in one call.
+static void do_blocks(Cpu* cpu, StageFunction function, const ActiveBlocks* active, int worker, int workers)
+{
+	int end = split(active->count, worker + 1, workers);
+	for (int k = split(active->count, worker, workers); k < end; ++k)
+	{
+		int first = active->blocks[k] * ACTIVE_ITEMS;
+		while (k + 1 < end && active->blocks[k + 1] == active->blocks[k] + 1)
+			++k;
+		int last = (active->blocks[k] + 1) * ACTIVE_ITEMS;
+		if (first < cpu->end)
+			function(&cpu->pools, first, last < cpu->end ? last : cpu->end);
+	}
+}
+
 static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
 {
 	StageFunction function = cpu->functions[stage];
+	const ActiveBlocks* active = active_blocks(cpu, stage);
+	if (active && cpu->end > 1) // a single item is bookkeeping
+	{
+		do_blocks(cpu, function, active, worker, workers);
+		return;
+	}
 	int items = cpu->end - cpu->begin;
 	if (workers > 1 && chunks[stage])
 	{
@@ -125,7 +161,9 @@ static void advance(Cpu* cpu)
 			cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 		}
 
-		if (cpu->backend.threads > 1 && cpu->end - cpu->begin >= smallest_shared(cpu, run->stage))
+		const ActiveBlocks* active = active_blocks(cpu, run->stage);
+		int items = cpu->end - cpu->begin, left = active ? active->count * ACTIVE_ITEMS : items;
+		if (cpu->backend.threads > 1 && (left < items ? left : items) >= smallest_shared(cpu, run->stage))
 		{
 			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
 			return;

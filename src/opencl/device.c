@@ -3,6 +3,7 @@
 #include "opencl/device.h"
 #include "opencl/limits.h"
 #include "platform/error.h"
+#include "platform/system.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -117,7 +118,7 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 	check_support(d);
 }
 
-int device_list(Device* devices, int capacity)
+static int list(Device* devices, int capacity)
 {
 	cl_platform_id platforms[MAX_PLATFORMS];
 	cl_uint platform_count = 0;
@@ -136,6 +137,16 @@ int device_list(Device* devices, int capacity)
 				describe(platforms[p], ids[i], &devices[count]);
 		}
 	}
+	return count;
+}
+
+int device_list(Device* devices, int capacity)
+{
+	// two worlds may look for a device at the same time, and PoCL 3.1 crashes if it is asked first by two threads at once
+	static Mutex mutex = MUTEX_OPEN;
+	mutex_lock(&mutex);
+	int count = list(devices, capacity);
+	mutex_unlock(&mutex);
 	return count;
 }
 

@@ -11,6 +11,7 @@ typedef CONDITION_VARIABLE Condition;
 typedef HANDLE Thread;
 #define THREAD_RESULT         DWORD WINAPI
 #define THREAD_END            0
+#define MUTEX_OPEN            SRWLOCK_INIT // of a static one
 #define mutex_open            InitializeSRWLock
 #define mutex_close(m)        ((void)(m))
 #define mutex_lock            AcquireSRWLockExclusive
@@ -30,6 +31,7 @@ typedef pthread_cond_t Condition;
 typedef pthread_t Thread;
 #define THREAD_RESULT         void*
 #define THREAD_END            NULL
+#define MUTEX_OPEN            PTHREAD_MUTEX_INITIALIZER // of a static one
 #define mutex_open(m)         pthread_mutex_init(m, NULL)
 #define mutex_close           pthread_mutex_destroy
 #define mutex_lock            pthread_mutex_lock

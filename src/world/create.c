@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "world/auto.h"
 #include "world/edits.h"
+#include "world/idle.h"
 #include "world/memory.h"
 #include "world/world.h"
 #include <stdio.h>
@@ -39,6 +40,7 @@ void world_destroy(scree_world* world)
 	slots_close(&world->joints);
 	scree_release(world->host_joints);
 	scree_release(world->targets);
+	idle_close(world);
 	scree_release(world->scratch);
 	scree_release(world);
 	worlds_add(-1);

@@ -6,6 +6,7 @@
 #include "world/migrate.h"
 #include "platform/error.h"
 #include "world/failure.h"
+#include "world/idle.h"
 #include "world/share.h"
 #include "world/world.h"
 #include <stdio.h>
@@ -116,6 +117,7 @@ scree_status world_move(scree_world* world, Backend* to)
 		return status;
 	world_unshare(world);       // another device cannot use that memory
 	world->chains_stale = true; // how chains lie depends on the device
+	idle_forget(world);
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);
 	pipeline_move(&world->pipeline, to);

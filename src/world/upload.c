@@ -7,6 +7,7 @@
 #include "world/chains.h"
 #include "world/edit_order.h"
 #include "world/failure.h"
+#include "world/idle.h"
 #include "world/joints.h"
 #include "world/memory.h"
 #include "world/upload_commands.h"
@@ -121,6 +122,7 @@ static scree_status upload_all(scree_world* world)
 	TRY(chains_update(world)); // joints whose place changed are edits
 	if (no_edits(&world->edits))
 		return SCREE_OK;
+	idle_note(world);
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;

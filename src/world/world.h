@@ -65,6 +65,16 @@ typedef struct // of a kinematic body: its pose at the end of the next step that
 	scree_pose pose; // of the origin
 } Target;
 
+typedef struct // blocks of the bodies, or of the collidables (idle.h)
+{
+	uint8_t* states; // of each block
+	int* active;     // numbers of the blocks that are not idle
+	int known, count;
+	int state_capacity, active_capacity;
+	bool stale;    // active is to be listed again
+	bool settling; // some block is to be looked at
+} IdleBlocks;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -88,6 +98,7 @@ struct scree_world
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
 	Edits edits;
+	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;
 	int shared_rows; // rows that fit the memory shared with OpenGL; 0 while none is shared
 	AutoDevice auto_device;
