@@ -192,8 +192,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_COLLIDES 16  // its bodies may touch each other
 #define JOINT_BREAKS   32  // it breaks when its force or torque exceeds its threshold
 #define JOINT_ACTS     64  // it has something to solve: a lock, a limit, a spring or a motor
-#define JOINT_MOVED    128 // its place among the chains changed
-#define JOINT_NEW      256 // the slot holds another joint than before
+#define JOINT_NEW      128 // the slot holds another joint than before
 
 // JointData.modes: a whole number, of four bits for each coordinate, and more
 #define JOINT_LOCKED(k)  (1 << (4 * (k)))

@@ -30,11 +30,11 @@ STAGE(joint_apply)
 		p->joint_place[slot] = -1;
 	}
 	else if (!(edit.flags & JOINT_NEW))
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_MOVED | JOINT_NEW);
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW);
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 		joint_count(p, slot, &edit.data);
-	if (slot < p->argument && p->joint_spot[slot] != edit.spot)
-		edit.flags |= JOINT_MOVED;
+	if (slot >= p->argument || p->joint_spot[slot] != edit.spot)
+		p->joint_moved[slot] = 1;
 	p->joint_spot[slot] = edit.spot;
 	p->joint_flags[slot] = edit.flags;
 	p->joint_data[slot] = edit.data;
@@ -61,9 +61,10 @@ STAGE(joint_update)
 	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_rest(p, i);
-	if (flags & (JOINT_MOVED | JOINT_RESTARTS))
+	if (p->joint_moved[i] || flags & JOINT_RESTARTS)
 		edge_stir(p, CONSTRAINT_JOINT);
-	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_MOVED | JOINT_NEW);
+	p->joint_moved[i] = 0;
+	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
 	int a = p->joint_data[i].body_a, b = p->joint_data[i].body_b;
