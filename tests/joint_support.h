@@ -22,9 +22,10 @@
 
 static const scree_body NOBODY = {0, 0};
 
-// So many joints in a row or more are solved together, and their translations are so many times as stiff; angles are rigid.
+// So many joints in a row or more are solved together, and their translations are as stiff as at so many times the frequency;
+// angles are rigid.
 #define CHAIN_LEAST   8
-#define CHAIN_STIFFER 4.0
+#define CHAIN_STIFFER 2.7173 // sqrt(4 (2 z + 4 h w) / (2 z + h w)) at 60 Hz, ratio z = 2, h = 1 / 240 s
 
 // A definition between two bodies, whose frames lie at a pose in the world; either body may be null.
 static inline scree_joint_def joint_def_at(scree_world* world, scree_joint_type type, scree_body a, scree_body b,

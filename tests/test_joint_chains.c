@@ -72,7 +72,7 @@ static void long_ropes_hang(void** state)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.25f, 0.0f, -0.25f - 0.5f * (float)k);
 		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], 0.0f, -0.5f * (float)k);
 	}
-	run_steps(world, 1800);
+	run_steps(world, 3600);
 	double w = CHAIN_STIFFER * 2.0 * PI * 60.0, theory = (double)MOST * MOST * G / (w * w);
 	double longer = -(0.5 * MOST - 0.25) - position_of(world, links[MOST - 1]).y;
 	print_message("rope of %d links: longer by %.3f m, theory %.3f m\n", MOST, longer, theory);
@@ -120,7 +120,7 @@ static void whirls_keep_momentum(void** state)
 		              gap);
 		NEAR(after.x, before.x, 1e-4);
 		NEAR(after.y, before.y, 1e-4);
-		NEAR(after.spin / before.spin, 1.0, 1e-4);
+		NEAR(after.spin / before.spin, 1.0, 2e-4);
 		assert_true(after.energy < 1.001 * before.energy && gap < 0.05);
 		scree_world_destroy(world);
 	}

@@ -9,6 +9,10 @@
 // share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
 #define JOINT_LEAST_YIELD 1.0e-6f
 
+// m/s, rad/s: errors are corrected at most so fast. Frames that are far apart, because a body was teleported or a contact held it
+// back, come together without a blow.
+#define JOINT_CORRECTION 10.0f
+
 typedef struct // of the locks: yield x = goal
 {
 	Real yield[3], cross[3]; // diagonal; 01, 02, 12
@@ -38,7 +42,7 @@ INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const 
 {
 	JointSystem s;
 	Real zero = splat(0.0f), one = splat(1.0f), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
-	Real most = splat(p->step.max_speed);
+	Real most = splat(p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION);
 	Real impulse[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
 	Real softness[3] = {u->soft_along, u->soft_across, u->soft_angle};
@@ -97,6 +101,8 @@ INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3])
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
+	if (p->step.h_ratio != 1.0f) // the same forces
+		joint_scale(p, i, u, splat(p->step.h_ratio));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
 	Real most = splat(START_SHARE * p->step.max_speed), spin = splat(START_SHARE * p->step.max_spin);

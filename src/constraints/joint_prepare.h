@@ -21,7 +21,8 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 #define JOINT_STIFFEST 0.25f
 // of 1 / a2, which may be infinite
 #define JOINT_SOFTEST 1.0e30f
-// Joints of a chain are solved exactly, and can be so many times as stiff.
+// Joints of a chain are solved exactly, and can be so many times as stiff. Their errors are corrected at the rate of other
+// joints: faster, a chain whose end is moved at once whips.
 #define JOINT_CHAIN_STIFFER 4.0f
 
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
@@ -41,7 +42,10 @@ INLINE void joint_lock(const Pools* p, const Real lock[4], const Real joint[4], 
 	Int own = lock[1] > splat(0.0f);
 	Real hertz = choose(joint[0], lock[1], own), ratio = choose(joint[1], lock[2], own);
 	Int rigid = chained & (own == 0);
-	joint_softness(p, hertz, ratio, choose(splat(1.0f), splat(JOINT_CHAIN_STIFFER), rigid), rate, soft);
+	Real chain_rate, chain_soft;
+	joint_softness(p, hertz, ratio, splat(1.0f), rate, soft);
+	joint_softness(p, hertz, ratio, splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
+	*soft = choose(*soft, chain_soft, rigid);
 
 	// Angles of a chain need not yield at all: a welded beam does not sag. Translations must: the pull of a bridge of planks
 	// without slack has no limit otherwise.

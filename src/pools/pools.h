@@ -398,6 +398,7 @@ enum
 typedef struct // constants of one step, passed by value to every stage
 {
 	float dt, h, inv_h; // s, substep s, 1/s
+	float h_ratio;      // h over that of the last step that took time
 	float gravity_x, gravity_y;
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s

@@ -19,8 +19,9 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, chain->begin + spot, &link.u, sum);
 	Vec push = joint_impulse(&link.c, sum[0], sum[1], splat(0.0f)).push;
-	CHAIN_PUT(p, tension[0], spot, splat(-p->step.h) * vec_dot(link.c.arm_a, push));
-	CHAIN_PUT(p, tension[1], spot, splat(p->step.h) * vec_dot(link.c.arm_b, push));
+	Real h = splat(p->step.h * p->step.h_ratio); // impulses are those of the last step
+	CHAIN_PUT(p, tension[0], spot, -h * vec_dot(link.c.arm_a, push));
+	CHAIN_PUT(p, tension[1], spot, h * vec_dot(link.c.arm_b, push));
 	CHAIN_PUT_INT(p, body_a, spot, link.ia);
 	CHAIN_PUT_INT(p, body_b, spot, link.ib);
 	CHAIN_PUT(p, own_a, spot, link.c.a.inv_inertia);

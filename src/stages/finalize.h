@@ -59,19 +59,41 @@ STAGE(finalize)
 	}
 }
 
-// Item i of the bodies that go far: each moves as far as nothing static is in its way.
+// What a body moves on along the surface that stopped it at a share of its path, as far as that is free.
+INLINE void guard_slide(const Pools* p, Guarded guarded, GuardStop stop, Vec* d, float* da)
+{
+	Vec rest = vec_scale(1.0f - stop.share, *d);
+	Vec slide = vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal));
+	Vec to = vec_add(vec_scale(stop.share, *d), slide);
+	float turn = stop.share * *da, share = guard_part(p, guarded, 0, to, turn).share;
+	int slides = share > stop.share;
+	*d = slides ? vec_scale(share, to) : vec_scale(stop.share, *d);
+	*da = slides ? share * turn : turn;
+}
+
+// Item i of the bodies that go far: each moves as far as nothing static is in its way, and along that.
 STAGE(guard)
 {
 	Int2 item = p->guard_list[i];
 	int body = item.x;
 	Guarded guarded = p->guarded[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy);
-	float da = p->body[body].da, share = guard_part(p, guarded, item.y, d, da);
-	if (!guard_all(p, guarded, body, &share))
+	float da = p->body[body].da;
+	GuardStop stop = guard_part(p, guarded, item.y, d, da);
+	if (!guard_all(p, guarded, body, &stop.share))
 		return;
-	if (share < 1.0f)
+	if (stop.share < 1.0f)
+	{
 		atomic_add_int(&p->counters->held, 1);
-	finalize_pose(p, body, vec_scale(share, d), share * da);
+		if (guarded.parts == 1)
+			guard_slide(p, guarded, stop, &d, &da);
+		else
+		{
+			d = vec_scale(stop.share, d);
+			da = stop.share * da;
+		}
+	}
+	finalize_pose(p, body, d, da);
 }
 
 #endif

@@ -27,8 +27,24 @@
 // m: how much deeper a body may be that was deeper before; and how closely the target is met
 #define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
 
-// The share of its path (1 is all) that b moves until it is too deep in a, which is static.
-INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, float thickness)
+typedef struct // where a path ends
+{
+	float share; // of the path, 1 is all
+	Vec normal;  // of what ends it, in the world
+	int index;   // of that collidable
+} GuardStop;
+
+INLINE GuardStop guard_stop(float share, Vec normal, int index)
+{
+	GuardStop stop;
+	stop.share = share;
+	stop.normal = normal;
+	stop.index = index;
+	return stop;
+}
+
+// The share of its path that b moves until it is too deep in a, which is static. normal gets the direction from a to b there.
+INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, float thickness, Vec* normal)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -51,9 +67,10 @@ INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, f
 			target = maximum(target, -GUARD_DEEPEST * thickness);
 			target = minimum(target, gap - GUARD_TOLERANCE);
 		}
+		*normal = vec_turn(axes, m.normal);
 		if (m.count > 0 && gap <= target)
 			return time;
-		float speed = sweep_speed(closing, vec_turn(axes, m.normal), time), left = gap - target + GUARD_TOLERANCE;
+		float speed = sweep_speed(closing, *normal, time), left = gap - target + GUARD_TOLERANCE;
 		if (m.count == 0 || !(speed * (1.0f - time) > left))
 			return 1.0f;
 		time = time + left / speed;
@@ -62,8 +79,9 @@ INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, f
 	return time;
 }
 
-// The share of its path that collidable i moves, with its body's displacement.
-INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
+// The share of its path that collidable i moves, with its body's displacement. Leaves are not in the same order everywhere: of
+// equal shares, the lower index counts.
+INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 {
 	WorldShape world_shape = p->world_shape[i];
 	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
@@ -75,20 +93,24 @@ INLINE float guard_collidable(const Pools* p, int i, Vec path, float turn)
 	way.reach = attribute->reach - attribute->radius + absolute(way.center.x) + absolute(way.center.y);
 	float swing = absolute(turn) * way.reach;
 	if (!(absolute(path.x) + absolute(path.y) + swing > GUARD_TRAVEL * thickness))
-		return 1.0f;
+		return guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 
 	Float4 box = world_box(world_shape, attribute, 0.0f);
 	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
 	box = box_grow(box_union(box, then), swing);
 	const GLOBAL Tree* tree = p->tree + 1;
-	float least = 1.0f;
+	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
 	for (int first = tree_next(p, tree, box, &walk); first >= 0; first = tree_next(p, tree, box, &walk))
 		for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
 		{
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
-			if (filter_accepts(p->filter[i], p->filter[j]))
-				least = minimum(least, guard_time(p, p->world_shape[j], world_shape, way, thickness));
+			if (!filter_accepts(p->filter[i], p->filter[j]))
+				continue;
+			Vec normal = vec(0.0f, 0.0f);
+			float share = guard_time(p, p->world_shape[j], world_shape, way, thickness, &normal);
+			if (share < least.share || (share == least.share && share < 1.0f && j < least.index))
+				least = guard_stop(share, normal, j);
 		}
 	return least;
 }
@@ -103,11 +125,15 @@ INLINE int guard_skip(const Pools* p, int k, int count)
 
 // The share of its path that a body moves, by those of its collidables that belong to this part. Parts side by side test
 // theirs in the same iteration, because work-items of a GPU wait for each other.
-INLINE float guard_part(const Pools* p, Guarded guarded, int part, Vec path, float turn)
+INLINE GuardStop guard_part(const Pools* p, Guarded guarded, int part, Vec path, float turn)
 {
-	float least = 1.0f;
+	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 	for (int k = guard_skip(p, guarded.first, part); k > 0; k = guard_skip(p, k, guarded.parts))
-		least = minimum(least, guard_collidable(p, k - 1, path, turn));
+	{
+		GuardStop stop = guard_collidable(p, k - 1, path, turn);
+		if (stop.share < least.share)
+			least = stop;
+	}
 	return least;
 }
 

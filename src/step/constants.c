@@ -38,6 +38,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .dt = dt,
 	    .h = h,
 	    .inv_h = rate,
+	    .h_ratio = moves && pipeline->step.h > 0.0f ? h / pipeline->step.h : 1.0f,
 	    .gravity_x = request->gravity.x,
 	    .gravity_y = request->gravity.y,
 	    .max_speed = tuning->max_speed,
