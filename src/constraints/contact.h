@@ -77,7 +77,7 @@
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
 
 // whether a step uses the rare rows
-#define CONTACT_RARE(step) ((step)->rare)
+#define CONTACT_RARE(step) STEP_RARE(*(step))
 
 struct ContactRows
 {
@@ -356,7 +356,7 @@ INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact*
 	u->normal_impulse2 = pair_normal(c, 1, gap, mass, u->normal_impulse2, &p->step, 0, rebound2);
 	if (p->step.rolls)
 		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
-	if (p->step.rare)
+	if (STEP_RARE(p->step))
 		pair_total(p, i, u->normal_impulse1, u->normal_impulse2);
 }
 

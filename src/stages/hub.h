@@ -258,7 +258,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
 		if (what >= 0)
 			hub_block(p, h, what, pass == PASS_WARM_START, bench);
 	}
-	if (pass == PASS_RELAX && p->step.rare)
+	if (pass == PASS_RELAX && STEP_RARE(p->step))
 		HUB_EACH_COLUMN(c, h)
 	HUB_EACH_OF(i, c, h)
 	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));

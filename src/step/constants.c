@@ -3,6 +3,8 @@
 #include "step/constants.h"
 #include "step/crowd.h"
 
+_Static_assert(sizeof(Step) <= 140, "NVIDIA's compiler copies a larger one to the stack of every work-item");
+
 // Soft constraint of so many hertz and damping ratio in substeps of h: Catto, Soft Constraints, GDC 2011.
 static Softness softness(float hertz, float ratio, float h)
 {
@@ -47,7 +49,6 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .restitution_threshold = tuning->restitution_threshold,
 	    .soft = moves ? softness(hertz, tuning->contact_damping_ratio, h) : (Softness){0},
 	    .stiff = moves ? softness(2.0f * hertz, tuning->contact_damping_ratio, h) : (Softness){0},
-	    .rare = pipeline->rolls || request->details,
 	    .rolls = pipeline->rolls,
 	    .details = request->details,
 	    .bounces = pipeline->bounces,

@@ -86,7 +86,7 @@ static bool launch_over(KernelId kernel, int items)
 {
 	return launch(kernel, groups_of(items, SMALL_GROUP), SMALL_GROUP);
 }
-static bool plain(void) { return !pools.step.rare && !pools.step.bounces && !pools.step.round; }
+static bool plain(void) { return !STEP_RARE(pools.step) && !pools.step.bounces && !pools.step.round; }
 
 // ---------------------------------------------------------------------------------------------------------------
 // the relay

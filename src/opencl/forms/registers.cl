@@ -12,7 +12,7 @@
 #define STEP_JOINTS(step)   ((void)0)
 // The same for a world without joints.
 #define STEP_CONTACTS(step) ((step).joints = (step).drives = (step).couplings = 0)
-#define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).rare = (step).rolls = (step).details = (step).bounces = (step).round = 0)
+#define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).rolls = (step).details = (step).bounces = (step).round = 0)
 
 INLINE void body_row(const Pools* p, int body, float row[8])
 {

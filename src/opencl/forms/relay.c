@@ -67,7 +67,7 @@ static size_t other_groups(OpenCl* d, const Solve* solve)
 
 bool solve_plain(const OpenCl* d)
 {
-	return !d->constants.step.joints && !d->constants.step.rare && !d->constants.step.bounces &&
+	return !d->constants.step.joints && !STEP_RARE(d->constants.step) && !d->constants.step.bounces &&
 	       !d->constants.step.round;
 }
 

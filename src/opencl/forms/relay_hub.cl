@@ -199,7 +199,7 @@ INLINE void hub_tasks_prepare_hubs(const Pools* p, const HubTasks* t)
 		HUB_EACH_OF(i, c, &h)
 		{
 			contact_prepare_item(p, i);
-			if (p->step.round || p->step.rare)
+			if (p->step.round || STEP_RARE(p->step))
 				contact_prepare_rare_item(p, i);
 		}
 	}
