@@ -479,6 +479,7 @@ typedef struct
 	int first_nonfinite;           // lowest index of these
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
 	int held;                      // bodies that guard stopped before something static
+	int joint_moved;               // 1 if some joint got another place among the chains, until joint_update
 	int joint_stir;                // INT_MAX if some joint was made, changed or broke since the last step, else 0
 	int overflow_first, overflow;  // among the sorted keys of joints those without a color and a chain begin; how many
 	int joined;                    // pairs of bodies that joints keep from touching

@@ -34,7 +34,7 @@ STAGE(joint_apply)
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 		joint_count(p, slot, &edit.data);
 	if (slot >= p->argument || p->joint_spot[slot] != edit.spot)
-		p->joint_moved[slot] = 1;
+		raise_int(&p->counters->joint_moved, 1);
 	p->joint_spot[slot] = edit.spot;
 	p->joint_flags[slot] = edit.flags;
 	p->joint_data[slot] = edit.data;
@@ -61,9 +61,8 @@ STAGE(joint_update)
 	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_rest(p, i);
-	if (p->joint_moved[i] || flags & JOINT_RESTARTS)
+	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
 		edge_stir(p, CONSTRAINT_JOINT);
-	p->joint_moved[i] = 0;
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
@@ -78,7 +77,7 @@ STAGE(joint_update)
 STAGE(joint_updated)
 {
 	if (!p->counters->stalled)
-		p->counters->joint_stir = 0;
+		p->counters->joint_stir = p->counters->joint_moved = 0;
 	(void)i;
 }
 
