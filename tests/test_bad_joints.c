@@ -72,7 +72,7 @@ static void definitions(void** state)
 	REFUSED(scree_joints_create, (world, defs, 2, made), status, "defs[1]" sentence); \
 	REFUSED(scree_joint_create, (world, &defs[1], made), status, "def" sentence)
 	DEF(SCREE_ERROR_INVALID, size = 0, ".size is 0: the definition was not made by scree_joint_def_make");
-	DEF(SCREE_ERROR_INVALID, type = (scree_joint_type)12, ".type is 12, not a scree_joint_type");
+	DEF(SCREE_ERROR_INVALID, type = (scree_joint_type)13, ".type is 13, not a scree_joint_type");
 	DEF(SCREE_ERROR_INVALID, type = (scree_joint_type)-1, ".type is -1, not a scree_joint_type");
 	DEF(SCREE_ERROR_STALE, body_a = stale, ".body_a (index 4");
 	DEF(SCREE_ERROR_STALE, body_b = stale, ".body_b (index 4");

@@ -709,6 +709,67 @@ SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scr
                                                    const scree_pose* poses, int count);
 
 // ---------------------------------------------------------------------------------------------------------------
+// Paths
+//
+// A path is a smooth curve through points, on which joints of type SCREE_JOINT_PATH hold bodies: a wire with beads, a rail
+// with wagons. Its points are in frame A of the joints that use it, so that one path can lie in the world, and another one in
+// a body that moves. Positions on a path are arc lengths from its first point, in metres.
+//
+// The curve is the cubic spline through the points whose parameter is the sum of their distances, so its curvature is
+// continuous. Give more points where it bends more: 12 on a full circle are within 1e-3 of its radius, 24 within 1e-4.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_path
+{
+	uint32_t index, generation;
+} scree_path;
+
+static const scree_path SCREE_NULL_PATH = {0, 0};
+static inline bool scree_path_is_null(scree_path path) { return path.index == 0 && path.generation == 0; }
+static inline bool scree_path_equals(scree_path a, scree_path b)
+{
+	return a.index == b.index && a.generation == b.generation;
+}
+
+typedef struct scree_path_def
+{
+	uint32_t size;           // set by scree_path_def_default
+	const scree_vec* points; // m; neighbors at least 1e-4 apart
+	int count;               // 2 to 65,536; at least 3 for a closed path
+	bool closed;             // goes on from the last point to the first; default false
+	uint64_t user;           // user data, not simulated; default 0
+} scree_path_def;
+
+static inline scree_path_def scree_path_def_default(void);
+
+// Creates a path and writes its handle to *path (may be null).
+SCREE_API scree_status scree_path_create(scree_world* world, const scree_path_def* def, scree_path* path);
+
+// Fails with SCREE_ERROR_INVALID while a joint uses the path.
+SCREE_API scree_status scree_path_destroy(scree_world* world, scree_path path);
+SCREE_API bool scree_path_is_valid(const scree_world* world, scree_path path);
+
+// Writes the handles of up to capacity paths in ascending index order, and sets count to their number.
+SCREE_API scree_status scree_world_get_paths(const scree_world* world, scree_path* paths, int capacity, int* count);
+
+// m
+SCREE_API scree_status scree_path_get_length(const scree_world* world, scree_path path, float* length);
+
+// The point at an arc length, and the direction of the path there. A closed path goes on in the next lap; beyond an end of
+// an open one it is the end.
+SCREE_API scree_status scree_path_get_pose(const scree_world* world, scree_path path, float along, scree_pose* pose);
+
+// The arc length at which the path is nearest to a point of frame A.
+SCREE_API scree_status scree_path_get_nearest(const scree_world* world, scree_path path, scree_vec point, float* along);
+
+// Writes up to capacity of the points from which a path was made, and sets count to their number.
+SCREE_API scree_status scree_path_get_points(const scree_world* world, scree_path path, scree_vec* points, int capacity,
+                                             int* count);
+SCREE_API bool scree_path_is_closed(const scree_world* world, scree_path path); // false for one that is not there
+SCREE_API scree_status scree_path_get_user(const scree_world* world, scree_path path, uint64_t* user);
+SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, uint64_t user);
+
+// ---------------------------------------------------------------------------------------------------------------
 // Joints
 //
 // A joint holds two frames together: frame A in body A, frame B in body B. It measures three coordinates of frame B in
@@ -718,6 +779,10 @@ SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scr
 //
 // A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the distance.
 // Joints of types GEAR and PULLEY couple what is measured of each body in the world: see scree_joint_side.
+//
+// A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is the arc length of the path,
+// over all laps of a closed one; across is the distance from the path, positive to the left of its direction; the angle is
+// that of frame B to the direction of the path. At the ends of an open path it is stopped, as by limits.
 //
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual; between two
 // bodies that cannot move, or with a disabled body, a joint rests.
@@ -752,6 +817,7 @@ typedef enum scree_joint_type // which coordinates are locked, and what else scr
 	SCREE_JOINT_FILTER,    // none: the two bodies do not collide, and that is all
 	SCREE_JOINT_GEAR,      // along, of a coupling (scree_joint_side) of two angles
 	SCREE_JOINT_PULLEY,    // along, of a coupling of two distances; the two bodies may collide
+	SCREE_JOINT_PATH,      // across: a bead on a wire; lock the angle as well for a wagon on a rail
 } scree_joint_type;
 
 // "free", "distance", ...; never null.
@@ -822,6 +888,10 @@ typedef struct scree_joint_def
 	uint64_t user;             // user data, not simulated; default 0
 	float ratio;               // of types GEAR and PULLEY: of a's measure, -1e6 to 1e6, default 1
 	scree_joint_side sides[2]; // of types GEAR and PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
+	scree_path path;           // of type PATH
+	float
+	    path_near; // of type PATH, m: where the search begins; its lap counts. Only another part of the path that is less
+	               // than half as far from anchor B is taken instead. Default 0
 } scree_joint_def;
 
 // A definition with the defaults of a type, between the world and the world: set bodies and frames. An unknown type gives
@@ -829,12 +899,17 @@ typedef struct scree_joint_def
 static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 
 // Sets frame_a and frame_b of a definition, whose bodies are set, so that both lie at a pose in the world, where the bodies
-// are now. Locks and springs whose target is 0 then hold the bodies as they are.
+// are now. Locks and springs whose target is 0 then hold the bodies as they are. Of a PATH it sets frame_b alone: frame_a is the
+// place of the path.
 SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
 
 // Sets the target along of a GEAR or a PULLEY, whose bodies, frames, sides and ratio are set, to what it measures now: two
 // wheels mesh as they are, a rope is as long as it is. Sets sides[].near to the angles measured.
 SCREE_API scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def);
+
+// Sets frame_b of a PATH, whose bodies, frame_a and path are set, so that it lies on the path at an arc length, along its
+// direction, where the bodies are now. Sets path_near to that arc length.
+SCREE_API scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along);
 
 // Creates count joints from count definitions and writes their handles to joints (may be null). On failure no joint is
 // created.
@@ -1135,6 +1210,14 @@ static inline scree_joint_def scree_joint_def_make(scree_joint_type type)
 {
 	scree_joint_def def;
 	scree_joint_def_make_sized(type, &def, sizeof def);
+	return def;
+}
+
+SCREE_API void scree_path_def_default_sized(scree_path_def* def, size_t size);
+static inline scree_path_def scree_path_def_default(void)
+{
+	scree_path_def def;
+	scree_path_def_default_sized(&def, sizeof def);
 	return def;
 }
 

@@ -7,6 +7,7 @@
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/handles.h"
+#include "world/joints.h"
 #include "world/rows.h"
 #include "world/targets.h"
 #include "world/world.h"
@@ -87,6 +88,7 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 	}
 	else if (kind == COMMAND_POSE)
 	{
+		body_joints_seek(world, index);
 		if (host->type == SCREE_BODY_STATIC && host->collidables > 0)
 			tree_touch(&world->pipeline, tree_of_kind(KIND_STATIC));
 	}

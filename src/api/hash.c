@@ -25,7 +25,7 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// The hash of the targets and the disabled bodies, which only the host knows.
+// The hash of the targets, the disabled bodies and the paths, which only the host knows.
 static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
@@ -34,6 +34,9 @@ static uint64_t hidden_hash(const scree_world* world)
 	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
 		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
 			sum += hash_disabled(world, k);
+	for (int k = 0; k < world->paths.used; ++k)
+		if (slots_in_use(&world->paths, k))
+			sum += hash_mix(hash_begin(HASH_PATH, k) + world->host_paths[k].name);
 	return sum;
 }
 

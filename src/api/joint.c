@@ -38,6 +38,12 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 		TRY(check_coordinate(at, made->type, (scree_coordinate)c, made->coordinates + c));
 	if (joint_couples(made->type))
 		TRY(check_joint_coupling(at, made));
+	int path;
+	if (made->type == SCREE_JOINT_PATH)
+	{
+		TRY(check_path(world, at, ".path", made->path, &path));
+		TRY(check_real(at, ".path_near", made->path_near, -SCREE_HUGE, SCREE_HUGE));
+	}
 	return check_joint_numbers(at, made);
 }
 

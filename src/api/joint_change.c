@@ -16,6 +16,7 @@ typedef struct // a batch of changes
 	int count;
 	scree_coordinate which;
 	size_t member; // of scree_joint_coordinate, where one number changes
+	bool moves;    // frames change
 } Change;
 
 // Value k of a batch, checked and written to a definition.
@@ -44,6 +45,7 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		scree_joint_def* def = &world->host_joints[index].def;
 		bool disabled = def->disabled;
 		set(change, value, values, k, def);
+		world->host_joints[index].seeks |= change->moves;
 		joint_changed(world, index, def->disabled != disabled);
 	}
 	return SCREE_OK;
@@ -52,13 +54,13 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 static Change batch(scree_world* world, const char* function, const char* value, const scree_joint* joints, int count,
                     scree_coordinate which)
 {
-	return (Change){world, {function, "joints", 0}, {function, value, 0}, joints, count, which, 0};
+	return (Change){world, {function, "joints", 0}, {function, value, 0}, joints, count, which, 0, false};
 }
 
 static Change single(scree_world* world, const char* function, const char* value, const scree_joint* joint,
                      scree_coordinate which)
 {
-	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which, 0};
+	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which, 0, false};
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -168,6 +170,7 @@ scree_status scree_joints_set_frames(scree_world* world, const scree_joint* join
 	const char* function = "scree_joints_set_frames";
 	Frames frames = {frames_a, frames_b, "frames_a", "frames_b"};
 	Change change = batch(world, function, "frames_a", joints, count, SCREE_ALONG);
+	change.moves = true;
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "frames_a", frames_a, count));
 	TRY(check_batch(function, "frames_b", frames_b, count));
@@ -178,6 +181,7 @@ scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree
 {
 	Frames frames = {&frame_a, &frame_b, "frame_a", "frame_b"};
 	Change change = single(world, "scree_joint_set_frames", "frame_a", &joint, SCREE_ALONG);
+	change.moves = true;
 	return change_all(&change, &frames, set_frames);
 }
 

@@ -6,13 +6,16 @@
 #include "world/handles.h"
 #include "world/joint_check.h"
 #include "world/joints.h"
+#include "world/paths.h"
 #include <math.h>
+#include <stddef.h>
 
 static const char* const type_names[JOINT_TYPES] = {
     [SCREE_JOINT_FREE] = "free",           [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
     [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",         [SCREE_JOINT_WELD] = "weld",
     [SCREE_JOINT_WHEEL] = "wheel",         [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
     [SCREE_JOINT_FILTER] = "filter",       [SCREE_JOINT_GEAR] = "gear",         [SCREE_JOINT_PULLEY] = "pulley",
+    [SCREE_JOINT_PATH] = "path",
 };
 
 const char* scree_joint_type_name(scree_joint_type type)
@@ -30,7 +33,11 @@ static const unsigned locks[JOINT_TYPES] = {
     [SCREE_JOINT_WHEEL] = 1 << SCREE_ACROSS,
     [SCREE_JOINT_GEAR] = 1 << SCREE_ALONG,
     [SCREE_JOINT_PULLEY] = 1 << SCREE_ALONG,
+    [SCREE_JOINT_PATH] = 1 << SCREE_ACROSS,
 };
+
+// bytes of a definition of the version that brought gears and pulleys
+#define COUPLED_SIZE (offsetof(scree_joint_def, sides) + sizeof((scree_joint_def*)0)->sides)
 
 static void set_spring(scree_joint_coordinate* coordinate, float hertz, float damping_ratio)
 {
@@ -102,8 +109,41 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 	scree_pose frame_a, frame_b;
 	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
-	def->frame_a = frame_a;
+	if (def->type != SCREE_JOINT_PATH) // frame A is the place of the path
+		def->frame_a = frame_a;
 	def->frame_b = frame_b;
+	return SCREE_OK;
+}
+
+static scree_pose within_pose(scree_pose outer, scree_pose inner)
+{
+	return (scree_pose){pose_point(outer, inner.position), turned(outer.rotation, inner.rotation)};
+}
+
+scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along)
+{
+	Where at = {"scree_joint_def_mount", "def", ALONE};
+	int path = 0, body;
+	TRY(world_check(world, at.function));
+	TRY(check_pointer(at.function, "def", def));
+	TRY(check_definition(at, def, 0, &joint_definition));
+	if (def->size < joint_definition.bytes)
+		return refuse(SCREE_ERROR_INVALID, at, ".size", "is %u, of a version without paths", def->size);
+	if (def->type != SCREE_JOINT_PATH)
+		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %s: only a path can be mounted",
+		              scree_joint_type_name(def->type));
+	TRY(check_path(world, at, ".path", def->path, &path));
+	TRY(check_real((Where){at.function, "along", ALONE}, "", along, -SCREE_HUGE, SCREE_HUGE));
+	scree_pose frame = def->frame_a, own = {{0.0f, 0.0f}, {1.0f, 0.0f}};
+	TRY(check_pose(at, ".frame_a", &frame));
+	if (!scree_body_is_null(def->body_a))
+	{
+		TRY(check_body(world, at, ".body_a", def->body_a, &body));
+		TRY(scree_body_get_pose(world, def->body_a, &own));
+	}
+	scree_pose pose = within_pose(within_pose(own, frame), path_pose_at(world, path, along));
+	TRY(place(world, at, ".body_b", def->body_b, pose, &def->frame_b));
+	def->path_near = along;
 	return SCREE_OK;
 }
 
@@ -141,12 +181,13 @@ scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
 	TRY(world_check(world, at.function));
 	TRY(check_pointer(at.function, "def", def));
 	TRY(check_definition(at, def, 0, &joint_definition));
-	if (def->size < joint_definition.bytes)
+	if (def->size < COUPLED_SIZE)
 		return refuse(SCREE_ERROR_INVALID, at, ".size", "is %u, of a version without gears and pulleys", def->size);
 	if (!joint_couples(def->type))
 		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %s: only a gear or a pulley couples",
 		              scree_joint_type_name(def->type));
-	scree_joint_def made = *def;
+	uint32_t size = def->size;
+	scree_joint_def local, made = *(const scree_joint_def*)definition_at(def, 0, &joint_definition, &local);
 	TRY(check_joint_coupling(at, &made));
 	TRY(check_pose(at, ".frame_a", &made.frame_a));
 	TRY(check_pose(at, ".frame_b", &made.frame_b));
@@ -156,6 +197,7 @@ scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
 		made.sides[k].near = made.sides[k].measure == SCREE_MEASURE_ANGLE ? values[k] : 0.0f;
 	made.coordinates[SCREE_ALONG].target = values[1] + made.ratio * values[0];
 	TRY(check_coordinate(at, made.type, SCREE_ALONG, &made.coordinates[SCREE_ALONG]));
-	*def = made;
+	made.size = size;
+	write_result(def, size, &made, sizeof made);
 	return SCREE_OK;
 }

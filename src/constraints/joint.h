@@ -94,6 +94,24 @@
 	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                                      \
 	X(given_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
+// of joints on a path (path.h)
+#define JOINT_PATH_ROWS(X)                                                                                \
+	/* m: in frame A, the point of the path that is nearest to anchor b; cos, sin: the tangent there */   \
+	X(foot_x, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
+	X(foot_y, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
+	X(foot_cos, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
+	X(foot_sin, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
+	/* m: of that point, from the start of the path, over all laps */                                     \
+	X(foot_along, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                          \
+	/* 1/m, 1/m^2: curvature there, and its change along the path; m: at which across is locked */        \
+	X(bend, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(sway, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(beside, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                \
+	/* where it was last: number of the sample before it, laps, and how the next search begins, PATH_* */ \
+	X(path_segment, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
+	X(path_laps, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                               \
+	X(path_seeks, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)
+
 #define JOINT_RARE_ROWS(X)                                                  \
 	JOINT_DRIVE_ROWS(X, along)                                              \
 	JOINT_DRIVE_ROWS(X, across)                                             \
@@ -101,7 +119,8 @@
 	/* N s, N m s: the largest of all substeps */                           \
 	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
 	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
-	JOINT_COUPLING_ROWS(X)
+	JOINT_COUPLING_ROWS(X)                                                  \
+	JOINT_PATH_ROWS(X)
 
 #define JOINT_STREAM(QUAD, PAIR)                                         \
 	QUAD(0, name, u->modes, u->axis_x, u->axis_y)                        \
@@ -158,6 +177,10 @@ typedef struct // its bodies and its coordinates now
 	Word couples;
 	Int coupled;
 	Vec axis_a, given_a;
+	// of lanes on a path: its curvature here, 1/m
+	Word rails;
+	Int railed;
+	Real bend;
 } JointPose;
 
 // Whether some lanes have one of these modes.
@@ -171,11 +194,12 @@ INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 	return vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
 }
 
-// No lane has a coupling, until coupling.h finds one.
+// No lane has a coupling or a path, until coupling.h or path.h finds one.
 INLINE void joint_alone(JointPose* c)
 {
-	c->couples = 0;
-	c->coupled = splat(0.0f) > splat(0.0f);
+	c->couples = c->rails = 0;
+	c->coupled = c->railed = splat(0.0f) > splat(0.0f);
+	c->bend = splat(0.0f);
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
@@ -213,11 +237,9 @@ INLINE void joint_pose(const Joint* u, JointPose* c)
 	joint_alone(c);
 }
 
-// m/s, rad/s: the speed of coordinate k, a constant
-INLINE Real joint_speed(const JointPose* c, int k)
+// m/s: the speed along or across, k is a constant
+INLINE Real joint_speed_linear(const JointPose* c, int k)
 {
-	if (k == JOINT_ANGLE)
-		return c->b.w - c->a.w;
 	Real spin = c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w;
 	Real speed = vec_dot(vec_sub(c->b.v, c->a.v), c->axis[k]) + spin;
 	if (k != JOINT_ALONG || !c->couples)
@@ -225,17 +247,41 @@ INLINE Real joint_speed(const JointPose* c, int k)
 	return choose(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
-// 1/kg, 1/(kg m^2): the speed of coordinate k by a unit impulse along it
-INLINE Real joint_yield(const JointPose* c, int k)
+// m/s, rad/s: the speed of coordinate k, a constant. The angle to a path changes as its tangent turns.
+INLINE Real joint_speed(const JointPose* c, int k)
 {
-	if (k == JOINT_ANGLE)
-		return c->a.inv_inertia + c->b.inv_inertia;
+	if (k != JOINT_ANGLE)
+		return joint_speed_linear(c, k);
+	Real speed = c->b.w - c->a.w;
+	return c->rails ? choose(speed, speed - c->bend * joint_speed_linear(c, JOINT_ALONG), c->railed) : speed;
+}
+
+INLINE Real joint_yield_linear(const JointPose* c, int k)
+{
 	Real mass = c->mass;
 	if (k == JOINT_ALONG && c->couples)
 		mass = choose(mass,
 		              c->a.inv_mass * vec_dot(c->axis_a, c->axis_a) + c->b.inv_mass * vec_dot(c->axis[0], c->axis[0]),
 		              c->coupled);
 	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
+}
+
+// 1/(kg m): the speed of an angle of no path by a unit impulse along or across
+INLINE Real joint_yield_turning(const JointPose* c, int k)
+{
+	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
+}
+
+// 1/kg, 1/(kg m^2): the speed of coordinate k by a unit impulse along it
+INLINE Real joint_yield(const JointPose* c, int k)
+{
+	if (k != JOINT_ANGLE)
+		return joint_yield_linear(c, k);
+	Real own = c->a.inv_inertia + c->b.inv_inertia;
+	if (!c->rails)
+		return own;
+	Real along = c->bend * joint_yield_linear(c, JOINT_ALONG) - 2.0f * joint_yield_turning(c, JOINT_ALONG);
+	return choose(own, own + c->bend * along, c->railed);
 }
 
 typedef struct // impulses on body b, their opposite on a: N s, N m s
@@ -247,6 +293,8 @@ typedef struct // impulses on body b, their opposite on a: N s, N m s
 INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, Real angle)
 {
 	JointImpulse j;
+	if (c->rails)
+		along = choose(along, along - c->bend * angle, c->railed);
 	j.push = vec_add(vec_scale(along, c->axis[0]), vec_scale(across, c->axis[1]));
 	j.angular_a = along * c->lever_a[0] + across * c->lever_a[1] + angle;
 	j.angular_b = along * c->lever_b[0] + across * c->lever_b[1] + angle;

@@ -3,6 +3,7 @@
 #ifndef JOINT_ONE_H
 #define JOINT_ONE_H
 #include "constraints/coupling_one.h"
+#include "constraints/path_one.h"
 
 // The rows of one coordinate. What the user took from it since the last step loses its impulse: whether a pass looks at a
 // coordinate without drives depends on the joints beside it.
@@ -50,6 +51,8 @@ INLINE void joint_setup_rare(const Pools* p, int i, const Joint* u)
 	JOINT_DRIVE_SETUP(angle, JOINT_ANGLE)
 	if (modes & JOINT_COUPLED)
 		coupling_setup(p, i);
+	if (modes & JOINT_RAILED)
+		path_setup(p, i);
 	(void)u;
 }
 
@@ -88,6 +91,31 @@ INLINE void coupling_count_store(const Pools* p, int slot, int place, const Coup
 	kept->turns_a = count->turns[0];
 	kept->turns_b = count->turns[1];
 	kept->geared = count->geared;
+}
+
+INLINE PathCount path_count_last(const Pools* p, int slot)
+{
+	int place = p->joint_place[slot];
+	if (p->joint_flags[slot] & JOINT_NEW)
+		return path_count_new();
+	if (place >= 0)
+		return path_count_at(p, place);
+	const GLOBAL JointRareKept* kept = p->joint_rare_kept + slot;
+	PathCount count = {kept->path_segment, kept->path_laps, kept->path_seeks};
+	return count;
+}
+
+INLINE void path_count_store(const Pools* p, int slot, int place, const PathCount* count)
+{
+	GLOBAL JointRareKept* kept = p->joint_rare_kept + slot;
+	if (place >= 0)
+	{
+		path_count_put(p, place, count);
+		return;
+	}
+	kept->path_segment = count->segment;
+	kept->path_laps = count->laps;
+	kept->path_seeks = count->seeks;
 }
 
 INLINE void joint_set_place(const Pools* p, int slot, int i)

@@ -5,6 +5,7 @@
 #include "constraints/contact.h"
 #include "constraints/coupling.h"
 #include "constraints/joint_drive.h"
+#include "constraints/path.h"
 
 // share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
 #define JOINT_LEAST_YIELD 1.0e-6f
@@ -60,6 +61,11 @@ INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const 
 	}
 	Real k01 = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
 	Real k02 = ia * c->lever_a[0] + ib * c->lever_b[0], k12 = ia * c->lever_a[1] + ib * c->lever_b[1];
+	if (c->rails)
+	{
+		k02 = choose(k02, k02 - c->bend * joint_yield(c, JOINT_ALONG), c->railed);
+		k12 = choose(k12, k12 - c->bend * k01, c->railed);
+	}
 	Real softer01 = joint_soft_pair(u, softness, 0, 1) * k01, softer02 = joint_soft_pair(u, softness, 0, 2) * k02,
 	     softer12 = joint_soft_pair(u, softness, 1, 2) * k12;
 	Real back[3] = {softer[0] * impulse[0] + softer01 * impulse[1] + softer02 * impulse[2],
@@ -141,10 +147,12 @@ INLINE void joint_turn(const Pools* p, int i, Joint* u, JointPose* c)
 }
 
 // The largest force and torque of all substeps, for thresholds and the user.
-INLINE void joint_peak(const Pools* p, int i, const Joint* u)
+INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, i, u, sum);
+	if (c->rails)
+		sum[0] = choose(sum[0], sum[0] - c->bend * sum[2], c->railed);
 	Real force = root(sum[0] * sum[0] + sum[1] * sum[1]), torque = absolute(sum[2]);
 	if (p->step.couplings)
 	{
@@ -191,6 +199,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 	c.b = *b;
 	joint_pose(u, &c);
 	coupling_pose(p, i, u, &c);
+	path_pose(p, i, u, &c);
 	if (pass == PASS_WARM_START)
 		joint_warm(p, i, u, &c);
 	else
@@ -203,7 +212,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		joint_solve(&system, c.mass, x);
 		joint_hold(u, &c, x);
 		if (pass == PASS_RELAX && p->step.drives)
-			joint_peak(p, i, u);
+			joint_peak(p, i, u, &c);
 	}
 	coupling_store(p, i, &c);
 	*a = c.a;

@@ -97,7 +97,17 @@ INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 INLINE Int joint_upright(const Joint* u)
 {
 	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
-	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS)) == 0);
+	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
+}
+
+// Frame A of a joint on a path lies at the point of it that joint_follow found, along the tangent. Locks do not move it.
+INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
+{
+	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));
+	Vec tangent = vec(load(&joint_rare(p, foot_cos, i), 0), load(&joint_rare(p, foot_sin, i), 0));
+	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), body, vec_choose(offset, foot, railed));
+	a.turn = vec_choose(a.turn, vec_turn(a.turn, tangent), railed);
+	return a;
 }
 
 // All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
@@ -120,8 +130,13 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 
 	// a lock that holds another value than 0 moves the frame
 	Vec offset = vec(choose(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
-	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), ia, offset);
+	Int railed = joint_has(u, JOINT_RAILED);
+	Word rails = p->step.paths ? lane_bits(railed) : 0u;
+	JointFrame a = rails ? joint_frame_railed(p, i, slot, ia, offset, railed)
+	                     : joint_frame(p, slot, JOINT_AT_FRAME(0), ia, offset);
 	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME(1), ib, vec(zero, zero));
+	if (rails)
+		u->length = choose(u->length, target[JOINT_ALONG] - load(&joint_rare(p, foot_along, i), 0), railed);
 	Vec gap = joint_gap(&a, &b);
 	Int upright = joint_upright(u);
 	Vec axis = vec_choose(a.turn, vec(one, zero), upright);

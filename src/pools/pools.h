@@ -193,6 +193,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_BREAKS   32  // it breaks when its force or torque exceeds its threshold
 #define JOINT_ACTS     64  // it has something to solve: a lock, a limit, a spring or a motor
 #define JOINT_NEW      128 // the slot holds another joint than before
+#define JOINT_SEEKS    256 // of an edit: a body or a frame was placed, so another part of its path may be nearer
 
 // JointData.modes: a whole number, of four bits for each coordinate, and more
 #define JOINT_LOCKED(k)  (1 << (4 * (k)))
@@ -211,6 +212,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_HOISTS(side) (0x100000 << (side))
 #define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
 #define JOINT_ELLIPTIC     0x400000 // springs and motors along and across are bounded together
+#define JOINT_RAILED       0x800000 // its axis is the tangent of a path, where anchor b is
 
 // coordinates of frame b in frame a
 #define JOINT_ALONG       0
@@ -251,9 +253,18 @@ typedef struct // 256 bytes, of which every joint needs the first half
 	JointLock lock[JOINT_COORDINATES];
 	Float4 base[2]; // of a coupling, in the world
 	JointDriveData drive[JOINT_COORDINATES];
-	float near[2]; // rad: what angles of a coupling were nearest to when it began
-	float unused[2];
+	float near[2]; // rad: what angles of a coupling were nearest to when it began; m: where the search on a path begins
+	float path_first, path_segments; // of a path: its first sample, and samples but the last
 } JointData;
+
+typedef struct // 32 bytes: a sample of a path, in the frame of the path. The last one of a closed path is the first one again
+{
+	float x, y, tangent_x, tangent_y; // m; of length 1
+	float along;                      // m: from the start of the path
+	float length;                     // m: of the curve up to the next sample; 0 for the last one of an open path
+	float bend;                       // 1/m: curvature, positive to the left
+	float unused;
+} PathSample;
 
 typedef struct // 272 bytes: a joint as the user wants it
 {
@@ -410,8 +421,9 @@ typedef struct // constants of one step, passed by value to every stage
 	int bounces;          // some attribute has restitution
 	int joints;           // there may be joints among the constraints
 	int chain_places;     // spots of chains
-	int drives;           // some joint has a limit, a spring, a motor or a threshold, or is a coupling
+	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int couplings;        // some joint is a gear or a pulley
+	int paths;            // some joint follows a path
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach

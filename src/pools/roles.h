@@ -14,6 +14,7 @@ typedef enum // what a pool has an item for
 #undef CONSTRAINT_KIND
 	PER_EDGE,        // of any kind
 	PER_JOINT_EDIT,  // joint that the user made or changed
+	PER_PATH_SAMPLE, // sample of a path
 	PER_CHAIN,       // joints that are solved together
 	PER_CHAIN_BLOCK, // MAX_LANES spots of a chain
 	PER_SPOKE,       // contact of a hub

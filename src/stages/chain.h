@@ -89,7 +89,7 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
 	joint_hold(&link.u, &link.c, x);
 	if (pass == PASS_RELAX && p->step.drives)
-		joint_peak(p, chain->begin + spot, &link.u);
+		joint_peak(p, chain->begin + spot, &link.u, &link.c);
 	chain_store(p, chain, spot, &link);
 }
 

@@ -18,6 +18,14 @@ INLINE void joint_count(const Pools* p, int slot, const JointData* changed)
 	coupling_count_store(p, slot, p->joint_place[slot], &count);
 }
 
+// The user placed a body of a joint on a path, or a frame: the next step looks for the nearest part of all.
+INLINE void joint_seek(const Pools* p, int slot)
+{
+	PathCount count = path_count_last(p, slot);
+	count.seeks = maximum(count.seeks, PATH_SEEKS);
+	path_count_store(p, slot, p->joint_place[slot], &count);
+}
+
 // Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
 // joint that broke stays broken.
 STAGE(joint_apply)
@@ -32,7 +40,12 @@ STAGE(joint_apply)
 	else if (!(edit.flags & JOINT_NEW))
 		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW);
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
+	{
 		joint_count(p, slot, &edit.data);
+		if (edit.flags & JOINT_SEEKS)
+			joint_seek(p, slot);
+	}
+	edit.flags &= ~JOINT_SEEKS;
 	if (slot >= p->argument || p->joint_spot[slot] != edit.spot)
 		raise_int(&p->counters->joint_moved, 1);
 	p->joint_spot[slot] = edit.spot;
@@ -47,9 +60,13 @@ INLINE void joint_rest(const Pools* p, int i)
 {
 	float turned = joint_turned_last(p, i);
 	CouplingCount count = coupling_count_last(p, i);
+	PathCount path = path_count_last(p, i);
 	joint_end(p, i);
 	p->joint_kept[i].turned = turned;
 	coupling_count_store(p, i, -1, &count);
+	// bodies may be anywhere when it begins again
+	path.seeks = maximum(path.seeks, PATH_SEEKS);
+	path_count_store(p, i, -1, &path);
 }
 
 // Constraints of joints begin and end.
@@ -72,6 +89,19 @@ STAGE(joint_update)
 	atomic_add_int(&p->touching[b], 1);
 	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_JOINT, i);
 	edge_stir(p, CONSTRAINT_JOINT);
+}
+
+// Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. It comes after
+// the layout, and finds the same when it runs again.
+STAGE(joint_follow)
+{
+	int place = p->joint_place[i];
+	if (place < 0 || !((int)p->joint_data[i].modes & JOINT_RAILED))
+		return;
+	PathCount count = path_count_at(p, place);
+	PathFoot foot = path_follow(p, i, &count);
+	path_foot_put(p, place, &foot);
+	path_count_put(p, place, &count);
 }
 
 STAGE(joint_updated)

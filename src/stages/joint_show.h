@@ -11,8 +11,8 @@ INLINE int joint_show_place(const Pools* p, int i)
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
-// The impulses of the last substep along the axes, N s; 0 without a constraint.
-INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, GLOBAL JointState* state)
+// The impulses of the last substep along the axes, N s; 0 without a constraint. bend is the curvature of a path.
+INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, float bend, GLOBAL JointState* state)
 {
 	int place = joint_show_place(p, i);
 	if (place < 0)
@@ -26,6 +26,8 @@ INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, GLOBAL 
 	joint_sums(p, place, &u, sum);
 	if (joint_upright(&u))
 		axis = vec(1.0f, 0.0f);
+	if (modes & JOINT_RAILED)
+		sum[0] = sum[0] - bend * sum[2];
 	state->force_x = rate * (sum[0] * axis.x - sum[1] * axis.y);
 	state->force_y = rate * (sum[0] * axis.y + sum[1] * axis.x);
 	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
@@ -59,7 +61,17 @@ INLINE void joint_show_coupling(const Pools* p, int i, GLOBAL JointState* state)
 	state->speed[0] = number_of(speeds[1] + ratio * speeds[0]);
 	state->speed[1] = speeds[0];
 	state->speed[2] = speeds[1];
-	joint_show_force(p, i, modes, direction, state);
+	joint_show_force(p, i, modes, direction, 0.0f, state);
+}
+
+// Frame A of a joint on a path, at its foot. Returns the foot.
+INLINE PathFoot joint_show_foot(const Pools* p, int i, JointFrame* a)
+{
+	PathCount count = path_count_last(p, i);
+	PathFoot foot = path_follow(p, i, &count);
+	*a = joint_frame(p, i, JOINT_AT_FRAME(0), p->joint_data[i].body_a, foot.point);
+	a->turn = vec_turn(a->turn, foot.tangent);
+	return foot;
 }
 
 STAGE(joint_show)
@@ -68,6 +80,13 @@ STAGE(joint_show)
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
 	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
 	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME(1), ib, vec(0.0f, 0.0f));
+	float along = 0.0f, bend = 0.0f;
+	if (modes & JOINT_RAILED)
+	{
+		PathFoot foot = joint_show_foot(p, i, &a);
+		along = foot.along;
+		bend = foot.bend;
+	}
 	Vec d = joint_gap(&a, &b), axis = joint_line(a.turn, d, (modes & JOINT_RADIAL) != 0);
 	Vec across = vec(-axis.y, axis.x);
 	BodyState va = p->body[ia], vb = p->body[ib];
@@ -75,14 +94,14 @@ STAGE(joint_show)
 	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
 
 	// over all turns, where the last step left them
-	state->value[0] = vec_dot(d, axis);
+	state->value[0] = along + vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);
 	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));
 
 	// a velocity that the user's calls made infinite may be no number along an axis
 	state->speed[0] = number_of(vec_dot(apart, axis));
 	state->speed[1] = number_of(vec_dot(apart, across));
-	state->speed[2] = number_of(vb.w - va.w);
+	state->speed[2] = number_of(modes & JOINT_RAILED ? vb.w - va.w - bend * vec_dot(apart, axis) : vb.w - va.w);
 	state->force_x = 0.0f;
 	state->force_y = 0.0f;
 	state->torque = 0.0f;
@@ -90,7 +109,7 @@ STAGE(joint_show)
 	if (modes & JOINT_COUPLED)
 		joint_show_coupling(p, i, state);
 	else
-		joint_show_force(p, i, modes, axis, state);
+		joint_show_force(p, i, modes, axis, bend, state);
 }
 
 #endif

@@ -56,6 +56,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .chain_places = pipeline->chain_places,
 	    .drives = pipeline->drives,
 	    .couplings = pipeline->couplings,
+	    .paths = pipeline->paths,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,
 	    .guard_reach = pipeline->guard_reach,

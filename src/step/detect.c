@@ -122,6 +122,13 @@ static void update_joints(RunList* list, int joints)
 	runs_add(list, STAGE_joint_updated, 0, 1, COUNT(joint_stir), 0);
 }
 
+// Where joints are on their paths: after each layout, which may move their rows.
+static void follow_paths(Pipeline* pipeline)
+{
+	if (pipeline->paths)
+		runs_add(&pipeline->list, STAGE_joint_follow, 0, pipeline->counters.joints, NO_COUNT, 0);
+}
+
 // bits of the sort key of contacts: the color, and with hubs also an index of a body
 static int color_bits(const Pipeline* pipeline, int bodies)
 {
@@ -237,6 +244,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		if (joints)
 			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));
+		follow_paths(pipeline);
 		TRY(ahead ? solve_ahead(pipeline, step, request) : read_back(pipeline, step));
 		*solved = ahead && c->kept;
 		if (!c->stalled)
@@ -265,6 +273,7 @@ static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, in
 		c->hubs += c->hubs == 0 && c->entered;
 		int more = colored ? 0 : MAX_ROUNDS / 2;
 		color(&pipeline->list, b, c, *rounds, *rounds + more, color_bits(pipeline, bodies));
+		follow_paths(pipeline);
 		*rounds += more;
 		TRY(read_back(pipeline, step));
 	}

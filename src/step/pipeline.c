@@ -188,6 +188,7 @@ scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
 	Step step = pipeline->step;
 	step.drives = pipeline->drives;
 	step.couplings = pipeline->couplings;
+	step.paths = pipeline->paths;
 	return b->f->run(b, &step, &run, 1);
 }
 

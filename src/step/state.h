@@ -48,21 +48,22 @@ typedef struct
 	uint8_t* member;    // of each collidable slot; tree.c
 	int member_capacity;
 	RunList list;
-	Step step;                    // constants of the last step: kernels that need none keep those
-	int used[PER_COUNT];          // most items that a kind of pool needed since idle was 0
-	int first_contacts;           // slots of contacts that the pools begin with
-	int idle;                     // steps since pools were last looked at for room to give back
-	int sparse;                   // steps with few contacts for their slots
-	bool jumps;                   // the user placed or created something since the last step: boxes may jump
-	bool mixed;                   // some collidable got another attribute of its shape since the last step
-	bool begun;                   // the current step has changed something on the device
-	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
-	bool bounces;                 // some attribute has restitution
-	bool round;                   // some attribute has a radius
-	bool drives;                  // some joint has a limit, a spring, a motor or a threshold, or is a coupling
-	bool couplings;               // some joint is a gear or a pulley
-	bool bare;                    // some body with joints may have no collidables
-	bool breaks;                  // some joint may break
+	Step step;           // constants of the last step: kernels that need none keep those
+	int used[PER_COUNT]; // most items that a kind of pool needed since idle was 0
+	int first_contacts;  // slots of contacts that the pools begin with
+	int idle;            // steps since pools were last looked at for room to give back
+	int sparse;          // steps with few contacts for their slots
+	bool jumps;          // the user placed or created something since the last step: boxes may jump
+	bool mixed;          // some collidable got another attribute of its shape since the last step
+	bool begun;          // the current step has changed something on the device
+	bool rolls;          // some attribute has restitution, rolling resistance or tangent speed
+	bool bounces;        // some attribute has restitution
+	bool round;          // some attribute has a radius
+	bool drives;         // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	bool couplings;      // some joint is a gear or a pulley
+	bool paths;          // some joint follows a path
+	bool bare;           // some body with joints may have no collidables
+	bool breaks;         // some joint may break
 	int chains, chain_places;     // rows of joints that are solved together, and joints in them
 	bool stirred;                 // joints were made, changed or destroyed since the last step
 	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed

@@ -25,12 +25,13 @@ typedef struct
 	int joints;     // of all chains
 } Search;
 
-// Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together.
+// Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together; the axes of a path turn while the
+// systems of chains have theirs.
 static bool acts(const scree_world* world, int joint)
 {
 	const HostJoint* host = world->host_joints + joint;
 	bool moves = false, locks = false;
-	if (!slots_in_use(&world->joints, joint) || host->def.disabled || joint_couples(host->def.type))
+	if (!slots_in_use(&world->joints, joint) || host->def.disabled || joint_couples(host->def.type) || host->path >= 0)
 		return false;
 	for (int side = 0; side < 2; ++side)
 	{

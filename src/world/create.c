@@ -6,6 +6,7 @@
 #include "world/edits.h"
 #include "world/idle.h"
 #include "world/memory.h"
+#include "world/paths.h"
 #include "world/world.h"
 #include <stdio.h>
 
@@ -39,6 +40,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->attribute_table);
 	slots_close(&world->joints);
 	scree_release(world->host_joints);
+	paths_close(world);
 	scree_release(world->targets);
 	idle_close(world);
 	scree_release(world->scratch);

@@ -23,6 +23,8 @@ const DefinitionType collidable_definition = {sizeof(scree_collidable_def), END_
 const DefinitionType joint_definition = {sizeof(scree_joint_def), END_OF(scree_joint_def, user),
                                          "scree_joint_def_make"};
 
+const DefinitionType path_definition = {sizeof(scree_path_def), END_OF(scree_path_def, user), "scree_path_def_default"};
+
 static uint32_t size_of(const void* def)
 {
 	uint32_t size;

@@ -43,6 +43,9 @@ typedef struct
 	int attribute_count, attribute_capacity;
 	int* joints; // the same
 	int joint_count, joint_capacity;
+	int* paths; // the same
+	int path_count, path_capacity;
+	int sample_rows;    // samples of paths of the device that have ever been written
 	int attribute_rows; // rows of the device that have ever been written
 } Edits;
 

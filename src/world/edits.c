@@ -21,6 +21,7 @@ void edits_close(Edits* edits)
 	scree_release(edits->commands);
 	scree_release(edits->attributes);
 	scree_release(edits->joints);
+	scree_release(edits->paths);
 }
 
 void edits_body(scree_world* world, BodyRow row)

@@ -105,3 +105,21 @@ scree_status check_joint(const scree_world* world, Where at, scree_joint joint, 
 	*index = (int)joint.index - 1;
 	return SCREE_OK;
 }
+
+scree_path path_handle(const scree_world* world, int index)
+{
+	return (scree_path){(uint32_t)index + 1, world->paths.generation[index]};
+}
+
+bool path_is_valid(const scree_world* world, scree_path path)
+{
+	return holds(&world->paths, path.index - 1, path.generation);
+}
+
+scree_status check_path(const scree_world* world, Where at, const char* member, scree_path path, int* index)
+{
+	if (!path_is_valid(world, path))
+		return refuse_stale(at, member, path.index, path.generation);
+	*index = (int)path.index - 1;
+	return SCREE_OK;
+}

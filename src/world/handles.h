@@ -9,15 +9,18 @@ scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
 scree_joint joint_handle(const scree_world* world, int index);
+scree_path path_handle(const scree_world* world, int index);
 
 bool body_is_valid(const scree_world* world, scree_body body);
 bool collidable_is_valid(const scree_world* world, scree_collidable collidable);
 bool attribute_is_valid(const scree_world* world, scree_attribute attribute);
 bool joint_is_valid(const scree_world* world, scree_joint joint);
+bool path_is_valid(const scree_world* world, scree_path path);
 
 // The slot of a handle. Fails with SCREE_ERROR_STALE for a null or invalid handle; the sentence names its place in the call.
 scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index);
 scree_status check_joint(const scree_world* world, Where at, scree_joint joint, int* index);
+scree_status check_path(const scree_world* world, Where at, const char* member, scree_path path, int* index);
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index);
 scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
                              int* index);

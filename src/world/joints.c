@@ -69,10 +69,13 @@ int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int bo
 	HostJoint* host = world->host_joints + index;
 	*host = (HostJoint){.def = *def,
 	                    .bodies = {body_a, body_b},
+	                    .path = def->type == SCREE_JOINT_PATH ? (int)def->path.index - 1 : -1,
 	                    .born = world->pipeline.steps,
 	                    .spot = -1,
 	                    .created = true,
 	                    .waiting = host->waiting};
+	if (host->path >= 0)
+		++world->host_paths[host->path].uses;
 	link_end(world, index, 0);
 	link_end(world, index, 1);
 	joint_changed(world, index, true);
@@ -83,7 +86,10 @@ void joint_remove(scree_world* world, int index)
 {
 	unlink_end(world, index, 0);
 	unlink_end(world, index, 1);
-	world->host_joints[index].spot = -1;
+	HostJoint* host = world->host_joints + index;
+	if (host->path >= 0)
+		--world->host_paths[host->path].uses;
+	host->spot = -1;
 	slots_free(&world->joints, index);
 	joint_changed(world, index, true);
 }
@@ -92,6 +98,20 @@ void body_joints_changed(scree_world* world, int body)
 {
 	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
 		joint_changed(world, joint_of_end(end), true);
+}
+
+void body_joints_seek(scree_world* world, int body)
+{
+	if (world->paths.alive == 0)
+		return;
+	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
+	{
+		HostJoint* host = world->host_joints + joint_of_end(end);
+		if (host->path < 0)
+			continue;
+		host->seeks = true;
+		joint_changed(world, joint_of_end(end), false);
+	}
 }
 
 void body_joints_remove(scree_world* world, int body)
@@ -136,9 +156,21 @@ static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMI
 #define LINEAR_DRIVES \
 	(JOINT_SPRING(JOINT_ALONG) | JOINT_MOTOR(JOINT_ALONG) | JOINT_SPRING(JOINT_ACROSS) | JOINT_MOTOR(JOINT_ACROSS))
 
+// The coordinate along an open path ends where the path does.
+static scree_joint_coordinate along_open(const scree_joint_coordinate* from, float length)
+{
+	scree_joint_coordinate along = *from;
+	along.limited = true;
+	along.lower = from->limited ? fminf(fmaxf(from->lower, 0.0f), length) : 0.0f;
+	along.upper = from->limited ? fminf(fmaxf(from->upper, 0.0f), length) : length;
+	if (from->locked)
+		along.target = fminf(fmaxf(from->target, 0.0f), length);
+	return along;
+}
+
 static int joint_modes(const scree_joint_def* def)
 {
-	int modes = def->type == SCREE_JOINT_DISTANCE ? JOINT_RADIAL : 0;
+	int modes = def->type == SCREE_JOINT_DISTANCE ? JOINT_RADIAL : def->type == SCREE_JOINT_PATH ? JOINT_RAILED : 0;
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		modes |= coordinate_modes(def->coordinates + k, k);
 	if (!joint_couples(def->type))
@@ -162,13 +194,18 @@ static scree_joint_side side_of(const scree_joint_def* def, int k)
 static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
-	const scree_joint_def* def = &host->def;
+	scree_joint_def own = host->def;
+	const scree_joint_def* def = &own;
 	scree_joint_side side_a = side_of(def, 0), side_b = side_of(def, 1);
 	JointEdit edit = {.slot = index,
 	                  .spot = host->spot,
-	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->created ? JOINT_NEW : 0)};
+	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->created ? JOINT_NEW : 0) |
+	                           (host->seeks ? JOINT_SEEKS : 0)};
 	if (!slots_in_use(&world->joints, index))
 		return edit;
+	const HostPath* path = host->path >= 0 ? world->host_paths + host->path : NULL;
+	if (path && path->samples[path->segments].length == 0.0f)
+		own.coordinates[SCREE_ALONG] = along_open(own.coordinates, path->samples[path->segments].along);
 	const HostBody *a = world->host_bodies + host->bodies[0], *b = world->host_bodies + host->bodies[1];
 	int modes = joint_modes(def), acts = JOINT_EXTRAS | JOINT_LOCKED(0) | JOINT_LOCKED(1) | JOINT_LOCKED(2);
 	edit.flags |= JOINT_THERE;
@@ -182,7 +219,9 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	                        .gear_ratio = joint_couples(def->type) ? def->ratio : 1.0f,
 	                        .frame = {pose_row(def->frame_a), pose_row(def->frame_b)},
 	                        .base = {pose_row(side_a.base), pose_row(side_b.base)},
-	                        .near = {side_a.near, side_b.near},
+	                        .near = {path ? def->path_near : side_a.near, side_b.near},
+	                        .path_first = path ? (float)path->first : 0.0f,
+	                        .path_segments = path ? (float)path->segments : 0.0f,
 	                        .hertz = def->hertz,
 	                        .ratio = def->damping_ratio,
 	                        .most_force = def->force_threshold,
@@ -198,7 +237,7 @@ static JointEdit joint_edit(const scree_world* world, int index)
 // Whether a step has to look at rare rows because of the joint.
 static bool drives(const JointEdit* edit)
 {
-	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_COUPLED) || edit->data.most_force < FLT_MAX ||
+	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_COUPLED | JOINT_RAILED) || edit->data.most_force < FLT_MAX ||
 	       edit->data.most_torque < FLT_MAX;
 }
 
@@ -227,6 +266,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 		rows[k] = joint_edit(world, p->joints[k]);
 		pipeline->drives |= drives(rows + k);
 		pipeline->couplings |= ((int)rows[k].data.modes & JOINT_COUPLED) != 0;
+		pipeline->paths |= ((int)rows[k].data.modes & JOINT_RAILED) != 0;
 		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
 		pipeline->bare |= is_bare(world, p->joints[k]);
 	}

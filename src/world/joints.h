@@ -20,7 +20,10 @@ void joint_changed(scree_world* world, int index, bool restarts);
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 
-#define JOINT_TYPES (SCREE_JOINT_PULLEY + 1)
+// The joints on paths of a body look for the nearest part of their paths: it was placed elsewhere.
+void body_joints_seek(scree_world* world, int body);
+
+#define JOINT_TYPES (SCREE_JOINT_PATH + 1)
 
 // Whether a joint is a gear or a pulley, whose one coordinate is that along.
 static inline bool joint_couples(scree_joint_type type)

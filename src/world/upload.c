@@ -10,6 +10,7 @@
 #include "world/idle.h"
 #include "world/joints.h"
 #include "world/memory.h"
+#include "world/paths.h"
 #include "world/upload_commands.h"
 #include "world/upload_rows.h"
 #include "world/world.h"
@@ -52,6 +53,8 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	TRY(pipeline_reserve(&world->pipeline, PER_BODY, world->bodies.used));
 	TRY(pipeline_reserve(&world->pipeline, PER_COLLIDABLE, world->collidables.used));
 	TRY(pipeline_reserve(&world->pipeline, PER_COMMAND, demand->commands + 1));
+	if (world->edits.path_count > 0)
+		TRY(pipeline_reserve(&world->pipeline, PER_PATH_SAMPLE, world->sample_end));
 	if (world->edits.joint_count > 0)
 	{
 		TRY(pipeline_reserve(&world->pipeline, PER_JOINT, world->joints.used + 1));
@@ -106,15 +109,19 @@ static void clear(scree_world* world)
 		world->host_attributes[p->attributes[k]].waiting = false;
 	for (int k = 0; k < p->joint_count; ++k)
 	{
-		world->host_joints[p->joints[k]].waiting = false;
-		world->host_joints[p->joints[k]].restarts = world->host_joints[p->joints[k]].created = false;
+		HostJoint* host = world->host_joints + p->joints[k];
+		host->waiting = host->restarts = host->created = host->seeks = false;
 	}
-	p->body_count = p->collidable_count = p->command_count = p->attribute_count = p->joint_count = 0;
+	for (int k = 0; k < p->path_count; ++k)
+		world->host_paths[p->paths[k]].waiting = false;
+	p->body_count = p->collidable_count = p->command_count = 0;
+	p->attribute_count = p->joint_count = p->path_count = 0;
 }
 
 static bool no_edits(const Edits* p)
 {
-	return p->body_count + p->collidable_count + p->command_count + p->attribute_count + p->joint_count == 0;
+	return p->body_count + p->collidable_count + p->command_count == 0 &&
+	       p->attribute_count + p->joint_count + p->path_count == 0;
 }
 
 static scree_status upload_all(scree_world* world)
@@ -131,6 +138,7 @@ static scree_status upload_all(scree_world* world)
 	TRY(upload_attributes(world, memory));
 	TRY(upload_long_runs(world, memory));
 	TRY(upload_commands(world, demand.commands, memory));
+	TRY(upload_paths(world));
 	TRY(upload_joints(world, memory));
 	clear(world);
 	return SCREE_OK;

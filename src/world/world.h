@@ -38,6 +38,16 @@ typedef struct // host data of a collidable
 	bool marked;
 } HostCollidable;
 
+typedef struct // host data of a path
+{
+	int first, segments; // its first sample in the pool, and samples but the last
+	PathSample* samples; // a copy
+	uint64_t name, user; // name: a hash of the samples
+	int uses;            // joints
+	int next, previous;  // by the places of their samples, 1 + index, 0 for none
+	bool waiting;        // for the next upload
+} HostPath;
+
 typedef struct // host data of a joint
 {
 	scree_joint_def def;      // frames normalized
@@ -45,6 +55,8 @@ typedef struct // host data of a joint
 	int next[2], previous[2]; // 1 + end of the next joint of each body, 0 for none
 	int64_t born;             // Pipeline.steps when it was made
 	int spot;                 // its place among the chains, -1 for none
+	int path;                 // index, -1 for none
+	bool seeks;               // another part of its path may be nearer
 	bool restarts;            // its constraint starts anew
 	bool created;             // since the last upload
 	bool waiting;             // for the next upload
@@ -93,7 +105,12 @@ struct scree_world
 	Slots joints;
 	HostJoint* host_joints; // of each slot
 	int host_joint_capacity;
-	bool chains_stale; // joints came or went since the chains were found
+	Slots paths;
+	HostPath* host_paths; // of each slot
+	int host_path_capacity;
+	int first_path, last_path;    // by the places of their samples, 1 + index, 0 for none
+	int samples_used, sample_end; // of all paths; behind the last one
+	bool chains_stale;            // joints came or went since the chains were found
 	int dynamic_bodies, disabled_bodies;
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// path_curve.h -- a curve of samples: its points and tangents, and which of them is nearest to a point. For one item at a time, and
+// for the host.
+//
+// Between two samples the curve is the cubic of Charles Hermite with their points and tangents. The samples are so dense that
+// its speed is nearly constant, so that the parameter is a share of the arc length.
+#ifndef PATH_CURVE_H
+#define PATH_CURVE_H
+#include "dialect/vec.h"
+#include "pools/pools.h"
+
+typedef struct
+{
+	const GLOBAL PathSample* samples;
+	int segments; // samples but the last
+	int closed;
+	float length; // m
+} PathCurve;
+
+typedef struct // a point of a curve
+{
+	Vec point, tangent;      // m; cos, sin
+	float along, bend, sway; // m; 1/m: curvature; 1/m^2: its change along the curve
+} PathFoot;
+
+INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
+{
+	PathCurve c;
+	c.samples = samples;
+	c.segments = segments;
+	c.closed = samples[segments].length > 0.0f;
+	c.length = samples[segments].along;
+	return c;
+}
+
+INLINE Vec path_point(const PathCurve* c, int k) { return vec(c->samples[k].x, c->samples[k].y); }
+INLINE Vec path_tangent(const PathCurve* c, int k) { return vec(c->samples[k].tangent_x, c->samples[k].tangent_y); }
+
+// m: how far a point is ahead of sample k. It is nearer to what comes next where this is above 0.
+INLINE float path_ahead(const PathCurve* c, int k, Vec point)
+{
+	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
+}
+
+// The segment in which the distance to a point no longer decreases, from a segment on; counts the laps of a closed curve.
+INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
+{
+	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;
+	for (int k = 0; k < c->segments; ++k)
+	{
+		if (forward ? !(path_ahead(c, segment + 1, point) > 0.0f) : !(path_ahead(c, segment, point) < 0.0f))
+			break;
+		int end = segment == (forward ? last : 0);
+		if (end && !c->closed)
+			break;
+		*laps = *laps + (end ? (forward ? 1.0f : -1.0f) : 0.0f);
+		segment = end ? (forward ? 0 : last) : segment + (forward ? 1 : -1);
+	}
+	return segment;
+}
+
+// A number from 0 to 1; 0 in place of NaN.
+INLINE float path_share(float t) { return t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f; }
+
+// The segment whose chord is nearest to a point; the first one of several.
+INLINE int path_nearest(const PathCurve* c, Vec point)
+{
+	int nearest = 0;
+	float least = 0.0f;
+	for (int k = 0; k < c->segments; ++k)
+	{
+		Vec chord = vec_sub(path_point(c, k + 1), path_point(c, k)), from = vec_sub(point, path_point(c, k));
+		Vec rest = vec_sub(from, vec_scale(path_share(vec_dot(from, chord) / vec_dot(chord, chord)), chord));
+		float square = vec_dot(rest, rest);
+		if (k > 0 && !(square < least))
+			continue;
+		nearest = k;
+		least = square;
+	}
+	return nearest;
+}
+
+// The segment in which an arc length lies.
+INLINE int path_segment(const PathCurve* c, float along)
+{
+	int low = 0, high = c->segments;
+	while (high - low > 1)
+	{
+		int middle = (low + high) / 2;
+		if (c->samples[middle].along <= along)
+			low = middle;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+typedef struct // the cubic of a segment, from its first sample: m0 t + m2 t^2 + m3 t^3
+{
+	Vec m0, m2, m3;
+} PathCubic;
+
+INLINE PathCubic path_cubic(const PathCurve* c, int segment)
+{
+	float length = c->samples[segment].length;
+	Vec chord = vec_sub(path_point(c, segment + 1), path_point(c, segment));
+	Vec m0 = vec_scale(length, path_tangent(c, segment)), m1 = vec_scale(length, path_tangent(c, segment + 1));
+	PathCubic cubic;
+	cubic.m0 = m0;
+	cubic.m2 = vec_sub(vec_scale(3.0f, chord), vec_add(vec_add(m0, m0), m1));
+	cubic.m3 = vec_sub(vec_add(m0, m1), vec_add(chord, chord));
+	return cubic;
+}
+
+INLINE Vec path_cubic_point(const PathCubic* m, float t)
+{
+	return vec_scale(t, vec_add(m->m0, vec_scale(t, vec_add(m->m2, vec_scale(t, m->m3)))));
+}
+INLINE Vec path_cubic_speed(const PathCubic* m, float t)
+{
+	return vec_add(m->m0, vec_scale(t, vec_add(vec_add(m->m2, m->m2), vec_scale(3.0f * t, m->m3))));
+}
+
+// The point of a segment at a share of its length.
+INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
+{
+	const GLOBAL PathSample *from = c->samples + segment, *to = from + 1;
+	PathCubic cubic = path_cubic(c, segment);
+	Vec speed = path_cubic_speed(&cubic, t);
+	float square = vec_dot(speed, speed);
+	PathFoot foot;
+	foot.point = vec_add(path_point(c, segment), path_cubic_point(&cubic, t));
+	foot.tangent = square > 0.0f ? vec_scale(1.0f / root(square), speed) : path_tangent(c, segment);
+	foot.along = from->along + t * from->length;
+	foot.bend = from->bend + t * (to->bend - from->bend);
+	foot.sway = (to->bend - from->bend) / from->length;
+	return foot;
+}
+
+// The point of a segment that is nearest to a point: where its distance is at right angles to the curve, by a secant and two
+// steps of Newton. What is left is along the curve, where it does no harm. Beyond its ends an open curve is straight.
+INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
+{
+	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);
+	float t = path_share(before / (before - behind));
+	PathCubic cubic = path_cubic(c, segment);
+	Vec from = vec_sub(point, path_point(c, segment));
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec rest = vec_sub(from, path_cubic_point(&cubic, t)), speed = path_cubic_speed(&cubic, t);
+		Vec bends = vec_add(vec_add(cubic.m2, cubic.m2), vec_scale(6.0f * t, cubic.m3));
+		float slope = vec_dot(speed, speed) - vec_dot(rest, bends);
+		t = slope > 0.0f ? path_share(t + vec_dot(rest, speed) / slope) : t;
+	}
+	PathFoot foot = path_foot_at(c, segment, t);
+	if (!c->closed && ((segment == 0 && before < 0.0f) || (segment == c->segments - 1 && behind > 0.0f)))
+		foot.bend = foot.sway = 0.0f;
+	return foot;
+}
+
+// m: from a point of a curve to another point
+INLINE float path_distance(const PathFoot* foot, Vec point)
+{
+	Vec d = vec_sub(point, foot->point);
+	return root(vec_dot(d, d));
+}
+
+#endif

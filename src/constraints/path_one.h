@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// path_one.h -- joints on a path, one at a time: where on its path a joint is at the start of a step.
+//
+// From step to step a joint goes on from where it was, downhill in the distance to its anchor b. So it keeps to its branch of a path
+// that crosses itself. The whole path is searched only when the joint begins, or the user placed a body or a frame.
+#ifndef PATH_ONE_H
+#define PATH_ONE_H
+#include "constraints/joint_prepare.h"
+#include "constraints/path_curve.h"
+
+// how the next search begins: where the last one ended; the same, but another part of the path may be nearer; at near
+#define PATH_GOES_ON 0.0f
+#define PATH_SEEKS   1.0f
+#define PATH_NEW     2.0f
+
+// Another part of the path counts where it is so many times nearer. Near a crossing, a smaller factor would change branches.
+#define PATH_NEARER 2.0f
+
+// Of the distance of two samples: a joint that begins so close before the seam of a closed path begins at the seam.
+#define PATH_SEAM 0.0625f
+
+typedef struct // where a joint was last
+{
+	float segment, laps, seeks;
+} PathCount;
+
+INLINE PathCount path_count_new(void)
+{
+	PathCount count = {0.0f, 0.0f, PATH_NEW};
+	return count;
+}
+
+INLINE PathCount path_count_at(const Pools* p, int place)
+{
+	PathCount count = {joint_rare(p, path_segment, place), joint_rare(p, path_laps, place),
+	                   joint_rare(p, path_seeks, place)};
+	return count;
+}
+
+INLINE void path_count_put(const Pools* p, int place, const PathCount* count)
+{
+	joint_rare(p, path_segment, place) = count->segment;
+	joint_rare(p, path_laps, place) = count->laps;
+	joint_rare(p, path_seeks, place) = count->seeks;
+}
+
+// The lap of a closed path in which an arc length lies.
+INLINE float path_lap(const PathCurve* curve, float along)
+{
+	float laps = curve->closed ? (float)(int)(along / curve->length) : 0.0f;
+	return curve->closed && along < laps * curve->length ? laps - 1.0f : laps;
+}
+
+// m: about the distance of two samples
+INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
+
+// The lap of a new joint: that of near, unless near is at the start of the path and the joint just behind it.
+INLINE float path_first_lap(const PathCurve* curve, float near, float along)
+{
+	float laps = path_lap(curve, near), ahead = (along + laps * curve->length) - near;
+	float lap = curve->length - PATH_SEAM * path_spacing(curve);
+	return curve->closed ? laps + (ahead > lap ? -1.0f : ahead < -lap ? 1.0f : 0.0f) : laps;
+}
+
+// The point of the path of joint slot that counts now; its arc length is over all laps.
+INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
+{
+	const GLOBAL JointData* data = p->joint_data + slot;
+	PathCurve curve = path_curve(p->path_sample + (int)data->path_first, (int)data->path_segments);
+	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), data->body_a, vec(0.0f, 0.0f));
+	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME(1), data->body_b, vec(0.0f, 0.0f));
+	Vec anchor = vec_turn_back(a.turn, joint_gap(&a, &b));
+	if (count->seeks == PATH_NEW)
+		count->segment = (float)path_segment(&curve, data->near[0] - path_lap(&curve, data->near[0]) * curve.length);
+	int begin = (int)count->segment, segment = path_descend(&curve, anchor, begin, &count->laps);
+	PathFoot foot = path_foot(&curve, segment, anchor);
+	if (count->seeks != PATH_GOES_ON)
+	{
+		float none = 0.0f;
+		int other = path_descend(&curve, anchor, path_nearest(&curve, anchor), &none);
+		PathFoot nearest = path_foot(&curve, other, anchor);
+		if (path_distance(&foot, anchor) > PATH_NEARER * path_distance(&nearest, anchor) + path_spacing(&curve))
+		{
+			// along it is as near to where the joint was as whole laps allow
+			float back = (curve.samples[begin].along - nearest.along) / curve.length;
+			count->laps = count->laps + (curve.closed ? joint_round(back) : 0.0f);
+			segment = other;
+			foot = nearest;
+		}
+	}
+	if (count->seeks == PATH_NEW)
+		count->laps = path_first_lap(&curve, data->near[0], foot.along);
+	count->segment = (float)segment;
+	count->seeks = PATH_GOES_ON;
+	foot.along = foot.along + count->laps * curve.length;
+	return foot;
+}
+
+INLINE void path_foot_put(const Pools* p, int place, const PathFoot* foot)
+{
+	joint_rare(p, foot_x, place) = foot->point.x;
+	joint_rare(p, foot_y, place) = foot->point.y;
+	joint_rare(p, foot_cos, place) = foot->tangent.x;
+	joint_rare(p, foot_sin, place) = foot->tangent.y;
+	joint_rare(p, foot_along, place) = foot->along;
+	joint_rare(p, bend, place) = foot->bend;
+	joint_rare(p, sway, place) = foot->sway;
+}
+
+// The rows of joint i for the step, where it is on a path. Within the step along counts from the foot: far along a path a float has
+// few digits left for what a substep moves.
+INLINE void path_setup(const Pools* p, int i)
+{
+	const GLOBAL JointData* data = p->joint_data + p->joint_place_slot[i];
+	float foot = joint_rare(p, foot_along, i);
+	joint_rare(p, along_lower, i) = joint_rare(p, along_lower, i) - foot;
+	joint_rare(p, along_upper, i) = joint_rare(p, along_upper, i) - foot;
+	joint_rare(p, along_target, i) = joint_rare(p, along_target, i) - foot;
+	joint_rare(p, beside, i) = (int)data->modes & JOINT_LOCKED(JOINT_ACROSS) ? data->lock[JOINT_ACROSS].target : 0.0f;
+}
+
+#endif
