@@ -230,14 +230,186 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	}
 }
 
+// Beads and wagons on rails in the world and on a wheel that turns, with all drives; paths that come and go, and bodies that are
+// placed, disabled, and change their type. Where the context says so, a train is a chain, and the wheel has more beads than there
+// are colors, so that a device solves them by launches.
+#define FEW_BEADS  20
+#define MANY_BEADS 80
+
+static scree_path add_wave(scree_world* world, float x, float y, float reach, bool closed)
+{
+	scree_vec points[24];
+	scree_path path;
+	scree_path_def def = scree_path_def_default();
+	for (int k = 0; k < 24; ++k)
+	{
+		scree_rot q = scree_rot_make(6.28318531f * (float)k / 24.0f), wave = scree_rot_make(1.3f * (float)k);
+		float radius = reach + 0.2f * reach * wave.s;
+		points[k] = closed ? (scree_vec){x + radius * q.c, y + radius * q.s}
+		                   : (scree_vec){x + 0.5f * (float)k, y + reach * wave.s};
+	}
+	def.points = points;
+	def.count = 24;
+	def.closed = closed;
+	GOOD(scree_path_create(world, &def, &path));
+	return path;
+}
+
+// Joint k on a path in body a, of all parts by turns.
+static void add_bead(scree_world* world, scree_path path, scree_body a, scree_pose place, int k)
+{
+	float length;
+	scree_pose at;
+	GOOD(scree_path_get_length(world, path, &length));
+	GOOD(scree_path_get_pose(world, path, length * (float)(k % 37) / 37.0f, &at));
+	scree_vec r = at.position;
+	scree_rot q = place.rotation;
+	scree_body bead = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.05f, place.position.x + q.c * r.x - q.s * r.y,
+	                          place.position.y + q.s * r.x + q.c * r.y);
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_PATH);
+	def.body_a = a;
+	def.body_b = bead;
+	def.path = path;
+	def.path_near = (float)(k % 5 - 2);
+	if (k % 6 == 1)
+		GOOD(scree_joint_def_mount(world, &def, length * (float)(k % 11) / 5.0f));
+	scree_joint_coordinate *along = def.coordinates, *across = along + 1, *angle = along + 2;
+	angle->locked = k % 3 == 0;
+	angle->spring = k % 3 == 1;
+	angle->spring_hertz = 2.0f;
+	angle->limited = k % 7 == 2;
+	angle->lower = -0.5f;
+	angle->upper = 0.25f;
+	angle->motor = k % 5 == 3;
+	angle->motor_max = 0.5f;
+	across->lock_hertz = k % 8 == 5 ? 4.0f : 0.0f;
+	across->locked = k % 9 != 4;
+	across->spring = !across->locked;
+	across->spring_hertz = 3.0f;
+	across->target = k % 10 == 7 ? 0.2f : 0.0f;
+	along->motor = k % 4 == 1;
+	along->motor_speed = 3.0f;
+	along->motor_max = 2.0f;
+	along->limited = k % 4 == 2;
+	along->upper = 5.0f;
+	along->spring = k % 5 == 4;
+	along->spring_hertz = 0.5f;
+	along->locked = k % 13 == 12;
+	along->target = 2.0f;
+	def.breaks = k % 6 == 5;
+	def.force_threshold = k % 2 ? 30.0f : 3.4e38f;
+	def.torque_threshold = k % 5 == 2 ? 1.0f : 3.4e38f;
+	add_joint(world, &def);
+}
+
+static void build_paths(scree_world* world, const void* context)
+{
+	add_floor(world);
+	scree_path paths[] = {add_wave(world, 0.0f, 0.0f, 1.5f, true), add_wave(world, -8.0f, 3.0f, 1.0f, false),
+	                      add_wave(world, 9.0f, 4.0f, 3.0f, true)};
+	scree_body wheel = add_box(world, SCREE_BODY_DYNAMIC, 1.5f, 1.5f, 0.0f, 8.0f);
+	OK(scree_body_set_velocity(world, wheel, (scree_velocity){{0.5f, 1.0f}, 2.0f}));
+	scree_pose place = {{0.0f, 8.0f}, {1.0f, 0.0f}}, world_place = {{0.0f, 0.0f}, {1.0f, 0.0f}};
+	for (int k = 0; k < (context ? MANY_BEADS : FEW_BEADS); ++k)
+	{
+		add_bead(world, paths[0], wheel, place, k);
+		add_bead(world, paths[1 + k % 2], NOBODY, world_place, k);
+	}
+	scree_body last = NOBODY;
+	for (int k = 0; k < 12 && context; ++k)
+	{
+		scree_pose at;
+		GOOD(scree_path_get_pose(world, paths[2], 0.4f * (float)k, &at));
+		scree_body wagon = add_box(world, SCREE_BODY_DYNAMIC, 0.15f, 0.1f, at.position.x, at.position.y);
+		OK(scree_body_set_pose(world, wagon, at));
+		scree_joint_def def = scree_joint_def_make(SCREE_JOINT_PATH);
+		def.body_b = wagon;
+		def.path = paths[2];
+		def.coordinates[SCREE_ANGLE].locked = true;
+		add_joint(world, &def);
+		if (k > 0)
+		{
+			def = scree_joint_def_make(SCREE_JOINT_DISTANCE);
+			def.body_a = last;
+			def.body_b = wagon;
+			def.coordinates[SCREE_ALONG].target = 0.4f;
+			add_joint(world, &def);
+		}
+		last = wagon;
+	}
+}
+
+static void act_paths(scree_world* world, int step, const void* context)
+{
+	(void)context;
+	scree_joint joints[400];
+	scree_joint_state states[400];
+	scree_body bodies[400];
+	int count, some;
+	OK(scree_world_get_joints(world, joints, 400, &count));
+	OK(scree_world_get_bodies(world, bodies, 400, &some));
+	OK(scree_joints_get_states(world, joints, states, count));
+
+	// what is read drives what follows, so that it must be equal too
+	int k = step * 17 % count;
+	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
+	scree_body moved = bodies[2 + step * 29 % (some - 2)];
+	scree_pose pose;
+	OK(scree_body_get_pose(world, moved, &pose));
+	if (step % 5 == 1)
+	{
+		pose.position.x += step % 10 == 1 ? 0.3f : 3.0f;
+		pose.rotation = scree_rot_make((float)step);
+		OK(scree_body_set_pose(world, moved, pose));
+	}
+	if (step % 6 == 2)
+		OK(scree_body_set_enabled(world, moved, false));
+	if (step % 6 == 4)
+		for (int n = 0; n < some; ++n)
+			OK(scree_body_set_enabled(world, bodies[n], true));
+	if (step % 8 == 3)
+		OK(scree_body_set_type(world, moved, step % 16 == 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC));
+	if (step % 8 == 5)
+		for (int n = 1; n < some; ++n)
+			OK(scree_body_set_type(world, bodies[n], SCREE_BODY_DYNAMIC));
+	if (step % 7 == 3)
+		OK(scree_joint_set_frames(world, joints[k], (scree_pose){{0.1f, 0.2f}, {1.0f, 0.0f}},
+		                          (scree_pose){{0.05f, 0.0f}, {1.0f, 0.0f}}));
+	if (step % 9 == 4)
+	{
+		scree_path path = add_wave(world, 12.0f, 5.0f, 1.0f + 0.1f * (float)step, step % 2);
+		for (int n = 0; n < 3; ++n)
+			add_bead(world, path, NOBODY, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}, step + n);
+	}
+	if (step % 9 == 8)
+	{
+		scree_path paths[32], last;
+		int all, listed;
+		OK(scree_world_get_paths(world, paths, 32, &all));
+		last = paths[all - 1];
+		OK(scree_world_get_joints(world, joints, 400, &listed));
+		for (int n = 0; n < listed && all > 3; ++n)
+		{
+			scree_joint_def def;
+			OK(scree_joint_get_def(world, joints[n], &def));
+			if (scree_path_equals(def.path, last))
+				OK(scree_joint_destroy(world, joints[n]));
+		}
+		if (all > 3)
+			OK(scree_path_destroy(world, last));
+	}
+}
+
 static void joints_are_equal(void** state)
 {
 	(void)state;
 	Way ways[MAX_WAYS];
 	int count = list_ways(ways);
 	scree_world_def def = scree_world_def_default();
+	const bool many = true;
 	Story stories[] = {
 	    {.name = "joints", .steps = 45, .build = build_scene, .act = act_scene, .context = form_scene("joints")},
+	    {.name = "wagons", .steps = 45, .build = build_scene, .act = act_scene, .context = form_scene("paths")},
 	    {.name = "joint hubs",
 	     .steps = 30,
 	     .build = build_scene,
@@ -246,13 +418,15 @@ static void joints_are_equal(void** state)
 	    {.name = "wheel", .steps = 30, .build = build_wheel, .act = act_wheel},
 	    {.name = "chains", .steps = 60, .build = build_chains, .act = act_chains},
 	    {.name = "couplings", .steps = 48, .build = build_couplings, .act = act_couplings},
+	    {.name = "paths", .steps = 48, .build = build_paths, .act = act_paths},
+	    {.name = "path hubs", .steps = 30, .build = build_paths, .act = act_paths, .context = &many},
 	};
 	print_ways(ways, count);
 	for (size_t k = 0; k < sizeof stories / sizeof *stories; ++k)
 	{
 		stories[k].def = def;
 		stories[k].dt = STEP;
-		stories[k].substeps = k == 3 ? 2 : SUBSTEPS;
+		stories[k].substeps = stories[k].build == build_chains ? 2 : SUBSTEPS;
 		check_parity(&stories[k], ways, count, NULL);
 	}
 }

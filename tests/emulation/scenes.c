@@ -214,6 +214,48 @@ static void act_joints(scree_world* world, int step)
 		OK(scree_body_destroy(world, bodies[6]));
 }
 
+// Wagons of all drives on a ring that lies in a body, and on an open path in the world; they hit each other.
+static void build_paths(scree_world* world)
+{
+	add_floor(world);
+	scree_vec points[12];
+	scree_path paths[2];
+	scree_path_def path_def = scree_path_def_default();
+	for (int open = 0; open < 2; ++open)
+	{
+		for (int k = 0; k < 12; ++k)
+		{
+			scree_rot q = scree_rot_make(6.28318531f * (float)k / 12.0f);
+			points[k] =
+			    open ? (scree_vec){0.8f * (float)k - 4.0f, 3.0f + 0.5f * q.s} : (scree_vec){2.0f * q.c, 1.5f * q.s};
+		}
+		path_def.points = points;
+		path_def.count = 12;
+		path_def.closed = !open;
+		OK(scree_path_create(world, &path_def, &paths[open]));
+	}
+	scree_body ring = add_box(world, SCREE_BODY_DYNAMIC, 0.6f, 0.6f, 0.0f, 8.0f);
+	OK(scree_body_set_velocity(world, ring, (scree_velocity){{0.3f, 2.0f}, 3.0f}));
+	for (int k = 0; k < 24; ++k)
+	{
+		scree_joint_def def = scree_joint_def_make(SCREE_JOINT_PATH);
+		scree_pose at;
+		def.path = paths[k % 2];
+		OK(scree_path_get_pose(world, def.path, 0.4f * (float)k, &at));
+		def.body_a = k % 2 ? (scree_body){0, 0} : ring;
+		def.body_b =
+		    add_box(world, SCREE_BODY_DYNAMIC, 0.15f, 0.1f, at.position.x, at.position.y + (k % 2 ? 0.0f : 8.0f));
+		def.coordinates[SCREE_ANGLE].locked = k % 3 == 0;
+		def.coordinates[SCREE_ACROSS].lock_hertz = k % 5 == 2 ? 6.0f : 0.0f;
+		def.coordinates[SCREE_ALONG].motor = k % 4 == 1;
+		def.coordinates[SCREE_ALONG].motor_speed = 4.0f;
+		def.coordinates[SCREE_ALONG].motor_max = 3.0f;
+		def.breaks = k == 14;
+		def.force_threshold = k == 14 ? 5.0f : 100.0f;
+		OK(scree_joint_create(world, &def, NULL));
+	}
+}
+
 // A plate with balls, which is a hub, hangs by joints; a wheel has more contacts and joints than there are colors for contacts
 // alone, so that its contacts are spokes.
 static void build_joint_hubs(scree_world* world)
@@ -257,6 +299,7 @@ const FormScene form_scenes[] = {
     {"raft", 8, true, build_raft, NULL},
     {"hubs", 10, true, build_hubs, NULL},
     {"joints", 40, false, build_joints, act_joints},
+    {"paths", 40, false, build_paths, NULL},
     {"joint hubs", 12, true, build_joint_hubs, NULL},
 };
 const int form_scene_count = (int)(sizeof form_scenes / sizeof *form_scenes);

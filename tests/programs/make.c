@@ -411,6 +411,8 @@ static void put_any(Maker* m)
 		put_step(m);
 	else if (k < 44)
 		m->jointed&& k >= 32 ? chance(m, 0.4) ? put_joint(m) : put_joint_change(m) : put_motion(m);
+	else if (k < 46 && m->railed)
+		put_path(m);
 	else if (k < 58)
 		put_setting(m);
 	else if (k < 69)
@@ -461,6 +463,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	word(&m);
 	m.moves = chance(&m, 0.01);
 	m.jointed = chance(&m, 0.7);
+	m.railed = m.jointed && chance(&m, 0.5);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

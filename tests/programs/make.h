@@ -13,14 +13,15 @@ typedef struct
 {
 	Program* program;
 	uint64_t seed;
-	int bodies, collidables, attributes, joints; // numbers given out
-	float kinematic[MOST_KINEMATIC];             // numbers of the last bodies that were made, or became, kinematic
+	int bodies, collidables, attributes, joints, paths; // numbers given out
+	float kinematic[MOST_KINEMATIC]; // numbers of the last bodies that were made, or became, kinematic
 	int kinematics;
 	int alive;     // bodies, about
 	float extreme; // share of values that are extreme
 	bool extras;   // restitution, rolling resistance, tangent speeds
 	bool moves;    // between devices, which takes as long as dozens of steps
 	bool jointed;  // has joints
+	bool railed;   // has paths
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -91,5 +92,6 @@ static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); 
 void put_joint(Maker* m);
 void put_joints(Maker* m, int count); // of a row of bodies that the last call made
 void put_joint_change(Maker* m);
+void put_path(Maker* m); // or one is destroyed
 
 #endif

@@ -71,10 +71,41 @@ static void set_sides(Maker* m, Call* call)
 	call_set(call, "couple", (float)chance(m, 0.6));
 }
 
+// Small numbers of points, now and then more than a world takes, or too few.
+void put_path(Maker* m)
+{
+	if (m->paths > 0 && chance(m, 0.2))
+	{
+		Call call = call_make(CALL_path_destroy);
+		call_set(&call, "path", (float)below(m, m->paths + 1));
+		put(m, call);
+		return;
+	}
+	Call call = call_make(CALL_path);
+	bool ring = chance(m, 0.6);
+	call_set(&call, "path", (float)m->paths++);
+	call_set(&call, "points", (float)(chance(m, 0.05) ? below(m, 4) : 2 + below(m, chance(m, 0.2) ? 200 : 20)));
+	call_set(&call, "seed", (float)below(m, 1000));
+	call_set(&call, "ring", (float)ring);
+	call_set(&call, "closed", (float)(ring ? chance(m, 0.8) : chance(m, 0.1)));
+	call_set(&call, "x", bounded(m, 3.0f));
+	call_set(&call, "y", bounded(m, 3.0f));
+	call_set(&call, "size", chance(m, 0.1) ? PICK(m, 0.01f, 0.1f, 100.0f, 5000.0f) : bounded(m, 5.0f));
+	call_set(&call, "spread", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
+	put(m, call);
+}
+
+static void set_path(Maker* m, Call* call)
+{
+	call_set(call, "path", (float)below(m, m->paths + 1));
+	call_set(call, "near", chance(m, 0.5) ? 0.0f : bounded(m, 20.0f));
+	call_set(call, "mount", (float)chance(m, 0.5));
+}
+
 void put_joint(Maker* m)
 {
 	Call call = call_make(CALL_joint);
-	int type = below(m, 12 + chance(m, 0.01));
+	int type = m->paths > 0 && chance(m, 0.15) ? SCREE_JOINT_PATH : below(m, 13 + chance(m, 0.01));
 	float a = any_body(m);
 	call_set(&call, "joint", (float)m->joints++);
 	call_set(&call, "type", (float)type);
@@ -91,6 +122,8 @@ void put_joint(Maker* m)
 		set_thresholds(m, &call);
 	if (type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY)
 		set_sides(m, &call);
+	if (type == SCREE_JOINT_PATH)
+		set_path(m, &call);
 	put(m, call);
 }
 

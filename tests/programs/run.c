@@ -417,6 +417,8 @@ static scree_status run_read(const Turn* t)
 	}
 	if (status == SCREE_OK)
 		status = read_joints(t, &word);
+	if (status == SCREE_OK)
+		status = read_paths(t, &word);
 	t->left->word = word;
 	return status;
 }
@@ -445,6 +447,8 @@ static scree_status run_clear(const Turn* t)
 		status = scree_body_get_collidables(t->world, (scree_body){0, 0}, collidables, MOST_NAMES, &count);
 	if (status == SCREE_OK)
 		status = scree_collidables_destroy(t->world, collidables, count < MOST_NAMES ? count : MOST_NAMES);
+	if (status == SCREE_OK)
+		status = clear_paths(t);
 	memset(t->names, 0, sizeof *t->names);
 	return status;
 }
@@ -492,6 +496,9 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_set_attribute(t->world, collidable_of(t), attribute_of(t));
 	case CALL_place:
 		return run_place(t);
+	case CALL_path:
+	case CALL_path_destroy:
+		return run_path(t);
 	case CALL_joint:
 	case CALL_joints:
 	case CALL_joint_destroy:

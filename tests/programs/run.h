@@ -13,6 +13,7 @@ struct Names
 	scree_collidable collidables[MOST_NAMES];
 	scree_attribute attributes[MOST_NAMES];
 	scree_joint joints[MOST_NAMES];
+	scree_path paths[MOST_NAMES];
 };
 
 typedef struct // what a call left
@@ -46,6 +47,13 @@ int call_batch(const Turn* turn, const char* first);
 // run_joint.c: the calls of joints, and what can be read of them, mixed into a word.
 scree_status run_joint(const Turn* turn);
 scree_status read_joints(const Turn* turn, uint64_t* word);
+
+// run_path.c: the same of paths; and all of them destroyed.
+scree_path call_path(const Turn* turn);
+scree_status run_path(const Turn* turn);
+scree_status read_paths(const Turn* turn, uint64_t* word);
+scree_status clear_paths(const Turn* turn);
+
 uint64_t read_mixed(uint64_t word, const void* bytes, size_t count);
 
 // Makes the call and returns its status; left gets what it read.

@@ -61,6 +61,8 @@ static scree_status run_one(const Turn* t)
 	def.force_threshold = threshold_of(t, "force");
 	def.torque_threshold = threshold_of(t, "torque");
 	def.frame_a = call_pose(t);
+	def.path = call_path(t);
+	def.path_near = call_real(t, "near");
 	if (call_whole(t, "far") == 0)
 	{
 		scree_status status = scree_joint_def_place(t->world, &def, call_pose(t));
@@ -71,6 +73,12 @@ static scree_status run_one(const Turn* t)
 	if (call_whole(t, "couple") != 0)
 	{
 		scree_status status = scree_joint_def_couple(t->world, &def);
+		if (status != SCREE_OK)
+			return status;
+	}
+	if (call_whole(t, "mount") != 0)
+	{
+		scree_status status = scree_joint_def_mount(t->world, &def, call_real(t, "near"));
 		if (status != SCREE_OK)
 			return status;
 	}
