@@ -4,12 +4,14 @@
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/paths.h"
 #include <stdlib.h>
 
 typedef struct
 {
 	scree_world* world;
 	const scree_attribute* attributes; // handles, by position in Scene.attributes
+	scree_path* paths;                 // handles, by position in Scene.paths
 	scree_body* bodies;                // handles of a batch
 	scree_body* named;                 // handles of all blocks with names, block by block
 	scree_body** of_block;             // the first of a block in named, by position in Scene.blocks
@@ -53,6 +55,8 @@ static bool build_joints(void* context, const void* joints)
 			batch->defs[k].body_a = build->of_block[ends[0].block][batch->ends[k].a];
 		if (ends[1].block >= 0)
 			batch->defs[k].body_b = build->of_block[ends[1].block][batch->ends[k].b];
+		if (batch->block->on >= 0)
+			batch->defs[k].path = build->paths[batch->block->on];
 	}
 	build->status = scree_joints_create(build->world, batch->defs, batch->count, NULL);
 	return build->status == SCREE_OK;
@@ -65,8 +69,9 @@ static bool open_build(Build* build, const Scene* scene)
 		named += *scene->blocks[k].name ? scene->blocks[k].count : 0;
 	build->bodies = malloc(BATCH_SIZE * sizeof(scree_body));
 	build->named = malloc(((size_t)named + 1) * sizeof(scree_body));
+	build->paths = calloc((size_t)scene->path_count + 1, sizeof(scree_path));
 	build->of_block = calloc((size_t)scene->block_count + 1, sizeof(scree_body*));
-	if (!build->bodies || !build->named || !build->of_block)
+	if (!build->bodies || !build->named || !build->of_block || !build->paths)
 		return false;
 	scree_body* next = build->named;
 	for (int k = 0; k < scene->block_count; ++k)
@@ -93,6 +98,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 	build.status = SCREE_OK;
 	for (int k = 0; k < scene->attribute_count && build.status == SCREE_OK; ++k)
 		build.status = scree_attribute_create(world, &scene->attributes[k].def, &attributes[k]);
+	for (int k = 0; k < scene->path_count && build.status == SCREE_OK; ++k)
+		build.status = path_build(&scene->paths[k], world, &build.paths[k]);
 	// all numbers were checked when the scene was read, so that only memory can be short, here or in the world
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{
@@ -109,6 +116,7 @@ done:
 	free(build.bodies);
 	free(build.named);
 	free(build.of_block);
+	free(build.paths);
 	free(attributes);
 	free(reader);
 	return build.status;

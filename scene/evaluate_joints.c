@@ -71,7 +71,9 @@ static bool place(const Items* items, const Scene* scene, const JointBlock* bloc
 		if (!items_value(items, &block->anchors[k][0], &anchors[k][0]) ||
 		    !items_value(items, &block->anchors[k][1], &anchors[k][1]))
 			return false;
-		*frames[k] = frame_at(body, anchors[k], axis);
+		// frame A of a path is its place
+		if (k > 0 || block->on < 0)
+			*frames[k] = frame_at(body, anchors[k], axis);
 	}
 	double x = anchors[1][0] - anchors[0][0], y = anchors[1][1] - anchors[0][1];
 	if (block->measured && !block->coupled)

@@ -2,6 +2,7 @@
 // joint_block.c -- a block of joints of a scene: joints of one type, repeated over nested loops.
 #include "scene/joint_block.h"
 #include "scene/block.h"
+#include "scene/paths.h"
 #include <float.h>
 #include <string.h>
 
@@ -21,6 +22,8 @@ static const char* const joint_keys[] = {"type",
                                          "ratio",
                                          "side_a",
                                          "side_b",
+                                         "path",
+                                         "near",
                                          "collide_connected",
                                          "breaks",
                                          "disabled",
@@ -55,6 +58,7 @@ static const Member joint_members[] = {{"hertz", offsetof(scree_joint_def, hertz
                                        {"torque_threshold", offsetof(scree_joint_def, torque_threshold), &any_force},
                                        {NULL, 0, NULL}};
 static const Member ratio_members[] = {{"ratio", offsetof(scree_joint_def, ratio), &any_ratio}, {NULL, 0, NULL}};
+static const Member near_members[] = {{"near", offsetof(scree_joint_def, path_near), &any_coordinate}, {NULL, 0, NULL}};
 static const Member target_members[] = {COORDINATE("target", target, &any_coordinate), {NULL, 0, NULL}};
 static const Member spring_members[] = {
     COORDINATE("hertz", spring_hertz, &not_negative), COORDINATE("damping_ratio", spring_damping_ratio, &not_negative),
@@ -153,7 +157,7 @@ static bool read_coordinate(Reader* reader, const Location* location, const json
 static bool read_type(Reader* reader, const Location* location, const json_t* value, scree_joint_type* type)
 {
 	char names[160] = "";
-	for (int k = SCREE_JOINT_FREE; k <= SCREE_JOINT_PULLEY; ++k)
+	for (int k = SCREE_JOINT_FREE; k <= SCREE_JOINT_PATH; ++k)
 	{
 		const char* name = scree_joint_type_name((scree_joint_type)k);
 		*type = (scree_joint_type)k;
@@ -204,6 +208,8 @@ static bool read_anchors(Reader* reader, const Location* location, const json_t*
 	const json_t* target = json_object_get(json_object_get(value, "along"), "target");
 	if (!json_object_get(value, "at"))
 		return reader_fail(reader, location, "at is missing");
+	if (block->def.type == SCREE_JOINT_PATH && apart)
+		return reader_fail(reader, location, "to: a path joint has one anchor, that of b");
 	if (block->def.type == SCREE_JOINT_DISTANCE && !apart)
 		return reader_fail(reader, location, "a distance joint with at needs to, the anchor of b");
 	block->placed = true;
@@ -280,6 +286,26 @@ static bool read_coupling(Reader* reader, const Location* location, const json_t
 	return read_members(reader, location, value, ratio_members, 0, block);
 }
 
+// Reads what only joints on paths have.
+static bool read_on(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
+                    JointBlock* block)
+{
+	static const char* const keys[] = {"path", "near"};
+	const char* name;
+	block->on = -1;
+	for (int k = 0; block->def.type != SCREE_JOINT_PATH && k < 2; ++k)
+		if (json_object_get(value, keys[k]))
+			return reader_fail(reader, KEY(location, keys[k]), "only a path joint has it");
+	if (block->def.type != SCREE_JOINT_PATH)
+		return true;
+	if (!reader_string(reader, KEY(location, "path"), json_object_get(value, "path"), &name))
+		return false;
+	block->on = paths_find(scene, name);
+	if (block->on < 0)
+		return reader_fail(reader, KEY(location, "path"), "\"%.60s\" is not among the paths", name);
+	return read_members(reader, location, value, near_members, 0, block);
+}
+
 static bool read_joint(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                        JointBlock* block)
 {
@@ -295,7 +321,7 @@ static bool read_joint(Reader* reader, const Location* location, const json_t* v
 			return false;
 	}
 	return read_ends(reader, location, value, scene, block) && read_place(reader, location, value, block) &&
-	       read_coupling(reader, location, value, block) &&
+	       read_coupling(reader, location, value, block) && read_on(reader, location, value, scene, block) &&
 	       read_members(reader, location, value, joint_members, 0, block) &&
 	       reader_boolean(reader, KEY(location, "collide_connected"), json_object_get(value, "collide_connected"),
 	                      &block->def.collide_connected) &&

@@ -5,7 +5,7 @@
 #include "scene/loop.h"
 #include "scene/scene.h"
 
-#define MAX_JOINT_NUMBERS 41 // 5 of the joint and 12 of each coordinate: more than any entry can have
+#define MAX_JOINT_NUMBERS 42 // 6 of the joint and 12 of each coordinate: more than any entry can have
 
 typedef struct // one of the two bodies of each joint
 {
@@ -24,6 +24,7 @@ struct JointBlock
 	char path[NAME_SIZE]; // its location in the file, for errors
 	Loops loops;
 	JointEnd ends[2];    // a, b
+	int on;              // position in Scene.paths, -1 for none
 	scree_joint_def def; // what all items have in common
 	JointNumber numbers[MAX_JOINT_NUMBERS];
 	int number_count;

@@ -223,6 +223,19 @@ static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 	}
 }
 
+static void draw_rail(Picture* p, const Rail* rail, const scree_pose* poses)
+{
+	cairo_set_line_width(p->cairo, fmin(fmax(0.05 * p->viewport.scale, 0.8), 2));
+	cairo_new_path(p->cairo);
+	for (int k = 0; k < rail->count; ++k)
+	{
+		scree_vec at = rail_point(rail, poses, k);
+		cairo_line_to(p->cairo, (at.x - p->viewport.left) * p->viewport.scale,
+		              p->height - BAND - (at.y - p->viewport.bottom) * p->viewport.scale);
+	}
+	cairo_stroke(p->cairo);
+}
+
 void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 {
 	if (!p->has_view)
@@ -248,6 +261,8 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 		cairo_surface_mark_dirty(p->canvas.surface);
 	}
 	set_color(p->cairo, ink, 1);
+	for (int k = 0; k < p->links.rail_count; ++k)
+		draw_rail(p, &p->links.rails[k], poses);
 	cairo_set_line_width(p->cairo, fmin(fmax(0.02 * p->viewport.scale, 0.4), 1.2));
 	for (int k = 0; k < p->links.count; ++k)
 		draw_link(p, &p->links.list[k], poses);

@@ -12,6 +12,7 @@
 typedef struct Block Block;           // scene/block.h
 typedef struct JointBlock JointBlock; // scene/joint_block.h
 typedef struct Attribute Attribute;   // scene/attributes.h
+typedef struct ScenePath ScenePath;   // scene/paths.h
 
 typedef struct
 {
@@ -29,6 +30,8 @@ typedef struct
 	uint64_t seed;
 	Attribute* attributes;
 	int attribute_count;
+	ScenePath* paths;
+	int path_count;
 	Block* blocks; // of bodies, then of collidables without a body
 	int block_count;
 	JointBlock* joint_blocks;

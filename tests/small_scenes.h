@@ -24,6 +24,7 @@ static const SmallScene small_scenes[] = {
     {"chains", 240, {{"lengths", "4"}}}, // enough to lie side by side
     {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
     {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
+    {"coaster", 240, {{"speed", "20"}}}, // reaches the loop
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
     {"gears", 240, {{"columns", "3"}, {"rows", "2"}}},

@@ -187,6 +187,44 @@ static void test_bad_couplings(void** state)
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
 
+#define RAIL(path, text)                                                                                          \
+	"{\"name\": \"x\", \"title\": \"y\", \"attributes\": {\"ball\": {\"circle\": 1}}, \"paths\": " path           \
+	", \"bodies\": [{\"name\": \"one\", \"attribute\": \"ball\"}], \"joints\": [{\"a\": null, \"b\": {\"body\": " \
+	"\"one\"}, " text "}]}"
+#define GOOD_RAIL "{\"rail\": {\"points\": [[0, 0], [1, 0]]}}"
+
+static void test_bad_paths(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {RAIL("[]", "\"type\": \"path\""), "paths: [] must be an object of paths by name"},
+	    {RAIL("{\"rail\": {}}", "\"type\": \"path\""), "paths.rail.points: is missing"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0]]}}", "\"type\": \"path\""),
+	     "paths.rail: count is 1, must be from 2 to 65536 for an open path"},
+	    {RAIL("{\"rail\": {\"points\": []}}", "\"type\": \"path\""), "paths.rail: count is 0"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0], [1, 0]], \"closed\": true}}", "\"type\": \"path\""),
+	     "paths.rail: count is 2, must be from 3 to 65536 for a closed path"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0], [0, 0]]}}", "\"type\": \"path\""),
+	     "paths.rail: points[1] is 0 m from the one before it"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0], [0, 1e6]]}}", "\"type\": \"path\""),
+	     "paths.rail.points[1][1]: 1000000.0 must be at most 100000"},
+	    {RAIL("{\"rail\": {\"points\": [{\"position\": [\"1e5 * k\", 0], \"repeat\": {\"index\": \"k\", \"to\": 3}}]}}",
+	          "\"type\": \"path\""),
+	     "paths.rail.points[0].position[0]: \"1e5 * k\" is 200000, must be at most 100000, at k = 2"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0], [1, 0]], \"bends\": 1}}", "\"type\": \"path\""),
+	     "paths.rail: unknown key \"bends\"; known are points, closed, description"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"path\""), "joints[0].path: is missing"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"road\""), "joints[0].path: \"road\" is not among the paths"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"near\": 1e6"),
+	     "joints[0].near: 1000000.0 must be at most 100000"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"at\": [0, 0], \"to\": [1, 0]"),
+	     "joints[0]: to: a path joint has one anchor, that of b"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"path\": \"rail\""), "joints[0].path: only a path joint has it"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"near\": 1"), "joints[0].near: only a path joint has it"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
 #define TWO(a, b) JOINT("\"type\": \"revolute\", \"repeat\": {\"index\": \"i\", \"to\": 10}, \"a\": " a ", \"b\": " b)
 
 static void test_bad_ends(void** state)
@@ -326,6 +364,7 @@ int main(void)
 	    cmocka_unit_test(test_bad_coordinates), cmocka_unit_test(test_bad_values),
 	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
 	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_bad_couplings),
+	    cmocka_unit_test(test_bad_paths),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -79,7 +79,7 @@ static void test_shipped(void** state)
 	    {"cars", 344, 344, 48},           {"wrecking-ball", 210, 210, 17},
 	    {"cloth", 1801, 1801, 3521},      {"chains", 648, 648, 648},
 	    {"windmill", 863, 905, 21},       {"machine", 184, 216, 224},
-	    {"gears", 51, 719, 91},
+	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);

@@ -14,7 +14,7 @@ static void find_bodies(JointLines* lines)
 	lines->first = 0;
 	lines->last = -1;
 	for (int k = 0; k < lines->links.count; ++k)
-		for (int end = 0; end < 2; ++end)
+		for (int end = 0; end < 2; ++end) // the bodies of paths are among them
 		{
 			int body = lines->links.list[k].bodies[end];
 			if (body < 0)
@@ -141,10 +141,24 @@ static void mark(Strokes* strokes, const scree_vec* points, int count, const int
 	}
 }
 
+static void mark_rail(const Rail* rail, Strokes* strokes, const scree_pose* poses, const Camera* camera)
+{
+	float width = fminf(fmaxf(0.02f * camera->scale, 0.5f), 1.6f);
+	scree_box box = camera_box(camera);
+	for (int k = 1; k < rail->count; ++k)
+	{
+		const scree_vec ends[] = {rail_point(rail, poses, k - 1), rail_point(rail, poses, k)};
+		if (in_view(ends, 2, box))
+			strokes_add(strokes, ends[0], ends[1], width, idle, 230);
+	}
+}
+
 void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, float detail)
 {
 	scree_box box = camera_box(camera);
 	float largest = 1.0e-9f;
+	for (int k = 0; k < lines->links.rail_count && lines->links.count > 0; ++k)
+		mark_rail(&lines->links.rails[k], strokes, lines->poses, camera);
 	for (int k = 0; k < lines->links.count; ++k)
 		largest = fmaxf(largest, force_of(&lines->states[k]));
 	for (int k = 0; k < lines->links.count; ++k)
