@@ -130,8 +130,7 @@ static void slots_are_lowest_first(void** state)
 // written anew in every step
 static bool is_scratch(int pool)
 {
-	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored0 ||
-	       pool == POOL_uncolored1;
+	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored;
 }
 
 // what byte number k of an item in a slot holds

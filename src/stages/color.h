@@ -32,12 +32,18 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
+// Edge i of those without a color after a round. Work-items write components of one vector as scalars.
+INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
+{
+	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
+}
+
 // Edge i of a round.
 INLINE int color_source(const Pools* p, int i)
 {
 	if (p->argument == 0)
 		return p->began[i];
-	return p->argument & 1 ? p->uncolored0[i] : p->uncolored1[i];
+	return *color_left(p, p->argument + 1, i);
 }
 
 // Whether an edge becomes a spoke; only contacts do.
@@ -106,10 +112,7 @@ STAGE(color_assign)
 		if (moves_b)
 			write_shared_word(&next_claim[bodies.y], 0);
 		int place = atomic_add_int(&p->counters->uncolored[round % MAX_ROUNDS + 1], 1);
-		if (round & 1)
-			p->uncolored1[place] = edge;
-		else
-			p->uncolored0[place] = edge;
+		*color_left(p, round, place) = edge;
 		return;
 	}
 	Word64 bit = moves_a && moves_b ? free & (~free + (Word64)1) : (Word64)1 << (63 - leading_zeros(free));
