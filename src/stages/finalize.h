@@ -59,39 +59,42 @@ STAGE(finalize)
 	}
 }
 
-// What a body moves on along the surface that stopped it at a share of its path, as far as that is free.
-INLINE void guard_slide(const Pools* p, Guarded guarded, GuardStop stop, Vec* d, float* da)
-{
-	Vec rest = vec_scale(1.0f - stop.share, *d);
-	Vec slide = vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal));
-	Vec to = vec_add(vec_scale(stop.share, *d), slide);
-	float turn = stop.share * *da, share = guard_part(p, guarded, 0, to, turn).share;
-	int slides = share > stop.share;
-	*d = slides ? vec_scale(share, to) : vec_scale(stop.share, *d);
-	*da = slides ? share * turn : turn;
-}
-
-// Item i of the bodies that go far: each moves as far as nothing static is in its way, and along that.
+// Item i of the bodies that go far: each moves as far as nothing static is in its way. In a world with joints it then moves on along
+// what stopped it, as far as that is free: a chain would press a link that is held ever harder. The two searches are one call:
+// with two, NVIDIA's compiler no longer inlines what they share with other kernels, and keeps the pools on the stack of every work-item.
 STAGE(guard)
 {
 	Int2 item = p->guard_list[i];
-	int body = item.x;
+	int body = item.x, slides = 0;
 	Guarded guarded = p->guarded[body];
-	Vec d = vec(p->body[body].dx, p->body[body].dy);
-	float da = p->body[body].da;
-	GuardStop stop = guard_part(p, guarded, item.y, d, da);
-	if (!guard_all(p, guarded, body, &stop.share))
-		return;
-	if (stop.share < 1.0f)
+	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
+	float da = p->body[body].da, turn = da, least = 0.0f;
+	for (;;)
 	{
-		atomic_add_int(&p->counters->held, 1);
-		if (guarded.parts == 1)
-			guard_slide(p, guarded, stop, &d, &da);
-		else
+		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
+		if (slides)
 		{
-			d = vec_scale(stop.share, d);
-			da = stop.share * da;
+			if (stop.share > least)
+			{
+				d = vec_scale(stop.share, to);
+				da = stop.share * turn;
+			}
+			break;
 		}
+		if (!guard_all(p, guarded, body, &stop.share))
+			return;
+		if (!(stop.share < 1.0f))
+			break;
+		atomic_add_int(&p->counters->held, 1);
+		Vec rest = vec_scale(1.0f - stop.share, d);
+		d = vec_scale(stop.share, d);
+		da = stop.share * da;
+		if (guarded.parts > 1 || !p->step.joints)
+			break;
+		to = vec_add(d, vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal)));
+		turn = da;
+		least = stop.share;
+		slides = 1;
 	}
 	finalize_pose(p, body, d, da);
 }

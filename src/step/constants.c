@@ -3,10 +3,6 @@
 #include "step/constants.h"
 #include "step/crowd.h"
 
-// With 8 bytes more, NVIDIA's compiler copied all of it to the stack of every work-item: on an H200 transform of 500,000 bodies took
-// 0.44 ms instead of 0.07, and each launch a microsecond more.
-_Static_assert(sizeof(Pools) <= 800, "an H200 gets slower: take a pool away for one that you add, or measure");
-
 // Soft constraint of so many hertz and damping ratio in substeps of h: Catto, Soft Constraints, GDC 2011.
 static Softness softness(float hertz, float ratio, float h)
 {
