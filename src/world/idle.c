@@ -28,8 +28,11 @@ static void touch_body(scree_world* world, int index)
 		touch(&world->idle[ACTIVE_COLLIDABLES], k);
 }
 
-// Whether a change of a body that is not static now may find its block idle: that of its type comes with others.
-static bool turns(int kind) { return kind == COMMAND_MASS || kind == COMMAND_MOTION || kind == COMMAND_ENABLED; }
+static bool is_idle(const IdleBlocks* list, int index)
+{
+	int block = index / ACTIVE_ITEMS;
+	return block < list->known && list->states[block] == IDLE;
+}
 
 void idle_note(scree_world* world)
 {
@@ -43,7 +46,8 @@ void idle_note(scree_world* world)
 		const Command* c = p->commands + k;
 		if (c->kind >= COMMAND_PLACE)
 			touch(&world->idle[ACTIVE_COLLIDABLES], c->index);
-		else if (turns(c->kind) || world->host_bodies[c->index].type == SCREE_BODY_STATIC)
+		else if (world->host_bodies[c->index].type == SCREE_BODY_STATIC ||
+		         is_idle(&world->idle[ACTIVE_BODIES], c->index))
 			touch_body(world, c->index);
 	}
 }

@@ -194,8 +194,8 @@ static scree_joint_side side_of(const scree_joint_def* def, int k)
 static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
-	scree_joint_def own = host->def;
-	const scree_joint_def* def = &own;
+	const scree_joint_def* def = &host->def;
+	scree_joint_def own;
 	scree_joint_side side_a = side_of(def, 0), side_b = side_of(def, 1);
 	JointEdit edit = {.slot = index,
 	                  .spot = host->spot,
@@ -205,7 +205,11 @@ static JointEdit joint_edit(const scree_world* world, int index)
 		return edit;
 	const HostPath* path = host->path >= 0 ? world->host_paths + host->path : NULL;
 	if (path && path->samples[path->segments].length == 0.0f)
+	{
+		own = host->def;
 		own.coordinates[SCREE_ALONG] = along_open(own.coordinates, path->samples[path->segments].along);
+		def = &own;
+	}
 	const HostBody *a = world->host_bodies + host->bodies[0], *b = world->host_bodies + host->bodies[1];
 	int modes = joint_modes(def), acts = JOINT_EXTRAS | JOINT_LOCKED(0) | JOINT_LOCKED(1) | JOINT_LOCKED(2);
 	edit.flags |= JOINT_THERE;
