@@ -131,7 +131,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	// a lock that holds another value than 0 moves the frame
 	Vec offset = vec(choose(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
 	Int railed = joint_has(u, JOINT_RAILED);
-	Word rails = STEP_PATHS(p->step) ? lane_bits(railed) : 0u;
+	Word rails = p->step.paths ? lane_bits(railed) : 0u;
 	JointFrame a = rails ? joint_frame_railed(p, i, slot, ia, offset, railed)
 	                     : joint_frame(p, slot, JOINT_AT_FRAME(0), ia, offset);
 	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME(1), ib, vec(zero, zero));

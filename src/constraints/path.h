@@ -45,7 +45,7 @@ INLINE PathArc path_arc(Real bend, Real x, Real y)
 // Replaces axes and coordinates where lanes are on a path.
 INLINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
-	if (!STEP_PATHS(p->step))
+	if (!p->step.paths)
 		return;
 	c->railed = joint_has(u, JOINT_RAILED);
 	c->rails = lane_bits(c->railed);

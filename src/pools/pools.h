@@ -418,10 +418,11 @@ typedef struct // constants of one step, passed by value to every stage
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step
 	int bounces;          // some attribute has restitution
-	int joints;           // bits: 1 if there may be joints among the constraints, 2 if some joint follows a path
+	int joints;           // there may be joints among the constraints
 	int chain_places;     // spots of chains
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int couplings;        // some joint is a gear or a pulley
+	int paths;            // some joint follows a path
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach
@@ -432,8 +433,6 @@ typedef struct // constants of one step, passed by value to every stage
 	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is split among so many work-items
 	int key_bits;            // bits of a collidable's index in a pair's key
 } Step;
-
-#define STEP_PATHS(step) ((step).joints >> 1 & 1)
 
 // Whether rare rows of contacts are used.
 #define STEP_RARE(step) ((step).rolls | (step).details)

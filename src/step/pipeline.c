@@ -188,7 +188,7 @@ scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
 	Step step = pipeline->step;
 	step.drives = pipeline->drives;
 	step.couplings = pipeline->couplings;
-	step.joints |= pipeline->paths ? 2 : 0;
+	step.paths = pipeline->paths;
 	return b->f->run(b, &step, &run, 1);
 }
 

@@ -11,7 +11,7 @@
 // 1.420 ms without.
 #define STEP_JOINTS(step)   ((void)0)
 // The same for a world without joints.
-#define STEP_CONTACTS(step) ((step).joints = (step).drives = (step).couplings = 0)
+#define STEP_CONTACTS(step) ((step).joints = (step).drives = (step).couplings = (step).paths = 0)
 #define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).rolls = (step).details = (step).bounces = (step).round = 0)
 
 INLINE void body_row(const Pools* p, int body, float row[8])
