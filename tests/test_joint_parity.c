@@ -139,6 +139,21 @@ static void vary(scree_joint_def* def, int k)
 	def->torque_threshold = k % 3 == 2 ? 2.0f : 3.4e38f;
 }
 
+// Disables a body in every sixth step, the first time in step first, and enables all later; changes its type likewise.
+static void disturb(scree_world* world, const scree_body* bodies, int count, scree_body moved, int step, int first)
+{
+	if (step % 6 == first)
+		OK(scree_body_set_enabled(world, moved, false));
+	if (step % 6 == 4)
+		for (int n = 0; n < count; ++n)
+			OK(scree_body_set_enabled(world, bodies[n], true));
+	if (step % 8 == 3)
+		OK(scree_body_set_type(world, moved, step % 16 == 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC));
+	if (step % 8 == 5)
+		for (int n = 1; n < count; ++n)
+			OK(scree_body_set_type(world, bodies[n], SCREE_BODY_DYNAMIC));
+}
+
 static void build_couplings(scree_world* world, const void* context)
 {
 	(void)context;
@@ -210,16 +225,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 		OK(scree_joint_set_bases(world, joints[k], def.sides[0].base, def.sides[1].base));
 	}
 	scree_body moved = bodies[1 + step * 5 % (some - 1)];
-	if (step % 6 == 1)
-		OK(scree_body_set_enabled(world, moved, false));
-	if (step % 6 == 4)
-		for (int n = 0; n < some; ++n)
-			OK(scree_body_set_enabled(world, bodies[n], true));
-	if (step % 8 == 3)
-		OK(scree_body_set_type(world, moved, step % 16 == 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC));
-	if (step % 8 == 5)
-		for (int n = 1; n < some; ++n)
-			OK(scree_body_set_type(world, bodies[n], SCREE_BODY_DYNAMIC));
+	disturb(world, bodies, some, moved, step, 1);
 	if (step % 10 == 9)
 	{
 		scree_pose pose;
@@ -362,16 +368,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 		pose.rotation = scree_rot_make((float)step);
 		OK(scree_body_set_pose(world, moved, pose));
 	}
-	if (step % 6 == 2)
-		OK(scree_body_set_enabled(world, moved, false));
-	if (step % 6 == 4)
-		for (int n = 0; n < some; ++n)
-			OK(scree_body_set_enabled(world, bodies[n], true));
-	if (step % 8 == 3)
-		OK(scree_body_set_type(world, moved, step % 16 == 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC));
-	if (step % 8 == 5)
-		for (int n = 1; n < some; ++n)
-			OK(scree_body_set_type(world, bodies[n], SCREE_BODY_DYNAMIC));
+	disturb(world, bodies, some, moved, step, 2);
 	if (step % 7 == 3)
 		OK(scree_joint_set_frames(world, joints[k], (scree_pose){{0.1f, 0.2f}, {1.0f, 0.0f}},
 		                          (scree_pose){{0.05f, 0.0f}, {1.0f, 0.0f}}));
