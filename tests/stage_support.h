@@ -22,6 +22,26 @@
 static Backend* backends[MAX_BACKENDS];
 static int backend_count;
 
+// Rows of MAX_LANES items are few and large.
+static inline int most_of(Per per)
+{
+	switch (per)
+	{
+	case PER_ONE:
+		return 1;
+	case PER_BODY:
+		return MOST_BODIES;
+#define CONSTRAINT_KIND(kind, Kind, KIND) case PER_##KIND##_BLOCK:
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	case PER_CHAIN_BLOCK:
+	case PER_SPOKE_BLOCK:
+		return MOST_ITEMS / MAX_LANES;
+	default:
+		return MOST_ITEMS;
+	}
+}
+
 static inline int open_backends(void** state)
 {
 	(void)state;
@@ -41,10 +61,7 @@ static inline int open_backends(void** state)
 	}
 	for (int k = 0; k < backend_count; ++k)
 		for (int per = 0; per < PER_COUNT; ++per)
-			OK(backends[k]->f->resize(backends[k], (Per)per,
-			                          per == PER_ONE    ? 1
-			                          : per == PER_BODY ? MOST_BODIES
-			                                            : MOST_ITEMS));
+			OK(backends[k]->f->resize(backends[k], (Per)per, most_of((Per)per)));
 	return 0;
 }
 

@@ -18,6 +18,14 @@ bool quick(void)
 	return value && strcmp(value, "1") == 0;
 }
 
+void skip_if_quick(void)
+{
+	if (!quick())
+		return;
+	print_message("skipped: long, and run by the release build\n");
+	skip();
+}
+
 void check_ok(scree_status status, const char* call, const char* file, int line)
 {
 	if (status == SCREE_OK)
@@ -311,7 +319,7 @@ int list_ways(Way ways[MAX_WAYS])
 	int count = 0;
 	for (int threads = 1; threads <= 2; ++threads)
 		for (int lanes = 1; lanes <= 16; lanes *= 2)
-			if (lanes != 2 && processor_has_lanes(lanes))
+			if (lanes != 2 && processor_has_lanes(lanes) && !(quick() && threads == 1 && lanes > 1))
 				count = add_way(ways, count, "cpu", threads, lanes, NULL, NULL);
 
 	scree_device devices[MAX_WAYS];

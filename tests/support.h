@@ -12,6 +12,8 @@
 
 // true in the presets that run a smaller set of tests
 bool quick(void);
+// Skips a test that takes long in quick builds, which look for faults of memory and threads; release runs it, with the same bits.
+void skip_if_quick(void);
 
 // Fails the test with the sentence of scree_error.
 #define OK(call) check_ok((call), #call, __FILE__, __LINE__)

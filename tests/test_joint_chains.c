@@ -66,6 +66,7 @@ static void ropes_swing_heavy_loads(void** state)
 static void long_ropes_hang(void** state)
 {
 	(void)state;
+	skip_if_quick();
 	scree_world* world = open_world((float)-G);
 	for (int k = 0; k < MOST; ++k)
 	{
@@ -236,6 +237,7 @@ static void damp(scree_world* world, int count, float rate)
 static void bridges_rest_on_boxes(void** state)
 {
 	(void)state;
+	skip_if_quick();
 	scree_world* world = open_world((float)-G);
 	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
 	add_links(world, 20, 0.0f, 0.0f);
@@ -253,6 +255,7 @@ static void bridges_rest_on_boxes(void** state)
 static void ropes_rest_in_boxes(void** state)
 {
 	(void)state;
+	skip_if_quick();
 	scree_world* world = open_world((float)-G);
 	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
 	add_links(world, 10, 0.0f, 0.0f);
@@ -275,6 +278,7 @@ static void ropes_rest_in_boxes(void** state)
 static void ropes_stay_on_pegs(void** state)
 {
 	(void)state;
+	skip_if_quick();
 	scree_world* world = open_world((float)-G);
 	scree_attribute_def peg = surface_of(circle_shape(1.0f));
 	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &peg), 0.0f, 0.0f, 0.0f);

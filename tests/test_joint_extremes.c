@@ -181,6 +181,7 @@ static int add_doll(scree_world* world, scree_body parts[10], float x, float y)
 static void joints_rest(void** state)
 {
 	(void)state;
+	skip_if_quick();
 	scree_world* world = open_world((float)-G);
 	scree_body bodies[100];
 	int count = 0;
@@ -236,6 +237,7 @@ static void far_away(void** state)
 static void tiny_and_huge(void** state)
 {
 	(void)state;
+	skip_if_quick();
 	static const float sizes[] = {0.01f, 0.1f, 10.0f, 100.0f};
 	for (int k = 0; k < 4; ++k)
 	{

@@ -46,7 +46,7 @@ static FormCounts check_forms(const Form* forms, int count, bool hubs)
 	FormCounts sum = {0};
 	for (int k = 0; k < count; ++k)
 		for (int scene = 0; scene < form_scene_count; ++scene)
-			for (int seed = 1; seed <= form_seeds() && form_scenes[scene].hubs == hubs; ++seed)
+			for (int seed = 1; seed <= form_seeds(k, scene) && form_scenes[scene].hubs == hubs; ++seed)
 			{
 				Form form = forms[k];
 				form.turns.seed = 1000003u * (uint64_t)seed + (uint64_t)k;

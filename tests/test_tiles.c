@@ -24,7 +24,7 @@ static void tiles_are_equal(void** state)
 	int tiles = 0, inner = 0, border = 0, kept = 0;
 	for (size_t k = 0; k < sizeof forms / sizeof *forms; ++k)
 		for (int scene = 0; scene < form_scene_count; ++scene)
-			for (int seed = 1; seed <= form_seeds() && !form_scenes[scene].hubs; ++seed)
+			for (int seed = 1; seed <= form_seeds((int)k, scene) && !form_scenes[scene].hubs; ++seed)
 			{
 				Form form = forms[k];
 				form.turns.seed = 1000033u * (uint64_t)seed + k;

@@ -24,7 +24,7 @@ for name in $("$scree" validate --names); do
 	esac
 done
 # in the slow builds of the other presets not what is large
-[ "${SCREE_QUICK:-0}" = 1 ] && names=(limits bounce motion)
+[ "${SCREE_QUICK:-0}" = 1 ] && names=(bounce motion)
 
 "$scree" validate --quick --device cpu --threads 1 "${names[@]}" >rows.csv 2>err
 code=$?
@@ -45,13 +45,15 @@ for name in "${names[@]}"; do
 	grep -q "^$name," rows.csv || fail "scree validate: no row of $name"
 done
 
-# the same end states with other threads and lanes, and on OpenCL where there is one; times are left out
+# The same end states with other threads and lanes, and on OpenCL where there is one; times are left out. The crowds of limits
+# take a minute on PoCL: there the walls and bounces stand for them.
 equal="limits bounce motion walls"
-[ "${SCREE_QUICK:-0}" = 1 ] && equal="bounce motion"
+[ "${SCREE_QUICK:-0}" = 1 ] && equal="bounce"
 others=("cpu --threads 2 --lanes 1")
 "$scree" devices | grep -q '^opencl:' && others+=("opencl")
-grep -E "^(${equal// /|})," rows.csv >expected.csv
 for other in "${others[@]}"; do
+	[ "$other" = opencl ] && equal=${equal#limits }
+	grep -E "^(${equal// /|})," rows.csv >expected.csv
 	read -ra words <<<"$other"
 	read -ra list <<<"$equal"
 	"$scree" validate --quick --device "${words[@]}" "${list[@]}" 2>err | grep -E "^(${equal// /|})," | sort >got.csv

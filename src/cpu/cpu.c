@@ -101,13 +101,22 @@ static const BackendFunctions functions = {
     .copy = cpu_copy,
 };
 
+// SCREE_LANES is the sum of the numbers of lanes that this build has stages for.
 static void choose_stages(Cpu* cpu, int lanes)
 {
-	const StageFunction* wide = lanes == 16  ? stages_lanes16
-	                            : lanes == 8 ? stages_lanes8
-	                            : lanes == 4 ? stages_lanes4
-	                                         : stages_lanes1;
-	const StageFunction* one = lanes >= 8 ? stages_one8 : stages_lanes1;
+	const StageFunction *wide = stages_lanes1, *one = stages_lanes1;
+#if SCREE_LANES & 4
+	wide = lanes == 4 ? stages_lanes4 : wide;
+#endif
+#if SCREE_LANES & 8
+	wide = lanes == 8 ? stages_lanes8 : wide;
+#endif
+#if SCREE_LANES & 16
+	wide = lanes == 16 ? stages_lanes16 : wide;
+#endif
+#if SCREE_LANES >= 8
+	one = lanes >= 8 ? stages_one8 : one;
+#endif
 	for (int stage = 0; stage < STAGE_COUNT; ++stage)
 	{
 		cpu->functions[stage] = wide[stage] ? wide[stage] : one[stage];
@@ -122,6 +131,8 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	int lanes = options->lanes ? options->lanes : widest;
 	if (lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16)
 		return fail(SCREE_ERROR_INVALID, "lanes is %d, but must be 0, 1, 4, 8 or 16", lanes);
+	if (!processor_lanes_compiled(lanes))
+		return fail(SCREE_ERROR_INVALID, "lanes is %d, but this build of Scree was compiled without them", lanes);
 	if (!processor_has_lanes(lanes))
 		return fail(SCREE_ERROR_INVALID, "lanes is %d, but this processor has %d at most (%s)", lanes, widest,
 		            processor_instructions(widest));

@@ -67,11 +67,16 @@ double processor_milliseconds(void)
 #endif
 }
 
+bool processor_lanes_compiled(int lanes)
+{
+	// a sum of powers of two
+	return (SCREE_LANES & lanes) != 0;
+}
+
 bool processor_has_lanes(int lanes)
 {
-#ifdef SCREE_ONE_LANE
-	return lanes == 1;
-#endif
+	if (!processor_lanes_compiled(lanes))
+		return false;
 	switch (lanes)
 	{
 	case 1:
@@ -95,13 +100,14 @@ bool processor_has_lanes(int lanes)
 
 int processor_widest_lanes(void)
 {
-#ifdef SCREE_ONE_LANE
-	return 1;
-#elif X86
-	return processor_has_lanes(16) ? 16 : processor_has_lanes(8) ? 8 : 4;
+#if X86
+	int lanes = 16;
 #else
-	return 4;
+	int lanes = 4;
 #endif
+	while (lanes > 1 && !processor_has_lanes(lanes))
+		lanes /= 2;
+	return lanes;
 }
 
 const char* processor_instructions(int lanes)

@@ -10,7 +10,8 @@ uint64_t processor_memory(void); // physical, bytes; 0 when unknown
 
 double processor_milliseconds(void); // ms of a monotonic clock
 
-// Whether the processor runs the stages compiled for so many lanes.
+// Whether this build has stages with so many lanes, 1, 4, 8 or 16, and whether the processor runs them.
+bool processor_lanes_compiled(int lanes);
 bool processor_has_lanes(int lanes);
 int processor_widest_lanes(void);
 const char* processor_instructions(int lanes); // "AVX2", the set that these lanes use
