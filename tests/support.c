@@ -478,17 +478,29 @@ static void fail_different(const Story* story_a, const Way* way_a, const Story* 
 	fail_msg("%s: %s and %s differed, and do not when told again", story_a->name, way_a->name, way_b->name);
 }
 
+bool way_has_turn(const Way* ways, int count, int k, int turn)
+{
+	int first = 0;
+	while (first < count && ways[first].threads > 0 && !ways[first].other[0])
+		++first;
+	return !quick() || k < first || k - first == turn % (count - first);
+}
+
 uint64_t check_parity(const Story* story, const Way* ways, int count, scree_counters* last)
 {
+	static int turn;
 	size_t bytes = (size_t)story->steps * sizeof(uint64_t);
 	uint64_t* expected = malloc(bytes);
 	uint64_t* hashes = malloc(bytes);
 	for (int k = 0; k < count; ++k)
 	{
+		if (!way_has_turn(ways, count, k, turn))
+			continue;
 		tell(story, ways + k, k == 0 ? expected : hashes, k == 0 ? last : NULL);
 		if (k > 0 && memcmp(hashes, expected, bytes) != 0)
 			fail_different(story, ways, story, ways + k);
 	}
+	++turn;
 	uint64_t hash = expected[story->steps - 1];
 	free(expected);
 	free(hashes);

@@ -116,6 +116,9 @@ typedef struct // a run that can be told again
 // Runs a story and writes the hash after each step; last gets the counters of the end, unless it is null.
 void tell(const Story* story, const Way* way, uint64_t* hashes, scree_counters* last);
 
+// Whether way k is taken in a turn. In quick builds, which look for faults of the host's code, the OpenCL ways take turns.
+bool way_has_turn(const Way* ways, int count, int k, int turn);
+
 // Tells a story on every way and fails unless all hashes of all steps are equal. The failure names the first step that
 // differs and the pools that do. Returns the last hash; last gets the counters of the reference, unless it is null.
 uint64_t check_parity(const Story* story, const Way* ways, int count, scree_counters* last);

@@ -23,8 +23,10 @@ static void for_every_device(void (*check)(const Way* way))
 {
 	Way ways[MAX_WAYS];
 	int count = list_ways(ways);
+	static int turn;
+	++turn;
 	for (int k = 0; k < count; ++k)
-		if (!ways[k].other[0] && (ways[k].threads == 0 || ways[k].lanes == 8))
+		if (!ways[k].other[0] && (ways[k].threads == 0 || ways[k].lanes == 8) && way_has_turn(ways, count, k, turn))
 			check(ways + k);
 }
 

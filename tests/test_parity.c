@@ -24,28 +24,11 @@ static int find_ways(void** state)
 	return 0;
 }
 
-// In quick builds the OpenCL ways take turns, a scene each: those builds look for faults of the host's code.
-static int ways_of_story(Way taken[MAX_WAYS])
-{
-	static int turn;
-	int count = 0, first = 0, others = 0;
-	while (first < way_count && ways[first].threads > 0 && !ways[first].other[0])
-		++first;
-	others = way_count - first;
-	for (int k = 0; k < way_count; ++k)
-		if (!quick() || k < first || k - first == turn % others)
-			taken[count++] = ways[k];
-	++turn;
-	return count;
-}
-
 static scree_counters check(const Story* story)
 {
-	Way taken[MAX_WAYS];
-	int count = ways_of_story(taken);
 	time_t begin = time(NULL);
 	scree_counters last;
-	uint64_t hash = check_parity(story, taken, count, &last);
+	uint64_t hash = check_parity(story, ways, way_count, &last);
 	print_message("%-10s %3d steps, %4d bodies, %5d contacts, %2d colors, %3d spokes: %016llx, %d s\n", story->name,
 	              story->steps, last.bodies, last.contacts, last.colors, last.spokes, (unsigned long long)hash,
 	              (int)(time(NULL) - begin));
