@@ -3,6 +3,7 @@
 //
 // Times are too noisy to test. What is tested is what they follow from: how wide the nodes of the trees are, how many
 // contacts there may be, how much room is held for them.
+#include "platform/processor.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,7 +27,8 @@ static void for_every_device(void (*check)(const Way* way))
 	static int turn;
 	++turn;
 	for (int k = 0; k < count; ++k)
-		if (!ways[k].other[0] && (ways[k].threads == 0 || ways[k].lanes == 8) && way_has_turn(ways, count, k, turn))
+		if (!ways[k].other[0] && (ways[k].threads == 0 || ways[k].lanes == processor_widest_lanes()) &&
+		    way_has_turn(ways, count, k, turn))
 			check(ways + k);
 }
 
