@@ -376,7 +376,7 @@ static void memory_runs_out(void** state)
 		faults += stride();
 	for (int k = 0; k < faults; k += stride())
 		assert_true(tell_with_little_memory(k, false, &broken));
-	print_message("memory ran out in %d places; %d worlds broke\n", faults, broken / 2);
+	print_message("memory ran out in %d places; %d worlds broke\n", faults / stride(), broken / 2);
 	assert_true(faults > 100 && broken > 0 && broken < faults);
 	OK(scree_hooks_set(NULL));
 }
