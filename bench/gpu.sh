@@ -35,6 +35,7 @@ lanes=8
 grep -q avx512vl /proc/cpuinfo && lanes=16
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+export SCREE_CACHE=$work/cache # programs are built anew
 # hash of one scene: NAME SCENE STEPS OPTION...; writes the hash or the error to $work/SCENE.NAME
 hash_of()
 {
@@ -68,6 +69,10 @@ for scene in $($scree scenes --names); do
 	SCREE_PERSISTENT=0 hash_of launches "$scene" "$count" --device "opencl:$device"
 done
 wait $references
+
+# NVIDIA's programs are PTX. A function that was not inlined keeps the pools on the stack of every work-item.
+calls=$(cat "$SCREE_CACHE"/* | grep -a '^\.func' | sort -u || true)
+echo "functions that are not inlined: ${calls:-none}" | tee -a "$folder/machine.txt"
 
 echo "scene,steps,cpu_1_thread_1_lane,cpu_2_threads_8_lanes,cpu_2_threads_${lanes}_lanes,gpu,gpu_launches_only,equal" >"$folder/parity.csv"
 differ=0

@@ -244,9 +244,10 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	form_open(d);
 	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	const char* resident_options = cpu ? " -DRESIDENT -DONE_GROUP" : " -DRESIDENT";
-	TRY(program_build(d->context, &d->device, d->resident ? resident_options : "", opencl_program,
-	                  opencl_program_length, &d->program));
+	char program_options[64];
+	snprintf(program_options, sizeof program_options, "%s%s", d->resident ? " -DRESIDENT" : "",
+	         cpu ? " -DONE_GROUP -DCALLS" : "");
+	TRY(program_build(d->context, &d->device, program_options, opencl_program, opencl_program_length, &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
