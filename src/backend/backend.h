@@ -46,6 +46,10 @@ typedef struct
 	int count;
 } ActiveBlocks;
 
+// Items that take long, the longest first, are dealt to workers like cards, back and forth: the place of a worker in a round, and
+// the worker of a place. The work of workers is similar then, and each has the same items in every pass.
+static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
+
 typedef struct Backend Backend;
 typedef struct // every function that returns a status has set the error's sentence (fail, src/platform/error.h)
 {
@@ -94,6 +98,7 @@ struct Backend
 	int walk_nodes;          // nodes over leaves in a short walk; one that visits more is long
 	int groups;              // work-groups that run at the same time, at least 1
 	bool distant;            // a read takes as long as many runs
+	bool skips;              // it leaves out what is not in active
 	scree_sharing sharing;   // what share accepts; SCREE_SHARING_COPIED for nothing, then share and show are null
 	int capacity[PER_COUNT]; // items that each kind of pool has room for
 	ActiveBlocks active[ACTIVE_KINDS]; // the caller sets them before a step

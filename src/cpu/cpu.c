@@ -149,6 +149,7 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	b->threads = threads;
 	b->lanes = lanes;
 	b->walkers = threads > 1 ? WALKERS * threads : 1;
+	b->skips = true;
 	b->walk_nodes = threads > 1 ? WALK_NODES : INT_MAX;
 	b->groups = threads;
 	b->state = cpu;

@@ -36,6 +36,8 @@ static bool is_idle(const IdleBlocks* list, int index)
 
 void idle_note(scree_world* world)
 {
+	if (!world->backend->skips)
+		return;
 	const Edits* p = &world->edits;
 	for (int k = 0; k < p->body_count; ++k)
 		touch_body(world, p->bodies[k].index);
@@ -95,6 +97,8 @@ static bool reserve(IdleBlocks* list, int blocks)
 
 void idle_begin(scree_world* world)
 {
+	if (!world->backend->skips)
+		return;
 	for (int kind = 0; kind < ACTIVE_KINDS; ++kind)
 	{
 		IdleBlocks* list = &world->idle[kind];
