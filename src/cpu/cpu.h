@@ -12,8 +12,8 @@
 // solve, reading what another core wrote last costs more than the barrier, so nearly all runs are shared, or none (Choice).
 #define GRAIN       512
 #define SOLVE_GRAIN 64
-// The same after a solve by one worker: meanwhile the other workers have fallen asleep, and waking them takes 50 us.
-#define ALONE_GRAIN 4096
+// The same after a solve by one worker: meanwhile the other workers have fallen asleep, and waking them takes 50 to 150 us.
+#define ALONE_GRAIN 65536
 
 typedef struct // whether workers share the solve; measured, because it depends on the distance of the cores
 {

@@ -16,15 +16,11 @@
 #define SCAN_GRAIN 16384
 
 // Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
-// other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
+// other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass; chains are dealt.
 static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = CHUNK_ITEMS,
-    [STAGE_broad_phase_rest] = 1,
-    [STAGE_narrow_phase] = CHUNK_ITEMS,
-    [STAGE_hub] = 1,
-    [STAGE_chain] = 1,
-    [STAGE_hash_bodies] = 16,
-    [STAGE_hash_collidables] = 16,
+    [STAGE_broad_phase] = CHUNK_ITEMS,  [STAGE_broad_phase_rest] = 1,
+    [STAGE_narrow_phase] = CHUNK_ITEMS, [STAGE_hub] = 1,
+    [STAGE_hash_bodies] = 16,           [STAGE_hash_collidables] = 16,
 #define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -60,6 +56,16 @@ static void do_blocks(Cpu* cpu, StageFunction function, const ActiveBlocks* acti
 	}
 }
 
+static void do_dealt(Cpu* cpu, StageFunction function, int worker, int workers)
+{
+	for (int round = 0, begin = cpu->begin; begin < cpu->end; ++round, begin += workers)
+	{
+		int item = begin + dealt(round, worker, workers);
+		if (item < cpu->end)
+			function(&cpu->pools, item, item + 1);
+	}
+}
+
 static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
 {
 	StageFunction function = cpu->functions[stage];
@@ -69,17 +75,22 @@ static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
 		do_blocks(cpu, function, active, worker, workers);
 		return;
 	}
+	if (stage == STAGE_chain || stage == STAGE_chain_end)
+	{
+		do_dealt(cpu, function, worker, workers);
+		return;
+	}
 	int items = cpu->end - cpu->begin;
 	if (workers > 1 && chunks[stage])
 	{
-		for (;;)
+		int chunk = chunks[stage], begin = worker * chunk;
+		while (begin < items)
 		{
-			int begin = atomic_fetch_add_explicit(&cpu->next, chunks[stage], memory_order_relaxed);
-			if (begin >= items)
-				return;
-			int end = items - begin < chunks[stage] ? items : begin + chunks[stage];
+			int end = items - begin < chunk ? items : begin + chunk;
 			function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+			begin = workers * chunk + atomic_fetch_add_explicit(&cpu->next, chunk, memory_order_relaxed);
 		}
+		return;
 	}
 
 	// shares consist of whole blocks of MAX_LANES items, so that no two workers write to one block

@@ -276,7 +276,7 @@ typedef struct // 272 bytes: a joint as the user wants it
 // odd ones. Joints of one half have no bodies in common, so that a wide pass takes a block of them, and the neighbors of a block
 // are a block, but those of a row's ends. Or chains of similar lengths lie side by side: joints k of LANES chains are one block,
 // or a part of one; then R is 2, and joint k + 2 is MAX_LANES spots behind joint k.
-typedef struct // 24 bytes: a chain, or some side by side
+typedef struct // 32 bytes: a chain, or some side by side
 {
 	int first;  // spot of joint 0
 	int count;  // joints of the longest one
@@ -284,6 +284,8 @@ typedef struct // 24 bytes: a chain, or some side by side
 	int stride; // spots between neighbors in a row: 1, or MAX_LANES
 	int length; // joints of a row, with inert ones at its end
 	int bits;   // of the number of rows, at least 1
+	int parts;  // ranges in the same blocks, from this one on, which are an item of a pass; 0 for the others of them
+	int item;   // where the range is with which item i of a pass begins, for range i
 } ChainRange;
 
 // The spot of joint k of a ChainRange.

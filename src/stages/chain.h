@@ -134,14 +134,8 @@ INLINE Chain chain_number(const Pools* p, int i)
 	return chain;
 }
 
-// Item i is a chain, argument the pass.
-GROUP_STAGE(chain)
+INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	int pass = p->argument;
-	Chain chain = chain_number(p, i);
-	(void)bench;
-	if (pass == PASS_BOUNCE)
-		return;
 	if (pass == PASS_WARM_START)
 		chain_begin(p, &chain);
 	// even joints, odd joints, even joints: the equations hold velocities after all joints did what is their own
@@ -155,15 +149,44 @@ GROUP_STAGE(chain)
 		chain_locks(p, &chain, pass);
 }
 
-// The links get their own inertias back.
-GROUP_STAGE(chain_end)
+// Item i is a range of chains, with those in the same blocks; argument the pass.
+GROUP_STAGE(chain)
 {
-	Chain chain = chain_number(p, i);
+	(void)bench;
+	int first = p->chain[i].item;
+	for (int k = 0; k < p->chain[first].parts && p->argument != PASS_BOUNCE; ++k)
+	{
+		Chain chain = chain_number(p, first + k);
+#if LANES > 1
+		if (chain_side(&chain))
+		{
+			// a call of its own, in which these are constants: a tenth of the instructions computed spots
+			chain.at.stride = MAX_LANES;
+			chain.at.bits = 1;
+			chain_pass(p, chain, p->argument);
+			continue;
+		}
+#endif
+		chain.at.stride = 1;
+		chain_pass(p, chain, p->argument);
+	}
+}
+
+// The links get their own inertias back.
+INLINE void chain_restore(const Pools* p, Chain chain)
+{
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(at, &chain, odd)
 	for (int k = at.spot; k < at.spot + LANES; ++k)
 		chain_set_inertias(p, chain.begin + k, chain_at(p, own_a, k), chain_at(p, own_b, k));
+}
+
+GROUP_STAGE(chain_end)
+{
 	(void)bench;
+	int first = p->chain[i].item;
+	for (int k = 0; k < p->chain[first].parts; ++k)
+		chain_restore(p, chain_number(p, first + k));
 }
 
 #endif

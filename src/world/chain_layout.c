@@ -5,21 +5,27 @@
 // takes less of one worker. But a worker solves all chains that lie side by side, so a few of them lie alone if there are more
 // workers. The estimate of what a pass takes decides.
 #include "world/chain_layout.h"
+#include "backend/backend.h"
+#include "platform/threads.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
-// What a pass takes for a block of joints, measured on a CPU with 16 lanes, in units of what the system of one joint takes that is
-// solved by itself.
-#define BLOCK_COST 12
+// What a pass takes for a block of joints of a chain in rows, and of chains side by side, in units of what the system of one joint
+// takes that is solved by itself. Measured on CPUs with 16 and 8 lanes.
+#define ROW_COST  12
+#define SIDE_COST 8
+// What a pass of ranges in blocks of their own may take, of what it takes in common blocks.
+#define APART 0.9
 
 typedef struct
 {
 	ChainLayout* layout;
 	int lanes, groups;
 	bool alone; // all chains lie alone
-	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, lanes in use
-	int column, column_odds, column_used;
+	int parts;  // ranges that may share blocks
+	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, first range, ranges
+	int column, column_odds, column_range, column_parts;
 } Placing;
 
 static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
@@ -33,7 +39,7 @@ static void choose_rows(ChainRow* row, int lanes)
 	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
 	{
 		int length = row_length(row->count, bits);
-		int cost = (BLOCK_COST << bits) * padded(length, lanes) / lanes + length;
+		int cost = (ROW_COST << bits) * padded(length, lanes) / lanes + length;
 		if (bits > 1 && cost >= row->cost)
 			continue;
 		row->bits = bits;
@@ -46,7 +52,7 @@ static void choose_rows(ChainRow* row, int lanes)
 static int side_by_side(const Placing* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
-	int alone = 0, count = 0, side = BLOCK_COST * layout->rows[k].count;
+	int alone = 0, count = 0, side = SIDE_COST * layout->rows[k].count;
 	for (; !s->alone && k + count < layout->count && count < s->lanes; ++count)
 		alone += layout->rows[k + count].cost;
 	count = alone > side ? count : 1;
@@ -54,23 +60,46 @@ static int side_by_side(const Placing* s, int k, int* cost)
 	return count;
 }
 
-// What all chains take: no less than the longest range, nor than the share of a work-group.
+// What all chains take: what the worker with most of them has, or the share of a work-group and no less than the longest item.
 static double cost_of_all(const Placing* s)
 {
-	double sum = 0, most = 0;
-	for (int k = 0, cost; k < s->layout->count;)
+	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
+	int counted = s->groups < MAX_WORKERS ? s->groups : MAX_WORKERS, items = 0;
+	for (int k = 0, cost, parts = s->parts; k < s->layout->count;)
 	{
-		k += side_by_side(s, k, &cost);
+		int count = side_by_side(s, k, &cost);
+		bool shares = count > 1 && parts < s->parts;
+		parts = shares ? parts + 1 : count > 1 ? 1 : s->parts;
+		items += !shares;
+		item = shares ? item + cost : cost;
+		double* load = loads + dealt((items - 1) / counted, (items - 1) % counted, counted);
+		*load += cost;
 		sum += cost;
-		most = fmax(most, cost);
+		most = fmax(most, s->groups > counted ? item : *load);
+		k += count;
 	}
-	return fmax(sum / s->groups, most);
+	return s->groups > counted ? fmax(sum / s->groups, most) : most;
+}
+
+// Ranges in the same blocks are solved by one worker, or two would write to the same cache lines. Blocks of their own are in part
+// empty, so that they take more memory and time, but may be shared out better.
+static double choose_parts(Placing* s)
+{
+	int most = s->parts;
+	double together = cost_of_all(s);
+	s->parts = 1;
+	double apart = cost_of_all(s);
+	if (apart < APART * together)
+		return apart;
+	s->parts = most;
+	return together;
 }
 
 static ChainRange place_alone(Placing* s, const ChainRow* row)
 {
+	s->column_parts = s->parts;
 	int length = padded(row_length(row->count, row->bits), s->lanes);
-	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits};
+	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits, 1, 0};
 	s->layout->places += padded(2 * at.odds, MAX_LANES);
 	return at;
 }
@@ -79,15 +108,16 @@ static ChainRange place_alone(Placing* s, const ChainRow* row)
 static ChainRange place_side(Placing* s, int count)
 {
 	int length = (count + 1) / 2;
-	if (s->column_used + s->lanes > MAX_LANES)
+	if (s->column_parts == s->parts)
 	{
 		s->column = s->layout->places;
 		s->column_odds = length * MAX_LANES;
-		s->column_used = 0;
+		s->column_range = s->layout->ranged;
+		s->column_parts = 0;
 		s->layout->places += 2 * s->column_odds;
 	}
-	ChainRange at = {s->column + s->column_used, count, s->column_odds, MAX_LANES, length, 1};
-	s->column_used += s->lanes;
+	ChainRange at = {s->column + s->column_parts * s->lanes, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
+	++s->column_parts;
 	return at;
 }
 
@@ -100,13 +130,14 @@ static int compare_rows(const void* a, const void* b)
 
 void chain_layout(ChainLayout* layout, int lanes, int groups)
 {
-	Placing s = {.layout = layout, .lanes = lanes, .groups = groups, .column_used = MAX_LANES};
+	Placing s = {.layout = layout, .lanes = lanes, .groups = groups, .parts = MAX_LANES / lanes};
 	for (int k = 0; k < layout->count; ++k)
 		choose_rows(layout->rows + k, lanes);
 	qsort(layout->rows, (size_t)layout->count, sizeof *layout->rows, compare_rows);
-	double side = cost_of_all(&s);
+	double least = choose_parts(&s);
 	s.alone = true;
-	s.alone = cost_of_all(&s) < side;
+	s.alone = cost_of_all(&s) < least;
+	s.column_parts = s.parts;
 	for (int k = 0, count, cost; k < layout->count; k += count)
 	{
 		const ChainRow* row = layout->rows + k;
@@ -116,5 +147,9 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 			for (int n = 0; n < row[c].count; ++n)
 				layout->spots[layout->joints[row[c].first + n]] = c + CHAIN_SPOT(&at, n);
 		layout->ranges[layout->ranged++] = at;
+		if (count > 1)
+			++layout->ranges[s.column_range].parts;
+		if (count == 1 || s.column_parts == 1)
+			layout->ranges[layout->items++].item = layout->ranged - 1;
 	}
 }

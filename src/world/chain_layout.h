@@ -16,13 +16,13 @@ typedef struct
 	ChainRow* rows; // will be sorted
 	int count;      // chains
 	// results
-	ChainRange* ranges; // as many as there are chains, at most
-	int* spots;         // of each joint of the world; those of no chain are left alone
-	int ranged, places; // ranges, spots with padding
+	ChainRange* ranges;        // as many as there are chains, at most
+	int* spots;                // of each joint of the world; those of no chain are left alone
+	int ranged, items, places; // ranges, items of a pass, spots with padding
 } ChainLayout;
 
-// Gives spots to the joints of all chains, for a device of so many lanes that has so many work-groups at the same time. ranged and
-// places must be zero.
+// Gives spots to the joints of all chains, for a device of so many lanes that has so many work-groups at the same time. ranged,
+// items and places must be zero.
 void chain_layout(ChainLayout* layout, int lanes, int groups);
 
 #endif

@@ -194,7 +194,8 @@ scree_status chains_update(scree_world* world)
 	if (status == SCREE_OK)
 	{
 		set_spots(world, layout->spots);
-		world->pipeline.chains = layout->ranged;
+		world->pipeline.chain_ranges = layout->ranged;
+		world->pipeline.chains = layout->items;
 		world->pipeline.chain_places = layout->places;
 		world->chains_stale = false;
 	}

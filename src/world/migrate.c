@@ -42,7 +42,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_PATH_SAMPLE:
 		return smaller(world->edits.sample_rows, b->capacity[per]);
 	case PER_CHAIN:
-		return world->pipeline.chains;
+		return world->pipeline.chain_ranges;
 	case PER_ONE:
 		return 1;
 	default:
