@@ -17,6 +17,8 @@
 #define SIDE_COST 8
 // What a pass of ranges in blocks of their own may take, of what it takes in common blocks.
 #define APART 0.9
+// What a pass of chains that lie alone may take, of what it takes with some side by side: workers that share it wait for each other.
+#define ALONE 0.75
 
 typedef struct
 {
@@ -136,7 +138,7 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 	qsort(layout->rows, (size_t)layout->count, sizeof *layout->rows, compare_rows);
 	double least = choose_parts(&s);
 	s.alone = true;
-	s.alone = cost_of_all(&s) < least;
+	s.alone = cost_of_all(&s) < ALONE * least;
 	s.column_parts = s.parts;
 	for (int k = 0, count, cost; k < layout->count; k += count)
 	{
