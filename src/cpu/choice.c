@@ -7,12 +7,13 @@
 // A solve with more items per run than this is always shared.
 #define ALWAYS_SHARED 2048
 // The slower way is measured again after so many solves, times the square of the ratio of the times.
-#define REST 32
+#define REST 64
 // limit of that ratio, because a busy machine can make one way seem slow
-#define MOST_SLOWER 8.0
-// Solves in a row by a way that is measured. Only the last one counts: in the first one, other workers may have to wake.
-#define TURN 2
-// the first solves take turns: a single measurement may have been interrupted
+#define MOST_SLOWER 4.0
+// Solves in a row by a way that is measured. The fastest one but the first counts: any may be interrupted, and in the first one other
+// workers may have to wake.
+#define TURN 4
+// the first solves take turns
 #define FIRST_SOLVES (4 * TURN)
 
 // The other way is measured again at times, less often the slower it was. A time longer than the last may be due to an
@@ -23,7 +24,7 @@ void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double c
 	double mean = items / count;
 	bool open = mean + chains / count >= SOLVE_GRAIN && mean <= ALWAYS_SHARED, first = open && c->solves < FIRST_SOLVES;
 	bool tries = open && !first && --c->rest < 0;
-	bool counts = first ? c->solves % TURN == TURN - 1 : !tries || c->rest == -TURN;
+	int turn = first ? c->solves % TURN : tries ? -1 - c->rest : TURN - 1;
 	if (!open)
 		c->shares = mean > ALWAYS_SHARED;
 	else
@@ -32,8 +33,11 @@ void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double c
 	double begin = processor_milliseconds();
 	cpu_work(cpu, runs, count, c->shares ? SOLVE_GRAIN : INT_MAX);
 	double cost = 1e6 * (processor_milliseconds() - begin) / items, *known = &c->cost[c->shares];
-	if (!counts)
+	bool begins = turn <= 1 || !(first || tries);
+	c->least = begins || cost < c->least ? cost : c->least;
+	if (turn < TURN - 1)
 		return;
+	cost = c->least;
 	*known = *known > 0 && cost > *known ? 0.75 * *known + 0.25 * cost : cost;
 	if (tries)
 	{

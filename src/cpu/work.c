@@ -21,7 +21,7 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_broad_phase] = CHUNK_ITEMS,  [STAGE_broad_phase_rest] = 1,
     [STAGE_narrow_phase] = CHUNK_ITEMS, [STAGE_hub] = 1,
     [STAGE_hash_bodies] = 16,           [STAGE_hash_collidables] = 16,
-#define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_hash] = 16,
+#define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_layout] = CHUNK_ITEMS, [STAGE_##kind##_hash] = 16,
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 };
