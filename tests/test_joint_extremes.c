@@ -334,16 +334,45 @@ static void only_the_lost_is_frozen(void** state)
 	}
 }
 
+// A net of 75 x 75 boxes hangs from seven of its knots: each holds the weight of 800 others, many times what it bears itself.
+static void a_net_hangs(void** state)
+{
+	(void)state;
+	skip_if_quick();
+	enum
+	{
+		SIZE = 75
+	};
+	static scree_body knots[SIZE * SIZE];
+	scree_world* world = open_world((float)-G);
+	for (int k = 0; k < SIZE * SIZE; ++k)
+	{
+		int column = k / SIZE, row = k % SIZE;
+		scree_body_type type = row == 0 && abs(column - SIZE / 2) <= 3 ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
+		knots[k] = add_box(world, type, 0.35f, 0.35f, (float)column, -(float)row);
+		if (row > 0)
+			join(world, SCREE_JOINT_REVOLUTE, knots[k - 1], knots[k], (float)column, 0.5f - (float)row);
+		if (column > 0)
+			join(world, SCREE_JOINT_REVOLUTE, knots[k - SIZE], knots[k], (float)column - 0.5f, -(float)row);
+	}
+	double gap = 0.0;
+	for (int step = 0; step < 200; ++step)
+	{
+		run_steps(world, 1);
+		gap = fmax(gap, gap_of(world));
+	}
+	print_message("net: largest gap %.3f m\n", gap);
+	assert_true(gap < 0.75); // Box2D with circles: 0.34 m
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(hubs_hold),
-	    cmocka_unit_test(many_joints),
-	    cmocka_unit_test(joints_rest),
-	    cmocka_unit_test(far_away),
-	    cmocka_unit_test(tiny_and_huge),
-	    cmocka_unit_test(unequal_masses),
-	    cmocka_unit_test(only_the_lost_is_frozen),
+	    cmocka_unit_test(hubs_hold),      cmocka_unit_test(many_joints),
+	    cmocka_unit_test(a_net_hangs),    cmocka_unit_test(joints_rest),
+	    cmocka_unit_test(far_away),       cmocka_unit_test(tiny_and_huge),
+	    cmocka_unit_test(unequal_masses), cmocka_unit_test(only_the_lost_is_frozen),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,8 +10,9 @@
 // share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
 #define JOINT_LEAST_YIELD 1.0e-6f
 
-// m/s, rad/s: errors are corrected at most so fast. Frames that are far apart, because a body was teleported or a contact held it
-// back, come together without a blow.
+// m/s, rad/s: errors are corrected at most so fast in a chain, and angles everywhere. Frames that are far apart, because a body was
+// teleported or a contact held it back, come together without a blow. Other joints correct distances at up to START_SHARE of
+// max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
 #define JOINT_CORRECTION 10.0f
 
 typedef struct // of the locks: yield x = goal
@@ -39,11 +40,11 @@ INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j
 
 // The equations of the locks: in the biased pass as soft as each is, in the relaxing pass rigid, but for those that are
 // springs. A coordinate that is not locked has a row of the identity.
-INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const JointPose* c)
+INLINE JointSystem joint_system(int soft, float fastest, const Joint* u, const JointPose* c)
 {
 	JointSystem s;
 	Real zero = splat(0.0f), one = splat(1.0f), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
-	Real most = splat(p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION);
+	Real most[3] = {splat(fastest), splat(fastest), splat(JOINT_CORRECTION)};
 	Real impulse[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
 	Real softness[3] = {u->soft_along, u->soft_across, u->soft_angle};
@@ -56,7 +57,7 @@ INLINE JointSystem joint_system(const Pools* p, int soft, const Joint* u, const 
 		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
 		softness[k] = choose(zero, softness[k], yields & s.locked[k]);
 		softer[k] = joint_softer(softness[k], own);
-		speed[k] = joint_speed(c, k) + within(choose(zero, rate[k], yields) * error[k], most);
+		speed[k] = joint_speed(c, k) + within(choose(zero, rate[k], yields) * error[k], most[k]);
 		s.yield[k] = choose(one, own + softer[k], s.locked[k]);
 	}
 	Real k01 = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
@@ -207,7 +208,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		if (pass == PASS_BIAS)
 			joint_turn(p, i, u, &c);
 		joint_drive_all(p, i, pass == PASS_BIAS, u, &c);
-		JointSystem system = joint_system(p, pass == PASS_BIAS, u, &c);
+		JointSystem system = joint_system(pass == PASS_BIAS, START_SHARE * p->step.max_speed, u, &c);
 		Real x[3];
 		joint_solve(&system, c.mass, x);
 		joint_hold(u, &c, x);

@@ -28,7 +28,8 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 INLINE void chain_build(const Pools* p, int spot, int pass, const ChainLink* link)
 {
 	chain_keep_pose(p, spot, &link->c);
-	JointSystem s = joint_system(p, pass == PASS_BIAS, &link->u, &link->c);
+	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
+	JointSystem s = joint_system(pass == PASS_BIAS, most, &link->u, &link->c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
 	CHAIN_PUT(p, d[1], spot, s.cross[0]);
