@@ -19,7 +19,7 @@ typedef struct // whether workers share the solve; measured, because it depends 
 {
 	double cost[2]; // ns per item: by one worker, shared; 0 if never measured
 	double least;   // of the solves in a row by a way that is measured
-	int solves;     // of the first ones, which alternate between the two ways
+	int solves;     // of the first ones, in which the two ways take turns
 	int rest;       // solves until the slower way is measured again
 	bool shares;
 } Choice;

@@ -11,16 +11,23 @@
 
 // A run whose items take long is worth sharing from fewer items on: an item of a stage in chunks counts as so many.
 #define CHUNK_ITEM 8
+// instead of the items per chunk: items are dealt (src/backend/backend.h)
+#define DEALT (-1)
 // fewest items for which a sort and a scan are shared
 #define SORT_GRAIN 8192
 #define SCAN_GRAIN 16384
 
 // Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
-// other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass; chains are dealt.
+// other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
 static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = CHUNK_ITEMS,  [STAGE_broad_phase_rest] = 1,
-    [STAGE_narrow_phase] = CHUNK_ITEMS, [STAGE_hub] = 1,
-    [STAGE_hash_bodies] = 16,           [STAGE_hash_collidables] = 16,
+    [STAGE_broad_phase] = CHUNK_ITEMS,
+    [STAGE_broad_phase_rest] = 1,
+    [STAGE_narrow_phase] = CHUNK_ITEMS,
+    [STAGE_hub] = 1,
+    [STAGE_chain] = DEALT,
+    [STAGE_chain_end] = DEALT,
+    [STAGE_hash_bodies] = 16,
+    [STAGE_hash_collidables] = 16,
 #define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_layout] = CHUNK_ITEMS, [STAGE_##kind##_hash] = 16,
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -75,7 +82,7 @@ static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
 		do_blocks(cpu, function, active, worker, workers);
 		return;
 	}
-	if (stage == STAGE_chain || stage == STAGE_chain_end)
+	if (chunks[stage] == DEALT)
 	{
 		do_dealt(cpu, function, worker, workers);
 		return;

@@ -153,23 +153,25 @@ INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 // Item i is a range of chains, with those in the same blocks; argument the pass.
 GROUP_STAGE(chain)
 {
-	(void)bench;
 	int first = p->chain[i].item;
-	for (int k = 0; k < p->chain[first].parts && p->argument != PASS_BOUNCE; ++k)
+	(void)bench;
+	if (p->argument == PASS_BOUNCE)
+		return;
+	for (int k = 0; k < p->chain[first].parts; ++k)
 	{
 		Chain chain = chain_number(p, first + k);
-#if LANES > 1
-		if (chain_side(&chain))
+		if (LANES > 1 && chain_side(&chain))
 		{
 			// a call of its own, in which these are constants: a tenth of the instructions computed spots
 			chain.at.stride = MAX_LANES;
 			chain.at.bits = 1;
 			chain_pass(p, chain, p->argument);
-			continue;
 		}
-#endif
-		chain.at.stride = 1;
-		chain_pass(p, chain, p->argument);
+		else
+		{
+			chain.at.stride = 1;
+			chain_pass(p, chain, p->argument);
+		}
 	}
 }
 

@@ -26,8 +26,8 @@ typedef struct
 	int lanes, groups;
 	bool alone; // all chains lie alone
 	int parts;  // ranges that may share blocks
-	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, first range, ranges
-	int column, column_odds, column_range, column_parts;
+	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, ranges
+	int column, column_odds, column_parts;
 } Placing;
 
 static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
@@ -62,18 +62,26 @@ static int side_by_side(const Placing* s, int k, int* cost)
 	return count;
 }
 
+// Whether that many chains side by side begin an item of a pass, and do not share the blocks of those before. One alone does.
+static bool begins_item(Placing* s, int count)
+{
+	bool shares = count > 1 && s->column_parts < s->parts;
+	s->column_parts = shares ? s->column_parts + 1 : count > 1 ? 1 : s->parts;
+	return !shares;
+}
+
 // What all chains take: what the worker with most of them has, or the share of a work-group and no less than the longest item.
-static double cost_of_all(const Placing* s)
+static double cost_of_all(Placing* s)
 {
 	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
 	int counted = s->groups < MAX_WORKERS ? s->groups : MAX_WORKERS, items = 0;
-	for (int k = 0, cost, parts = s->parts; k < s->layout->count;)
+	s->column_parts = s->parts;
+	for (int k = 0, cost; k < s->layout->count;)
 	{
 		int count = side_by_side(s, k, &cost);
-		bool shares = count > 1 && parts < s->parts;
-		parts = shares ? parts + 1 : count > 1 ? 1 : s->parts;
-		items += !shares;
-		item = shares ? item + cost : cost;
+		bool begins = begins_item(s, count);
+		items += begins;
+		item = begins ? cost : item + cost;
 		double* load = loads + dealt((items - 1) / counted, (items - 1) % counted, counted);
 		*load += cost;
 		sum += cost;
@@ -99,27 +107,24 @@ static double choose_parts(Placing* s)
 
 static ChainRange place_alone(Placing* s, const ChainRow* row)
 {
-	s->column_parts = s->parts;
 	int length = padded(row_length(row->count, row->bits), s->lanes);
-	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits, 1, 0};
+	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits, 0, 0};
 	s->layout->places += padded(2 * at.odds, MAX_LANES);
 	return at;
 }
 
 // Blocks of MAX_LANES have room for several ranges of chains side by side: those that follow have no longer chains.
-static ChainRange place_side(Placing* s, int count)
+static ChainRange place_side(Placing* s, int count, bool begins)
 {
 	int length = (count + 1) / 2;
-	if (s->column_parts == s->parts)
+	if (begins)
 	{
 		s->column = s->layout->places;
 		s->column_odds = length * MAX_LANES;
-		s->column_range = s->layout->ranged;
-		s->column_parts = 0;
 		s->layout->places += 2 * s->column_odds;
 	}
-	ChainRange at = {s->column + s->column_parts * s->lanes, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
-	++s->column_parts;
+	int first = s->column + (s->column_parts - 1) * s->lanes;
+	ChainRange at = {first, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
 	return at;
 }
 
@@ -140,18 +145,19 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 	s.alone = true;
 	s.alone = cost_of_all(&s) < ALONE * least;
 	s.column_parts = s.parts;
-	for (int k = 0, count, cost; k < layout->count; k += count)
+	for (int k = 0, count, cost, first = 0; k < layout->count; k += count)
 	{
 		const ChainRow* row = layout->rows + k;
 		count = side_by_side(&s, k, &cost);
-		ChainRange at = count > 1 ? place_side(&s, row->count) : place_alone(&s, row);
+		bool begins = begins_item(&s, count);
+		ChainRange at = count > 1 ? place_side(&s, row->count, begins) : place_alone(&s, row);
 		for (int c = 0; c < count; ++c)
 			for (int n = 0; n < row[c].count; ++n)
 				layout->spots[layout->joints[row[c].first + n]] = c + CHAIN_SPOT(&at, n);
+		first = begins ? layout->ranged : first;
 		layout->ranges[layout->ranged++] = at;
-		if (count > 1)
-			++layout->ranges[s.column_range].parts;
-		if (count == 1 || s.column_parts == 1)
-			layout->ranges[layout->items++].item = layout->ranged - 1;
+		++layout->ranges[first].parts;
+		if (begins)
+			layout->ranges[layout->items++].item = first;
 	}
 }
