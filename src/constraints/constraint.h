@@ -51,12 +51,13 @@
 	if ((written) >> pass & 1)                            \
 		store(&rows->name[lane], 0, u->name);
 #define ROW_LOAD_ALL(name, gate, life, inert, read, written) \
-	ROW_UNLESS_PREPARED_##life(u->name = load(&rows->name[lane], 0);)
-#define ROW_STORE_KEPT(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(store(&rows->name[lane], 0, u->name);)
-#define ROW_KEEP(name, gate, life, inert, read, written)       ROW_IF_KEPT_##life(kept.name = rows->name[lane];)
-#define ROW_PUT_BACK(name, gate, life, inert, read, written)   ROW_IF_KEPT_##life(rows->name[lane] = kept.name;)
-#define ROW_FETCH(name, gate, life, inert, read, written)      ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)
-#define ROW_HASH(name, gate, life, inert, read, written)       ROW_IF_KEPT_##life(h = hash_float(h, rows->name[lane]);)
+	ROW_UNLESS_PREPARED_##life(if ((read)&IN_PASSES) u->name = load(&rows->name[lane], 0);)
+#define ROW_STORE_KEPT(name, gate, life, inert, read, written) \
+	ROW_IF_KEPT_##life(if ((written)&IN_PASSES) store(&rows->name[lane], 0, u->name);)
+#define ROW_KEEP(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(kept.name = rows->name[lane];)
+#define ROW_PUT_BACK(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(rows->name[lane] = kept.name;)
+#define ROW_FETCH(name, gate, life, inert, read, written)    ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)
+#define ROW_HASH(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(h = hash_float(h, rows->name[lane]);)
 
 #define ROW_UNLESS_PREPARED_PLACED(x) x
 #define ROW_UNLESS_PREPARED_PREPARED(x)

@@ -51,6 +51,8 @@
 	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                  \
 	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                 \
 	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                  \
+	/* how many times START_SHARE the impulses at the start were worth */     \
+	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)              \
 	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */  \
 	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
 	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
@@ -131,7 +133,7 @@
 	PAIR(1, IN_PASSES, IN_POSED, u->impulse_along, u->impulse_across)    \
 	PAIR(2, IN_PASSES, IN_POSED, u->impulse_angle, u->given_x)           \
 	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                  \
-	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->turned)
+	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->carried)
 
 // Bytes that prepare gathers for a joint: its data, the poses and centers of its bodies.
 #define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))

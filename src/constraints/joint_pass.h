@@ -15,6 +15,9 @@
 // max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
 #define JOINT_CORRECTION 10.0f
 
+// By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
+#define JOINT_CARRIES 1.5f
+
 typedef struct // of the locks: yield x = goal
 {
 	Real yield[3], cross[3]; // diagonal; 01, 02, 12
@@ -104,7 +107,9 @@ INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3])
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
 
-// Starts the step with the impulses of the last one, unless they would make the bodies faster than a share of max_speed.
+// Starts the step with the impulses of the last one, unless these alone would make the bodies faster than a share of max_speed: a
+// blow is not given again. But what a joint has carried for some steps is a load, which the other joints of its bodies hold too: the
+// corner of a net carries the weight of all its knots.
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -120,9 +125,11 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		                    c->b.inv_mass * (absolute(j.push.x) + absolute(j.push.y)),
 		                c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
-	Real part =
-	    minimum(choose(splat(1.0f), most / faster, faster > most), choose(splat(1.0f), spin / spins, spins > spin));
-	part = choose(splat(0.0f), part, (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT)));
+	Real shares = maximum(faster / most, spins / spin);
+	Real allowed = maximum(splat(1.0f), splat(JOINT_CARRIES) * u->carried);
+	Int sound = (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT));
+	Real part = choose(splat(0.0f), choose(splat(1.0f), allowed / shares, shares > allowed), sound);
+	u->carried = choose(splat(0.0f), minimum(shares, allowed), sound);
 	if (lane_bits(part < splat(1.0f)))
 	{
 		joint_scale(p, i, u, part);

@@ -161,7 +161,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->given_a = zero;
 	u->given_b = zero;
 
-	// forms that hold joints in registers load it again with the impulses
+	// forms that hold joints in registers store what passes write only
 	store(&joint_row(p, turned, i), 0, u->turned);
 }
 

@@ -29,8 +29,8 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// For forms of the solve that keep constraints in registers over a step: all rows that are not prepared, and at the end
-// the kept ones.
+// For forms of the solve that keep constraints in registers over a step: rows that passes read and that are not prepared, and at
+// the end the kept ones that passes write.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                     \
 	INLINE void kind##_load_all(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD_ALL); } \
 	INLINE void kind##_store_kept(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE_KEPT); }

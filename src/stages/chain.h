@@ -13,7 +13,11 @@
 INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 {
 	if (pass == PASS_WARM_START)
+	{
+		link->u.carried = load(&joint_row(p, carried, place), 0);
 		joint_warm(p, place, &link->u, &link->c);
+		store(&joint_row(p, carried, place), 0, link->u.carried);
+	}
 	if (pass == PASS_BIAS)
 		joint_turn(p, place, &link->u, &link->c);
 	if (pass != PASS_WARM_START)

@@ -140,7 +140,7 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 	}
 }
 
-#define MOST_KEPT 21 // rows of a joint
+#define MOST_KEPT 22 // rows of a joint
 
 // What is kept of a joint at a place, by the names of its rows; returns how many.
 static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane, const char* names[MOST_KEPT],
