@@ -55,7 +55,7 @@ static const char* const help =
     "  -n, --steps N            steps to take; without it as many as the scene says\n"
     "  -r, --repeats N          pairs of timed trials, 5 without it\n"
     "  -d, --device NAME        where Scree runs, cpu without it\n"
-    "  -c, --continuous         Box2D with continuous collision, which Scree does not have yet\n"
+    "  -c, --continuous         Box2D with continuous collision\n"
     "  -s, --set NAME=VALUE     give a parameter of the scenes another value; may be repeated\n"
     "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, deepest overlap of all\n"
     "                           steps, mean of the deepest of each, mean contacts, sink, largest and mean\n"
