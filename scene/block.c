@@ -4,17 +4,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const body_keys[] = {"name",          "type",           "attribute",
-                                        "choose",        "collidables",    "position",
-                                        "angle",         "velocity",       "angular_velocity",
-                                        "gravity_scale", "linear_damping", "angular_damping",
-                                        "locks",         "disabled",       "category",
-                                        "mask",          "group",          "repeat",
-                                        "churn",         "description",    NULL};
+static const char* const body_keys[] = {"name",
+                                        "type",
+                                        "attribute",
+                                        "choose",
+                                        "collidables",
+                                        "position",
+                                        "angle",
+                                        "velocity",
+                                        "angular_velocity",
+                                        "gravity_scale",
+                                        "linear_damping",
+                                        "angular_damping",
+                                        "locks",
+                                        "disabled",
+                                        "category",
+                                        "mask",
+                                        "group",
+                                        "reports",
+                                        "repeat",
+                                        "churn",
+                                        "description",
+                                        NULL};
 static const char* const churn_keys[] = {"moved",    "replaced",         "position",    "angle",
                                          "velocity", "angular_velocity", "description", NULL};
-static const char* const free_keys[] = {"attribute", "choose", "position", "angle",       "category",
-                                        "mask",      "group",  "repeat",   "description", NULL};
+static const char* const free_keys[] = {"attribute", "choose",  "position", "angle",       "category", "mask",
+                                        "group",     "reports", "repeat",   "description", NULL};
 
 int block_find(const Scene* scene, const char* name)
 {

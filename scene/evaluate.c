@@ -23,6 +23,15 @@ static bool filter_of(const Items* items, const Part* part, scree_filter* filter
 	return true;
 }
 
+static bool reports_of(const Items* items, const Part* part, uint32_t* reports)
+{
+	double bits;
+	if (!items_value(items, &part->reports, &bits))
+		return false;
+	*reports = (uint32_t)bits;
+	return true;
+}
+
 static bool body_of(const Items* items, const Block* b, scree_body_def* body)
 {
 	*body = scree_body_def_default();
@@ -68,6 +77,7 @@ static bool add_item(Items* items, void* context)
 			return false;
 		if (block->parts.simple)
 			return filter_of(items, &block->parts.list[0], &body->filter) &&
+			       reports_of(items, &block->parts.list[0], &body->reports) &&
 			       choice_of(items, &block->parts.list[0].choice, &body->attribute);
 	}
 	for (int k = 0; k < block->parts.count; ++k)
@@ -75,7 +85,8 @@ static bool add_item(Items* items, void* context)
 		const Part* part = &block->parts.list[k];
 		scree_collidable_def* def = &batch->parts[(size_t)index * (size_t)block->parts.count + (size_t)k];
 		*def = scree_collidable_def_default();
-		if (!filter_of(items, part, &def->filter) || !choice_of(items, &part->choice, &def->attribute) ||
+		if (!filter_of(items, part, &def->filter) || !reports_of(items, part, &def->reports) ||
+		    !choice_of(items, &part->choice, &def->attribute) ||
 		    !items_pose(items, part->position, &part->angle, &def->pose))
 			return false;
 	}

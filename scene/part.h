@@ -20,6 +20,7 @@ typedef struct // one collidable of each item
 	Number position[2], angle;
 	scree_filter filter; // but for its group
 	Number group;
+	Number reports; // SCREE_REPORT_* bits
 } Part;
 
 typedef struct // all collidables of each item

@@ -221,6 +221,8 @@ typedef struct scree_world_def
 	bool
 	    contact_details; // contacts report what they did in the last step: scree_contact.details. Costs up to 5 % of the
 	                     // solve and 36 bytes per contact; changes no motion. Default false
+	float hit_speed;     // slower approaches are no scree_hit, m/s, >= 0, default 1
+	float hit_impulse;   // nor are smaller impulses, N s, >= 0, default 0
 } scree_world_def;
 
 static inline scree_world_def scree_world_def_default(void);
@@ -477,6 +479,12 @@ typedef struct scree_filter
 	int32_t group;     // default 0
 } scree_filter;
 
+enum // bits of scree_collidable_def.reports: which events list a collidable. One of the two needs the bit
+{
+	SCREE_REPORT_TOUCHES = 1, // scree_events.touches_began, touches_ended
+	SCREE_REPORT_HITS = 2,    // scree_events.hits
+};
+
 typedef struct scree_body_def
 {
 	uint32_t size;             // set by scree_body_def_default
@@ -491,6 +499,7 @@ typedef struct scree_body_def
 	scree_filter filter;       // of that collidable
 	uint64_t user;             // user data, not simulated; default 0
 	bool disabled;             // starts disabled, see scree_body_set_enabled; default false
+	uint32_t reports;          // of that collidable: bits of SCREE_REPORT_*; default 0
 } scree_body_def;
 
 static inline scree_body_def scree_body_def_default(void);
@@ -661,7 +670,8 @@ typedef struct scree_collidable_def
 	scree_body body; // null: the collidable belongs to no body, and only reports overlaps
 	scree_pose pose; // in the body's frame, or in the world if there is no body
 	scree_filter filter;
-	uint64_t user; // user data, not simulated; default 0
+	uint64_t user;    // user data, not simulated; default 0
+	uint32_t reports; // bits of SCREE_REPORT_*; default 0
 } scree_collidable_def;
 
 static inline scree_collidable_def scree_collidable_def_default(void);
@@ -703,6 +713,10 @@ SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_col
                                                    scree_filter filter); // recreates its contacts
 SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user);
 SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
+// From the next step on. A touch that began with the old bits still ends.
+SCREE_API scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable,
+                                                    uint32_t* reports);
+SCREE_API scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports);
 
 // Teleports collidables without a body. Fails with SCREE_ERROR_INVALID if one belongs to a body.
 SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
@@ -1039,7 +1053,8 @@ typedef struct scree_contact
 	scree_contact_point points[2];
 	scree_body body_a, body_b;       // of a and b; null for a collidable without a body
 	uint64_t user_a, user_b;         // user data of a and b
-	scree_contact_detail details[2]; // of each point; zeros unless scree_world_def.contact_details is set
+	scree_contact_detail details[2]; // zeros unless scree_world_def.contact_details is set, or in an event
+	int destroyed_a, destroyed_b;    // 1 in an event if the collidable was destroyed; a, b and bodies are old handles
 } scree_contact;
 
 // Writes up to capacity touching contacts between bodies and sets count to their number. The order is that of the
@@ -1055,6 +1070,52 @@ static inline scree_status scree_body_get_contacts(scree_world* world, scree_bod
 // are within the speculative distance, 0.02 m; they overlap if the separation is at most 0.
 static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
                                                     int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Events
+//
+// What happened in the last step, for collidables that report it (scree_collidable_def.reports). Events change no motion,
+// and their order is the same on all devices. A world in which nobody reports pays nothing.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_hit // two surfaces met fast
+{
+	scree_collidable a, b;
+	scree_body body_a, body_b;    // null for a collidable without a body
+	uint64_t user_a, user_b;      // user data of a and b
+	scree_vec point;              // m, in the world: the point with the larger impulse
+	scree_vec normal;             // unit vector from a to b
+	float approach_speed;         // m/s: the larger one of the points, when the step began
+	float impulse;                // N s: normal impulse of all points and substeps, restitution included
+	int destroyed_a, destroyed_b; // as in scree_contact
+} scree_hit;
+
+typedef struct scree_events
+{
+	uint32_t size, contact_size, hit_size; // set by scree_world_get_events
+
+	// Touches of which one side has SCREE_REPORT_TOUCHES. A touch begins in the step in which the surfaces push each other or
+	// overlap: contacts of surfaces that are only near do not count. It ends when they are farther apart than 0.02 m, and also
+	// when a collidable is destroyed, disabled or gets another shape, filter or type of body, or when a joint keeps the two
+	// apart. Each beginning has exactly one end. In one step, ends come before beginnings. Both are in an order that is the same on
+	// all devices: beginnings in that of scree_world_get_contacts, with points, impulses and details; ends by index of a, then of b,
+	// with handles, bodies and user data only.
+	const scree_contact* touches_began;
+	const scree_contact* touches_ended;
+
+	// Contacts of which one side has SCREE_REPORT_HITS, and which exceeded scree_world_def.hit_speed and hit_impulse, in the order of
+	// scree_world_get_contacts.
+	const scree_hit* hits;
+
+	int touches_began_count, touches_ended_count, hit_count;
+} scree_events;
+
+// The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
+// scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
+static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
+
+// Slower and weaker contacts are no hits: m/s and N s, at least 0. From the next step on.
+SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Drawing
@@ -1246,6 +1307,18 @@ static inline scree_status scree_world_get_joint_events(scree_world* world, scre
                                                         int* count)
 {
 	return scree_world_get_joint_events_sized(world, events, sizeof *events, capacity, count);
+}
+
+SCREE_API scree_status scree_world_get_events_sized(scree_world* world, scree_events* events); // with the sizes set
+static inline scree_status scree_world_get_events(scree_world* world, scree_events* events)
+{
+	if (events)
+	{
+		events->size = (uint32_t)sizeof(scree_events);
+		events->contact_size = (uint32_t)sizeof(scree_contact);
+		events->hit_size = (uint32_t)sizeof(scree_hit);
+	}
+	return scree_world_get_events_sized(world, events);
 }
 
 #ifdef __cplusplus

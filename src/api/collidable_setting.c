@@ -120,6 +120,32 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	return SCREE_OK;
 }
 
+scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable, uint32_t* reports)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_reports", collidable, "reports", reports, &host));
+	*reports = host->reports;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports)
+{
+	const char* function = "scree_collidable_set_reports";
+	TRY(world_check(world, function));
+	int index = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_reports((Where){function, "reports", ALONE}, "", reports));
+	HostCollidable* host = world->host_collidables + index;
+	if (host->reports == reports)
+		return SCREE_OK;
+	TRY(edits_reserve(world, function, 0, 0, 1));
+	world->reports.reporters += (reports != 0) - (host->reports != 0);
+	host->reports = reports;
+	edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)reports);
+	world->pipeline.mixed = true;
+	return SCREE_OK;
+}
+
 scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
                                          const scree_pose* poses, int count)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // contacts.c -- the contacts and overlaps of the last step, back from the device.
+#include "api/contact_result.h"
+#include "constraints/contact_listed.h"
 #include "constraints/kinds.h"
-#include "constraints/rolling.h"
 #include "world/attributes.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -69,17 +70,27 @@ static scree_body body_of(const scree_world* world, int collidable)
 	return body < 0 ? SCREE_NULL_BODY : body_handle(world, body);
 }
 
-static Listed listed_at(const Rows* rows, int k)
+static Listed listed_at(const scree_world* world, const Rows* rows, int k)
 {
 	int c = rows->place[k];
-	Listed row = {.pair = rows->pair[k],
-	              .feature = rows->feature[k],
-	              .flags = rows->flags[k],
-	              .color = rows->color[k],
-	              .place = c,
-	              .manifold = rows->manifold[k],
-	              .a = rows->placed[rows->pair[k].x],
-	              .b = rows->placed[rows->pair[k].y]};
+	Int2 pair = rows->pair[k];
+	Listed row = {.pair = pair, .feature = rows->feature[k], .flags = rows->flags[k], .color = rows->color[k]};
+	Real a[8], b[8], manifold[16];
+	gather_rows8((const float*)(rows->placed + pair.x), 0, a);
+	gather_rows8((const float*)(rows->placed + pair.y), 0, b);
+	gather_rows8((const float*)(rows->manifold + k), 0, manifold);
+	gather_rows8((const float*)(rows->manifold + k), 1, manifold + 8);
+	Attribute shapes[2];
+	if (row.flags & MANIFOLD_ROLLS)
+	{
+		// the shapes are those of the last step, though the attributes may have changed since
+		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
+		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
+		a[6] = bits_float(0);
+		b[6] = bits_float(1);
+	}
+	ContactPoints at = listed_points(shapes, a, b, manifold, row.flags, row.feature);
+	listed_place(&row, &at, a[0], a[1]);
 	if (c >= 0)
 	{
 		const ContactRows* block = rows->blocks + c / MAX_LANES;
@@ -95,57 +106,16 @@ static Listed listed_at(const Rows* rows, int k)
 	return row;
 }
 
-// A point touched when it was pushed, or overlapped from the start.
-static scree_contact_detail detail_of(float total_impulse, float approach_speed, float separation)
-{
-	return (scree_contact_detail){total_impulse, approach_speed, total_impulse > 0.0f || separation <= 0.0f};
-}
-
 static scree_contact contact_at(const scree_world* world, const Listed* row)
 {
 	Int2 pair = row->pair;
-	Int feature[2] = {row->feature.x, row->feature.y};
-	Real row_a[8], row_b[8], manifold[16];
-	gather_rows8((const float*)&row->a, 0, row_a);
-	gather_rows8((const float*)&row->b, 0, row_b);
-	gather_rows8((const float*)&row->manifold, 0, manifold);
-	gather_rows8((const float*)&row->manifold, 1, manifold + 8);
-	ContactPoints at = contact_points_held(row_a, row_b, manifold);
-	if (row->flags & MANIFOLD_ROLLS)
-	{
-		// the shapes are those of the last step, though the attributes may have changed since
-		Attribute shapes[2];
-		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
-		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
-		row_a[6] = bits_float(0);
-		row_b[6] = bits_float(1);
-		const Advance rests = {{0.0f, 0.0f}, 0.0f};
-		at = rolling_points(shapes, row_a, row_b, manifold, (Int)row->flags, feature, rests, rests);
-	}
-	scree_contact contact = {.a = collidable_handle(world, pair.x),
-	                         .b = collidable_handle(world, pair.y),
-	                         .normal = {at.normal.x, at.normal.y},
-	                         .color = row->color,
-	                         .count = (int)(row->flags & CONTACT_COUNT),
-	                         .body_a = body_of(world, pair.x),
-	                         .body_b = body_of(world, pair.y),
-	                         .user_a = world->host_collidables[pair.x].user,
-	                         .user_b = world->host_collidables[pair.y].user};
-	contact.points[0] = (scree_contact_point){{row->a.x + at.point[0].x, row->a.y + at.point[0].y},
-	                                          at.separation[0],
-	                                          row->impulse.x,
-	                                          row->impulse.z,
-	                                          (uint32_t)row->feature.x};
-	if (world->def.contact_details)
-		contact.details[0] = detail_of(row->detail.x, row->detail.z, at.separation[0]);
-	if (world->def.contact_details && contact.count == 2)
-		contact.details[1] = detail_of(row->detail.y, row->detail.w, at.separation[1]);
-	if (contact.count == 2)
-		contact.points[1] = (scree_contact_point){{row->a.x + at.point[1].x, row->a.y + at.point[1].y},
-		                                          at.separation[1],
-		                                          row->impulse.y,
-		                                          row->impulse.w,
-		                                          (uint32_t)row->feature.y};
+	scree_contact contact = contact_result(row, world->def.contact_details);
+	contact.a = collidable_handle(world, pair.x);
+	contact.b = collidable_handle(world, pair.y);
+	contact.body_a = body_of(world, pair.x);
+	contact.body_b = body_of(world, pair.y);
+	contact.user_a = world->host_collidables[pair.x].user;
+	contact.user_b = world->host_collidables[pair.y].user;
 	return contact;
 }
 
@@ -173,7 +143,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		{
 			if (!is_wanted(world, rows, k, detected))
 				continue;
-			Listed row = listed_at(rows, k);
+			Listed row = listed_at(world, rows, k);
 			scree_contact contact = contact_at(world, &row);
 			write_result((char*)contacts + size * (size_t)listed++, size, &contact, sizeof contact);
 		}

@@ -6,6 +6,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/migrate.h"
+#include "world/reports.h"
 #include "world/world.h"
 #include <string.h>
 
@@ -42,6 +43,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 	}
 	if (strcmp(device, world->device) != 0)
 	{
+		TRY(reports_fetch(world)); // a move leaves them behind
 		scree_world_def def = world->def;
 		def.device = device;
 		Backend *from = world->backend, *to;

@@ -20,7 +20,7 @@ static Word64 hash_disabled(const scree_world* world, int body)
 		const HostCollidable* c = world->host_collidables + k;
 		Word64 h = hash_pose(
 		    hash_word(hash_word(hash_begin(HASH_DISABLED_COLLIDABLE, k), (Word)body), (Word)c->attribute), c->pose);
-		sum += hash_Filter(h, filter_row(c->filter));
+		sum += hash_Filter(h, filter_row(c->filter, c->reports));
 	}
 	return sum;
 }

@@ -9,6 +9,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/idle.h"
+#include "world/reports.h"
 #include "world/targets.h"
 #include "world/tuning.h"
 #include "world/upload.h"
@@ -26,7 +27,8 @@ void scree_world_def_default_sized(scree_world_def* def, size_t size)
 	                              .contact_damping_ratio = 15.0f,
 	                              .contact_push_speed = 3.0f,
 	                              .restitution_threshold = 1.0f,
-	                              .max_speed = 400.0f};
+	                              .max_speed = 400.0f,
+	                              .hit_speed = 1.0f};
 	write_result(def, size, &made, sizeof made);
 }
 
@@ -46,6 +48,8 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 		return refuse(SCREE_ERROR_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
 	scree_tuning tuning = tuning_of(def);
 	TRY(check_tuning(at, &tuning));
+	TRY(check_real(at, ".hit_speed", def->hit_speed, 0.0f, FLT_MAX));
+	TRY(check_real(at, ".hit_impulse", def->hit_impulse, 0.0f, FLT_MAX));
 	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
 		              MAX_ITEMS);
@@ -90,6 +94,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	if (dt > 0.0f) // a step of no time only detects contacts: its duration is not comparable
 		TRY(auto_choose(world));
 	double start = processor_milliseconds();
+	TRY(reports_reserve(world, function));
+	reports_forget(world);
 	TRY(world_upload(world));
 	double begin = auto_clock();
 	StepRequest request = {.dt = dt,
@@ -100,7 +106,10 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .collidables = world->collidables.used,
 	                       .contact_limit = world->def.contact_limit,
 	                       .timings = world->def.timings,
-	                       .details = world->def.contact_details};
+	                       .details = world->def.contact_details,
+	                       .reports = world->reports.reporters > 0,
+	                       .hit_speed = world->def.hit_speed,
+	                       .hit_impulse = world->def.hit_impulse};
 	if (dt > 0.0f)
 		TRY(targets_commands(world, &request.commands));
 	idle_begin(world);
@@ -118,6 +127,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		status = world->backend->f->wait(world->backend);
 	auto_count(world, begin);
 	TRY(world_note(world, status));
+	world->reports.fetched = false;
 	world->pipeline.milliseconds = milliseconds;
 	const Counters* c = &world->pipeline.counters;
 	if (c->nonfinite > 0 && dt > 0.0f)

@@ -14,7 +14,8 @@ INLINE Word64 hash_Filter(Word64 h, Filter v)
 {
 	h = hash_word(hash_word(h, (Word)v.category), (Word)(v.category >> 32));
 	h = hash_word(hash_word(h, (Word)v.mask), (Word)(v.mask >> 32));
-	return hash_int(h, v.group);
+	h = hash_int(h, v.group);
+	return v.reports ? hash_word(h, v.reports) : h;
 }
 // not the motion within the step
 INLINE Word64 hash_BodyState(Word64 h, BodyState v)

@@ -71,6 +71,10 @@
 // separation of a missing point: so large that no impulse ever arises
 #define NO_POINT 1.0e6f
 
+// of a collidable: what happens to it is listed for the user
+#define REPORT_TOUCHES 1u // its touches begin and end
+#define REPORT_HITS    2u // it hits something, or is hit
+
 // bits of the pool moved
 #define MOVED_BOX 1 // its box differs from old_box
 #define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
@@ -89,6 +93,10 @@
 #define CONTACT_DETECTED 8u    // gets no impulses: one side has no body
 #define CONTACT_TOUCHING 16u   // has points
 #define CONTACT_JOINED   8192u // a joint keeps the two bodies from touching
+#define CONTACT_REPORT   14    // the REPORT_* bits of its collidables, from this bit on
+#define CONTACT_REPORTS  ((REPORT_TOUCHES | REPORT_HITS) << CONTACT_REPORT)
+#define CONTACT_TOUCHED  65536u                               // its touch began, and will end
+#define CONTACT_LASTS    (CONTACT_DETECTED | CONTACT_REPORTS) // bits that do not depend on the manifold
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -123,7 +131,8 @@ typedef struct // 16 bytes: what guard needs of a dynamic body
 typedef struct // 24 bytes
 {
 	Word64 category, mask;
-	int group, unused;
+	int group;
+	Word reports; // REPORT_* bits
 } Filter;
 
 typedef struct // 64 bytes: the points of a contact as they were found
@@ -154,15 +163,17 @@ typedef struct // 32 bytes: one sector
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-typedef struct // 192 bytes: a contact, as reported to the user
+typedef struct // 96 bytes: a contact, as reported to the user
 {
 	Int2 pair, feature;
 	Word flags;
-	int color, place, unused;
-	Float4 impulse; // normal 1, 2, tangent 1, 2, N s
-	Float4 detail;  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
-	LocalManifold manifold;
-	WorldShape a, b;
+	int color;
+	float normal_x, normal_y;       // from a to b
+	Float4 point;                   // points 1 and 2, x, y, m
+	Float4 impulse;                 // normal 1, 2, tangent 1, 2, N s
+	Float4 detail;                  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
+	float separation1, separation2; // m
+	float unused[2];
 } Listed;
 
 typedef struct // MAX_LANES spokes; all but the first two are working data of a pass
@@ -381,8 +392,15 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_PLACE           17 // a collidable without a body: x, y, cos, sin
 #define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole: attribute, body. Its contacts end, new ones begin
 #define COMMAND_ATTRIBUTE       19 // whole[0]: another attribute of the same shape
-#define COMMAND_FILTER          20 // the bits of category and mask; whole: group, kind
+#define COMMAND_FILTER          20 // the bits of category and mask; whole: group; kind, and REPORT_* bits from bit 8 on
 #define COMMAND_NEXT            21 // whole[0]: 1 + index of the body's next collidable, 0 for none
+#define COMMAND_REPORTS         22 // whole[0]: REPORT_* bits
+
+// lists of events
+#define EVENT_TOUCH_BEGAN 0
+#define EVENT_TOUCH_ENDED 1
+#define EVENT_HIT         2
+#define EVENT_LISTS       3
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
@@ -419,6 +437,9 @@ typedef struct // constants of one step, passed by value to every stage
 	float h_ratio;        // h over that of the last step that took time
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step
+	int reports;          // some collidable reports touches or hits
+	float hit_speed;      // m/s: slower approaches are no hits
+	float hit_impulse;    // N s: nor are smaller impulses
 	int bounces;          // some attribute has restitution
 	int joints;           // there may be joints among the constraints
 	int chain_places;     // spots of chains
@@ -497,6 +518,7 @@ typedef struct
 	int overflow_first, overflow;  // among the sorted keys of joints those without a color and a chain begin; how many
 	int joined;                    // pairs of bodies that joints keep from touching
 	int joint_events;              // joints whose force exceeded a threshold in the step
+	int touches_began, touches_ended, hits; // of the step
 	int fault; // set by a device that failed during a run; its backend reads it with the other counters
 } Counters;
 

@@ -21,6 +21,7 @@ typedef enum // what a pool has an item for
 	PER_SPOKE_BLOCK, // of MAX_LANES of them
 	PER_RENDER_ROW,  // collidable, as a renderer sees it
 	PER_LISTED,      // contact of a body that the user asks for
+	PER_EVENT,       // contact of a world in which some collidable reports
 	PER_TREE,
 	PER_LEAF,
 	PER_NODE,

@@ -217,7 +217,11 @@ INLINE void command_collidable_change(const Pools* p, Command c)
 		p->filter[i].category = command_word64(value.x, value.y);
 		p->filter[i].mask = command_word64(value.z, value.w);
 		p->filter[i].group = c.whole[0];
-		p->collidable_kind[i] = c.whole[1];
+		p->collidable_kind[i] = c.whole[1] & 255;
+		p->filter[i].reports = (Word)c.whole[1] >> 8;
+		break;
+	case COMMAND_REPORTS:
+		p->filter[i].reports = (Word)c.whole[0];
 		break;
 	case COMMAND_NEXT:
 		p->next_collidable[i] = c.whole[0];

@@ -121,9 +121,10 @@ STAGE(contact_create)
 	item_clear(p, PER_CONTACT, slot);
 	p->pair[slot] = make_int2(a, b);
 	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
-	p->contact_flags[slot] = CONTACT_FRESH | (body_a < 0 || body_b < 0                    ? CONTACT_DETECTED
-	                                          : joint_parts(p, make_int2(body_a, body_b)) ? CONTACT_JOINED
-	                                                                                      : 0u);
+	p->contact_flags[slot] = CONTACT_FRESH | touch_reports(p, make_int2(a, b)) |
+	                         (body_a < 0 || body_b < 0                    ? CONTACT_DETECTED
+	                          : joint_parts(p, make_int2(body_a, body_b)) ? CONTACT_JOINED
+	                                                                      : 0u);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
 	p->contact_place[slot] = -1;
@@ -131,7 +132,8 @@ STAGE(contact_create)
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
 }
 
-// Some collidable got another attribute: the surfaces of all contacts are computed again, also where the layout stands.
+// Some collidable got another attribute, or reports other events: what contacts take from their collidables is computed again, also
+// where the layout stands.
 STAGE(contact_mix)
 {
 	Int2 pair = p->pair[i];
@@ -141,6 +143,7 @@ STAGE(contact_mix)
 	                                    p->attribute + p->collidable_attribute[pair.y]);
 	int c = p->contact_place[i];
 	p->contact_surface[i] = surface;
+	p->contact_flags[i] = (p->contact_flags[i] & ~CONTACT_REPORTS) | touch_reports(p, pair);
 	if (c < 0)
 		return;
 	contact_set_surface(p, c, surface);

@@ -6,6 +6,7 @@
 #include "stages/box.h"
 #include "stages/edge.h"
 #include "stages/key_bound.h"
+#include "stages/touch.h"
 
 // What the sides of a coupling turned since the last step counts with the ratio of that time.
 INLINE void joint_count(const Pools* p, int slot, const JointData* changed)
@@ -164,7 +165,8 @@ STAGE(contact_join)
 	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
 	contact_end(p, i);
-	p->contact_flags[i] = CONTACT_FRESH | joined;
+	touch_end(p, p->pair[i], flags);
+	p->contact_flags[i] = CONTACT_FRESH | joined | (flags & CONTACT_REPORTS);
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 

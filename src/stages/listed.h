@@ -1,8 +1,39 @@
 // SPDX-License-Identifier: MIT
-// listed.h -- the touching contacts of one body, side by side for the host to read. No step reads them.
+// listed.h -- contacts side by side for the host to read: those of one body. No step reads them.
 #ifndef LISTED_H
 #define LISTED_H
+#include "constraints/contact_listed.h"
 #include "constraints/kinds.h"
+
+// Contact i in a row.
+INLINE void listed_write(const Pools* p, int i, int row)
+{
+	Listed listed;
+	Int2 pair = p->pair[i];
+	Real a[8], b[8], manifold[16];
+	int c = p->contact_place[i];
+	listed.pair = pair;
+	listed.feature = p->contact_feature[i];
+	listed.flags = p->contact_flags[i];
+	listed.color = p->contact_color[i];
+	listed.unused[0] = 0.0f;
+	listed.unused[1] = 0.0f;
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, pair.x, a);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, pair.y, b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * i, manifold);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * i + 1, manifold + 8);
+	ContactPoints at = listed_points(p->attribute, a, b, manifold, listed.flags, listed.feature);
+	listed_place(&listed, &at, a[0], a[1]);
+	listed.impulse = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	if (c >= 0)
+		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
+		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
+	listed.detail = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	if (c >= 0 && p->step.details)
+		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),
+		                            contact_rare(p, approach1, c), contact_rare(p, approach2, c));
+	p->listed[row] = listed;
+}
 
 // Item i is a contact slot, plus one item for the end of the scan. argument is the body.
 STAGE(contact_mark)
@@ -23,26 +54,7 @@ STAGE(contact_list)
 	int row = p->scan[i];
 	if (p->scan[i + 1] == row || row >= p->argument)
 		return;
-	Listed listed;
-	int c = p->contact_place[i];
-	listed.pair = p->pair[i];
-	listed.feature = p->contact_feature[i];
-	listed.flags = p->contact_flags[i];
-	listed.color = p->contact_color[i];
-	listed.place = c;
-	listed.unused = 0;
-	listed.impulse = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	if (c >= 0)
-		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
-		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
-	listed.detail = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	if (c >= 0 && p->step.details)
-		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),
-		                            contact_rare(p, approach1, c), contact_rare(p, approach2, c));
-	listed.manifold = p->contact_manifold[i];
-	listed.a = p->world_shape[listed.pair.x];
-	listed.b = p->world_shape[listed.pair.y];
-	p->listed[row] = listed;
+	listed_write(p, i, row);
 }
 
 #endif

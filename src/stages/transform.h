@@ -43,6 +43,9 @@ STAGE(step_begin)
 	c->guarded = 0;
 	c->penetration = 0;
 	c->joint_events = 0;
+	c->touches_began = 0;
+	c->touches_ended = 0;
+	c->hits = 0;
 	for (int k = 0; k <= MAX_ROUNDS; ++k)
 		c->uncolored[k] = 0;
 	(void)i;

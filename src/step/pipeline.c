@@ -11,6 +11,7 @@
 #include "step/constants.h"
 #include "step/detect.h"
 #include "step/dispatch.h"
+#include "step/events.h"
 #include "step/room.h"
 #include "step/traffic.h"
 #include "step/tree.h"
@@ -108,11 +109,14 @@ static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* requ
 	if (pipeline->mixed)
 		TRY(mix(pipeline, step));
 	if (!moves)
-		return look(pipeline, step, request->bodies);
-	if (!solved)
+		TRY(look(pipeline, step, request->bodies));
+	else if (!solved)
 		TRY(pipeline_solve(pipeline, step, request, NO_COUNT));
-	TRY(command(pipeline, step, &request->commands, request->commands.end));
-	return pipeline_sparse(pipeline) ? pack(pipeline, step) : SCREE_OK;
+	if (moves)
+		TRY(command(pipeline, step, &request->commands, request->commands.end));
+	if (moves && pipeline_sparse(pipeline))
+		TRY(pack(pipeline, step));
+	return events_list(pipeline, step);
 }
 
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
@@ -125,6 +129,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	// reserves the longest list before the step begins, so that a lack of memory cannot break it off
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_upload(pipeline));
+	TRY(events_reserve(pipeline, request));
 	Step step = step_constants(pipeline, request);
 	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
 	if (!status)

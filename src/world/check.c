@@ -135,3 +135,11 @@ scree_status check_locks(Where at, const char* member, uint32_t locks)
 	return refuse(SCREE_ERROR_INVALID, at, member,
 	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
 }
+
+scree_status check_reports(Where at, const char* member, uint32_t reports)
+{
+	if (reports <= (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS))
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %u, must be bits of SCREE_REPORT_TOUCHES and SCREE_REPORT_HITS",
+	              reports);
+}

@@ -5,6 +5,7 @@
 #include "step/tree.h"
 #include "world/edits.h"
 #include "world/memory.h"
+#include "world/reports.h"
 
 int kind_of_type(scree_body_type type)
 {
@@ -73,7 +74,8 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 	*host = *made;
 	host->waiting = waiting;
 	++world->host_attributes[host->attribute].collidables;
-	host->born = world->pipeline.steps;
+	world->reports.reporters += host->reports != 0;
+	host->made = host->born = world->pipeline.steps;
 	host->next = host->previous = -1;
 	if (host->body >= 0)
 	{
@@ -93,6 +95,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 void collidable_remove(scree_world* world, int index)
 {
 	HostCollidable* host = world->host_collidables + index;
+	reports_depart(world, index);
 	if (host->body >= 0)
 	{
 		HostBody* body = world->host_bodies + host->body;

@@ -7,6 +7,7 @@
 #include "world/idle.h"
 #include "world/memory.h"
 #include "world/paths.h"
+#include "world/reports.h"
 #include "world/world.h"
 #include <stdio.h>
 
@@ -35,6 +36,7 @@ void world_destroy(scree_world* world)
 	slots_close(&world->attribute_slots);
 	scree_release(world->host_bodies);
 	scree_release(world->host_collidables);
+	reports_close(world);
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);

@@ -5,9 +5,9 @@
 #include "pools/pools.h"
 #include "scree/scree.h"
 
-static inline Filter filter_row(scree_filter filter)
+static inline Filter filter_row(scree_filter filter, uint32_t reports)
 {
-	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group};
+	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group, .reports = reports};
 }
 
 static inline Float4 pose_row(scree_pose pose)

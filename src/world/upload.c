@@ -11,6 +11,7 @@
 #include "world/joints.h"
 #include "world/memory.h"
 #include "world/paths.h"
+#include "world/reports.h"
 #include "world/upload_commands.h"
 #include "world/upload_rows.h"
 #include "world/world.h"
@@ -148,6 +149,7 @@ scree_status world_upload(scree_world* world)
 {
 	if (no_edits(&world->edits) && !world->chains_stale)
 		return SCREE_OK;
+	TRY(reports_fetch(world)); // an upload may change what they refer to
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world));
 	auto_count(world, begin);

@@ -40,9 +40,10 @@ static int collidable_commands(const scree_world* world, int k, Command* to)
 		                        .value = pose_row(host->pose)};
 		to[count++] = (Command){.kind = COMMAND_NEXT, .index = index, .whole = {host->next + 1}};
 	}
-	Filter filter = filter_row(host->filter);
-	to[count] =
-	    (Command){.kind = COMMAND_FILTER, .index = index, .whole = {filter.group, collidable_kind(world, index)}};
+	Filter filter = filter_row(host->filter, host->reports);
+	to[count] = (Command){.kind = COMMAND_FILTER,
+	                      .index = index,
+	                      .whole = {filter.group, collidable_kind(world, index) | (int)(filter.reports << 8)}};
 	Word words[4] = {(Word)filter.category, (Word)(filter.category >> 32), (Word)filter.mask,
 	                 (Word)(filter.mask >> 32)};
 	memcpy(&to[count].value, words, sizeof words);

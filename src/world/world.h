@@ -31,9 +31,11 @@ typedef struct // host data of a collidable
 	int body; // -1 for none
 	scree_pose pose;
 	scree_filter filter;
+	uint32_t reports; // scree_reports
 	uint64_t user;
 	int next, previous; // collidable of the same body, -1 for none; collidable_put sets this member and those below
-	int64_t born;       // Pipeline.steps when it was made
+	int64_t made;       // Pipeline.steps then
+	int64_t born;       // Pipeline.steps when its contacts last began anew
 	Waiting waiting;
 	bool marked;
 } HostCollidable;
@@ -87,6 +89,27 @@ typedef struct // blocks of the bodies, or of the collidables (idle.h)
 	bool settling; // some block is to be looked at
 } IdleBlocks;
 
+typedef struct // a collidable that was destroyed
+{
+	scree_collidable collidable;
+	scree_body body;
+	uint64_t user;
+	int64_t step; // Pipeline.steps then; -1 for none
+} Departed;
+
+typedef struct // events of the last step
+{
+	int reporters;      // collidables that report something
+	Departed* departed; // two of each slot, for an even and an odd number of steps
+	int departed_capacity;
+	bool fetched; // the lists below are those of the last step
+	int counts[EVENT_LISTS], capacity[EVENT_LISTS];
+	Listed *began, *hits;
+	Word64* ended;
+	char* rows; // what scree_world_get_events returned last
+	int rows_capacity;
+} Reports;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -115,6 +138,7 @@ struct scree_world
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
 	Edits edits;
+	Reports reports;
 	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;
 	int shared_rows; // rows that fit the memory shared with OpenGL; 0 while none is shared

@@ -17,6 +17,13 @@ static void set_filter(Maker* m, Call* call)
 	call_set(call, "group", (float)(below(m, 5) - 2));
 }
 
+// In half of the programs nobody reports.
+static void set_reports(Maker* m, Call* call)
+{
+	if (m->reports && (call->kind == CALL_reports || chance(m, 0.3)))
+		call_set(call, "reports", (float)below(m, 4));
+}
+
 static void set_place(Maker* m, Call* call)
 {
 	float x = bounded(m, 4.0f), y = bounded(m, 3.0f);
@@ -149,6 +156,7 @@ static void put_body(Maker* m)
 	if (chance(m, 0.05))
 		call_set(&call, "disabled", 1.0f);
 	set_filter(m, &call);
+	set_reports(m, &call);
 	note_type(m, &call, call_value(&call, "body"));
 	m->alive += 1;
 	put(m, call);
@@ -323,8 +331,9 @@ static void put_setting(Maker* m)
 
 static void put_collidable(Maker* m)
 {
-	CallKind kinds[] = {CALL_collidable, CALL_collidable, CALL_remove, CALL_filter, CALL_place, CALL_dress, CALL_dress};
-	Call call = call_make(kinds[below(m, 7)]);
+	CallKind kinds[] = {CALL_collidable, CALL_collidable, CALL_remove, CALL_filter,
+	                    CALL_place,      CALL_dress,      CALL_dress,  CALL_reports};
+	Call call = call_make(kinds[below(m, m->reports ? 8 : 7)]);
 	switch (call.kind)
 	{
 	case CALL_collidable:
@@ -332,6 +341,7 @@ static void put_collidable(Maker* m)
 		call_set(&call, "attribute", any_attribute(m));
 		call_set(&call, "body", chance(m, 0.2) ? -1.0f : any_body(m));
 		set_filter(m, &call);
+		set_reports(m, &call);
 		set_place(m, &call);
 		if (call_value(&call, "body") >= 0.0f && chance(m, 0.8))
 		{
@@ -350,6 +360,8 @@ static void put_collidable(Maker* m)
 		call_set(&call, "which", (float)below(m, 3));
 		if (call.kind == CALL_filter)
 			set_filter(m, &call);
+		if (call.kind == CALL_reports)
+			set_reports(m, &call);
 		if (call.kind == CALL_dress)
 			call_set(&call, "attribute", any_attribute(m));
 	}
@@ -379,6 +391,14 @@ static void set_tuning(Maker* m, Call* call)
 		call_set(call, "hertz", PICK(m, 1e-3f, 5.0f, 30.0f, 1e6f));
 		call_set(call, "ratio", PICK(m, 0.0f, 0.1f, 1.0f, 1e6f));
 	}
+}
+
+static void put_hits(Maker* m)
+{
+	Call call = call_make(CALL_hits);
+	call_set(&call, "speed", factor(m, 4.0f));
+	call_set(&call, "impulse", factor(m, 40.0f));
+	put(m, call);
 }
 
 static void put_tuning(Maker* m)
@@ -426,7 +446,7 @@ static void put_any(Maker* m)
 	else if (k < 92)
 		chance(m, 0.5) ? put_attribute(m) : chance(m, 0.5) ? put_like(m) : put_drop(m);
 	else if (k < 95)
-		chance(m, 0.5) ? put_gravity(m) : put_tuning(m);
+		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
 	else if (k < 97)
 		put_alone(m, m->moves ? CALL_move : CALL_step, m->moves ? "back" : "substeps",
 		          m->moves ? (float)chance(m, 0.6) : 4.0f);
@@ -464,6 +484,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.moves = chance(&m, 0.01);
 	m.jointed = chance(&m, 0.7);
 	m.railed = m.jointed && chance(&m, 0.5);
+	m.reports = chance(&m, 0.5);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

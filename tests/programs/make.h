@@ -22,6 +22,7 @@ typedef struct
 	bool moves;    // between devices, which takes as long as dozens of steps
 	bool jointed;  // has joints
 	bool railed;   // has paths
+	bool reports;  // some collidables report events
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -14,8 +14,10 @@ static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
 	left.status = run_call(&turn);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
+	uint64_t hash = 0;
 	if (left.status == SCREE_OK && call->kind == CALL_step && hashes)
-		left.status = scree_world_get_hash(pair->worlds[k], &left.word);
+		left.status = scree_world_get_hash(pair->worlds[k], &hash);
+	left.word += hash;
 	return left;
 }
 

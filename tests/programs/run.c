@@ -163,6 +163,7 @@ static scree_status run_body(const Turn* t)
 	def.locks = (uint32_t)call_whole(t, "locks");
 	def.disabled = call_whole(t, "disabled") != 0;
 	def.filter = filter_of(t);
+	def.reports = (uint32_t)call_whole(t, "reports");
 	if (call_real(t, "attribute") >= 0.0f)
 		def.attribute = attribute_of(t);
 	scree_body made = {0, 0};
@@ -208,6 +209,7 @@ static scree_status run_collidable(const Turn* t)
 		def.body = call_body(t, call_whole(t, "body"));
 	def.pose = call_pose(t);
 	def.filter = filter_of(t);
+	def.reports = (uint32_t)call_whole(t, "reports");
 	scree_status status = scree_collidable_create(t->world, &def, &made);
 	int k = call_whole(t, "collidable");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
@@ -449,7 +451,9 @@ static scree_status run_clear(const Turn* t)
 		status = scree_collidables_destroy(t->world, collidables, count < MOST_NAMES ? count : MOST_NAMES);
 	if (status == SCREE_OK)
 		status = clear_paths(t);
+	const Open open = t->names->open; // touches end with the next step
 	memset(t->names, 0, sizeof *t->names);
+	t->names->open = open;
 	return status;
 }
 
@@ -492,6 +496,8 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_destroy(t->world, collidable_of(t));
 	case CALL_filter:
 		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
+	case CALL_reports:
+		return scree_collidable_set_reports(t->world, collidable_of(t), (uint32_t)call_whole(t, "reports"));
 	case CALL_dress:
 		return scree_collidable_set_attribute(t->world, collidable_of(t), attribute_of(t));
 	case CALL_place:
@@ -518,8 +524,10 @@ scree_status run_call(const Turn* t)
 		return scree_world_set_gravity(t->world, call_vec(t, "x", "y"));
 	case CALL_tuning:
 		return run_tuning(t);
+	case CALL_hits:
+		return scree_world_set_hit_thresholds(t->world, call_real(t, "speed"), call_real(t, "impulse"));
 	case CALL_step:
-		return scree_world_step(t->world, call_real(t, "dt"), call_whole(t, "substeps"));
+		return run_step(t);
 	case CALL_move:
 		return run_move(t);
 	case CALL_read:

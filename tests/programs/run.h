@@ -7,6 +7,12 @@
 // numbers that a program may give out
 #define MOST_NAMES 8192
 
+typedef struct // touches that began and have not ended: how many, and a sum of their names
+{
+	int count;
+	uint64_t sum;
+} Open;
+
 struct Names
 {
 	scree_body bodies[MOST_NAMES];
@@ -14,6 +20,7 @@ struct Names
 	scree_attribute attributes[MOST_NAMES];
 	scree_joint joints[MOST_NAMES];
 	scree_path paths[MOST_NAMES];
+	Open open;
 };
 
 typedef struct // what a call left
@@ -53,6 +60,9 @@ scree_path call_path(const Turn* turn);
 scree_status run_path(const Turn* turn);
 scree_status read_paths(const Turn* turn, uint64_t* word);
 scree_status clear_paths(const Turn* turn);
+
+// run_step.c: a step, with its events mixed into a word.
+scree_status run_step(const Turn* turn);
 
 uint64_t read_mixed(uint64_t word, const void* bytes, size_t count);
 

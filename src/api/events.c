@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// events.c -- what happened in the last step, for the user.
+#include "api/contact_result.h"
+#include "world/check.h"
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/memory.h"
+#include "world/reports.h"
+#include <stddef.h>
+
+// bytes: no struct of events is larger
+#define MOST_SIZE 4096
+
+// The names of both sides of a contact or a hit.
+#define NAME(world, event, first, second, before)                                         \
+	do                                                                                    \
+	{                                                                                     \
+		Departed a_ = reports_name(world, first, before, &(event)->destroyed_a),          \
+		         b_ = reports_name(world, second, before, &(event)->destroyed_b);         \
+		(event)->a = a_.collidable, (event)->body_a = a_.body, (event)->user_a = a_.user; \
+		(event)->b = b_.collidable, (event)->body_b = b_.body, (event)->user_b = b_.user; \
+	} while (0)
+
+static scree_contact began_at(const scree_world* world, const Listed* row)
+{
+	scree_contact contact = contact_result(row, true);
+	NAME(world, &contact, row->pair.x, row->pair.y, false);
+	return contact;
+}
+
+static scree_contact ended_at(const scree_world* world, Word64 pair)
+{
+	scree_contact contact = {.color = -1};
+	NAME(world, &contact, (int)(pair >> 32), (int)(pair & 0xffffffffu), true);
+	return contact;
+}
+
+static scree_hit hit_at(const scree_world* world, const Listed* row)
+{
+	bool second = (row->flags & CONTACT_COUNT) == 2 && row->detail.y > row->detail.x;
+	scree_hit hit = {.point =
+	                     second ? (scree_vec){row->point.z, row->point.w} : (scree_vec){row->point.x, row->point.y},
+	                 .normal = {row->normal_x, row->normal_y},
+	                 .approach_speed = row->detail.z > row->detail.w ? row->detail.z : row->detail.w,
+	                 .impulse = row->detail.x + row->detail.y};
+	NAME(world, &hit, row->pair.x, row->pair.y, false);
+	return hit;
+}
+
+scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
+{
+	const char* function = "scree_world_get_events";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "events", events));
+	uint32_t least = offsetof(scree_events, hit_count) + sizeof events->hit_count;
+	if (events->size < least || events->size > MOST_SIZE || events->contact_size > MOST_SIZE ||
+	    events->hit_size > MOST_SIZE)
+		return refuse(SCREE_ERROR_INVALID, (Where){function, "events", ALONE}, ".size",
+		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
+		              events->contact_size, events->hit_size, function);
+	TRY(reports_fetch(world));
+	Reports* r = &world->reports;
+	const int* counts = r->counts;
+	size_t contact = events->contact_size, hit = events->hit_size;
+	size_t contacts = (size_t)(counts[EVENT_TOUCH_BEGAN] + counts[EVENT_TOUCH_ENDED]) * contact;
+	size_t bytes = contacts + (size_t)counts[EVENT_HIT] * hit;
+	if (bytes > INT32_MAX)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
+	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
+
+	scree_events result = {.size = events->size,
+	                       .contact_size = events->contact_size,
+	                       .hit_size = events->hit_size,
+	                       .touches_began_count = counts[EVENT_TOUCH_BEGAN],
+	                       .touches_ended_count = counts[EVENT_TOUCH_ENDED],
+	                       .hit_count = counts[EVENT_HIT]};
+	char* to = r->rows;
+	result.touches_began = (const scree_contact*)to;
+	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
+	{
+		scree_contact row = began_at(world, r->began + k);
+		write_result(to, contact, &row, sizeof row);
+	}
+	result.touches_ended = (const scree_contact*)to;
+	for (int k = 0; k < counts[EVENT_TOUCH_ENDED]; ++k, to += contact)
+	{
+		scree_contact row = ended_at(world, r->ended[k]);
+		write_result(to, contact, &row, sizeof row);
+	}
+	result.hits = (const scree_hit*)to;
+	for (int k = 0; k < counts[EVENT_HIT]; ++k, to += hit)
+	{
+		scree_hit row = hit_at(world, r->hits + k);
+		write_result(to, hit, &row, sizeof row);
+	}
+	write_result(events, result.size, &result, sizeof result);
+	return SCREE_OK;
+}
+
+scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse)
+{
+	const char* function = "scree_world_set_hit_thresholds";
+	TRY(world_check(world, function));
+	TRY(check_real((Where){function, "speed", ALONE}, "", speed, 0.0f, FLT_MAX));
+	TRY(check_real((Where){function, "impulse", ALONE}, "", impulse, 0.0f, FLT_MAX));
+	world->def.hit_speed = speed;
+	world->def.hit_impulse = impulse;
+	return SCREE_OK;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// run_step.c -- a step of a program, and its events: the same for both worlds, and as many ends as beginnings.
+#include "programs/run.h"
+
+static uint64_t name_of(const scree_contact* c)
+{
+	return read_mixed(read_mixed(0xcbf29ce484222325u, &c->a, sizeof c->a), &c->b, sizeof c->b);
+}
+
+static uint64_t mix_contact(uint64_t word, const scree_contact* c)
+{
+	size_t points = (size_t)c->count;
+	word = read_mixed(read_mixed(word, &c->a, sizeof c->a), &c->b, sizeof c->b);
+	word = read_mixed(read_mixed(word, &c->normal, sizeof c->normal), c->points, points * sizeof c->points[0]);
+	return read_mixed(read_mixed(word, c->details, points * sizeof c->details[0]), &c->user_a, sizeof c->user_a);
+}
+
+// Counts what began and ended. Where nothing is there any more, nothing may touch.
+static bool balanced(Open* open, const scree_events* events, bool empty)
+{
+	for (int k = 0; k < events->touches_ended_count; ++k)
+		open->sum -= name_of(events->touches_ended + k);
+	for (int k = 0; k < events->touches_began_count; ++k)
+		open->sum += name_of(events->touches_began + k);
+	open->count += events->touches_began_count - events->touches_ended_count;
+	return open->count >= 0 && (open->count > 0 ? !empty : open->sum == 0);
+}
+
+scree_status run_step(const Turn* t)
+{
+	scree_events events;
+	scree_counters counters;
+	scree_status status = scree_world_step(t->world, call_real(t, "dt"), call_whole(t, "substeps"));
+	if (status == SCREE_OK)
+		status = scree_world_get_events(t->world, &events);
+	if (status == SCREE_OK)
+		status = scree_world_get_counters(t->world, &counters);
+	if (status != SCREE_OK)
+		return status;
+	uint64_t word = 0;
+	for (int k = 0; k < events.touches_began_count; ++k)
+		word = mix_contact(word, events.touches_began + k);
+	for (int k = 0; k < events.touches_ended_count; ++k)
+		word = mix_contact(word, events.touches_ended + k);
+	for (int k = 0; k < events.hit_count; ++k)
+		word = read_mixed(word, events.hits + k, sizeof events.hits[k]);
+	t->left->word = word;
+	return balanced(&t->names->open, &events, counters.collidables == 0) ? SCREE_OK : SCREE_ERROR_DEVICE_FAILED;
+}
