@@ -32,6 +32,7 @@ static void collidable_definitions(void** state)
 	DEF(SCREE_ERROR_STALE, body = stale, ".body (index 4");
 	DEF(SCREE_ERROR_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
 	DEF(SCREE_ERROR_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 0)");
+	DEF(SCREE_ERROR_INVALID, reports = 4, ".reports is 4, must be bits of SCREE_REPORT_TOUCHES");
 #undef DEF
 }
 
@@ -91,6 +92,26 @@ static void collidable_functions(void** state)
 	      "attribute (index 0) is not an attribute of this world");
 }
 
+static void event_functions(void** state)
+{
+	(void)state;
+	scree_events events;
+	uint32_t reports;
+	INVALID(scree_world_get_events, (NULL, &events), "world is null");
+	INVALID(scree_world_get_events, (world, NULL), "events is null");
+	events.size = 8;
+	assert_refused(scree_world_get_events_sized(world, &events), SCREE_ERROR_INVALID,
+	               "scree_world_get_events: ", "events.size is 8");
+	INVALID(scree_world_set_hit_thresholds, (NULL, 1.0f, 0.0f), "world is null");
+	INVALID(scree_world_set_hit_thresholds, (world, -1.0f, 0.0f), "speed is -1");
+	INVALID(scree_world_set_hit_thresholds, (world, 1.0f, NAN), "impulse is nan");
+	INVALID(scree_collidable_set_reports, (NULL, part, 1), "world is null");
+	INVALID(scree_collidable_set_reports, (world, part, 8), "reports is 8");
+	STALE(scree_collidable_set_reports, (world, stale_part, 1), "collidable (index");
+	STALE(scree_collidable_get_reports, (world, stale_part, &reports), "collidable (index");
+	INVALID(scree_collidable_get_reports, (world, part, NULL), "reports is null");
+}
+
 static void contact_functions(void** state)
 {
 	(void)state;
@@ -112,10 +133,9 @@ static void contact_functions(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(collidable_definitions),
-	    cmocka_unit_test(collidable_batches),
-	    cmocka_unit_test(collidable_functions),
-	    cmocka_unit_test(contact_functions),
+	    cmocka_unit_test(collidable_definitions), cmocka_unit_test(collidable_batches),
+	    cmocka_unit_test(collidable_functions),   cmocka_unit_test(contact_functions),
+	    cmocka_unit_test(event_functions),
 	};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
 }

@@ -44,6 +44,8 @@ static void world_definitions(void** state)
 	DEF(threads = 65, "def.threads is 65");
 	DEF(lanes = 3, "def.lanes is 3, must be 0, 1, 4, 8 or 16");
 	BAD_TUNINGS(DEF, "def.");
+	DEF(hit_speed = -1.0f, "def.hit_speed is -1");
+	DEF(hit_impulse = NAN, "def.hit_impulse is nan");
 	DEF(body_capacity = -5, "def.body_capacity is -5");
 	DEF(contact_capacity = INT32_MAX, "def.contact_capacity is 2147483647");
 	DEF(contact_limit = -1, "def.contact_limit is -1, must be from 0 to 134217728");
@@ -230,6 +232,7 @@ static void body_functions(void** state)
 	DEF(SCREE_ERROR_INVALID, velocity.linear.y = -1e30f, ".velocity.linear.y is");
 	DEF(SCREE_ERROR_INVALID, velocity.angular = INFINITY, ".velocity.angular is inf");
 	DEF(SCREE_ERROR_INVALID, locks = 8, ".locks is 8");
+	DEF(SCREE_ERROR_INVALID, reports = 4, ".reports is 4, must be bits of SCREE_REPORT_TOUCHES and SCREE_REPORT_HITS");
 	DEF(SCREE_ERROR_STALE, attribute = foreign, ".attribute (index 0) is not an attribute of this world");
 #undef DEF
 	assert_ok(scree_bodies_create(world, NULL, 0, NULL));

@@ -95,8 +95,8 @@
 #define CONTACT_JOINED   8192u // a joint keeps the two bodies from touching
 #define CONTACT_REPORT   14    // the REPORT_* bits of its collidables, from this bit on
 #define CONTACT_REPORTS  ((REPORT_TOUCHES | REPORT_HITS) << CONTACT_REPORT)
-#define CONTACT_TOUCHED  65536u                               // its touch began, and will end
-#define CONTACT_LASTS    (CONTACT_DETECTED | CONTACT_REPORTS) // bits that do not depend on the manifold
+#define CONTACT_TOUCHED  65536u                                                 // its touch began, and will end
+#define CONTACT_LASTS    (CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew

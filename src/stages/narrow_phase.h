@@ -71,7 +71,6 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	if (!box_parted(p, pair))
 		return 0;
 	contact_end(p, i);
-	touch_end(p, pair, p->contact_flags[i]);
 	p->pair[i] = make_int2(-1, -1);
 	p->contact_flags[i] = 0;
 	atomic_add_int(&p->counters->released, 1);
@@ -198,10 +197,6 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
 	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
 	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | rolls | overlaps;
-	if (touching)
-		now |= flags & CONTACT_TOUCHED;
-	else
-		touch_end(p, pair, flags);
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute);

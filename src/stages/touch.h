@@ -7,6 +7,7 @@
 #ifndef TOUCH_H
 #define TOUCH_H
 #include "constraints/kinds.h"
+#include "stages/box.h"
 
 // The bits of a contact for what its collidables report.
 INLINE Word touch_reports(const Pools* p, Int2 pair)
@@ -16,17 +17,34 @@ INLINE Word touch_reports(const Pools* p, Int2 pair)
 	return ((p->filter[pair.x].reports | p->filter[pair.y].reports) << CONTACT_REPORT) & CONTACT_REPORTS;
 }
 
-// A contact with these flags has no points any more, or is no more.
+// A contact with these flags has no points any more, or will be no more.
 INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 {
 	if (flags & CONTACT_TOUCHED)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
 }
 
+// Before the narrow phase, which will release contact i if its boxes parted. A kernel of its own, because with these lines the narrow
+// phase was slower by a fifth on an H200, in worlds without events.
+STAGE(touch_part)
+{
+	Word flags = p->contact_flags[i];
+	if (!(flags & CONTACT_TOUCHED) || !box_parted(p, p->pair[i]))
+		return;
+	touch_end(p, p->pair[i], flags);
+	p->contact_flags[i] = flags & ~CONTACT_TOUCHED;
+}
+
 // Contact i, after the solve.
 STAGE(touch)
 {
 	Word flags = p->contact_flags[i];
+	if ((flags & (CONTACT_TOUCHED | CONTACT_COUNT)) == CONTACT_TOUCHED)
+	{
+		touch_end(p, p->pair[i], flags);
+		p->contact_flags[i] = flags & ~CONTACT_TOUCHED;
+		return;
+	}
 	int c = flags & CONTACT_REPORTS ? p->contact_place[i] : -1;
 	if (c < 0)
 		return;

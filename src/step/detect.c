@@ -109,8 +109,10 @@ static void join(RunList* list, int joints, int bodies)
 	runs_add(list, STAGE_joint_pair, 0, joints, count, joints);
 }
 
-static void narrow_phase(RunList* list, const Step* step)
+static void narrow_phase(RunList* list, const Step* step, bool reports)
 {
+	if (reports)
+		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
@@ -240,7 +242,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		broad_phase(list, step);
 		if (joints)
 			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
-		narrow_phase(list, step);
+		narrow_phase(list, step, pipeline->reports);
 		if (joints)
 			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));

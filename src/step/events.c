@@ -15,7 +15,7 @@ scree_status events_reserve(Pipeline* pipeline, const StepRequest* request)
 
 scree_status events_list(Pipeline* pipeline, const Step* step)
 {
-	if (!step->reports || pipeline->counters.contacts == 0)
+	if (!pipeline->reports || pipeline->counters.contacts == 0)
 		return SCREE_OK;
 	runs_add(&pipeline->list, STAGE_touch, 0, pipeline->counters.contacts, NO_COUNT, 0);
 	return pipeline_run(pipeline, step);

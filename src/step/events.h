@@ -7,7 +7,7 @@
 // Makes room for the events of the next step, if some collidable reports any.
 scree_status events_reserve(Pipeline* pipeline, const StepRequest* request);
 
-// Lists the touches that began in a step, and the hits. The touches that ended are listed by the narrow phase.
+// Lists what happened in a step. Touches of contacts that were released in it are listed before the narrow phase.
 scree_status events_list(Pipeline* pipeline, const Step* step);
 
 // Reads the numbers of the events of the last step.
