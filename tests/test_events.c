@@ -417,7 +417,7 @@ static Ledger tell_heap(const Way* way, int steps)
 	scree_events events = events_of(world);
 	note(&ledger, &events);
 	assert_int_equal(ledger.count, 0);
-	assert_true(ledger.began > 100 && ledger.hits > 20);
+	assert_true(ledger.began > steps / 3 && ledger.hits > steps / 20);
 	scree_world_destroy(world);
 	return ledger;
 }
