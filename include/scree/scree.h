@@ -1075,7 +1075,7 @@ static inline scree_status scree_world_get_overlaps(scree_world* world, scree_co
 // Events
 //
 // What happened in the last step, for collidables that report it (scree_collidable_def.reports). Events change no motion,
-// and their order is the same on all devices. A world in which nobody reports pays nothing.
+// and their order is the same on all devices. A world in which nobody has reported pays nothing.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_hit // two surfaces met fast

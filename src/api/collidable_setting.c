@@ -23,7 +23,7 @@ scree_status scree_collidable_get_body(const scree_world* world, scree_collidabl
 {
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_body", collidable, "body", body, &host));
-	*body = host->body < 0 ? (scree_body){0} : body_handle(world, host->body);
+	*body = owner_handle(world, (int)collidable.index - 1);
 	return SCREE_OK;
 }
 

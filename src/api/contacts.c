@@ -64,12 +64,6 @@ static bool is_wanted(const scree_world* world, const Rows* rows, int k, Word de
 	return flags == (CONTACT_TOUCHING | detected) && both_were_there(world, rows->pair[k]);
 }
 
-static scree_body body_of(const scree_world* world, int collidable)
-{
-	int body = world->host_collidables[collidable].body;
-	return body < 0 ? SCREE_NULL_BODY : body_handle(world, body);
-}
-
 static Listed listed_at(const scree_world* world, const Rows* rows, int k)
 {
 	int c = rows->place[k];
@@ -112,8 +106,8 @@ static scree_contact contact_at(const scree_world* world, const Listed* row)
 	scree_contact contact = contact_result(row, world->def.contact_details);
 	contact.a = collidable_handle(world, pair.x);
 	contact.b = collidable_handle(world, pair.y);
-	contact.body_a = body_of(world, pair.x);
-	contact.body_b = body_of(world, pair.y);
+	contact.body_a = owner_handle(world, pair.x);
+	contact.body_b = owner_handle(world, pair.y);
 	contact.user_a = world->host_collidables[pair.x].user;
 	contact.user_b = world->host_collidables[pair.y].user;
 	return contact;

@@ -58,6 +58,6 @@ scree_status events_contacts(Pipeline* pipeline, int which, int count, Listed* r
 scree_status events_pairs(Pipeline* pipeline, int count, Word64* pairs)
 {
 	Backend* b = pipeline->backend;
-	TRY(sort(pipeline, EVENT_TOUCH_ENDED, count, 32 + index_bits(pipeline->backend->capacity[PER_COLLIDABLE])));
+	TRY(sort(pipeline, EVENT_TOUCH_ENDED, count, 32 + index_bits(b->capacity[PER_COLLIDABLE])));
 	return b->f->read(b, POOL_key, 0, count, pairs);
 }

@@ -22,6 +22,12 @@ scree_body body_handle(const scree_world* world, int index)
 	return (scree_body){(uint32_t)index, world->bodies.generation[index]};
 }
 
+scree_body owner_handle(const scree_world* world, int collidable)
+{
+	int body = world->host_collidables[collidable].body;
+	return body < 0 ? SCREE_NULL_BODY : body_handle(world, body);
+}
+
 bool body_is_valid(const scree_world* world, scree_body body)
 {
 	return holds(&world->bodies, body.index, body.generation);

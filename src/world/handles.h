@@ -11,6 +11,9 @@ scree_attribute attribute_handle(const scree_world* world, int index);
 scree_joint joint_handle(const scree_world* world, int index);
 scree_path path_handle(const scree_world* world, int index);
 
+// The handle of the body of a collidable, null for none.
+scree_body owner_handle(const scree_world* world, int collidable);
+
 bool body_is_valid(const scree_world* world, scree_body body);
 bool collidable_is_valid(const scree_world* world, scree_collidable collidable);
 bool attribute_is_valid(const scree_world* world, scree_attribute attribute);

@@ -12,6 +12,15 @@
 #include "world/memory.h"
 #include <string.h>
 
+// What a slot of collidables holds now.
+static Departed name_of(const scree_world* world, int index)
+{
+	return (Departed){.collidable = collidable_handle(world, index),
+	                  .body = owner_handle(world, index),
+	                  .user = world->host_collidables[index].user,
+	                  .step = world->pipeline.steps};
+}
+
 scree_status reports_reserve(scree_world* world, const char* function)
 {
 	Reports* r = &world->reports;
@@ -32,11 +41,7 @@ void reports_depart(scree_world* world, int index)
 	r->reporters -= host->reports != 0;
 	if (r->departed_capacity == 0 || host->made >= steps)
 		return;
-	r->departed[2 * index + (steps & 1)] =
-	    (Departed){.collidable = collidable_handle(world, index),
-	               .body = host->body < 0 ? SCREE_NULL_BODY : body_handle(world, host->body),
-	               .user = host->user,
-	               .step = steps};
+	r->departed[2 * index + (steps & 1)] = name_of(world, index);
 }
 
 void reports_forget(scree_world* world)
@@ -83,10 +88,7 @@ Departed reports_name(const scree_world* world, int index, bool before, int* des
 	if (names[steps & 1].step == steps)
 		return names[steps & 1];
 	*destroyed = 0;
-	const HostCollidable* host = world->host_collidables + index;
-	return (Departed){.collidable = collidable_handle(world, index),
-	                  .body = host->body < 0 ? SCREE_NULL_BODY : body_handle(world, host->body),
-	                  .user = host->user};
+	return name_of(world, index);
 }
 
 void reports_close(scree_world* world)

@@ -31,7 +31,7 @@ typedef struct // host data of a collidable
 	int body; // -1 for none
 	scree_pose pose;
 	scree_filter filter;
-	uint32_t reports; // scree_reports
+	uint32_t reports; // SCREE_REPORT_* bits
 	uint64_t user;
 	int next, previous; // collidable of the same body, -1 for none; collidable_put sets this member and those below
 	int64_t made;       // Pipeline.steps then
@@ -89,7 +89,7 @@ typedef struct // blocks of the bodies, or of the collidables (idle.h)
 	bool settling; // some block is to be looked at
 } IdleBlocks;
 
-typedef struct // a collidable that was destroyed
+typedef struct // the name of a collidable, which may have been destroyed since
 {
 	scree_collidable collidable;
 	scree_body body;
