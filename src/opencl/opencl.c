@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // opencl.c -- the OpenCL backend: one buffer per kind of item, one kernel per stage, one in-order queue.
 #include "opencl/buffer.h"
+#include "opencl/carry.h"
 #include "opencl/copy.h"
 #include "opencl/forms/form.h"
 #include "opencl/forms/relay.h"
@@ -39,6 +40,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		read_close(d);
+		carry_close(d);
 		pinned_close(d, &d->staging.pinned);
 		shared_close(d);
 		opencl_copy_release(b);
@@ -213,7 +215,9 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	// a world may come from another device
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
-	return upload(d, pool_buffer(d, pool), pool_offset(d, pool) + bytes * (size_t)first, items, bytes * (size_t)count);
+	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
+	return carry_wanted(d, all) ? carry_up(d, pool_buffer(d, pool), offset, items, all)
+	                            : upload(d, pool_buffer(d, pool), offset, items, all);
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }

@@ -2,6 +2,7 @@
 // read.c -- reads pools: at once, or into pinned memory while the device continues, with an event to wait for.
 #include "opencl/read.h"
 #include "opencl/buffer.h"
+#include "opencl/carry.h"
 #include "opencl/launch.h"
 #include "platform/error.h"
 #include <string.h>
@@ -35,8 +36,11 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, pool_offset(d, pool) + bytes * (size_t)first,
-	         bytes * (size_t)count, items, 0, NULL, NULL));
+	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
+	if (carry_wanted(d, all))
+		TRY(carry_down(d, pool_buffer(d, pool), offset, items, all));
+	else
+		TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, offset, all, items, 0, NULL, NULL));
 	d->staging.used = 0;
 	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
 }

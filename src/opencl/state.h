@@ -5,6 +5,7 @@
 #include "constraints/schedule.h"
 #include "opencl/device.h"
 #include "opencl/limits.h"
+#include "platform/threads.h"
 
 typedef struct
 {
@@ -31,6 +32,13 @@ typedef struct // uploads on their way; the device may read them until the host 
 	Pinned pinned;
 	size_t used; // bytes
 } Staging;
+
+typedef struct // large arrays on their way: carry.c
+{
+	Pinned pinned;
+	Threads* threads;   // null until the first one
+	cl_event events[2]; // of the halves that the device may still use
+} Carry;
 
 typedef struct // of one launch whose time has not been read
 {
@@ -185,6 +193,7 @@ typedef struct
 
 	// transfers
 	Staging staging;
+	Carry carry;
 	AsyncRead read;
 	CopyBlocks copy;
 	Shared shared;
