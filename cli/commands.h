@@ -10,6 +10,7 @@ int scenes_command(const Options* options);
 int devices_command(const Options* options);
 int bench_command(const Options* options);
 int frames_command(const Options* options);  // bench frames
+int queries_command(const Options* options); // bench queries
 int figure5_command(const Options* options); // bench figure5
 int figure6_command(const Options* options);
 int view_command(const Options* options);

@@ -19,6 +19,8 @@ static const struct
     {DEVICES, "devices", "devices", "list the devices and whether they keep the promise of equal bits"},
     {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
     {FRAMES, "frames", "bench frames SCENE|FILE", "measure steps that are drawn: docs/share.md"},
+    {QUERIES, "queries", "bench queries SCENE|FILE",
+     "measure rays and other queries at the end of a run: docs/queries.md"},
     {FIGURE, "figures", "bench figure5|figure6", "measure and draw the paper's figures: docs/paper.md"},
     {VALIDATE, "validate", "validate [NAME]...", "experiments: whether what must hold does: docs/validate.md"},
 };

@@ -19,6 +19,7 @@ static const struct
     {"devices", DEVICES, 0, 0, devices_command},
     {"view", VIEW, 0, 1, view_command},
     {"bench frames", FRAMES, 1, 1, frames_command},
+    {"bench queries", QUERIES, 1, 1, queries_command},
     {"bench figure5", FIGURE, 0, 0, figure5_command},
     {"bench figure6", FIGURE, 0, 0, figure6_command},
     {"bench", BENCH, 0, 1000, bench_command},

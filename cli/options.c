@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | FIGURE | VALIDATE) // commands that make worlds
+#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | FIGURE | VALIDATE | QUERIES) // commands that make worlds
 #define ALL    (WORLDS | SCENES | DEVICES)
 
 static const struct
@@ -130,8 +130,8 @@ static bool read_renderer(Options* options, const OptionRow* row, char* text)
 #define OTHER(read)          read, 0, 0
 
 const OptionRow option_rows[] = {
-    {"steps", 'n', "N", RUN | HASH | BENCH | FRAMES | FIGURE, "steps to take; without it as many as the scene says",
-     NUMBER(steps, 1000000000)},
+    {"steps", 'n', "N", RUN | HASH | BENCH | FRAMES | FIGURE | QUERIES,
+     "steps to take; without it as many as the scene says", NUMBER(steps, 1000000000)},
     {"device", 'd', "NAME", WORLDS, "auto, cpu, opencl, or opencl:NAME with part of a device's name", TEXT(device)},
     {"threads", 't', "N", WORLDS, "CPU threads, 1 to 64; without it one a core", NUMBER(threads, 64)},
     {"lanes", 'l', "N", WORLDS, "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is", OTHER(read_lanes)},
@@ -153,7 +153,9 @@ const OptionRow option_rows[] = {
      "with gl: boxes, contacts, normals, impulses, velocities, joints over the bodies", TEXT(layers)},
     {"script", 'x', "FILE", VIEW, "a file of user actions, one a line: docs/view.md", TEXT(script)},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds", TEXT(csv)},
-    {"repeats", 'r', "N", BENCH | FIGURE, "runs of each scene, 3 without it", NUMBER(repeats, 1000)},
+    {"queries", 'Q', "N", QUERIES, "of each kind, a million without it", NUMBER(queries, 16000000)},
+    {"repeats", 'r', "N", BENCH | FIGURE | QUERIES, "runs of each scene or kind of query, 3 without it",
+     NUMBER(repeats, 1000)},
     {"whole", 'w', NULL, BENCH, "time whole runs, the opening of the device included; see docs/auto.md", SWITCH(whole)},
     {"known", 'k', "FILE.csv", BENCH, "rows of an earlier bench; the hashes must be the same", TEXT(known)},
     {"limit", 'm', "N", FIGURE, "most bodies, a million without it", NUMBER(limit, 1000000000)},

@@ -23,6 +23,7 @@ typedef enum // bits, so that an option can belong to several commands
 	FRAMES = 64,  // bench frames
 	FIGURE = 128, // bench figure5, bench figure6
 	VALIDATE = 256,
+	QUERIES = 512, // bench queries
 } Command;
 
 typedef enum
@@ -47,6 +48,7 @@ typedef struct
 	const char* script;                    // null: none
 	int width, height;                     // px
 	int repeats;
+	int queries;       // 0: a million
 	int limit;         // most bodies in a figure; 0: no limit
 	const char* draw;  // CSV of a figure; null: measure
 	const char* known; // CSV of expected hashes; null: none

@@ -7,6 +7,7 @@
 #include "engine_box2d.h"
 #include "engine_scree.h"
 #include "process.h"
+#include "queries.h"
 #include "stiffness.h"
 #include "trial.h"
 #include "validate.h"
@@ -262,6 +263,8 @@ int main(int count, char** arguments)
 		return validate_peers(count - 1, arguments + 1, arguments[0]);
 	if (count > 1 && strcmp(arguments[1], "stiffness") == 0)
 		return stiffness_peers(count - 1, arguments + 1, arguments[0]);
+	if (count > 1 && strcmp(arguments[1], "queries") == 0)
+		return queries_peers(count - 1, arguments + 1);
 	Options options = {.executable = arguments[0], .threads = {1, 2}, .thread_count = 2, .repeats = 5};
 	options.options.device = "cpu";
 	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:ce:Rh", words, NULL)) != -1;)

@@ -323,6 +323,7 @@ typedef struct scree_timings // milliseconds of the last step; zero unless scree
 {
 	float step; // wall-clock time of scree_world_step, from the upload of changes until the device has finished
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
+	float queries; // of the last call of queries, without transfers
 } scree_timings;
 
 // The times of the last step. Zero before the first step.
@@ -1118,9 +1119,149 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse);
 
 // ---------------------------------------------------------------------------------------------------------------
+// Queries
+//
+// Questions about the world as it is now, changes since the last step included: what a ray or a moving shape meets first, or
+// all that it meets, what overlaps a place, what is nearest. They change no bit of the world. Answers and their order are the
+// same on all devices. docs/queries.md has examples and times.
+//
+// One call takes one query or a million. On a GPU a call costs about 50 us even for one query, so ask for many at once.
+// The first call after a step or a change computes boxes of all collidables, about 3 % of a step.
+//
+// Queries see shapes as they are, not the distance of 0.02 m at which contacts begin. Collidables of disabled bodies are not
+// there. Coordinates are at most SCREE_HUGE, translations at most twice that.
+// ---------------------------------------------------------------------------------------------------------------
+
+enum // bits of scree_query_def.kinds: collidables that are seen
+{
+	SCREE_QUERY_STATIC = 1,    // of static bodies
+	SCREE_QUERY_KINEMATIC = 2, // of kinematic bodies
+	SCREE_QUERY_DYNAMIC = 4,   // of dynamic bodies
+	SCREE_QUERY_FREE = 8,      // without a body
+};
+
+typedef struct scree_query_def // what the queries of a call see
+{
+	uint32_t size;     // set by scree_query_def_default
+	uint32_t kinds;    // bits of SCREE_QUERY_*; default: those of bodies
+	uint64_t category; // a collidable is seen if its mask has a bit of this; default all
+	uint64_t mask;     // and if this has a bit of its category; default all
+	bool any;          // only scree_found.hit is wanted, which is faster: the rest is zero; default false
+	bool skip_inside;  // what a ray or shape begins inside of is not seen; default false
+} scree_query_def;
+
+static inline scree_query_def scree_query_def_default(void);
+
+typedef struct scree_ray // 32 bytes
+{
+	scree_vec origin;      // m
+	scree_vec translation; // m: to the end of the ray. Zero asks what is at the origin
+	float radius;          // m: of a circle that moves along the ray, 0 for a point
+	uint32_t reserved;     // 0
+	scree_body ignored;    // a body that is not seen, or null
+} scree_ray;
+
+typedef struct scree_probe // 32 bytes: a place for the shape of a call
+{
+	scree_pose pose;       // where the shape is; the rotation of {0} is refused
+	scree_vec translation; // m: to where it moves, without turning; 0 for one that rests
+	scree_body ignored;    // a body that is not seen, or null
+} scree_probe;
+
+typedef struct scree_found // 32 bytes: the answer of a query
+{
+	scree_collidable collidable; // null if nothing was found
+	scree_vec
+	    point; // m: of its surface, where it is met or nearest; for what is inside, the origin of the ray or shape then
+	scree_vec normal; // unit vector from the collidable to the query; 0 for a ray or shape that begins inside
+	float
+	    fraction; // of the translation, 0 to 1; of scree_world_find_nearest the distance, m, below 0 for what overlaps
+	bool hit;     // whether something was found
+	bool inside;  // it overlapped already where the query began
+	uint16_t reserved;
+} scree_found;
+
+typedef struct scree_found_list // all that was found
+{
+	uint32_t size;            // set by the function that fills it
+	int count;                // of found
+	const scree_found* found; // by query, then by fraction, then by index of the collidable
+	const int* first;         // of query k: the first in found; those of all queries, and count behind the last
+} scree_found_list;
+
+// The first collidable that each ray meets; of those met at the same fraction, the one with the lower index. def may be null
+// for the default. Method: an 8-ary tree of boxes, searched in the order of the distance; rounded polygons are exact.
+SCREE_API scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
+                                             int count, scree_found* found);
+SCREE_API scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
+                                            scree_found* found); // with the default definition
+
+// The same for a shape, which moves from the pose of each probe; a null shape is a point. Shapes are as in
+// scree_attribute_def. Exact, without iterations: a ray against the Minkowski sum of the two shapes.
+SCREE_API scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
+                                               const scree_probe* probes, int count, scree_found* found);
+SCREE_API scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
+                                              scree_vec translation, scree_found* found);
+
+// The nearest collidable within a distance of each shape, in m, with its nearest point; a null shape is a point. Of
+// those that overlap, the one that overlaps most. Translations must be 0, and def->any false.
+SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def,
+                                                const scree_shape* shape, const scree_probe* probes, int count,
+                                                float distance, scree_found* found);
+
+// All collidables that the rays, or the shapes, meet; with a translation of 0 all that they overlap. The arrays of list belong
+// to the world, and are valid until the next call that fills a list, or until the world is destroyed. def->any must be false.
+static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
+                                                 int count, scree_found_list* list);
+static inline scree_status scree_world_list_shapes(scree_world* world, const scree_query_def* def,
+                                                   const scree_shape* shape, const scree_probe* probes, int count,
+                                                   scree_found_list* list);
+
+// All collidables that overlap a box, a shape at a pose, or a point, with the default definition.
+static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_found_list* list);
+static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
+                                                     scree_found_list* list);
+static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_found_list* list);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Two shapes, without a world
+//
+// The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_HUGE. Results are the same on every machine.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_distance
+{
+	scree_vec point_a,
+	    point_b;      // m: the nearest points of the surfaces, in the world; where they overlap, along the normal
+	scree_vec normal; // unit vector from a to b
+	float distance;   // m: of the surfaces; negative: minus the depth by which they overlap
+} scree_distance;
+
+// The distance of two shapes; a null shape is a point. Exact: the distance of a point from the Minkowski sum of the two.
+SCREE_API scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
+                                                 scree_pose pose_b, scree_distance* distance);
+
+// Where a shape meets a ray, or where a meets b, which moves by a translation (m) without turning. found->collidable is null.
+SCREE_API scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin,
+                                            scree_vec translation, scree_found* found);
+SCREE_API scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
+                                         scree_pose pose_b, scree_vec translation, scree_found* found);
+
+// Whether a point is in a shape, its surface included.
+SCREE_API scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains);
+
+// The time of impact of two shapes that move from one pose to another, at constant speed, turning the shorter way about
+// their origins: the fraction of the motion at which their distance is at most 0.25 mm; found->hit is false if they do not
+// meet. Method: conservative advancement (Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996), at
+// most 200 rounds; a motion that needs more counts as a hit where it ended.
+SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a,
+                                               const scree_shape* b, scree_pose from_b, scree_pose to_b,
+                                               scree_found* found);
+
+// ---------------------------------------------------------------------------------------------------------------
 // Drawing
 //
-// One row per collidable, laid out for a vertex buffer: row k is the collidable with index k.
+// One row per collidable, laid out for a vertex buffer: row k is the collidable whose handle has the index k + 1.
 // scree_world_get_render_rows copies the rows to the host. If scree_world_get_sharing returns more than
 // SCREE_SHARING_COPIED, the rows can stay on the device: share a buffer that OpenGL draws from, and
 // scree_world_write_render_rows writes into it. Both give the same bits. docs/share.md has an example.
@@ -1319,6 +1460,50 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 		events->hit_size = (uint32_t)sizeof(scree_hit);
 	}
 	return scree_world_get_events_sized(world, events);
+}
+
+SCREE_API void scree_query_def_default_sized(scree_query_def* def, size_t size);
+static inline scree_query_def scree_query_def_default(void)
+{
+	scree_query_def def;
+	scree_query_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_def* def,
+                                                   const scree_ray* rays, int count, scree_found_list* list,
+                                                   size_t size);
+static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
+                                                 int count, scree_found_list* list)
+{
+	return scree_world_list_rays_sized(world, def, rays, count, list, sizeof *list);
+}
+
+SCREE_API scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query_def* def,
+                                                     const scree_shape* shape, const scree_probe* probes, int count,
+                                                     scree_found_list* list, size_t size);
+static inline scree_status scree_world_list_shapes(scree_world* world, const scree_query_def* def,
+                                                   const scree_shape* shape, const scree_probe* probes, int count,
+                                                   scree_found_list* list)
+{
+	return scree_world_list_shapes_sized(world, def, shape, probes, count, list, sizeof *list);
+}
+static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
+                                                     scree_found_list* list)
+{
+	scree_probe probe = {pose, {0.0f, 0.0f}, {0, 0}};
+	return scree_world_list_shapes_sized(world, NULL, shape, &probe, 1, list, sizeof *list);
+}
+static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_found_list* list)
+{
+	scree_pose pose = {{point.x, point.y}, {1.0f, 0.0f}};
+	return scree_world_overlap_shape(world, NULL, pose, list);
+}
+SCREE_API scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_found_list* list,
+                                                     size_t size);
+static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_found_list* list)
+{
+	return scree_world_overlap_box_sized(world, box, list, sizeof *list);
 }
 
 #ifdef __cplusplus

@@ -54,7 +54,8 @@ scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* ti
 		                      .narrow_phase = (float)boxes[BOX_narrow_phase],
 		                      .color = (float)boxes[BOX_color],
 		                      .solve = (float)boxes[BOX_solve],
-		                      .finalize = (float)boxes[BOX_finalize]};
+		                      .finalize = (float)boxes[BOX_finalize],
+		                      .queries = (float)world->pipeline.query_milliseconds};
 	write_result(timings, size, &now, sizeof now);
 	return SCREE_OK;
 }

@@ -176,6 +176,58 @@ typedef struct // 96 bytes: a contact, as reported to the user
 	float unused[2];
 } Listed;
 
+// Queries: what is asked, of which answers, and in what order they are sorted.
+#define QUERY_RAYS    0
+#define QUERY_SHAPES  1
+#define QUERY_NEAREST 2
+
+#define QUERY_CLOSEST 0
+#define QUERY_ANY     1 // only whether there is one
+#define QUERY_ALL     2
+
+#define QUERY_BY_COLLIDABLE 0
+#define QUERY_BY_FRACTION   1
+#define QUERY_BY_QUERY      2
+
+typedef struct // 32 bytes: a collidable as queries see it
+{
+	float x, y, c, s; // world pose
+	int attribute, body, collidable;
+	Word kinds; // a bit for its kind, KIND_STATIC first, and more
+} Seen;
+#define SEEN_LISTENS 0x100u // its category and mask are not 0
+
+typedef struct // 32 bytes: a query as the user writes it: scree_ray, scree_probe
+{
+	Float4 a;                        // origin x, y; path x, y of a ray, else rotation cos, sin
+	Float2 b;                        // radius of a ray, else path x, y; m
+	int ignored, ignored_generation; // body that it does not see, 0 for none
+} Query;
+
+typedef struct // 32 bytes: scree_found
+{
+	int collidable; // as in handles: 1 + index, 0 for none
+	Word generation;
+	float x, y, normal_x, normal_y;
+	float fraction; // of the path; of the nearest, the distance in m
+	Word marks;     // FOUND_* bits
+} Found;
+#define FOUND_HIT    1u
+#define FOUND_INSIDE 0x100u
+
+typedef struct // what is common to the queries of a call
+{
+	Word64 category, mask;
+	Word kinds; // of Seen.kinds, those that are seen
+	int all;    // category and mask have all bits
+	int room;   // answers that the lists have room for
+	int found;  // answers that were found, also without room for them
+	float most; // m: farther collidables are not near
+	int skips;  // what a query begins inside of is not seen
+	int unused[2];
+	Attribute shape; // not of rays
+} QueryPlan;
+
 typedef struct // MAX_LANES spokes; all but the first two are working data of a pass
 {
 	float parts[MAX_LANES];     // of the light end: one per spoke, and one for the hub that it may be

@@ -22,6 +22,10 @@ typedef enum // what a pool has an item for
 	PER_RENDER_ROW,  // collidable, as a renderer sees it
 	PER_LISTED,      // contact of a body that the user asks for
 	PER_EVENT,       // contact of a world in which some collidable reports
+	PER_SEEN,        // leaf, as queries see it
+	PER_SEEN_NODE,   // node, as queries see it
+	PER_QUERY,
+	PER_FOUND, // answer of a query
 	PER_TREE,
 	PER_LEAF,
 	PER_NODE,

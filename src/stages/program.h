@@ -28,5 +28,6 @@
 #include "stages/finalize.h"
 #include "stages/listed.h"
 #include "stages/event.h"
+#include "stages/query.h"
 #include "stages/joint_show.h"
 #include "stages/hash.h"

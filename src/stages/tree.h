@@ -44,20 +44,21 @@ STAGE(tree_leaf)
 	p->node_box[tree->begin[0] + i] = box;
 }
 
-// argument is the tree plus 2 times the level.
-STAGE(tree_node)
+// The box of node i of a level, around those of its children.
+INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
 {
-	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	int level = p->argument >> 1;
 	Float4 box = box_empty();
 	if (i < tree->count[level])
 	{
-		const GLOBAL Float4* child = p->node_box + tree->begin[level - 1] + ARITY * i;
+		const GLOBAL Float4* child = boxes + tree->begin[level - 1] + ARITY * i;
 		for (int k = 0; k < ARITY; ++k)
 			box = box_union(box, child[k]);
 	}
-	p->node_box[tree->begin[level] + i] = box;
+	boxes[tree->begin[level] + i] = box;
 }
+
+// argument is the tree plus 2 times the level.
+STAGE(tree_node) { tree_join(p->node_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
 
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
@@ -112,11 +113,11 @@ STAGE(tree_judge)
 	(void)i;
 }
 
-// The box around all leaves, behind the nodes of the highest level. argument is the tree.
+// The box around all leaves, behind the nodes of the highest level. argument is as that of tree_code.
 STAGE(tree_root)
 {
-	const GLOBAL Tree* tree = p->tree + p->argument;
-	GLOBAL Float4* top = p->node_box + tree->begin[tree->top];
+	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
+	GLOBAL Float4* top = (p->argument & 2 ? p->seen_box : p->node_box) + tree->begin[tree->top];
 	Float4 box = box_empty();
 	for (int k = 0; k < tree->count[tree->top]; ++k)
 		box = box_union(box, top[k]);

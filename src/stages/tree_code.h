@@ -50,16 +50,17 @@ INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 	return whole(minimum(maximum(at, splat(0.0f)), splat(TREE_CELLS)));
 }
 
-// Keys of the leaves: distance of the box's center along the curve, then the collidable. argument is the tree. Dead
-// leaves are sorted last, where the host drops them.
+// Keys of the leaves: distance of the box's center along the curve, then the collidable. argument is the tree, plus 2 for the boxes
+// that queries have. Dead leaves are sorted last, where the host drops them.
 WIDE_STAGE(tree_code)
 {
-	const GLOBAL Tree* tree = p->tree + p->argument;
-	Float4 bounds = p->node_box[tree->begin[tree->top] + ARITY];
+	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
+	GLOBAL Float4* boxes = p->argument & 2 ? p->seen_box : p->node_box;
+	Float4 bounds = boxes[tree->begin[tree->top] + ARITY];
 	float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
 	float cells = side > 0.0f ? TREE_CELLS / side : 0.0f;
 	Real box[4];
-	load_rows4((GLOBAL float*)p->node_box, tree->begin[0] + i, box);
+	load_rows4((GLOBAL float*)boxes, tree->begin[0] + i, box);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
 	// no box has the key of a dead leaf, which has all bits set
 	code = choose_int(code, code - 1, code == -1);

@@ -125,6 +125,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	int solve_most = solve_runs_most(request->substeps);
 	bool moves = request->dt > 0.0f;
 	pipeline->begun = false;
+	pipeline->trees[0].seen = false;
 
 	// reserves the longest list before the step begins, so that a lack of memory cannot break it off
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
@@ -223,7 +224,9 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 		TreeState* state = &pipeline->trees[t];
 		memset(&state->sent, -1, sizeof state->sent);
 		state->touched = true;
+		state->seen = false;
 	}
+	pipeline->named = 0;
 	pipeline->split = false; // the pools of spokes are scratch, not copied
 }
 

@@ -121,6 +121,8 @@ static void shrink_all(Pipeline* pipeline)
 	shrink(pipeline, PER_SPOKE, LEAST_ROOM);
 	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_ROOM);
 	shrink(pipeline, PER_COMMAND, LEAST_ROOM);
+	shrink(pipeline, PER_QUERY, LEAST_ROOM);
+	shrink(pipeline, PER_FOUND, LEAST_ROOM);
 }
 
 bool pipeline_sparse(Pipeline* pipeline)

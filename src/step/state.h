@@ -15,6 +15,8 @@ typedef struct // host side of one tree of the broad phase; tree.c
 	int churned;      // steps in a row in which boxes jumped so far that the leaves were put in order
 	bool ordered;     // the current step orders the leaves because boxes will have jumped
 	bool touched;     // the user changed some box of this tree
+	bool seen;        // the boxes that queries have are those of now
+	int appended;     // leaves, since they were last put in order
 	int* left; // collidables that were destroyed or went to the other tree since the leaves were last put in order
 	int left_count, left_capacity;
 	bool shrunk; // left is incomplete: it had no room for more
@@ -74,10 +76,12 @@ typedef struct
 	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed
 	int64_t steps;
-	int grown;               // times that a pool grew
-	double milliseconds;     // of the last step, by the wall clock
-	double boxes[BOX_COUNT]; // the same by box; zeros unless timings were asked for
-	scree_traffic traffic;   // of the last step
+	uint64_t named;            // version of the handles of collidables that the device has; 0 for none
+	int grown;                 // times that a pool grew
+	double milliseconds;       // of the last step, by the wall clock
+	double boxes[BOX_COUNT];   // the same by box; zeros unless timings were asked for
+	double query_milliseconds; // of the last queries, the same
+	scree_traffic traffic;     // of the last step
 } Pipeline;
 
 #endif

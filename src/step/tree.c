@@ -15,6 +15,13 @@
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
+// The user changed something in a tree.
+static void touch(TreeState* state)
+{
+	state->touched = true;
+	state->seen = false;
+}
+
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
 int tree_nodes(int leaves)
@@ -64,7 +71,7 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 		pipeline->member_capacity = capacity;
 	}
 	TreeState* state = &pipeline->trees[t];
-	state->touched = true;
+	touch(state);
 	pipeline->member[collidable] |= BELONGS(t);
 	if (pipeline->member[collidable] & HAS_LEAF(t))
 		return SCREE_OK;
@@ -102,12 +109,12 @@ void tree_withdraw(Pipeline* pipeline, int collidable)
 	}
 }
 
-void tree_touch(Pipeline* pipeline, int t) { pipeline->trees[t].touched = true; }
+void tree_touch(Pipeline* pipeline, int t) { touch(&pipeline->trees[t]); }
 
 void tree_leave(Pipeline* pipeline, int t, int collidable)
 {
 	TreeState* state = &pipeline->trees[t];
-	state->touched = true;
+	touch(state);
 	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
@@ -139,8 +146,9 @@ scree_status tree_upload(Pipeline* pipeline)
 				return status;
 			state->tree.leaves += state->added_count;
 			state->unsorted += state->added_count;
+			state->appended += state->added_count;
 			state->added_count = 0;
-			state->touched = true;
+			touch(state);
 		}
 		scree_status status = tree_layout(pipeline, t);
 		if (status)
@@ -185,7 +193,9 @@ scree_status tree_ordered(Pipeline* pipeline, int t)
 {
 	TreeState* state = &pipeline->trees[t];
 	state->unsorted = 0;
+	state->appended = 0;
 	state->strayed = 0;
+	state->seen = false;
 	if (!state->shrunk && state->left_count == 0)
 		return SCREE_OK;
 	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)
@@ -233,7 +243,7 @@ scree_status tree_restore(Pipeline* pipeline, int* leaves)
 		if (state->tree.leaves > 0)
 			status = b->f->write(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], state->tree.leaves, from);
 		from += state->tree.leaves;
-		state->touched = true;
+		touch(state);
 		if (!status)
 			status = tree_layout(pipeline, t);
 	}

@@ -37,6 +37,9 @@ void world_destroy(scree_world* world)
 	scree_release(world->host_bodies);
 	scree_release(world->host_collidables);
 	reports_close(world);
+	scree_release(world->queries.found);
+	scree_release(world->queries.query);
+	scree_release(world->queries.first);
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);

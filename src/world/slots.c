@@ -72,6 +72,7 @@ int slots_allocate(Slots* slots)
 {
 	int slot = slots->free_count > 0 ? pop(slots) : slots->used++;
 	++slots->generation[slot];
+	++slots->changes;
 	++slots->alive;
 	return slot;
 }
@@ -79,6 +80,7 @@ int slots_allocate(Slots* slots)
 void slots_free(Slots* slots, int slot)
 {
 	++slots->generation[slot];
+	++slots->changes;
 	--slots->alive;
 	push(slots, slot);
 }
@@ -86,6 +88,7 @@ void slots_free(Slots* slots, int slot)
 void slots_put_back(Slots* slots, int slot, int used)
 {
 	--slots->generation[slot];
+	++slots->changes;
 	--slots->alive;
 	if (slot >= used)
 		--slots->used;

@@ -14,6 +14,7 @@ typedef struct
 	// below that is not zero.
 	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
+	uint64_t changes; // of generations
 } Slots;
 
 // Room for more slots to be allocated without failing; false when there is no memory.

@@ -150,6 +150,7 @@ scree_status world_upload(scree_world* world)
 	if (no_edits(&world->edits) && !world->chains_stale)
 		return SCREE_OK;
 	TRY(reports_fetch(world)); // an upload may change what they refer to
+	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world));
 	auto_count(world, begin);

@@ -110,6 +110,16 @@ typedef struct // events of the last step
 	int rows_capacity;
 } Reports;
 
+typedef struct // the shape of the last queries, checked; the answers of the last call that listed all
+{
+	scree_shape shape;
+	Attribute attribute;
+	Found* found;
+	int* query; // of each answer
+	int* first; // answer of each query, and the end
+	int capacity, query_capacity, first_capacity;
+} Queries;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -139,6 +149,7 @@ struct scree_world
 	int target_count, target_capacity;
 	Edits edits;
 	Reports reports;
+	Queries queries;
 	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;
 	int shared_rows; // rows that fit the memory shared with OpenGL; 0 while none is shared

@@ -423,6 +423,23 @@ static void put_alone(Maker* m, CallKind kind, const char* name, float value)
 	put(m, call);
 }
 
+static void put_ask(Maker* m)
+{
+	Call call = call_make(CALL_ask);
+	call_set(&call, "seed", (float)below(m, 100000));
+	call_set(&call, "x", bounded(m, 4.0f));
+	call_set(&call, "y", bounded(m, 3.0f) + 3.0f);
+	call_set(&call, "size", chance(m, 0.1) ? PICK(m, 0.0f, 1e-6f, 100.0f, 5e4f) : between(m, 0.5f, 6.0f));
+	if (chance(m, 0.7))
+		call_set(&call, "attribute", any_attribute(m));
+	if (chance(m, 0.3))
+		call_set(&call, "kinds", (float)below(m, 16));
+	if (chance(m, 0.2))
+		call_set(&call, "mask", (float)(1 + below(m, 3)));
+	call_set(&call, "body", any_body(m));
+	put(m, call);
+}
+
 static void put_any(Maker* m)
 {
 	// a step costs a GPU as much as dozens of other calls
@@ -447,6 +464,8 @@ static void put_any(Maker* m)
 		chance(m, 0.5) ? put_attribute(m) : chance(m, 0.5) ? put_like(m) : put_drop(m);
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
+	else if (k < 96 && m->asks)
+		put_ask(m);
 	else if (k < 97)
 		put_alone(m, m->moves ? CALL_move : CALL_step, m->moves ? "back" : "substeps",
 		          m->moves ? (float)chance(m, 0.6) : 4.0f);
@@ -485,6 +504,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.jointed = chance(&m, 0.7);
 	m.railed = m.jointed && chance(&m, 0.5);
 	m.reports = chance(&m, 0.5);
+	m.asks = chance(&m, 0.5);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

@@ -23,6 +23,7 @@ typedef struct
 	bool jointed;  // has joints
 	bool railed;   // has paths
 	bool reports;  // some collidables report events
+	bool asks;     // queries
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------

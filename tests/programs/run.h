@@ -61,6 +61,9 @@ scree_status run_path(const Turn* turn);
 scree_status read_paths(const Turn* turn, uint64_t* word);
 scree_status clear_paths(const Turn* turn);
 
+// run_ask.c: queries, with their answers mixed into a word.
+scree_status run_ask(const Turn* turn);
+
 // run_step.c: a step, with its events mixed into a word.
 scree_status run_step(const Turn* turn);
 

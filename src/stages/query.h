@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// query.h -- queries of the user: rays, shapes that move or rest, and the nearest collidable; one item each.
+//
+// docs/queries.md says what the answers are. Of equal fractions or distances the lower index counts, so an answer does not depend
+// on the order of the search.
+#ifndef QUERY_H
+#define QUERY_H
+#include "stages/convex_sum.h"
+#include "stages/query_tree.h"
+
+typedef struct // a query in the world
+{
+	Vec start, turn, path; // of the origin of the shape: m, cos and sin, m
+	float radius;          // m: of a ray
+	int ignored;           // body
+	Float4 box;            // at the start
+	Float4 sides;          // of the box: those that enter first, x and y, then those that leave last
+	Float2 inverse;        // of the path, 1/m
+} Asked;
+
+// a component of a path shorter than this counts as zero, m; and its inverse
+#define QUERY_STILL   1.0e-30f
+#define QUERY_INVERSE 1.0e30f
+
+INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
+
+INLINE Asked query_asked(const Pools* p, int i, int form)
+{
+	Query query = p->query[i];
+	Asked q;
+	q.start = vec(query.a.x, query.a.y);
+	q.turn = vec(1.0f, 0.0f);
+	q.radius = 0.0f;
+	q.ignored = query.ignored;
+	if (form == QUERY_RAYS)
+	{
+		q.path = vec(query.a.z, query.a.w);
+		q.radius = query.b.x;
+		q.box = box_grow(make_float4(q.start.x, q.start.y, q.start.x, q.start.y), q.radius);
+	}
+	else
+	{
+		q.path = vec(query.b.x, query.b.y);
+		q.turn = vec(query.a.z, query.a.w);
+		WorldShape at;
+		at.x = q.start.x;
+		at.y = q.start.y;
+		at.c = q.turn.x;
+		at.s = q.turn.y;
+		q.box = world_box(at, &p->query_plan->shape, 0.0f);
+	}
+	q.inverse = make_float2(query_inverse(q.path.x), query_inverse(q.path.y));
+	int right = q.inverse.x > 0.0f, up = q.inverse.y > 0.0f;
+	q.sides = make_float4(right ? q.box.z : q.box.x, up ? q.box.w : q.box.y, right ? q.box.x : q.box.z,
+	                      up ? q.box.y : q.box.w);
+	return q;
+}
+
+INLINE Found query_nothing(void)
+{
+	Found found;
+	found.collidable = 0;
+	found.generation = 0;
+	found.x = found.y = found.normal_x = found.normal_y = 0.0f;
+	found.fraction = 0.0f;
+	found.marks = 0;
+	return found;
+}
+
+// Writes an answer in the world: a point and a normal in the frame of a seen.
+INLINE void query_place(Found* found, Seen seen, Vec point, Vec normal)
+{
+	Vec turn = vec(seen.c, seen.s);
+	point = vec_turn(turn, point);
+	normal = vec_turn(turn, normal);
+	found->x = seen.x + point.x;
+	found->y = seen.y + point.y;
+	found->normal_x = normal.x;
+	found->normal_y = normal.y;
+}
+
+// The shape of a query against a leaf: where it meets it, or with form QUERY_NEAREST where it is nearest. Returns whether it does.
+// Both are solved for a point that is at q in the frame of the leaf, and the core that is as large as both together.
+INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
+{
+	if (form != QUERY_NEAREST)
+	{
+		*hit = convex_hit(&c, q, path);
+		return hit->hit;
+	}
+	ConvexNearest n = convex_nearest(&c, q);
+	*hit = convex_miss();
+	hit->edge = n.edge;
+	hit->corner = n.corner;
+	hit->normal = n.normal;
+	hit->fraction = n.separation;
+	hit->inside = n.separation <= 0.0f;
+	return 1;
+}
+
+INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, Found* found)
+{
+	const GLOBAL Attribute *a = p->attribute + seen.attribute, *b = &p->query_plan->shape;
+	Vec axes = vec(seen.c, seen.s);
+	Vec q = vec_turn_back(axes, vec(asked->start.x - seen.x, asked->start.y - seen.y));
+	Vec path = vec_turn_back(axes, asked->path), turn = vec_turn_back(axes, asked->turn), point;
+	ConvexHit hit;
+	if (form == QUERY_RAYS || b->count == 1)
+	{
+		float radius = form == QUERY_RAYS ? asked->radius : b->radius;
+		if (form != QUERY_RAYS)
+			q = vec_add(q, vec_turn(turn, shape_corner(b, 0)));
+		if (!query_solve(convex_of(a, radius), form, q, path, &hit))
+			return 0;
+		if (form == QUERY_NEAREST)
+			radius += hit.fraction;
+		else
+			q = vec_add(q, vec_scale(hit.fraction, path));
+		point = vec_sub(q, vec_scale(radius, hit.normal));
+	}
+	else
+	{
+		Sum sum;
+		sum_make(a, b, turn, &sum);
+		if (!query_solve(sum_convex(&sum, a->radius + b->radius), form, q, path, &hit))
+			return 0;
+		if (form != QUERY_NEAREST)
+			q = vec_add(q, vec_scale(hit.fraction, path));
+		point = sum_point(&sum, a, b, turn, q, hit.edge, hit.corner, hit.normal);
+	}
+	if (hit.inside && form != QUERY_NEAREST)
+	{
+		if (p->query_plan->skips)
+			return 0;
+		point = q;
+	}
+	query_place(found, seen, point, hit.normal);
+	found->fraction = hit.fraction;
+	found->marks = FOUND_HIT | (hit.inside ? FOUND_INSIDE : 0u);
+	found->collidable = seen.collidable + 1; // handles count from 1
+	found->generation = p->generation[seen.collidable];
+	return 1;
+}
+
+// How far an answer is, in the unit of the boxes: a fraction, or a squared distance. It is no nearer than its box.
+INLINE float query_measure(Found* found, int form, float apart)
+{
+	if (form != QUERY_NEAREST)
+	{
+		found->fraction = maximum(found->fraction, apart) + 0.0f;
+		return found->fraction;
+	}
+	float separation = maximum(found->fraction, 0.0f);
+	return maximum(separation * separation, apart);
+}
+
+// Whether an answer comes before the best one so far, which is as far.
+INLINE int query_before(Found a, Found b)
+{
+	if (!(b.marks & FOUND_HIT) || a.fraction < b.fraction)
+		return 1;
+	return a.fraction == b.fraction && a.collidable < b.collidable;
+}
+
+// Answers that a CPU worker holds back, because workers would wait for each other at the counter: 16 of them took ten times as long.
+// A GPU combines what neighbors add.
+#define QUERY_HELD (FETCHES ? 16 : 1)
+
+// Lists so many answers of query i.
+INLINE void query_append(const Pools* p, int i, const Found* held, int count)
+{
+	GLOBAL QueryPlan* plan = p->query_plan;
+	int place = atomic_add_int(&plan->found, count);
+	for (int k = 0; k < count && place + k < plan->room; ++k)
+	{
+		p->found[place + k] = held[k];
+		p->found_query[place + k] = i;
+	}
+}
+
+// mode is QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
+INLINE void query_run(const Pools* p, int i, int form, int mode)
+{
+	const GLOBAL QueryPlan* plan = p->query_plan;
+	Asked asked = query_asked(p, i, form);
+	Found best = query_nothing(), held[QUERY_HELD];
+	int holds = 0;
+	float limit = form == QUERY_NEAREST ? plan->most * plan->most : 1.0f;
+	QueryWalk walk;
+	query_begin(p, &walk, plan->kinds);
+	while (walk.count > 0)
+	{
+		--walk.count;
+		if (walk.apart[walk.count] > limit)
+			continue;
+		Word group = walk.group[walk.count];
+		const GLOBAL Tree* tree = p->tree + (group >> 31);
+		int level = (int)(group >> 27 & 15), first = ARITY * (int)(group & 0x7ffffff);
+		const GLOBAL Float4* boxes = p->seen_box + tree->begin[level] + first;
+		float apart[ARITY];
+		Word hits = form == QUERY_NEAREST ? apart8(boxes, asked.box, limit, apart)
+		                                  : beam8(boxes, asked.sides, asked.inverse, limit, apart);
+		if (level > 0)
+		{
+			query_push(&walk, hits, apart, query_group((int)(group >> 31), level - 1, first));
+			continue;
+		}
+		for (int k = 0; k < ARITY; ++k)
+		{
+			if (!(hits >> k & 1) || apart[k] > limit)
+				continue;
+			Seen seen = p->seen[tree->leaf_begin + first + k];
+			Found found = query_nothing();
+			if (!query_accepts(p, plan, seen, asked.ignored) || !query_meets(p, seen, &asked, form, &found))
+				continue;
+			float measure = query_measure(&found, form, apart[k]);
+			if (mode == QUERY_ALL)
+			{
+				held[holds] = found;
+				if (++holds < QUERY_HELD)
+					continue;
+				query_append(p, i, held, holds);
+				holds = 0;
+			}
+			else if (mode == QUERY_ANY)
+			{
+				best = query_nothing();
+				best.marks = FOUND_HIT;
+				walk.count = 0;
+				break;
+			}
+			else if (measure < limit || (measure == limit && query_before(found, best)))
+			{
+				best = found;
+				limit = measure;
+			}
+		}
+	}
+	if (mode != QUERY_ALL)
+		p->found[i] = best;
+	else if (holds > 0)
+		query_append(p, i, held, holds);
+}
+
+STAGE(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
+STAGE(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
+STAGE(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
+
+// Keys by which answers are sorted, one after the other: argument is what the next sort goes by. The lower half is the answer.
+STAGE(query_key)
+{
+	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];
+	Word by = p->argument == QUERY_BY_COLLIDABLE ? (Word)p->found[place].collidable
+	          : p->argument == QUERY_BY_FRACTION ? float_word(p->found[place].fraction)
+	                                             : (Word)p->found_query[place];
+	p->key[i] = (Word64)by << 32 | (Word64)place;
+}
+
+// After the sorts: the answers in order.
+STAGE(query_list)
+{
+	int place = (int)(p->key[i] & (Word64)0xffffffffu);
+	p->found_row[i] = p->found[place];
+	p->found_row_query[i] = p->found_query[place];
+}
+
+#endif

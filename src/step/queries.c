@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// queries.c -- queries of the user on the world as it is now: trees of the poses, searches, answers in order.
+#include "step/queries.h"
+#include "platform/error.h"
+#include "step/dispatch.h"
+#include "step/room.h"
+#include "step/tree.h"
+
+// Room for the answers of a list, at first.
+#define FIRST_ANSWERS 256
+// Leaves are put in order when more than one in so many was appended to the others.
+#define APPENDED_SHARE 8
+
+// most runs that a refit lists: twice the levels of both trees, and an order of each
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
+
+static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
+
+static void list_refit(RunList* list, const Tree* tree, int t)
+{
+	runs_add(list, STAGE_query_leaf, 0, padded(tree->count[0]), NO_COUNT, t);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, STAGE_query_node, 0, padded(tree->count[level]), NO_COUNT, t | level << 1);
+}
+
+// A tree of a world that never made a step has its leaves in the order of their creation.
+static scree_status order(Pipeline* pipeline, int t)
+{
+	RunList* list = &pipeline->list;
+	const Tree* tree = &pipeline->trees[t].tree;
+	list_refit(list, tree, t);
+	runs_add(list, STAGE_tree_root, 0, 1, NO_COUNT, t | 2);
+	runs_add(list, STAGE_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
+	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
+	runs_add(list, STAGE_tree_order, 0, tree->leaves, NO_COUNT, t);
+	TRY(pipeline_run(pipeline, &pipeline->step));
+	pipeline->trees[t].touched = true; // the step's boxes are those of other leaves now
+	return tree_ordered(pipeline, t);
+}
+
+// Trees of the poses now, where they are not known.
+static scree_status refit(Pipeline* pipeline)
+{
+	Backend* b = pipeline->backend;
+	TRY(runs_reserve(&pipeline->list, REFIT_RUNS));
+	TRY(tree_upload(pipeline));
+	TRY(pipeline_reserve(pipeline, PER_SEEN, b->capacity[PER_LEAF]));
+	TRY(pipeline_reserve(pipeline, PER_SEEN_NODE, b->capacity[PER_NODE]));
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		if (state->seen || state->tree.leaves == 0)
+			continue;
+		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
+			TRY(order(pipeline, t));
+		list_refit(&pipeline->list, &state->tree, t);
+		TRY(pipeline_run(pipeline, &pipeline->step));
+		state->seen = true;
+	}
+	return SCREE_OK;
+}
+
+// The time of the device since the last call.
+static scree_status lap(Pipeline* pipeline, const Questions* q)
+{
+	double boxes[BOX_COUNT];
+	if (!q->timings)
+		return SCREE_OK;
+	TRY(pipeline->backend->f->timings(pipeline->backend, boxes));
+	pipeline->query_milliseconds = 0.0;
+	for (int k = 0; k < BOX_COUNT; ++k)
+		pipeline->query_milliseconds += boxes[k];
+	return SCREE_OK;
+}
+
+static scree_status send(Pipeline* pipeline, const Questions* q)
+{
+	Backend* b = pipeline->backend;
+	TRY(lap(pipeline, q));
+	TRY(refit(pipeline));
+	if (pipeline->named != q->version && q->collidables > 0)
+	{
+		TRY(b->f->write(b, POOL_generation, 0, q->collidables, q->generation));
+		pipeline->named = q->version;
+	}
+	TRY(pipeline_reserve(pipeline, PER_QUERY, q->count));
+	return b->f->write(b, POOL_query, 0, q->count, q->items);
+}
+
+static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int room)
+{
+	static const int stages[] = {
+	    [QUERY_RAYS] = STAGE_query_ray, [QUERY_SHAPES] = STAGE_query_shape, [QUERY_NEAREST] = STAGE_query_nearest};
+	Backend* b = pipeline->backend;
+	QueryPlan plan = q->plan;
+	plan.room = room;
+	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
+	Run run = {.stage = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
+	return b->f->run(b, &pipeline->step, &run, 1);
+}
+
+scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found)
+{
+	Backend* b = pipeline->backend;
+	TRY(send(pipeline, q));
+	TRY(pipeline_reserve(pipeline, PER_FOUND, q->count));
+	TRY(search(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST, 0));
+	TRY(b->f->read(b, POOL_found, 0, q->count, found));
+	return lap(pipeline, q);
+}
+
+static scree_status sort(Pipeline* pipeline, const Questions* q, int count)
+{
+	RunList* list = &pipeline->list;
+	TRY(pipeline_reserve(pipeline, PER_KEY, count));
+	TRY(runs_reserve(list, 7));
+	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_COLLIDABLE);
+	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->collidables + 1));
+	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);
+	runs_add_sort(list, count, NO_COUNT, 32, 64);
+	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_QUERY);
+	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->count));
+	runs_add(list, STAGE_query_list, 0, count, NO_COUNT, 0);
+	return pipeline_run(pipeline, &pipeline->step);
+}
+
+scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
+{
+	Backend* b = pipeline->backend;
+	TRY(send(pipeline, q));
+	TRY(pipeline_reserve(pipeline, PER_FOUND, FIRST_ANSWERS));
+	for (;;)
+	{
+		int room = b->capacity[PER_FOUND];
+		QueryPlan plan;
+		TRY(search(pipeline, q, QUERY_ALL, room));
+		TRY(b->f->read(b, POOL_query_plan, 0, 1, &plan));
+		*count = plan.found;
+		if (plan.found <= room)
+			break;
+		TRY(pipeline_reserve(pipeline, PER_FOUND, plan.found));
+	}
+	if (*count > FEW_ANSWERS)
+		TRY(sort(pipeline, q, *count));
+	return lap(pipeline, q);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// queries.h -- queries of the user on the world as it is now: trees of the poses, searches, answers in order.
+#ifndef STEP_QUERIES_H
+#define STEP_QUERIES_H
+#include "step/state.h"
+
+typedef struct // what is asked
+{
+	int form;          // QUERY_RAYS, ...
+	bool any;          // only whether there is an answer
+	QueryPlan plan;    // without room and found
+	const void* items; // of the layout of Query
+	int count;
+	const uint32_t* generation; // of the handles of collidables, so many slots, of this version
+	int collidables;
+	uint64_t version;
+	bool timings;
+} Questions;
+
+// The answer of each query. The user's changes are on the device.
+scree_status queries_answer(Pipeline* pipeline, const Questions* questions, Found* found);
+
+// All answers: sets *count to their number, and lists them in the pools found_row and found_row_query, by their queries, then by
+// their fractions, then by their collidables; or, when there are at most FEW_ANSWERS, in found and found_query, in no order.
+#define FEW_ANSWERS 64
+scree_status queries_list(Pipeline* pipeline, const Questions* questions, int* count);
+
+#endif

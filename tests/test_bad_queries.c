@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// test_bad_queries.c -- every query refuses what it must, says what and where, and changes nothing.
+#include "scree/scree.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "bad_input.h"
+#include <math.h>
+
+static scree_shape box(void)
+{
+	scree_shape shape;
+	assert_ok(scree_shape_make_box(0.5f, 0.5f, &shape));
+	return shape;
+}
+
+static void rays(void** state)
+{
+	(void)state;
+	scree_ray list[2] = {{.translation = {1, 0}}, {.translation = {1, 0}}};
+	scree_found found[2];
+	scree_found_list all;
+	scree_query_def def = scree_query_def_default();
+	INVALID(scree_world_cast_rays, (NULL, NULL, list, 2, found), "world is null");
+	INVALID(scree_world_cast_rays, (world, NULL, NULL, 2, found), "rays is null");
+	INVALID(scree_world_cast_rays, (world, NULL, list, 2, NULL), "found is null");
+	INVALID(scree_world_cast_rays, (world, NULL, list, -1, found), "count is -1");
+	assert_ok(scree_world_cast_rays(world, NULL, NULL, 0, NULL));
+#define RAY(status, change, sentence)                                                          \
+	list[1] = list[0];                                                                         \
+	list[1].change;                                                                            \
+	REFUSED(scree_world_cast_rays, (world, NULL, list, 2, found), status, "rays[1]" sentence); \
+	REFUSED(scree_world_list_rays, (world, NULL, list, 2, &all), status, "rays[1]" sentence)
+	RAY(SCREE_ERROR_INVALID, origin.x = NAN, ".origin.x is nan");
+	RAY(SCREE_ERROR_INVALID, translation.y = INFINITY, ".translation.y is inf");
+	RAY(SCREE_ERROR_INVALID, translation.y = 3e5f, ".translation.y is 300000");
+	RAY(SCREE_ERROR_INVALID, radius = -1, ".radius is -1");
+	RAY(SCREE_ERROR_INVALID, reserved = 7, ".reserved is 7, must be 0");
+	RAY(SCREE_ERROR_STALE, ignored = stale, ".ignored (index 4");
+#undef RAY
+	def.size = 0;
+	INVALID(scree_world_cast_rays, (world, &def, list, 1, found),
+	        "def.size is 0: the definition was not made by scree_query_def_default");
+	def = scree_query_def_default();
+	def.kinds = 64;
+	INVALID(scree_world_cast_rays, (world, &def, list, 1, found), "def.kinds is 64, has bits other than SCREE_QUERY_*");
+	def = scree_query_def_default();
+	def.any = true;
+	INVALID(scree_world_list_rays, (world, &def, list, 1, &all), "def.any is true, but a list has all");
+	INVALID(scree_world_list_rays, (world, NULL, list, 1, NULL), "list is null");
+	INVALID(scree_world_cast_ray, (world, (scree_vec){0, NAN}, (scree_vec){1, 0}, found), "rays[0].origin.y is nan");
+}
+
+static void shapes(void** state)
+{
+	(void)state;
+	scree_shape shape = box(), bad = shape;
+	scree_probe probes[2] = {{.pose = good_pose}, {.pose = good_pose}};
+	scree_found found[2];
+	scree_found_list all;
+	scree_query_def def = scree_query_def_default();
+	bad.vertices[2].x = NAN;
+	INVALID(scree_world_cast_shapes, (world, NULL, &bad, probes, 2, found), "shape.vertices[2].x is nan");
+	bad.count = 9;
+	INVALID(scree_world_cast_shapes, (world, NULL, &bad, probes, 2, found), "shape.count is 9");
+	bad = (scree_shape){0};
+	INVALID(scree_world_cast_shapes, (world, NULL, &bad, probes, 2, found), "shape.count is 0");
+#define PROBE(status, change, sentence)                                                                      \
+	probes[1] = probes[0];                                                                                   \
+	probes[1].change;                                                                                        \
+	REFUSED(scree_world_cast_shapes, (world, NULL, &shape, probes, 2, found), status, "probes[1]" sentence); \
+	REFUSED(scree_world_list_shapes, (world, NULL, &shape, probes, 2, &all), status, "probes[1]" sentence);  \
+	REFUSED(scree_world_find_nearest, (world, NULL, &shape, probes, 2, 1, found), status, "probes[1]" sentence)
+	PROBE(SCREE_ERROR_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
+	PROBE(SCREE_ERROR_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 1)");
+	PROBE(SCREE_ERROR_INVALID, translation.x = NAN, ".translation.x is nan");
+	PROBE(SCREE_ERROR_STALE, ignored = stale, ".ignored (index 4");
+#undef PROBE
+	probes[1] = probes[0];
+	probes[1].translation.x = 1;
+	INVALID(scree_world_find_nearest, (world, NULL, &shape, probes, 2, 1, found), "probes[1].translation.x is 1");
+	probes[1] = probes[0];
+	INVALID(scree_world_find_nearest, (world, NULL, &shape, probes, 2, NAN, found), "distance is nan");
+	INVALID(scree_world_find_nearest, (world, NULL, &shape, probes, 2, -1, found), "distance is -1");
+	def.any = true;
+	INVALID(scree_world_find_nearest, (world, &def, &shape, probes, 2, 1, found),
+	        "def.any is true, but the nearest cannot be any");
+	scree_box flat = {{1, 1}, {1, 2}};
+	assert_refused(scree_world_overlap_box(world, flat, &all), SCREE_ERROR_INVALID,
+	               "scree_world_overlap_box: ", "box has no area: lower is (1, 1), upper (1, 2)");
+	flat.lower.y = NAN;
+	assert_refused(scree_world_overlap_box(world, flat, &all), SCREE_ERROR_INVALID,
+	               "scree_world_overlap_box: ", "box.lower.y is nan");
+}
+
+static void shapes_without_a_world(void** state)
+{
+	(void)state;
+	scree_shape shape = box();
+	scree_distance distance;
+	scree_found found;
+	bool contains;
+	scree_pose bad = {{1, NAN}, {1, 0}};
+	INVALID(scree_shapes_get_distance, (&shape, good_pose, &shape, good_pose, NULL), "distance is null");
+	INVALID(scree_shapes_get_distance, (&shape, good_pose, &shape, bad, &distance), "pose_b.position.y is nan");
+	INVALID(scree_shapes_cast, (&shape, good_pose, &shape, good_pose, (scree_vec){NAN, 0}, &found),
+	        "translation.x is nan");
+	INVALID(scree_shape_cast_ray, (&shape, good_pose, (scree_vec){NAN, 0}, (scree_vec){1, 0}, &found),
+	        "origin.position.x is nan");
+	INVALID(scree_shape_contains, (&shape, good_pose, (scree_vec){NAN, 0}, &contains), "point.x is nan");
+	INVALID(scree_shape_contains, (NULL, good_pose, (scree_vec){1, 0}, &contains), "shape is null");
+	INVALID(scree_shapes_get_impact, (&shape, good_pose, bad, &shape, good_pose, good_pose, &found),
+	        "to_a.position.y is nan");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(rays),
+	    cmocka_unit_test(shapes),
+	    cmocka_unit_test(shapes_without_a_world),
+	};
+	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
+}

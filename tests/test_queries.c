@@ -1,0 +1,696 @@
+// SPDX-License-Identifier: MIT
+// test_queries.c -- rays, moving shapes, overlaps and the nearest, against all pairs in double precision, and equal everywhere.
+#include "exact.h"
+#include "support.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define MOST 400
+
+typedef struct // a collidable as the tests know it
+{
+	scree_collidable handle;
+	scree_body body;
+	scree_filter filter;
+	uint32_t kind; // SCREE_QUERY_*
+	Exact exact;
+	double reach; // m, from the first corner
+} Item;
+
+typedef struct
+{
+	scree_world* world;
+	Item items[MOST];
+	int count;
+	scree_vec center;
+	float size;
+} Place;
+
+static scree_shape random_shape(uint64_t* seed, float scale)
+{
+	scree_shape shape;
+	scree_vec points[6];
+	float r = scale * random_between(seed, 0.2f, 1.0f);
+	switch (random_below(seed, 7))
+	{
+	case 0:
+		OK(scree_shape_make_circle((scree_vec){0.3f * r, 0.0f}, r, &shape));
+		return shape;
+	case 1:
+		OK(scree_shape_make_capsule((scree_vec){-r, 0.1f * r}, (scree_vec){r, 0.2f * r}, 0.4f * r, &shape));
+		return shape;
+	case 2:
+		OK(scree_shape_make_segment((scree_vec){-r, 0.0f}, (scree_vec){2.0f * r, r}, &shape));
+		return shape;
+	case 3:
+		OK(scree_shape_make_box(r, 0.02f * scale + 0.3f * r, &shape));
+		return shape;
+	case 4:
+		OK(scree_shape_make_box(r, r, &shape));
+		return shape;
+	default:
+		for (;;)
+		{
+			for (int k = 0; k < 6; ++k)
+				points[k] = (scree_vec){random_between(seed, -r, r), random_between(seed, -r, r)};
+			float round = random_below(seed, 2) ? 0.3f * r : 0.0f;
+			if (scree_shape_make_hull(points, 6, round, &shape) == SCREE_OK)
+				return shape;
+		}
+	}
+}
+
+static scree_pose random_pose(uint64_t* seed, const Place* place)
+{
+	scree_vec at = {place->center.x + place->size * random_between(seed, -1.0f, 1.0f),
+	                place->center.y + place->size * random_between(seed, -1.0f, 1.0f)};
+	static const float right[] = {0.0f, 1.5707964f, 3.1415927f, -1.5707964f};
+	bool even = random_below(seed, 3) == 0; // parallel edges
+	return (scree_pose){at, scree_rot_make(even ? right[random_below(seed, 4)] : random_between(seed, -3.0f, 3.0f))};
+}
+
+static void fill(Place* place, uint64_t* seed, int bodies, float scale)
+{
+	for (int k = 0; k < bodies; ++k)
+	{
+		scree_body_def def = scree_body_def_default();
+		def.type = (scree_body_type)random_below(seed, 3);
+		def.pose = random_pose(seed, place);
+		scree_attribute_def surface = surface_of(random_shape(seed, scale));
+		def.attribute = add_attribute(place->world, &surface);
+		def.filter.category = 1u << random_below(seed, 4);
+		scree_body body;
+		OK(scree_body_create(place->world, &def, &body));
+		scree_collidable_def more = scree_collidable_def_default();
+		surface = surface_of(random_shape(seed, scale));
+		more.attribute = add_attribute(place->world, &surface);
+		if (random_below(seed, 3) == 0)
+		{
+			more.body = body;
+			more.pose = (scree_pose){{scale, -0.5f * scale}, scree_rot_make(0.4f)};
+			OK(scree_collidable_create(place->world, &more, NULL));
+		}
+		else if (random_below(seed, 3) == 0)
+		{
+			more.pose = random_pose(seed, place);
+			OK(scree_collidable_create(place->world, &more, NULL));
+		}
+	}
+}
+
+static void add_item(Place* place, scree_collidable handle, scree_body body, scree_pose pose, uint32_t kind)
+{
+	Item* item = place->items + place->count++;
+	assert_true(place->count <= MOST);
+	*item = (Item){.handle = handle, .body = body, .kind = kind};
+	scree_attribute attribute;
+	scree_attribute_def surface;
+	scree_pose local;
+	OK(scree_collidable_get_attribute(place->world, handle, &attribute));
+	OK(scree_attribute_get_def(place->world, attribute, &surface));
+	OK(scree_collidable_get_local_pose(place->world, handle, &local));
+	OK(scree_collidable_get_filter(place->world, handle, &item->filter));
+	double c = (double)pose.rotation.c, s = (double)pose.rotation.s, lc = (double)local.rotation.c,
+	       ls = (double)local.rotation.s;
+	double x = (double)pose.position.x + c * (double)local.position.x - s * (double)local.position.y;
+	double y = (double)pose.position.y + s * (double)local.position.x + c * (double)local.position.y;
+	item->exact = exact_at(&surface.shape, x, y, c * lc - s * ls, s * lc + c * ls);
+	for (int k = 0; k < item->exact.count; ++k)
+		item->reach =
+		    fmax(item->reach, hypot(item->exact.x[k] - item->exact.x[0], item->exact.y[k] - item->exact.y[0]));
+	item->reach += item->exact.radius;
+}
+
+// Reads all collidables back.
+static void look(Place* place)
+{
+	static const uint32_t kinds[] = {[SCREE_BODY_STATIC] = SCREE_QUERY_STATIC,
+	                                 [SCREE_BODY_KINEMATIC] = SCREE_QUERY_KINEMATIC,
+	                                 [SCREE_BODY_DYNAMIC] = SCREE_QUERY_DYNAMIC};
+	static scree_body bodies[MOST];
+	static scree_body_state states[MOST];
+	scree_collidable list[MOST];
+	int count, listed;
+	place->count = 0;
+	OK(scree_world_get_states(place->world, bodies, states, MOST, &count));
+	assert_true(count <= MOST);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_body_type type;
+		OK(scree_body_get_type(place->world, bodies[k], &type));
+		OK(scree_body_get_collidables(place->world, bodies[k], list, MOST, &listed));
+		for (int i = 0; i < listed && scree_body_is_enabled(place->world, bodies[k]); ++i)
+			add_item(place, list[i], bodies[k], states[k].pose, kinds[type]);
+	}
+	OK(scree_body_get_collidables(place->world, SCREE_NULL_BODY, list, MOST, &listed));
+	for (int i = 0; i < listed; ++i)
+		add_item(place, list[i], SCREE_NULL_BODY, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}, SCREE_QUERY_FREE);
+}
+
+static bool accepts(const Item* item, const scree_query_def* def, scree_body ignored)
+{
+	return (def->kinds & item->kind) && (def->category & item->filter.mask) && (def->mask & item->filter.category) &&
+	       (scree_body_is_null(ignored) || !scree_body_equals(item->body, ignored));
+}
+
+static const Item* item_of(const Place* place, scree_collidable handle)
+{
+	for (int k = 0; k < place->count; ++k)
+		if (scree_collidable_equals(place->items[k].handle, handle))
+			return place->items + k;
+	fail_msg("collidable %u %u was found, and is not there", handle.index, handle.generation);
+	return NULL;
+}
+
+// Whether item can be met at all by a shape that reaches so far and moves along a path.
+static bool is_away(const Item* item, const Exact* from, double reach, double x, double y)
+{
+	double px = item->exact.x[0] - from->x[0], py = item->exact.y[0] - from->y[0], square = x * x + y * y;
+	double t = square > 0.0 ? fmin(fmax((px * x + py * y) / square, 0.0), 1.0) : 0.0;
+	return hypot(px - t * x, py - t * y) > item->reach + reach + 0.1;
+}
+
+// Checks the first answer, and the list of all, of a shape that moves along a path.
+static void check_cast(const Place* place, const scree_query_def* def, const Exact* from, double reach, scree_vec path,
+                       scree_body ignored, const scree_found* first, const scree_found* all, int count, double slack)
+{
+	double x = (double)path.x, y = (double)path.y, length = hypot(x, y), best = 2.0;
+	int met = 0;
+	for (int k = 0; k < place->count; ++k)
+	{
+		const Item* item = place->items + k;
+		double least = INFINITY, fraction = 2.0;
+		if (accepts(item, def, ignored) && !is_away(item, from, reach, x, y))
+			fraction = exact_meeting(&item->exact, from, x, y, &least);
+		const scree_found* found = NULL;
+		for (int i = 0; i < count; ++i)
+			if (scree_collidable_equals(all[i].collidable, item->handle))
+			{
+				assert_null(found);
+				found = all + i;
+			}
+		if (!found)
+		{
+			if (fraction <= 1.0)
+			{
+				// what is grazed may be missed
+				Exact deep = exact_moved(*from, fraction * x, fraction * y);
+				double depth = 0.0;
+				for (double t = fraction; t <= 1.0; t += 0.002)
+				{
+					deep = exact_moved(*from, t * x, t * y);
+					depth = fmin(depth, exact_distance(&item->exact, &deep));
+				}
+				if (depth < -slack && fraction < 1.0 - slack)
+					fail_msg("item %d of %d corners is met at %g, depth %g, and was not found", k, item->exact.count,
+					         fraction, depth);
+			}
+			continue;
+		}
+		++met;
+		if (least > slack)
+			fail_msg("item %d of %d corners is %g m away, and was found at %g", k, item->exact.count, least,
+			         (double)found->fraction);
+		// a slope that is nearly parallel to the path is met anywhere within the slack
+		Exact there = exact_moved(*from, (double)found->fraction * x, (double)found->fraction * y);
+		double apart = exact_distance(&item->exact, &there);
+		if (found->inside)
+			assert_true(found->fraction == 0.0f && apart <= slack);
+		else if (fabs(apart) > slack)
+			fail_msg("item %d of %d corners is %g m away at the fraction %g of %g m that was found", k,
+			         item->exact.count, apart, (double)found->fraction, length);
+		else
+		{
+			// the point is on the surface, the normal looks from there
+			Exact point = {.count = 1, .x = {(double)found->point.x}, .y = {(double)found->point.y}};
+			NEAR(exact_distance(&item->exact, &point), 0.0, 2.0 * slack);
+			NEAR(hypot((double)found->normal.x, (double)found->normal.y), 1.0, 1e-4);
+			double away = 0.1 * item->exact.radius + 10.0 * slack;
+			point.x[0] += away * (double)found->normal.x;
+			point.y[0] += away * (double)found->normal.y;
+			NEAR(exact_distance(&item->exact, &point), away, 3.0 * slack);
+		}
+		best = fmin(best, (double)found->fraction);
+	}
+	assert_int_equal(met, count);
+	for (int i = 1; i < count; ++i)
+		assert_true(all[i - 1].fraction < all[i].fraction ||
+		            (all[i - 1].fraction == all[i].fraction && all[i - 1].collidable.index < all[i].collidable.index));
+	if (first && count > 0)
+		assert_memory_equal(first, all, sizeof *first);
+	if (first && count == 0)
+		assert_true(!first->hit && scree_collidable_is_null(first->collidable));
+}
+
+#define QUERIES 60
+
+static scree_query_def random_def(uint64_t* seed)
+{
+	scree_query_def def = scree_query_def_default();
+	if (random_below(seed, 3) == 0)
+		def.kinds = 1 + (uint32_t)random_below(seed, 15);
+	if (random_below(seed, 3) == 0)
+		def.mask = 1 + (uint64_t)random_below(seed, 15);
+	return def;
+}
+
+static scree_body random_body(uint64_t* seed, const Place* place)
+{
+	return random_below(seed, 3) ? SCREE_NULL_BODY : place->items[random_below(seed, place->count)].body;
+}
+
+static scree_vec random_path(uint64_t* seed, const Place* place)
+{
+	float length = random_below(seed, 2) ? place->size : 0.1f * place->size;
+	scree_vec path = {length * random_between(seed, -1.0f, 1.0f), length * random_between(seed, -1.0f, 1.0f)};
+	if (random_below(seed, 8) == 0)
+		path.x = 0.0f;
+	if (random_below(seed, 8) == 0)
+		path.y = 0.0f;
+	return path;
+}
+
+static void check_rays(const Place* place, uint64_t* seed, double slack)
+{
+	scree_query_def def = random_def(seed), any = def;
+	any.any = true;
+	scree_ray rays[QUERIES];
+	for (int k = 0; k < QUERIES; ++k)
+		rays[k] = (scree_ray){.origin = random_pose(seed, place).position,
+		                      .translation = random_path(seed, place),
+		                      .radius = random_below(seed, 2) ? 0.0f : random_between(seed, 0.0f, 0.1f * place->size),
+		                      .ignored = random_body(seed, place)};
+	scree_found first[QUERIES], some[QUERIES];
+	scree_found_list list;
+	OK(scree_world_cast_rays(place->world, &def, rays, QUERIES, first));
+	OK(scree_world_cast_rays(place->world, &any, rays, QUERIES, some));
+	OK(scree_world_list_rays(place->world, &def, rays, QUERIES, &list));
+	assert_int_equal(list.first[QUERIES], list.count);
+	for (int k = 0; k < QUERIES; ++k)
+	{
+		Exact from = {.count = 1,
+		              .x = {(double)rays[k].origin.x},
+		              .y = {(double)rays[k].origin.y},
+		              .radius = (double)rays[k].radius};
+		check_cast(place, &def, &from, from.radius, rays[k].translation, rays[k].ignored, first + k,
+		           list.found + list.first[k], list.first[k + 1] - list.first[k], slack);
+		assert_true(some[k].hit == first[k].hit && scree_collidable_is_null(some[k].collidable));
+	}
+}
+
+static void check_shapes(const Place* place, uint64_t* seed, float scale, double slack)
+{
+	for (int turn = 0; turn < 6; ++turn)
+	{
+		scree_query_def def = random_def(seed), any = def;
+		any.any = true;
+		scree_shape shape = random_shape(seed, scale);
+		scree_probe probes[QUERIES / 6];
+		for (int k = 0; k < QUERIES / 6; ++k)
+			probes[k] = (scree_probe){random_pose(seed, place),
+			                          random_below(seed, 3) ? random_path(seed, place) : (scree_vec){0.0f, 0.0f},
+			                          random_body(seed, place)};
+		scree_found first[QUERIES / 6], some[QUERIES / 6];
+		scree_found_list list;
+		OK(scree_world_cast_shapes(place->world, &def, &shape, probes, QUERIES / 6, first));
+		OK(scree_world_cast_shapes(place->world, &any, &shape, probes, QUERIES / 6, some));
+		OK(scree_world_list_shapes(place->world, &def, &shape, probes, QUERIES / 6, &list));
+		for (int k = 0; k < QUERIES / 6; ++k)
+		{
+			scree_pose pose = probes[k].pose;
+			Exact from = exact_at(&shape, (double)pose.position.x, (double)pose.position.y, (double)pose.rotation.c,
+			                      (double)pose.rotation.s);
+			check_cast(place, &def, &from, 2.0 * (double)shape.reach, probes[k].translation, probes[k].ignored,
+			           first + k, list.found + list.first[k], list.first[k + 1] - list.first[k], slack);
+			assert_true(some[k].hit == first[k].hit);
+		}
+	}
+}
+
+static void check_nearest(const Place* place, uint64_t* seed, float scale, double slack)
+{
+	for (int turn = 0; turn < 6; ++turn)
+	{
+		scree_query_def def = random_def(seed);
+		scree_shape shape = random_shape(seed, scale);
+		const scree_shape* given = turn == 0 ? NULL : &shape;
+		if (!given)
+			shape = (scree_shape){.count = 1};
+		scree_probe probes[QUERIES / 6];
+		scree_found found[QUERIES / 6];
+		float most = random_below(seed, 2) ? 4.0f * place->size : scale;
+		for (int k = 0; k < QUERIES / 6; ++k)
+			probes[k] = (scree_probe){random_pose(seed, place), {0.0f, 0.0f}, random_body(seed, place)};
+		OK(scree_world_find_nearest(place->world, &def, given, probes, QUERIES / 6, most, found));
+		for (int k = 0; k < QUERIES / 6; ++k)
+		{
+			scree_pose pose = probes[k].pose;
+			Exact from = exact_at(&shape, (double)pose.position.x, (double)pose.position.y, (double)pose.rotation.c,
+			                      (double)pose.rotation.s);
+			double least = INFINITY;
+			for (int i = 0; i < place->count; ++i)
+				if (accepts(place->items + i, &def, probes[k].ignored))
+					least = fmin(least, exact_distance(&place->items[i].exact, &from));
+			if (!found[k].hit)
+			{
+				assert_true(least > (double)most - slack);
+				continue;
+			}
+			NEAR(found[k].fraction, least, slack);
+			assert_true(found[k].inside == (found[k].fraction <= 0.0f));
+			const Item* item = item_of(place, found[k].collidable);
+			assert_true(accepts(item, &def, probes[k].ignored));
+			NEAR(exact_distance(&item->exact, &from), least, 2.0 * slack);
+			Exact point = {.count = 1, .x = {(double)found[k].point.x}, .y = {(double)found[k].point.y}};
+			if (least > slack)
+			{
+				NEAR(exact_distance(&item->exact, &point), 0.0, 2.0 * slack);
+				NEAR(exact_distance(&from, &point), least, 3.0 * slack);
+			}
+		}
+	}
+}
+
+static void check_place(Place* place, uint64_t* seed, float scale, double slack)
+{
+	look(place);
+	check_rays(place, seed, slack);
+	check_shapes(place, seed, scale, slack);
+	check_nearest(place, seed, scale, slack);
+}
+
+static void all_pairs(float x, float y, float size, float scale, double slack, uint64_t seed)
+{
+	Place* place = calloc(1, sizeof *place);
+	place->world = open_world(0.0f);
+	place->center = (scree_vec){x, y};
+	place->size = size;
+	fill(place, &seed, 100, scale);
+	check_place(place, &seed, scale, slack); // a world that never made a step
+	run_steps(place->world, 3);
+	check_place(place, &seed, scale, slack);
+	for (int k = 0; k < 20; ++k)
+	{
+		scree_body body = place->items[random_below(&seed, place->count)].body;
+		if (scree_body_is_valid(place->world, body) && k % 2)
+			OK(scree_body_destroy(place->world, body));
+		else if (scree_body_is_valid(place->world, body))
+			OK(scree_body_set_pose(place->world, body, random_pose(&seed, place)));
+	}
+	fill(place, &seed, 10, scale);
+	check_place(place, &seed, scale, slack);
+	scree_world_destroy(place->world);
+	free(place);
+}
+
+static void answers_are_exact(void** state)
+{
+	(void)state;
+	for (uint64_t seed = 1; seed <= (quick() ? 1 : 4); ++seed)
+		all_pairs(0.0f, 0.0f, 10.0f, 1.0f, 2e-5, seed);
+}
+
+static void far_away(void** state)
+{
+	(void)state;
+	all_pairs(60000.0f, -70000.0f, 10.0f, 1.0f, 0.03, 5);
+}
+
+static void tiny_and_huge(void** state)
+{
+	(void)state;
+	all_pairs(0.0f, 0.0f, 0.5f, 0.05f, 2e-6, 6);
+	all_pairs(0.0f, 0.0f, 5000.0f, 900.0f, 2e-2, 7);
+}
+
+// Two shapes without a world, against all pairs of corners and edges.
+static void shapes_alone(void** state)
+{
+	(void)state;
+	uint64_t seed = 9;
+	Place place = {.size = 2.0f};
+	for (int k = 0; k < 3000; ++k)
+	{
+		scree_shape a = random_shape(&seed, 1.0f), b = random_shape(&seed, 1.0f);
+		scree_pose at_a = random_pose(&seed, &place), at_b = random_pose(&seed, &place), to_a = at_a, to_b = at_b;
+		scree_vec path = random_path(&seed, &place);
+		scree_distance d;
+		scree_found found;
+		OK(scree_shapes_get_distance(&a, at_a, &b, at_b, &d));
+		Exact one = exact_at(&a, (double)at_a.position.x, (double)at_a.position.y, (double)at_a.rotation.c,
+		                     (double)at_a.rotation.s);
+		Exact two = exact_at(&b, (double)at_b.position.x, (double)at_b.position.y, (double)at_b.rotation.c,
+		                     (double)at_b.rotation.s);
+		double distance = exact_distance(&one, &two), least;
+		NEAR(d.distance, distance, 1e-5);
+		NEAR(hypot((double)(d.point_a.x - d.point_b.x), (double)(d.point_a.y - d.point_b.y)), fabs(distance), 1e-4);
+		OK(scree_shapes_cast(&a, at_a, &b, at_b, path, &found));
+		double fraction = exact_meeting(&one, &two, (double)path.x, (double)path.y, &least);
+		if (fabs(least) > 1e-5 || fraction == 0.0)
+			assert_true(found.hit == (fraction <= 1.0));
+		OK(scree_shape_cast_ray(&a, at_a, at_b.position, path, &found));
+		Exact point = {.count = 1, .x = {(double)at_b.position.x}, .y = {(double)at_b.position.y}};
+		fraction = exact_meeting(&one, &point, (double)path.x, (double)path.y, &least);
+		if (least > 1e-5)
+			assert_true(!found.hit);
+		bool contains;
+		OK(scree_shape_contains(&a, at_a, at_b.position, &contains));
+		if (fabs(exact_distance(&one, &point)) > 1e-5)
+			assert_true(contains == (exact_distance(&one, &point) < 0.0));
+
+		// an impact: no contact before, contact then
+		to_b.position.x += path.x;
+		to_b.position.y += path.y;
+		to_a.rotation = scree_rot_make(random_between(&seed, -3.0f, 3.0f));
+		OK(scree_shapes_get_impact(&a, at_a, to_a, &b, at_b, to_b, &found));
+		double end = found.hit ? (double)found.fraction : 1.0, angle = (double)scree_rot_get_angle(at_a.rotation);
+		double turn = remainder((double)scree_rot_get_angle(to_a.rotation) - angle, 2.0 * PI);
+		for (int i = 0; i <= 100; ++i)
+		{
+			double t = end * (double)i / 100.0;
+			one = exact_at(&a, (double)at_a.position.x, (double)at_a.position.y, cos(angle + t * turn),
+			               sin(angle + t * turn));
+			Exact then = exact_moved(two, t * (double)path.x, t * (double)path.y);
+			if (i < 100 || !found.hit)
+				assert_true(exact_distance(&one, &then) > -1e-4 || found.inside || fabs(fabs(turn) - PI) < 1e-3);
+			else if (!found.inside && fabs(fabs(turn) - PI) > 1e-3)
+				NEAR(exact_distance(&one, &then), 0.0, 4e-4);
+		}
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the same everywhere
+// ---------------------------------------------------------------------------------------------------------------
+
+#define BODIES 300
+#define ASKED  500
+
+static uint64_t hash_more(uint64_t hash, const void* bytes, size_t count)
+{
+	for (size_t k = 0; k < count; ++k)
+		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
+	return hash;
+}
+
+// Asks everything, and adds the answers to a hash.
+static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
+{
+	static scree_ray rays[ASKED];
+	static scree_probe probes[ASKED];
+	static scree_found found[ASKED];
+	scree_shape shape = random_shape(seed, 1.0f);
+	scree_query_def def = random_def(seed);
+	scree_found_list list;
+	for (int k = 0; k < ASKED; ++k)
+	{
+		rays[k] = (scree_ray){.origin = random_pose(seed, place).position, .translation = random_path(seed, place)};
+		rays[k].radius = k % 3 ? 0.0f : 0.3f;
+		probes[k] = (scree_probe){.pose = random_pose(seed, place), .translation = random_path(seed, place)};
+	}
+	OK(scree_world_cast_rays(place->world, &def, rays, ASKED, found));
+	hash = hash_more(hash, found, sizeof found);
+	OK(scree_world_cast_shapes(place->world, &def, &shape, probes, ASKED, found));
+	hash = hash_more(hash, found, sizeof found);
+	OK(scree_world_list_shapes(place->world, &def, &shape, probes, ASKED, &list));
+	hash = hash_more(hash, list.found, (size_t)list.count * sizeof *list.found);
+	OK(scree_world_list_rays(place->world, &def, rays, ASKED / 10, &list));
+	hash = hash_more(hash, list.first, (ASKED / 10 + 1) * sizeof *list.first);
+	for (int k = 0; k < ASKED; ++k)
+		probes[k].translation = (scree_vec){0.0f, 0.0f};
+	OK(scree_world_find_nearest(place->world, &def, random_below(seed, 2) ? &shape : NULL, probes, ASKED, 5.0f, found));
+	return hash_more(hash, found, sizeof found);
+}
+
+// A heap that falls; bodies come, go, change, and are asked for in every step or only now and then.
+static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
+{
+	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
+	scree_world_def def = scree_world_def_default();
+	def.device = way->device;
+	def.threads = way->threads;
+	def.lanes = way->lanes;
+	OK(scree_world_create(&def, &place.world));
+	uint64_t seed = 3, asked = 4, hash = 0xcbf29ce484222325u;
+	scree_body bodies[BODIES];
+	add_floor(place.world);
+	for (int k = 0; k < BODIES; ++k)
+	{
+		scree_attribute_def surface = surface_of(random_shape(&seed, 0.5f));
+		scree_pose pose = random_pose(&seed, &place);
+		bodies[k] = add_body(place.world, k % 10 ? SCREE_BODY_DYNAMIC : (scree_body_type)(k / 10 % 3),
+		                     add_attribute(place.world, &surface), pose.position.x, pose.position.y, 0.3f * (float)k);
+	}
+	for (int step = 0; step < (quick() ? 6 : 20); ++step)
+	{
+		int k = random_below(&seed, BODIES);
+		if (asks)
+			hash = ask_all(&place, &asked, hash);
+		switch (step % 5)
+		{
+		case 0:
+			OK(scree_body_set_pose(place.world, bodies[k], random_pose(&seed, &place)));
+			break;
+		case 1:
+			OK(scree_body_set_enabled(place.world, bodies[k], step % 2));
+			break;
+		case 2:
+			OK(scree_body_set_type(place.world, bodies[k], SCREE_BODY_STATIC));
+			break;
+		case 3:
+			OK(scree_body_destroy(place.world, bodies[k]));
+			bodies[k] = add_box(place.world, SCREE_BODY_DYNAMIC, 0.2f, 0.4f, 0.1f * (float)k, 9.0f);
+			break;
+		default:
+			if (way->other[0])
+				OK(scree_world_move(place.world, step % 2 ? way->other : way->device));
+		}
+		if (asks)
+			hash = ask_all(&place, &asked, hash);
+		OK(scree_world_step(place.world, step == 7 ? 0.0f : STEP, SUBSTEPS));
+	}
+	*world_hash = hash_of(place.world);
+	scree_world_destroy(place.world);
+	return hash;
+}
+
+static void all_devices_agree(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	uint64_t silent, world, other;
+	tell_heap(ways, false, &silent);
+	uint64_t first = tell_heap(ways, true, &world);
+	assert_true(world == silent); // queries change nothing
+	for (int k = 1; k < count; ++k)
+	{
+		if (tell_heap(ways + k, true, &other) != first || other != world)
+			fail_msg("other answers on %s", ways[k].name);
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// hostile worlds
+// ---------------------------------------------------------------------------------------------------------------
+
+// Thousands at one point: all are found, in the order of their indices; a list that is longer than its room grows.
+static void all_at_one_point(void** state)
+{
+	(void)state;
+	enum
+	{
+		COUNT = 3000
+	};
+	scree_world* world = open_world(0.0f);
+	for (int k = 0; k < COUNT; ++k)
+		add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 1.0f, 2.0f);
+	scree_found found;
+	scree_found_list list;
+	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 2.0f}, (scree_vec){10.0f, 0.0f}, &found));
+	assert_true(found.hit && found.collidable.index == 1);
+	NEAR(found.fraction, 0.35, 1e-6);
+	OK(scree_world_overlap_point(world, (scree_vec){1.2f, 2.2f}, &list));
+	assert_int_equal(list.count, COUNT);
+	for (int k = 0; k < COUNT; ++k)
+		assert_true(list.found[k].inside && list.found[k].collidable.index == (uint32_t)k + 1);
+	OK(scree_world_overlap_point(world, (scree_vec){1.6f, 2.2f}, &list));
+	assert_int_equal(list.count, 0);
+	OK(scree_world_overlap_box(world, (scree_box){{1.4f, 2.4f}, {8.0f, 9.0f}}, &list));
+	assert_int_equal(list.count, COUNT);
+	scree_world_destroy(world);
+}
+
+// Rays that begin inside say so, or look through; rays of no length, along edges and through corners have answers.
+static void edges_and_insides(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f);
+	scree_body far = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 1.0f, 6.0f, 0.0f);
+	scree_found found;
+	OK(scree_world_cast_ray(world, (scree_vec){0.5f, 0.0f}, (scree_vec){10.0f, 0.0f}, &found));
+	assert_true(found.hit && found.inside && found.fraction == 0.0f && found.normal.x == 0.0f);
+	scree_query_def def = scree_query_def_default();
+	def.skip_inside = true;
+	scree_ray ray = {.origin = {0.5f, 0.0f}, .translation = {10.0f, 0.0f}};
+	OK(scree_world_cast_rays(world, &def, &ray, 1, &found));
+	assert_true(found.hit && !found.inside && found.collidable.index == 2);
+	NEAR(found.fraction, 0.45, 1e-6);
+	ray.ignored = far;
+	OK(scree_world_cast_rays(world, &def, &ray, 1, &found));
+	assert_true(!found.hit);
+	OK(scree_world_cast_ray(world, (scree_vec){0.5f, 0.0f}, (scree_vec){0.0f, 0.0f}, &found));
+	assert_true(found.hit && found.inside);
+	OK(scree_world_cast_ray(world, (scree_vec){3.0f, 0.0f}, (scree_vec){0.0f, 0.0f}, &found));
+	assert_true(!found.hit);
+	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.0f}, (scree_vec){6.0f, 0.0f}, &found)); // along the top
+	assert_true(found.hit);
+	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.00001f}, (scree_vec){6.0f, 0.0f}, &found));
+	assert_true(!found.hit);
+	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, -3.0f}, (scree_vec){6.0f, 6.0f}, &found)); // into a corner
+	assert_true(found.hit);
+	NEAR(found.fraction, 1.0 / 3.0, 1e-6);
+	OK(scree_body_set_enabled(world, far, false));
+	OK(scree_world_cast_ray(world, (scree_vec){3.0f, 0.0f}, (scree_vec){10.0f, 0.0f}, &found));
+	assert_true(!found.hit);
+	scree_world_destroy(world);
+}
+
+// A shape between two walls that leave it a hair's breadth; a nearest search from inside of several.
+static void tight_places(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_box(world, SCREE_BODY_STATIC, 5.0f, 1.0f, 0.0f, 2.001f);
+	add_box(world, SCREE_BODY_STATIC, 5.0f, 1.0f, 0.0f, -2.001f);
+	scree_shape shape = box_shape(1.0f, 1.0f);
+	scree_found found;
+	scree_pose pose = {{-10.0f, 0.0f}, {1.0f, 0.0f}};
+	OK(scree_world_cast_shape(world, &shape, pose, (scree_vec){20.0f, 0.0f}, &found));
+	assert_true(!found.hit);
+	pose.rotation = scree_rot_make(0.01f);
+	OK(scree_world_cast_shape(world, &shape, pose, (scree_vec){20.0f, 0.0f}, &found));
+	assert_true(found.hit && !found.inside);
+	NEAR(found.fraction, 0.2, 0.01);
+	scree_probe probe = {.pose = {{0.0f, 0.5f}, {1.0f, 0.0f}}};
+	OK(scree_world_find_nearest(world, NULL, &shape, &probe, 1, 1.0f, &found));
+	assert_true(found.hit && found.inside && found.collidable.index == 1);
+	NEAR(found.fraction, -0.499, 1e-4);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(answers_are_exact), cmocka_unit_test(far_away),          cmocka_unit_test(tiny_and_huge),
+	    cmocka_unit_test(all_at_one_point),  cmocka_unit_test(edges_and_insides), cmocka_unit_test(tight_places),
+	    cmocka_unit_test(shapes_alone),      cmocka_unit_test(all_devices_agree),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
