@@ -22,14 +22,15 @@ static const char* const body_keys[] = {"name",
                                         "mask",
                                         "group",
                                         "reports",
+                                        "sensor",
                                         "repeat",
                                         "churn",
                                         "description",
                                         NULL};
 static const char* const churn_keys[] = {"moved",    "replaced",         "position",    "angle",
                                          "velocity", "angular_velocity", "description", NULL};
-static const char* const free_keys[] = {"attribute", "choose",  "position", "angle",       "category", "mask",
-                                        "group",     "reports", "repeat",   "description", NULL};
+static const char* const free_keys[] = {"attribute", "choose",  "position", "angle",  "category",    "mask",
+                                        "group",     "reports", "sensor",   "repeat", "description", NULL};
 
 int block_find(const Scene* scene, const char* name)
 {

@@ -23,12 +23,12 @@ static bool filter_of(const Items* items, const Part* part, scree_filter* filter
 	return true;
 }
 
-static bool reports_of(const Items* items, const Part* part, uint32_t* reports)
+static bool bits_of(const Items* items, const Number* number, uint32_t* bits)
 {
-	double bits;
-	if (!items_value(items, &part->reports, &bits))
+	double value;
+	if (!items_value(items, number, &value))
 		return false;
-	*reports = (uint32_t)bits;
+	*bits = (uint32_t)value;
 	return true;
 }
 
@@ -77,7 +77,8 @@ static bool add_item(Items* items, void* context)
 			return false;
 		if (block->parts.simple)
 			return filter_of(items, &block->parts.list[0], &body->filter) &&
-			       reports_of(items, &block->parts.list[0], &body->reports) &&
+			       bits_of(items, &block->parts.list[0].reports, &body->reports) &&
+			       bits_of(items, &block->parts.list[0].sensor, &body->sensor) &&
 			       choice_of(items, &block->parts.list[0].choice, &body->attribute);
 	}
 	for (int k = 0; k < block->parts.count; ++k)
@@ -85,8 +86,8 @@ static bool add_item(Items* items, void* context)
 		const Part* part = &block->parts.list[k];
 		scree_collidable_def* def = &batch->parts[(size_t)index * (size_t)block->parts.count + (size_t)k];
 		*def = scree_collidable_def_default();
-		if (!filter_of(items, part, &def->filter) || !reports_of(items, part, &def->reports) ||
-		    !choice_of(items, &part->choice, &def->attribute) ||
+		if (!filter_of(items, part, &def->filter) || !bits_of(items, &part->reports, &def->reports) ||
+		    !bits_of(items, &part->sensor, &def->sensor) || !choice_of(items, &part->choice, &def->attribute) ||
 		    !items_pose(items, part->position, &part->angle, &def->pose))
 			return false;
 	}

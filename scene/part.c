@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const part_keys[] = {"attribute", "choose", "position", "angle",  "category",
-                                        "mask",      "group",  "reports",  "repeat", NULL};
+static const char* const part_keys[] = {"attribute", "choose",  "position", "angle",  "category", "mask",
+                                        "group",     "reports", "sensor",   "repeat", NULL};
 
 // Reads a list of bit numbers, because a JSON number cannot hold 64 bits.
 static bool read_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
@@ -34,8 +34,10 @@ static bool read_filter(Reader* reader, const Location* location, const json_t* 
 {
 	part->filter = scree_filter_default();
 	const Range bits = {0, SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS, true, false};
+	const Range sees = {0, SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC | SCREE_SENSOR_SENSORS, true, false};
 	return reader_member(reader, location, object, "group", (Range){-1e9, 1e9, true, false}, 0, &part->group) &&
 	       reader_member(reader, location, object, "reports", bits, 0, &part->reports) &&
+	       reader_member(reader, location, object, "sensor", sees, 0, &part->sensor) &&
 	       read_bits(reader, location, object, "category", &part->filter.category) &&
 	       read_bits(reader, location, object, "mask", &part->filter.mask);
 }
@@ -145,7 +147,8 @@ static bool read_part_entry(Reader* reader, const Location* location, const json
 bool parts_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Parts* parts)
 {
-	static const char* const of_parts[] = {"attribute", "choose", "category", "mask", "group", "reports", NULL};
+	static const char* const of_parts[] = {"attribute", "choose",  "category", "mask",
+	                                       "group",     "reports", "sensor",   NULL};
 	const json_t* list = json_object_get(value, "collidables");
 	parts->simple = !list;
 	if (!list)
@@ -186,6 +189,7 @@ void parts_free(Parts* parts)
 		number_free(&part->angle);
 		number_free(&part->group);
 		number_free(&part->reports);
+		number_free(&part->sensor);
 	}
 	free(parts->list);
 }

@@ -21,6 +21,7 @@ typedef struct // one collidable of each item
 	scree_filter filter; // but for its group
 	Number group;
 	Number reports; // SCREE_REPORT_* bits
+	Number sensor;  // SCREE_SENSOR_* bits
 } Part;
 
 typedef struct // all collidables of each item

@@ -90,11 +90,11 @@ static inline double exact_meeting(const Exact* a, const Exact* b, double x, dou
 		else
 			low = first;
 	}
-	Exact there = exact_moved(*b, low * x, low * y);
+	Exact there = exact_moved(*b, high * x, high * y);
 	*least = exact_distance(a, &there);
 	if (*least > 0.0)
 		return 2.0;
-	double before = 0.0, after = low;
+	double before = 0.0, after = high;
 	for (int k = 0; k < 60; ++k)
 	{
 		double middle = 0.5 * (before + after);

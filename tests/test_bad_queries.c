@@ -97,6 +97,22 @@ static void shapes(void** state)
 	               "scree_world_overlap_box: ", "box.lower.y is nan");
 }
 
+static void sensors(void** state)
+{
+	(void)state;
+	uint32_t bits;
+	int count;
+	scree_visit visit;
+	INVALID(scree_collidable_set_sensor, (world, part, 8), "sensor is 8, must be bits of SCREE_SENSOR_MOVING");
+	STALE(scree_collidable_set_sensor, (world, stale_part, 1), "collidable (index 4");
+	STALE(scree_collidable_get_sensor, (world, stale_part, &bits), "collidable (index 4");
+	INVALID(scree_collidable_get_sensor, (world, part, NULL), "sensor is null");
+	INVALID(scree_collidable_get_visits, (world, part, &visit, 1, &count), "is no sensor");
+	STALE(scree_collidable_get_visits, (world, stale_part, &visit, 1, &count), "sensor (index 4");
+	assert_ok(scree_collidable_get_sensor(world, part, &bits));
+	assert_true(bits == 0);
+}
+
 static void shapes_without_a_world(void** state)
 {
 	(void)state;
@@ -123,6 +139,7 @@ int main(void)
 	    cmocka_unit_test(rays),
 	    cmocka_unit_test(shapes),
 	    cmocka_unit_test(shapes_without_a_world),
+	    cmocka_unit_test(sensors),
 	};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
 }

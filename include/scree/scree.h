@@ -486,6 +486,16 @@ enum // bits of scree_collidable_def.reports: which events list a collidable. On
 	SCREE_REPORT_HITS = 2,    // scree_events.hits
 };
 
+// Bits of scree_body_def.sensor and scree_collidable_def.sensor: what a sensor sees. A sensor touches nothing, and nothing stops at
+// it; it says what overlaps it (scree_events.visits_began, scree_collidable_get_visits). It may belong to a body of any type, or to
+// none, sees nothing of its own body, and adds to the body's mass unless its density is 0. Filters apply, joints do not.
+enum
+{
+	SCREE_SENSOR_MOVING = 1,  // collidables of dynamic and kinematic bodies
+	SCREE_SENSOR_STATIC = 2,  // of static bodies, or without a body
+	SCREE_SENSOR_SENSORS = 4, // other sensors
+};
+
 typedef struct scree_body_def
 {
 	uint32_t size;             // set by scree_body_def_default
@@ -501,6 +511,7 @@ typedef struct scree_body_def
 	uint64_t user;             // user data, not simulated; default 0
 	bool disabled;             // starts disabled, see scree_body_set_enabled; default false
 	uint32_t reports;          // of that collidable: bits of SCREE_REPORT_*; default 0
+	uint32_t sensor;           // of that collidable: bits of SCREE_SENSOR_*; default 0
 } scree_body_def;
 
 static inline scree_body_def scree_body_def_default(void);
@@ -673,6 +684,7 @@ typedef struct scree_collidable_def
 	scree_filter filter;
 	uint64_t user;    // user data, not simulated; default 0
 	uint32_t reports; // bits of SCREE_REPORT_*; default 0
+	uint32_t sensor;  // bits of SCREE_SENSOR_*: what it sees; default 0: it is no sensor
 } scree_collidable_def;
 
 static inline scree_collidable_def scree_collidable_def_default(void);
@@ -718,6 +730,11 @@ SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_colli
 SCREE_API scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable,
                                                     uint32_t* reports);
 SCREE_API scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports);
+
+// From the next step on. What becomes a sensor touches nothing any more: its touches end. What is none any more has no visits.
+SCREE_API scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable,
+                                                   uint32_t* sensor);
+SCREE_API scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor);
 
 // Teleports collidables without a body. Fails with SCREE_ERROR_INVALID if one belongs to a body.
 SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
@@ -1091,6 +1108,15 @@ typedef struct scree_hit // two surfaces met fast
 	int destroyed_a, destroyed_b; // as in scree_contact
 } scree_hit;
 
+typedef struct scree_visit // of a collidable to a sensor
+{
+	scree_collidable sensor, visitor;
+	scree_body body_sensor, body_visitor;    // null for a collidable without a body
+	uint64_t user_sensor, user_visitor;      // user data
+	float time;                              // of the step at which the visit began, or ended: 0 to 1
+	int destroyed_sensor, destroyed_visitor; // as in scree_contact
+} scree_visit;
+
 typedef struct scree_events
 {
 	uint32_t size, contact_size, hit_size; // set by scree_world_get_events
@@ -1109,11 +1135,23 @@ typedef struct scree_events
 	const scree_hit* hits;
 
 	int touches_began_count, touches_ended_count, hit_count;
+
+	// Visits to sensors that began and ended in the step, by index of the sensor, then of the visitor. Each beginning has exactly
+	// one end. What passes through a sensor within the step begins and ends.
+	uint32_t visit_size; // set by scree_world_get_events
+	int visits_began_count, visits_ended_count;
+	const scree_visit* visits_began;
+	const scree_visit* visits_ended;
 } scree_events;
 
 // The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
 // scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
+
+// Writes up to capacity visits to a sensor that lasted at the end of the last step, by index of the visitor, and sets count to their
+// number; .time is when each began, if that was in this step. Fails with SCREE_ERROR_INVALID for a collidable that is no sensor.
+static inline scree_status scree_collidable_get_visits(scree_world* world, scree_collidable sensor, scree_visit* visits,
+                                                       int capacity, int* count);
 
 // Slower and weaker contacts are no hits: m/s and N s, at least 0. From the next step on.
 SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse);
@@ -1138,6 +1176,7 @@ enum // bits of scree_query_def.kinds: collidables that are seen
 	SCREE_QUERY_KINEMATIC = 2, // of kinematic bodies
 	SCREE_QUERY_DYNAMIC = 4,   // of dynamic bodies
 	SCREE_QUERY_FREE = 8,      // without a body
+	SCREE_QUERY_SENSORS = 16,  // sensors, on whatever body; the other bits do not see them
 };
 
 typedef struct scree_query_def // what the queries of a call see
@@ -1458,8 +1497,17 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 		events->size = (uint32_t)sizeof(scree_events);
 		events->contact_size = (uint32_t)sizeof(scree_contact);
 		events->hit_size = (uint32_t)sizeof(scree_hit);
+		events->visit_size = (uint32_t)sizeof(scree_visit);
 	}
 	return scree_world_get_events_sized(world, events);
+}
+
+SCREE_API scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collidable sensor,
+                                                         scree_visit* visits, size_t size, int capacity, int* count);
+static inline scree_status scree_collidable_get_visits(scree_world* world, scree_collidable sensor, scree_visit* visits,
+                                                       int capacity, int* count)
+{
+	return scree_collidable_get_visits_sized(world, sensor, visits, sizeof *visits, capacity, count);
 }
 
 SCREE_API void scree_query_def_default_sized(scree_query_def* def, size_t size);

@@ -44,6 +44,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_bo
 	TRY(check_real(at, ".angular_damping", def->angular_damping, 0.0f, FLT_MAX));
 	TRY(check_locks(at, ".locks", def->locks));
 	TRY(check_reports(at, ".reports", def->reports));
+	TRY(check_sensor(at, ".sensor", def->sensor));
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
@@ -93,7 +94,11 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                   .waiting = host->waiting};
 	if (has_attribute(def))
 	{
-		HostCollidable made = {.body = index, .pose.rotation.c = 1.0f, .filter = def->filter, .reports = def->reports};
+		HostCollidable made = {.body = index,
+		                       .pose.rotation.c = 1.0f,
+		                       .filter = def->filter,
+		                       .reports = def->reports,
+		                       .sensor = def->sensor};
 		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
 		collidable_put(world, slot, &made);
 	}

@@ -28,10 +28,15 @@ static scree_status check_def(const scree_world* world, Where at, const scree_co
 	scree_collidable_def local;
 	TRY(check_definition(at, defs, k, &collidable_definition));
 	const scree_collidable_def* def = definition_at(defs, k, &collidable_definition, &local);
-	*made = (HostCollidable){
-	    .body = -1, .pose = def->pose, .filter = def->filter, .reports = def->reports, .user = def->user};
+	*made = (HostCollidable){.body = -1,
+	                         .pose = def->pose,
+	                         .filter = def->filter,
+	                         .reports = def->reports,
+	                         .sensor = def->sensor,
+	                         .user = def->user};
 	TRY(check_attribute(world, at, ".attribute", def->attribute, &made->attribute));
 	TRY(check_reports(at, ".reports", def->reports));
+	TRY(check_sensor(at, ".sensor", def->sensor));
 	if (!scree_body_is_null(def->body))
 		TRY(check_body(world, at, ".body", def->body, &made->body));
 	return check_pose(at, ".pose", &made->pose);

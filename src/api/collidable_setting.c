@@ -7,6 +7,7 @@
 #include "world/handles.h"
 #include "world/mass.h"
 #include "world/rows.h"
+#include "world/sensors.h"
 #include <string.h>
 
 static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,
@@ -141,8 +142,37 @@ scree_status scree_collidable_set_reports(scree_world* world, scree_collidable c
 	TRY(edits_reserve(world, function, 0, 0, 1));
 	world->reports.reporters += (reports != 0) - (host->reports != 0);
 	host->reports = reports;
-	edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)reports);
+	edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)report_bits(host));
 	world->pipeline.mixed = true;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable, uint32_t* sensor)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_sensor", collidable, "sensor", sensor, &host));
+	*sensor = host->sensor;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor)
+{
+	const char* function = "scree_collidable_set_sensor";
+	TRY(world_check(world, function));
+	int index = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_sensor((Where){function, "sensor", ALONE}, "", sensor));
+	HostCollidable* host = world->host_collidables + index;
+	if (host->sensor == sensor)
+		return SCREE_OK;
+	TRY(edits_reserve(world, function, 0, 1, 0));
+	int kind = collidable_kind(world, index);
+	if (kind != KIND_DEAD)
+		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	sensors_note(world, host->sensor, sensor);
+	host->sensor = sensor;
+	host->born = world->pipeline.steps;
+	edits_collidable(world, index);
 	return SCREE_OK;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // events.c -- what happened in the last step, for the user.
 #include "api/contact_result.h"
+#include "api/visit_result.h"
 #include "world/check.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -10,6 +11,9 @@
 
 // bytes: no struct of events is larger
 #define MOST_SIZE 4096
+
+// of structs from versions that know visits
+#define LEAST_WITH_VISITS (offsetof(scree_events, visits_ended) + sizeof(const scree_visit*))
 
 // The names of both sides of a contact or a hit.
 #define NAME(world, event, first, second, before)                                         \
@@ -47,6 +51,17 @@ static scree_hit hit_at(const scree_world* world, const Listed* row)
 	return hit;
 }
 
+// Writes the rows of visits, and returns where they end.
+static char* visits_at(const scree_world* world, const Visit* visits, int count, char* to, size_t size)
+{
+	for (int k = 0; k < count; ++k, to += size)
+	{
+		scree_visit row = visit_result(world, visits + k);
+		write_result(to, size, &row, sizeof row);
+	}
+	return to;
+}
+
 scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
 {
 	const char* function = "scree_world_get_events";
@@ -54,7 +69,7 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	TRY(check_pointer(function, "events", events));
 	uint32_t least = offsetof(scree_events, hit_count) + sizeof events->hit_count;
 	if (events->size < least || events->size > MOST_SIZE || events->contact_size > MOST_SIZE ||
-	    events->hit_size > MOST_SIZE)
+	    events->hit_size > MOST_SIZE || (events->size >= LEAST_WITH_VISITS && events->visit_size > MOST_SIZE))
 		return refuse(SCREE_ERROR_INVALID, (Where){function, "events", ALONE}, ".size",
 		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
 		              events->contact_size, events->hit_size, function);
@@ -64,6 +79,9 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	size_t contact = events->contact_size, hit = events->hit_size;
 	size_t contacts = (size_t)(counts[EVENT_TOUCH_BEGAN] + counts[EVENT_TOUCH_ENDED]) * contact;
 	size_t bytes = contacts + (size_t)counts[EVENT_HIT] * hit;
+	const Sensors* sensors = &world->sensors;
+	size_t visit = events->size >= LEAST_WITH_VISITS ? events->visit_size : 0;
+	bytes += visit * (size_t)(sensors->began_count + sensors->ended_count);
 	if (bytes > INT32_MAX)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
 	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
@@ -73,7 +91,10 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	                       .hit_size = events->hit_size,
 	                       .touches_began_count = counts[EVENT_TOUCH_BEGAN],
 	                       .touches_ended_count = counts[EVENT_TOUCH_ENDED],
-	                       .hit_count = counts[EVENT_HIT]};
+	                       .hit_count = counts[EVENT_HIT],
+	                       .visit_size = (uint32_t)visit,
+	                       .visits_began_count = sensors->began_count,
+	                       .visits_ended_count = sensors->ended_count};
 	char* to = r->rows;
 	result.touches_began = (const scree_contact*)to;
 	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
@@ -93,6 +114,10 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 		scree_hit row = hit_at(world, r->hits + k);
 		write_result(to, hit, &row, sizeof row);
 	}
+	result.visits_began = (const scree_visit*)to;
+	to = visits_at(world, sensors->began, visit > 0 ? sensors->began_count : 0, to, visit);
+	result.visits_ended = (const scree_visit*)to;
+	visits_at(world, sensors->ended, visit > 0 ? sensors->ended_count : 0, to, visit);
 	write_result(events, result.size, &result, sizeof result);
 	return SCREE_OK;
 }

@@ -20,12 +20,12 @@ static Word64 hash_disabled(const scree_world* world, int body)
 		const HostCollidable* c = world->host_collidables + k;
 		Word64 h = hash_pose(
 		    hash_word(hash_word(hash_begin(HASH_DISABLED_COLLIDABLE, k), (Word)body), (Word)c->attribute), c->pose);
-		sum += hash_Filter(h, filter_row(c->filter, c->reports));
+		sum += hash_Filter(h, filter_row(c->filter, report_bits(c)));
 	}
 	return sum;
 }
 
-// The hash of the targets, the disabled bodies and the paths, which only the host knows.
+// The hash of the targets, the disabled bodies, the paths and the visits, which only the host knows.
 static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
@@ -37,6 +37,9 @@ static uint64_t hidden_hash(const scree_world* world)
 	for (int k = 0; k < world->paths.used; ++k)
 		if (slots_in_use(&world->paths, k))
 			sum += hash_mix(hash_begin(HASH_PATH, k) + world->host_paths[k].name);
+	for (int k = 0; k < world->sensors.visit_count; ++k)
+		sum += hash_mix(
+		    hash_int(hash_begin(HASH_VISIT, world->sensors.visits[k].sensor), world->sensors.visits[k].visitor));
 	return sum;
 }
 

@@ -21,8 +21,9 @@ _Static_assert(sizeof(scree_found) == sizeof(Found) && offsetof(scree_found, fra
                    offsetof(scree_found, hit) == offsetof(Found, marks),
                "an answer is a Found");
 
-#define ALL_BITS  (~(uint64_t)0)
-#define ALL_KINDS (SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE)
+#define ALL_BITS (~(uint64_t)0)
+#define ALL_KINDS \
+	(SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS)
 
 static const DefinitionType query_definition = {
     sizeof(scree_query_def), offsetof(scree_query_def, skip_inside) + sizeof(bool), "scree_query_def_default"};

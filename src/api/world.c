@@ -10,6 +10,7 @@
 #include "world/failure.h"
 #include "world/idle.h"
 #include "world/reports.h"
+#include "world/sensors.h"
 #include "world/targets.h"
 #include "world/tuning.h"
 #include "world/upload.h"
@@ -96,6 +97,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
 	reports_forget(world);
+	sensors_forget(world);
 	TRY(world_upload(world));
 	double begin = auto_clock();
 	StepRequest request = {.dt = dt,
@@ -128,6 +130,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	auto_count(world, begin);
 	TRY(world_note(world, status));
 	world->reports.fetched = false;
+	TRY(world_note(world, sensors_update(world, function)));
 	world->pipeline.milliseconds = milliseconds;
 	const Counters* c = &world->pipeline.counters;
 	if (c->nonfinite > 0 && dt > 0.0f)

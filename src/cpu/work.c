@@ -26,6 +26,7 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_query_ray] = CHUNK_ITEMS,
     [STAGE_query_shape] = CHUNK_ITEMS,
     [STAGE_query_nearest] = CHUNK_ITEMS,
+    [STAGE_sense] = 1,
     [STAGE_hub] = 1,
     [STAGE_chain] = DEALT,
     [STAGE_chain_end] = DEALT,

@@ -75,6 +75,13 @@
 #define REPORT_TOUCHES 1u // its touches begin and end
 #define REPORT_HITS    2u // it hits something, or is hit
 
+// of a collidable that is a sensor: what it sees; in the same word
+#define SENSOR_MOVING  0x100u // what belongs to dynamic and kinematic bodies
+#define SENSOR_STATIC  0x200u // to static ones, or to none
+#define SENSOR_SENSORS 0x400u // other sensors
+#define SENSOR_SHIFT   8
+#define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
+
 // bits of the pool moved
 #define MOVED_BOX 1 // its box differs from old_box
 #define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
@@ -132,7 +139,7 @@ typedef struct // 24 bytes
 {
 	Word64 category, mask;
 	int group;
-	Word reports; // REPORT_* bits
+	Word reports; // REPORT_* and SENSOR_* bits
 } Filter;
 
 typedef struct // 64 bytes: the points of a contact as they were found
@@ -180,6 +187,7 @@ typedef struct // 96 bytes: a contact, as reported to the user
 #define QUERY_RAYS    0
 #define QUERY_SHAPES  1
 #define QUERY_NEAREST 2
+#define QUERY_SENSORS 3 // visits of sensors
 
 #define QUERY_CLOSEST 0
 #define QUERY_ANY     1 // only whether there is one
@@ -193,8 +201,9 @@ typedef struct // 32 bytes: a collidable as queries see it
 {
 	float x, y, c, s; // world pose
 	int attribute, body, collidable;
-	Word kinds; // a bit for its kind, KIND_STATIC first, and more
+	Word kinds; // a bit for its kind, KIND_STATIC first, or of a sensor that for sensors; and more
 } Seen;
+#define SEEN_SENSOR  0x10u
 #define SEEN_LISTENS 0x100u // its category and mask are not 0
 
 typedef struct // 32 bytes: a query as the user writes it: scree_ray, scree_probe

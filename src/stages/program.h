@@ -29,5 +29,6 @@
 #include "stages/listed.h"
 #include "stages/event.h"
 #include "stages/query.h"
+#include "stages/sense.h"
 #include "stages/joint_show.h"
 #include "stages/hash.h"

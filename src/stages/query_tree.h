@@ -17,20 +17,34 @@
 #define QUERY_MARGIN  LINEAR_SLOP
 #define QUERY_SPACING 4.0e-7f
 
-// What every leaf is now. Item i is a leaf of the tree argument.
+// The box of a collidable on its way from the beginning of the step to a pose. A turn moves points off the straight line by less than
+// their distance from the center of mass times 1 minus its cosine.
+INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
+{
+	const GLOBAL Attribute* shape = p->attribute + at.attribute;
+	WorldShape start = p->world_shape[k];
+	float out = absolute(at.x) + absolute(at.y), reach = shape->reach + absolute(at.center_x) + absolute(at.center_y);
+	float bulge = reach * (1.0f - (start.c * at.c + start.s * at.s));
+	return box_union(world_box(at, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge),
+	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
+}
+
+// What every leaf is now. Item i is a leaf of the tree argument; argument is 2 more for boxes of the way in the step.
 STAGE(query_leaf)
 {
-	const GLOBAL Tree* tree = p->tree + p->argument;
+	int t = p->argument & 1;
+	const GLOBAL Tree* tree = p->tree + t;
 	Float4 box = box_empty();
 	if (i < tree->leaves)
 	{
 		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
-		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
+		if (kind != KIND_DEAD && tree_of_kind(kind) == t)
 		{
 			WorldShape at = collidable_place(p, k);
 			Filter filter = p->filter[k];
 			float out = absolute(at.x) + absolute(at.y);
-			box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
+			box = p->argument & 2 ? query_way_box(p, k, at)
+			                      : world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
 			Seen seen;
 			seen.x = at.x;
 			seen.y = at.y;
@@ -39,7 +53,8 @@ STAGE(query_leaf)
 			seen.attribute = at.attribute;
 			seen.body = at.body;
 			seen.collidable = k;
-			seen.kinds = 1u << (kind - 1) | (filter.category && filter.mask ? SEEN_LISTENS : 0u);
+			seen.kinds = (filter.reports & SENSOR_BITS ? SEEN_SENSOR : 1u << (kind - 1)) |
+			             (filter.category && filter.mask ? SEEN_LISTENS : 0u);
 			p->seen[tree->leaf_begin + i] = seen;
 		}
 	}
@@ -78,7 +93,7 @@ INLINE void query_begin(const Pools* p, QueryWalk* walk, Word kinds)
 	walk->count = 0;
 	for (int t = 1; t >= 0; --t)
 	{
-		Word in_tree = t == 1 ? 1u << (KIND_STATIC - 1) : ~(1u << (KIND_STATIC - 1));
+		Word in_tree = t == 1 ? 1u << (KIND_STATIC - 1) | SEEN_SENSOR : ~(1u << (KIND_STATIC - 1));
 		if (p->tree[t].leaves == 0 || !(kinds & in_tree))
 			continue;
 		walk->group[walk->count] = query_group(t, p->tree[t].top, 0);

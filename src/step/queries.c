@@ -16,9 +16,10 @@
 
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
-static void list_refit(RunList* list, const Tree* tree, int t)
+// ways: the boxes are those of the way in the last step.
+static void list_refit(RunList* list, const Tree* tree, int t, bool ways)
 {
-	runs_add(list, STAGE_query_leaf, 0, padded(tree->count[0]), NO_COUNT, t);
+	runs_add(list, STAGE_query_leaf, 0, padded(tree->count[0]), NO_COUNT, t | (ways ? 2 : 0));
 	for (int level = 1; level <= tree->top; ++level)
 		runs_add(list, STAGE_query_node, 0, padded(tree->count[level]), NO_COUNT, t | level << 1);
 }
@@ -28,7 +29,7 @@ static scree_status order(Pipeline* pipeline, int t)
 {
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
-	list_refit(list, tree, t);
+	list_refit(list, tree, t, false);
 	runs_add(list, STAGE_tree_root, 0, 1, NO_COUNT, t | 2);
 	runs_add(list, STAGE_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
 	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
@@ -39,7 +40,7 @@ static scree_status order(Pipeline* pipeline, int t)
 }
 
 // Trees of the poses now, where they are not known.
-static scree_status refit(Pipeline* pipeline)
+static scree_status refit(Pipeline* pipeline, bool ways)
 {
 	Backend* b = pipeline->backend;
 	TRY(runs_reserve(&pipeline->list, REFIT_RUNS));
@@ -49,13 +50,14 @@ static scree_status refit(Pipeline* pipeline)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		if (state->seen || state->tree.leaves == 0)
+		bool moves = ways && t == 0; // static boxes do not
+		if ((state->seen && !moves) || state->tree.leaves == 0)
 			continue;
 		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
 			TRY(order(pipeline, t));
-		list_refit(&pipeline->list, &state->tree, t);
+		list_refit(&pipeline->list, &state->tree, t, moves);
 		TRY(pipeline_run(pipeline, &pipeline->step));
-		state->seen = true;
+		state->seen = !moves;
 	}
 	return SCREE_OK;
 }
@@ -77,7 +79,7 @@ static scree_status send(Pipeline* pipeline, const Questions* q)
 {
 	Backend* b = pipeline->backend;
 	TRY(lap(pipeline, q));
-	TRY(refit(pipeline));
+	TRY(refit(pipeline, q->form == QUERY_SENSORS));
 	if (pipeline->named != q->version && q->collidables > 0)
 	{
 		TRY(b->f->write(b, POOL_generation, 0, q->collidables, q->generation));
@@ -90,7 +92,11 @@ static scree_status send(Pipeline* pipeline, const Questions* q)
 static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int room)
 {
 	static const int stages[] = {
-	    [QUERY_RAYS] = STAGE_query_ray, [QUERY_SHAPES] = STAGE_query_shape, [QUERY_NEAREST] = STAGE_query_nearest};
+	    [QUERY_RAYS] = STAGE_query_ray,
+	    [QUERY_SHAPES] = STAGE_query_shape,
+	    [QUERY_NEAREST] = STAGE_query_nearest,
+	    [QUERY_SENSORS] = STAGE_sense,
+	};
 	Backend* b = pipeline->backend;
 	QueryPlan plan = q->plan;
 	plan.room = room;
@@ -116,8 +122,11 @@ static scree_status sort(Pipeline* pipeline, const Questions* q, int count)
 	TRY(runs_reserve(list, 7));
 	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_COLLIDABLE);
 	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->collidables + 1));
-	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);
-	runs_add_sort(list, count, NO_COUNT, 32, 64);
+	if (q->form != QUERY_SENSORS)
+	{
+		runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);
+		runs_add_sort(list, count, NO_COUNT, 32, 64);
+	}
 	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_QUERY);
 	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->count));
 	runs_add(list, STAGE_query_list, 0, count, NO_COUNT, 0);

@@ -136,6 +136,14 @@ scree_status check_locks(Where at, const char* member, uint32_t locks)
 	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
 }
 
+scree_status check_sensor(Where at, const char* member, uint32_t sensor)
+{
+	if (sensor <= (SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC | SCREE_SENSOR_SENSORS))
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member,
+	              "is %u, must be bits of SCREE_SENSOR_MOVING, SCREE_SENSOR_STATIC and SCREE_SENSOR_SENSORS", sensor);
+}
+
 scree_status check_reports(Where at, const char* member, uint32_t reports)
 {
 	if (reports <= (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS))

@@ -41,6 +41,7 @@ scree_status check_device(Where at, const char* member, const char* device);
 scree_status check_type(Where at, const char* member, scree_body_type type);
 scree_status check_locks(Where at, const char* member, uint32_t locks);
 scree_status check_reports(Where at, const char* member, uint32_t reports);
+scree_status check_sensor(Where at, const char* member, uint32_t sensor);
 scree_status check_velocity(Where at, const char* member, scree_velocity velocity);
 scree_status check_pointer(const char* function, const char* argument, const void* pointer);
 

@@ -6,6 +6,7 @@
 #include "world/edits.h"
 #include "world/memory.h"
 #include "world/reports.h"
+#include "world/sensors.h"
 
 int kind_of_type(scree_body_type type)
 {
@@ -75,6 +76,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 	host->waiting = waiting;
 	++world->host_attributes[host->attribute].collidables;
 	world->reports.reporters += host->reports != 0;
+	sensors_note(world, 0, host->sensor);
 	host->made = host->born = world->pipeline.steps;
 	host->next = host->previous = -1;
 	if (host->body >= 0)
@@ -96,6 +98,7 @@ void collidable_remove(scree_world* world, int index)
 {
 	HostCollidable* host = world->host_collidables + index;
 	reports_depart(world, index);
+	sensors_note(world, host->sensor, 0);
 	if (host->body >= 0)
 	{
 		HostBody* body = world->host_bodies + host->body;

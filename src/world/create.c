@@ -8,6 +8,7 @@
 #include "world/memory.h"
 #include "world/paths.h"
 #include "world/reports.h"
+#include "world/sensors.h"
 #include "world/world.h"
 #include <stdio.h>
 
@@ -37,6 +38,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->host_bodies);
 	scree_release(world->host_collidables);
 	reports_close(world);
+	sensors_close(world);
 	scree_release(world->queries.found);
 	scree_release(world->queries.query);
 	scree_release(world->queries.first);

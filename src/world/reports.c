@@ -25,7 +25,7 @@ scree_status reports_reserve(scree_world* world, const char* function)
 {
 	Reports* r = &world->reports;
 	int old = r->departed_capacity, slots = 2 * world->collidables.capacity;
-	if ((r->reporters == 0 && old == 0) || slots <= old)
+	if ((r->reporters == 0 && world->sensors.alive == 0 && old == 0) || slots <= old)
 		return SCREE_OK;
 	TRY(GROW(function, r->departed, r->departed_capacity, slots));
 	for (int k = old; k < r->departed_capacity; ++k)

@@ -3,7 +3,10 @@
 #ifndef ROWS_H
 #define ROWS_H
 #include "pools/pools.h"
-#include "scree/scree.h"
+#include "world/world.h"
+
+// The bits of a collidable that share a word on the device.
+static inline uint32_t report_bits(const HostCollidable* host) { return host->reports | host->sensor << SENSOR_SHIFT; }
 
 static inline Filter filter_row(scree_filter filter, uint32_t reports)
 {

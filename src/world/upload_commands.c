@@ -40,7 +40,7 @@ static int collidable_commands(const scree_world* world, int k, Command* to)
 		                        .value = pose_row(host->pose)};
 		to[count++] = (Command){.kind = COMMAND_NEXT, .index = index, .whole = {host->next + 1}};
 	}
-	Filter filter = filter_row(host->filter, host->reports);
+	Filter filter = filter_row(host->filter, report_bits(host));
 	to[count] = (Command){.kind = COMMAND_FILTER,
 	                      .index = index,
 	                      .whole = {filter.group, collidable_kind(world, index) | (int)(filter.reports << 8)}};

@@ -72,7 +72,7 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 		*(int*)item = collidable_kind(world, index);
 		break;
 	case POOL_filter:
-		*(Filter*)item = filter_row(host->filter, host->reports);
+		*(Filter*)item = filter_row(host->filter, report_bits(host));
 		break;
 	case POOL_box:
 	case POOL_old_box:

@@ -32,6 +32,7 @@ typedef struct // host data of a collidable
 	scree_pose pose;
 	scree_filter filter;
 	uint32_t reports; // SCREE_REPORT_* bits
+	uint32_t sensor;  // SCREE_SENSOR_* bits
 	uint64_t user;
 	int next, previous; // collidable of the same body, -1 for none; collidable_put sets this member and those below
 	int64_t made;       // Pipeline.steps then
@@ -110,6 +111,32 @@ typedef struct // events of the last step
 	int rows_capacity;
 } Reports;
 
+typedef struct // a collidable that overlapped a sensor in a step
+{
+	int sensor, visitor; // indices
+	float time;          // in the step when it began, or ended: 0 to 1
+	float left;          // when it ended, unless it lasts
+	bool lasts;          // beyond the end of the step
+	bool before;         // the names are those from before the step
+} Visit;
+
+typedef struct
+{
+	int alive;      // collidables that are sensors
+	bool stale;     // queries is to be listed again
+	Query* queries; // one of each sensor, in rising order
+	int count, query_capacity;
+	Visit* visits; // that last, by sensor, then by visitor
+	Visit* next;   // those of the next step, while they are found
+	int visit_count, visit_capacity, next_capacity;
+	Visit *began, *ended; // in the last step
+	int began_count, ended_count, began_capacity, ended_capacity;
+	Visit* found; // in the step, from these rows
+	Found* rows;
+	int* row_queries;
+	int found_capacity, row_capacity, row_query_capacity;
+} Sensors;
+
 typedef struct // the shape of the last queries, checked; the answers of the last call that listed all
 {
 	scree_shape shape;
@@ -150,6 +177,7 @@ struct scree_world
 	Edits edits;
 	Reports reports;
 	Queries queries;
+	Sensors sensors;
 	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;
 	int shared_rows; // rows that fit the memory shared with OpenGL; 0 while none is shared

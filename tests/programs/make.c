@@ -24,6 +24,13 @@ static void set_reports(Maker* m, Call* call)
 		call_set(call, "reports", (float)below(m, 4));
 }
 
+// In a third of the programs there are sensors.
+static void set_sensor(Maker* m, Call* call)
+{
+	if (m->senses && (call->kind == CALL_sensor || chance(m, 0.15)))
+		call_set(call, "sensor", (float)below(m, 8));
+}
+
 static void set_place(Maker* m, Call* call)
 {
 	float x = bounded(m, 4.0f), y = bounded(m, 3.0f);
@@ -157,6 +164,7 @@ static void put_body(Maker* m)
 		call_set(&call, "disabled", 1.0f);
 	set_filter(m, &call);
 	set_reports(m, &call);
+	set_sensor(m, &call);
 	note_type(m, &call, call_value(&call, "body"));
 	m->alive += 1;
 	put(m, call);
@@ -333,7 +341,7 @@ static void put_collidable(Maker* m)
 {
 	CallKind kinds[] = {CALL_collidable, CALL_collidable, CALL_remove, CALL_filter,
 	                    CALL_place,      CALL_dress,      CALL_dress,  CALL_reports};
-	Call call = call_make(kinds[below(m, m->reports ? 8 : 7)]);
+	Call call = call_make(m->senses && chance(m, 0.1) ? CALL_sensor : kinds[below(m, m->reports ? 8 : 7)]);
 	switch (call.kind)
 	{
 	case CALL_collidable:
@@ -342,6 +350,7 @@ static void put_collidable(Maker* m)
 		call_set(&call, "body", chance(m, 0.2) ? -1.0f : any_body(m));
 		set_filter(m, &call);
 		set_reports(m, &call);
+		set_sensor(m, &call);
 		set_place(m, &call);
 		if (call_value(&call, "body") >= 0.0f && chance(m, 0.8))
 		{
@@ -362,6 +371,8 @@ static void put_collidable(Maker* m)
 			set_filter(m, &call);
 		if (call.kind == CALL_reports)
 			set_reports(m, &call);
+		if (call.kind == CALL_sensor)
+			set_sensor(m, &call);
 		if (call.kind == CALL_dress)
 			call_set(&call, "attribute", any_attribute(m));
 	}
@@ -505,6 +516,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.railed = m.jointed && chance(&m, 0.5);
 	m.reports = chance(&m, 0.5);
 	m.asks = chance(&m, 0.5);
+	m.senses = chance(&m, 0.35);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

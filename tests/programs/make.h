@@ -24,6 +24,7 @@ typedef struct
 	bool railed;   // has paths
 	bool reports;  // some collidables report events
 	bool asks;     // queries
+	bool senses;   // some collidables are sensors
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -164,6 +164,7 @@ static scree_status run_body(const Turn* t)
 	def.disabled = call_whole(t, "disabled") != 0;
 	def.filter = filter_of(t);
 	def.reports = (uint32_t)call_whole(t, "reports");
+	def.sensor = (uint32_t)call_whole(t, "sensor");
 	if (call_real(t, "attribute") >= 0.0f)
 		def.attribute = attribute_of(t);
 	scree_body made = {0, 0};
@@ -210,6 +211,7 @@ static scree_status run_collidable(const Turn* t)
 	def.pose = call_pose(t);
 	def.filter = filter_of(t);
 	def.reports = (uint32_t)call_whole(t, "reports");
+	def.sensor = (uint32_t)call_whole(t, "sensor");
 	scree_status status = scree_collidable_create(t->world, &def, &made);
 	int k = call_whole(t, "collidable");
 	if (status == SCREE_OK && k >= 0 && k < MOST_NAMES)
@@ -498,6 +500,8 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
 	case CALL_reports:
 		return scree_collidable_set_reports(t->world, collidable_of(t), (uint32_t)call_whole(t, "reports"));
+	case CALL_sensor:
+		return scree_collidable_set_sensor(t->world, collidable_of(t), (uint32_t)call_whole(t, "sensor"));
 	case CALL_dress:
 		return scree_collidable_set_attribute(t->world, collidable_of(t), attribute_of(t));
 	case CALL_place:

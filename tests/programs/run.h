@@ -7,7 +7,7 @@
 // numbers that a program may give out
 #define MOST_NAMES 8192
 
-typedef struct // touches that began and have not ended: how many, and a sum of their names
+typedef struct // touches and visits that began and have not ended: how many, and a sum of their names
 {
 	int count;
 	uint64_t sum;

@@ -15,6 +15,17 @@ static uint64_t mix_contact(uint64_t word, const scree_contact* c)
 	return read_mixed(read_mixed(word, c->details, points * sizeof c->details[0]), &c->user_a, sizeof c->user_a);
 }
 
+static uint64_t mix_visit(uint64_t word, const scree_visit* v)
+{
+	word = read_mixed(read_mixed(word, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
+	return read_mixed(word, &v->time, sizeof v->time);
+}
+
+static uint64_t name_of_visit(const scree_visit* v)
+{
+	return read_mixed(read_mixed(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
+}
+
 // Counts what began and ended. Where nothing is there any more, nothing may touch.
 static bool balanced(Open* open, const scree_events* events, bool empty)
 {
@@ -22,7 +33,12 @@ static bool balanced(Open* open, const scree_events* events, bool empty)
 		open->sum -= name_of(events->touches_ended + k);
 	for (int k = 0; k < events->touches_began_count; ++k)
 		open->sum += name_of(events->touches_began + k);
+	for (int k = 0; k < events->visits_ended_count; ++k)
+		open->sum -= name_of_visit(events->visits_ended + k);
+	for (int k = 0; k < events->visits_began_count; ++k)
+		open->sum += name_of_visit(events->visits_began + k);
 	open->count += events->touches_began_count - events->touches_ended_count;
+	open->count += events->visits_began_count - events->visits_ended_count;
 	return open->count >= 0 && (open->count > 0 ? !empty : open->sum == 0);
 }
 
@@ -44,6 +60,10 @@ scree_status run_step(const Turn* t)
 		word = mix_contact(word, events.touches_ended + k);
 	for (int k = 0; k < events.hit_count; ++k)
 		word = read_mixed(word, events.hits + k, sizeof events.hits[k]);
+	for (int k = 0; k < events.visits_began_count; ++k)
+		word = mix_visit(word, events.visits_began + k);
+	for (int k = 0; k < events.visits_ended_count; ++k)
+		word = mix_visit(word, events.visits_ended + k);
 	t->left->word = word;
 	return balanced(&t->names->open, &events, counters.collidables == 0) ? SCREE_OK : SCREE_ERROR_DEVICE_FAILED;
 }

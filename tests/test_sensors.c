@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: MIT
+// test_sensors.c -- what sensors see, also within a step; each visit that begins ends once; all devices agree.
+#include "exact.h"
+#include "support.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static scree_collidable add_sensor(scree_world* world, scree_shape shape, uint32_t sees, scree_pose pose)
+{
+	scree_attribute_def surface = surface_of(shape);
+	scree_collidable_def def = scree_collidable_def_default();
+	def.attribute = add_attribute(world, &surface);
+	def.pose = pose;
+	def.sensor = sees;
+	scree_collidable sensor;
+	OK(scree_collidable_create(world, &def, &sensor));
+	return sensor;
+}
+
+static scree_body add_mover(scree_world* world, scree_shape shape, float x, float y, scree_vec velocity)
+{
+	scree_attribute_def surface = surface_of(shape);
+	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), x, y, 0.0f);
+	OK(scree_body_set_linear_velocity(world, body, velocity));
+	return body;
+}
+
+static scree_events events_of(scree_world* world)
+{
+	scree_events events;
+	OK(scree_world_get_events(world, &events));
+	return events;
+}
+
+static int visits_of(scree_world* world, scree_collidable sensor)
+{
+	int count;
+	OK(scree_collidable_get_visits(world, sensor, NULL, 0, &count));
+	return count;
+}
+
+static scree_pose at(float x, float y) { return (scree_pose){{x, y}, {1.0f, 0.0f}}; }
+
+// ---------------------------------------------------------------------------------------------------------------
+// within a step
+// ---------------------------------------------------------------------------------------------------------------
+
+// A sensor of 0.2 m is seen by every circle that flies through it at 60 m/s, a metre per step, from any side; so are the times.
+static void bullets_are_seen(void** state)
+{
+	(void)state;
+	uint64_t seed = 1;
+	int seen = 0;
+	for (int k = 0; k < 1000; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		bool rides = k % 2; // on a kinematic body that moves as well
+		scree_collidable sensor = add_sensor(world, box_shape(0.1f, 0.1f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
+		scree_vec drift = {0.0f, 0.0f};
+		if (rides)
+		{
+			OK(scree_collidable_destroy(world, sensor));
+			scree_attribute_def surface = surface_of(box_shape(0.1f, 0.1f));
+			scree_body_def def = scree_body_def_default();
+			def.type = SCREE_BODY_KINEMATIC;
+			def.attribute = add_attribute(world, &surface);
+			def.sensor = SCREE_SENSOR_MOVING;
+			drift = def.velocity.linear =
+			    (scree_vec){random_between(&seed, -20.0f, 20.0f), random_between(&seed, -20.0f, 20.0f)};
+			OK(scree_body_create(world, &def, NULL));
+		}
+		float angle = random_between(&seed, -3.1f, 3.1f), phase = random_between(&seed, 0.0f, 1.0f), radius = 0.05f;
+		scree_rot way = scree_rot_make(angle);
+		scree_vec velocity = {60.0f * way.c + drift.x, 60.0f * way.s + drift.y};
+		float back = 3.0f + phase;
+		add_mover(world, circle_shape(radius), -back * way.c, -back * way.s, velocity);
+		double begin = -1.0, end = -1.0;
+		int began = 0, ended = 0;
+		for (int step = 0; step < 8; ++step)
+		{
+			run_steps(world, 1);
+			scree_events events = events_of(world);
+			began += events.visits_began_count;
+			ended += events.visits_ended_count;
+			if (events.visits_began_count)
+				begin = step + (double)events.visits_began[0].time;
+			if (events.visits_ended_count)
+				end = step + (double)events.visits_ended[0].time;
+		}
+		// the box as seen by the center of the circle: exact times by bisection
+		scree_shape box = box_shape(0.1f, 0.1f), ball = circle_shape(radius);
+		Exact a = exact_at(&box, 0.0, 0.0, 1.0, 0.0);
+		Exact b = exact_at(&ball, (double)(-back * way.c), (double)(-back * way.s), 1.0, 0.0);
+		double least, path = 8.0;
+		double expected = path * exact_meeting(&a, &b, path * (double)way.c, path * (double)way.s, &least);
+		Exact far = exact_moved(b, path * (double)way.c, path * (double)way.s);
+		double left = path * (1.0 - exact_meeting(&a, &far, -path * (double)way.c, -path * (double)way.s, &least));
+		seen += began == 1 && ended == 1;
+		NEAR(begin, expected, 2e-3);
+		NEAR(end, left, 2e-3);
+		scree_world_destroy(world);
+	}
+	assert_int_equal(seen, 1000);
+}
+
+// What bounces off a wall is not seen by a sensor behind it, and does not stop at one before it.
+static void behind_a_wall(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.1f, 5.0f, 0.0f, 0.0f);
+	scree_collidable behind = add_sensor(world, box_shape(0.2f, 2.0f), SCREE_SENSOR_MOVING, at(0.5f, 0.0f));
+	scree_collidable before = add_sensor(world, box_shape(0.2f, 2.0f), SCREE_SENSOR_MOVING, at(-1.5f, 0.0f));
+	add_mover(world, circle_shape(0.1f), -5.3f, 0.0f, (scree_vec){90.0f, 0.0f});
+	int began = 0, ended = 0;
+	for (int k = 0; k < 30; ++k)
+	{
+		run_steps(world, 1);
+		scree_events events = events_of(world);
+		for (int i = 0; i < events.visits_began_count; ++i)
+			assert_true(scree_collidable_equals(events.visits_began[i].sensor, before));
+		began += events.visits_began_count;
+		ended += events.visits_ended_count;
+	}
+	assert_true(began >= 1 && ended == began && visits_of(world, behind) == 0);
+	scree_world_destroy(world);
+}
+
+// A thin bar that turns by a quarter within a step sweeps a sensor beside it.
+static void turning_bars(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body bar = add_mover(world, box_shape(2.0f, 0.02f), 0.0f, 0.0f, (scree_vec){0.0f, 0.0f});
+	add_sensor(world, box_shape(0.05f, 0.05f), SCREE_SENSOR_MOVING, at(1.2f, 1.2f));
+	OK(scree_body_set_angular_velocity(world, bar, 94.0f)); // 1.57 rad in a step
+	run_steps(world, 1);
+	scree_events events = events_of(world);
+	assert_true(events.visits_began_count == 1 && events.visits_ended_count == 1);
+	assert_true(events.visits_began[0].time > 0.3f && events.visits_ended[0].time < 0.7f);
+	assert_true(events.visits_began[0].time < events.visits_ended[0].time);
+	scree_world_destroy(world);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// who is seen
+// ---------------------------------------------------------------------------------------------------------------
+
+static void kinds_and_filters(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_collidable moving = add_sensor(world, box_shape(1.0f, 1.0f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
+	scree_collidable still = add_sensor(world, box_shape(1.0f, 1.0f), SCREE_SENSOR_STATIC, at(0.0f, 0.0f));
+	scree_collidable all = add_sensor(world, box_shape(1.0f, 1.0f), 7, at(0.0f, 0.0f));
+	add_box(world, SCREE_BODY_STATIC, 0.1f, 0.1f, 0.5f, 0.5f);
+	add_box(world, SCREE_BODY_KINEMATIC, 0.1f, 0.1f, -0.5f, 0.5f);
+	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, -0.5f, -0.5f);
+	scree_attribute_def surface = surface_of(box_shape(0.1f, 0.1f));
+	scree_collidable_def def = scree_collidable_def_default();
+	def.attribute = add_attribute(world, &surface);
+	OK(scree_collidable_create(world, &def, NULL)); // without a body
+	// a sensor on a static and one on a dynamic body, which do not see their own
+	scree_collidable own;
+	def.body = crate;
+	def.sensor = 7;
+	OK(scree_collidable_create(world, &def, &own));
+	run_steps(world, 1);
+	assert_int_equal(visits_of(world, moving), 2);
+	assert_int_equal(visits_of(world, still), 2);
+	assert_int_equal(visits_of(world, all), 4 + 3); // and three sensors
+	assert_int_equal(visits_of(world, own), 3);     // the three large sensors; small ones are elsewhere
+	scree_filter filter = scree_filter_default();
+	filter.mask = 2;
+	OK(scree_collidable_set_filter(world, all, filter));
+	run_steps(world, 1);
+	assert_int_equal(visits_of(world, all), 0);
+	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // own does not see all any more
+	// queries see sensors when asked
+	scree_found found;
+	scree_query_def query = scree_query_def_default();
+	scree_ray ray = {.origin = {-3.0f, 0.9f}, .translation = {6.0f, 0.0f}};
+	OK(scree_world_cast_rays(world, &query, &ray, 1, &found));
+	assert_true(!found.hit);
+	query.kinds = SCREE_QUERY_SENSORS;
+	OK(scree_world_cast_rays(world, &query, &ray, 1, &found));
+	assert_true(found.hit && scree_collidable_equals(found.collidable, moving));
+	scree_world_destroy(world);
+}
+
+// A body in a sensor for two minutes begins once; disabled, enabled, destroyed and made anew each counts once.
+static void one_end_for_each_beginning(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	add_floor(world);
+	scree_collidable sensor = add_sensor(world, box_shape(2.0f, 1.0f), SCREE_SENSOR_MOVING, at(0.0f, 0.5f));
+	scree_body crate = add_mover(world, box_shape(0.5f, 0.5f), 0.0f, 4.0f, (scree_vec){0.0f, 0.0f});
+	int began = 0, ended = 0;
+	for (int k = 0; k < (quick() ? 300 : 7200); ++k)
+	{
+		run_steps(world, 1);
+		began += events_of(world).visits_began_count;
+		ended += events_of(world).visits_ended_count;
+	}
+	assert_true(began == 1 && ended == 0 && visits_of(world, sensor) == 1);
+	OK(scree_body_set_enabled(world, crate, false));
+	run_steps(world, 1);
+	assert_true(events_of(world).visits_ended_count == 1 && !events_of(world).visits_ended[0].destroyed_visitor);
+	OK(scree_body_set_enabled(world, crate, true));
+	run_steps(world, 1);
+	assert_int_equal(events_of(world).visits_began_count, 1);
+
+	// another one in the same slot: one end of the old, one beginning of the new
+	scree_visit visit;
+	int count;
+	OK(scree_collidable_get_visits(world, sensor, &visit, 1, &count));
+	scree_pose pose;
+	OK(scree_body_get_pose(world, crate, &pose));
+	OK(scree_body_destroy(world, crate));
+	crate = add_mover(world, box_shape(0.5f, 0.5f), pose.position.x, pose.position.y, (scree_vec){0.0f, 0.0f});
+	run_steps(world, 1);
+	scree_events events = events_of(world);
+	assert_true(events.visits_ended_count == 1 && events.visits_began_count == 1);
+	assert_true(events.visits_ended[0].destroyed_visitor && !events.visits_began[0].destroyed_visitor);
+	assert_true(scree_collidable_equals(events.visits_ended[0].visitor, visit.visitor));
+	assert_true(scree_body_equals(events.visits_began[0].body_visitor, crate));
+
+	// a crate becomes a sensor, and solid again; the sensor goes
+	scree_collidable own = events.visits_began[0].visitor;
+	OK(scree_collidable_set_sensor(world, own, SCREE_SENSOR_STATIC));
+	run_steps(world, 1);
+	assert_true(events_of(world).visits_ended_count == 1 &&
+	            events_of(world).visits_began_count == 1); // it sees the floor
+	run_steps(world, 5);
+	assert_true(position_of(world, crate).y < 0.49f); // and falls through
+	OK(scree_collidable_set_sensor(world, own, 0));
+	run_steps(world, 1);
+	assert_true(events_of(world).visits_ended_count == 1 && events_of(world).visits_began_count == 1);
+	OK(scree_collidable_destroy(world, sensor));
+	run_steps(world, 1);
+	assert_true(events_of(world).visits_ended_count == 1 && events_of(world).visits_ended[0].destroyed_sensor);
+	run_steps(world, 1);
+	assert_true(events_of(world).visits_ended_count == 0 && events_of(world).visits_began_count == 0);
+	scree_world_destroy(world);
+}
+
+// Three hundred at one point, and 90 km away.
+static void crowds_and_distance(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	for (int k = 0; k < 300; ++k)
+		add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_collidable here = add_sensor(world, circle_shape(0.2f), SCREE_SENSOR_MOVING, at(0.3f, 0.0f));
+	scree_collidable there = add_sensor(world, circle_shape(1.0f), SCREE_SENSOR_MOVING, at(90000.0f, -80000.0f));
+	add_mover(world, circle_shape(0.5f), 89997.0f, -80000.0f, (scree_vec){200.0f, 0.0f});
+	run_steps(world, 1);
+	assert_int_equal(visits_of(world, here), 300);
+	int ended = 0;
+	for (int k = 0; k < 5; ++k)
+	{
+		run_steps(world, 1);
+		ended += events_of(world).visits_ended_count;
+	}
+	assert_true(ended == 1 && visits_of(world, there) == 0);
+	scree_world_destroy(world);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// against all pairs, and everywhere
+// ---------------------------------------------------------------------------------------------------------------
+
+#define HEAP 80
+
+typedef struct // what a run said
+{
+	uint64_t hash; // of all events
+	int began, open, deep;
+} Told;
+
+static uint64_t mix(uint64_t hash, const void* bytes, size_t count)
+{
+	for (size_t k = 0; k < count; ++k)
+		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
+	return hash;
+}
+
+static scree_body add_random(scree_world* world, uint64_t* seed, bool sensors)
+{
+	scree_shape shapes[4];
+	float r = random_between(seed, 0.1f, 0.5f);
+	shapes[0] = circle_shape(r);
+	shapes[1] = box_shape(r, 0.5f * r);
+	OK(scree_shape_make_capsule((scree_vec){-r, 0.0f}, (scree_vec){r, 0.0f}, 0.3f * r, shapes + 2));
+	scree_vec corners[3] = {{-r, -r}, {r, -r}, {0.0f, r}};
+	OK(scree_shape_make_polygon(corners, 3, 0.1f * r, shapes + 3));
+	scree_attribute_def surface = surface_of(shapes[random_below(seed, 4)]);
+	scree_body_def def = scree_body_def_default();
+	def.attribute = add_attribute(world, &surface);
+	def.type = random_below(seed, 8) ? SCREE_BODY_DYNAMIC : (scree_body_type)random_below(seed, 2);
+	def.pose = (scree_pose){{random_between(seed, -4.0f, 4.0f), random_between(seed, 0.2f, 6.0f)},
+	                        scree_rot_make(random_between(seed, -3.0f, 3.0f))};
+	def.velocity.linear = (scree_vec){random_between(seed, -9.0f, 9.0f), random_between(seed, -9.0f, 9.0f)};
+	uint32_t sees = random_below(seed, 4) ? 0 : 1 + (uint32_t)random_below(seed, 7);
+	def.sensor = sensors ? sees : 0;
+	scree_body body;
+	OK(scree_body_create(world, &def, &body));
+	return body;
+}
+
+static Exact exact_of(scree_world* world, scree_collidable collidable)
+{
+	scree_body body;
+	scree_attribute attribute;
+	scree_attribute_def surface;
+	scree_pose pose;
+	OK(scree_collidable_get_body(world, collidable, &body));
+	OK(scree_collidable_get_attribute(world, collidable, &attribute));
+	OK(scree_attribute_get_def(world, attribute, &surface));
+	OK(scree_body_get_pose(world, body, &pose));
+	return exact_at(&surface.shape, (double)pose.position.x, (double)pose.position.y, (double)pose.rotation.c,
+	                (double)pose.rotation.s);
+}
+
+// The visits of each sensor against all pairs. The world has one collidable per body.
+static void check_visits(scree_world* world, const scree_body* bodies)
+{
+	for (int k = 0; k < HEAP; ++k)
+	{
+		scree_collidable sensor, other;
+		scree_visit visits[HEAP];
+		uint32_t sees, its;
+		int count, one;
+		OK(scree_body_get_collidables(world, bodies[k], &sensor, 1, &one));
+		OK(scree_collidable_get_sensor(world, sensor, &sees));
+		if (!sees || !scree_body_is_enabled(world, bodies[k]))
+			continue;
+		OK(scree_collidable_get_visits(world, sensor, visits, HEAP, &count));
+		Exact a = exact_of(world, sensor);
+		for (int i = 0; i < HEAP; ++i)
+		{
+			if (i == k || !scree_body_is_enabled(world, bodies[i]))
+				continue;
+			scree_body_type type;
+			OK(scree_body_get_collidables(world, bodies[i], &other, 1, &one));
+			OK(scree_collidable_get_sensor(world, other, &its));
+			OK(scree_body_get_type(world, bodies[i], &type));
+			bool wanted = its                         ? sees & SCREE_SENSOR_SENSORS
+			              : type == SCREE_BODY_STATIC ? sees & SCREE_SENSOR_STATIC
+			                                          : sees & SCREE_SENSOR_MOVING;
+			Exact b = exact_of(world, other);
+			double apart = exact_distance(&a, &b);
+			bool found = false;
+			for (int n = 0; n < count; ++n)
+				found |= scree_collidable_equals(visits[n].visitor, other);
+			if (fabs(apart) > 1e-5 && found != (wanted && apart < 0.0))
+				fail_msg("sensor %d and body %d are %g m apart, wanted %d, found %d", k, i, apart, wanted, found);
+		}
+	}
+}
+
+static Told tell_heap(const Way* way, int steps, bool checks)
+{
+	Told told = {.hash = 0xcbf29ce484222325u};
+	scree_world_def def = scree_world_def_default();
+	def.device = way->device;
+	def.threads = way->threads;
+	def.lanes = way->lanes;
+	scree_world* world;
+	OK(scree_world_create(&def, &world));
+	uint64_t seed = 21;
+	scree_body bodies[HEAP];
+	add_floor(world);
+	for (int k = 0; k < HEAP; ++k)
+		bodies[k] = add_random(world, &seed, true);
+	for (int step = 0; step < steps; ++step)
+	{
+		OK(scree_world_step(world, step % 40 == 39 ? 0.0f : STEP, SUBSTEPS));
+		scree_events events = events_of(world);
+		told.hash = mix(told.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
+		told.hash = mix(told.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
+		told.began += events.visits_began_count;
+		told.open += events.visits_began_count - events.visits_ended_count;
+		if (checks && step % 10 == 0)
+			check_visits(world, bodies);
+		int k = random_below(&seed, HEAP);
+		scree_collidable own;
+		int one;
+		OK(scree_body_get_collidables(world, bodies[k], &own, 1, &one));
+		switch (random_below(&seed, 7))
+		{
+		case 0:
+			OK(scree_body_destroy(world, bodies[k]));
+			bodies[k] = add_random(world, &seed, true);
+			break;
+		case 1:
+			OK(scree_body_set_enabled(world, bodies[k], random_below(&seed, 2)));
+			break;
+		case 2:
+			OK(scree_collidable_set_sensor(world, own, (uint32_t)random_below(&seed, 8)));
+			break;
+		case 3:
+			OK(scree_body_set_type(world, bodies[k], (scree_body_type)random_below(&seed, 3)));
+			break;
+		case 4:
+			OK(scree_body_set_pose(world, bodies[k], at(random_between(&seed, -4.0f, 4.0f), 3.0f)));
+			break;
+		case 5:
+			OK(scree_body_set_linear_velocity(world, bodies[k],
+			                                  (scree_vec){random_between(&seed, -80.0f, 80.0f), 20.0f}));
+			break;
+		default:
+			if (way->other[0])
+				OK(scree_world_move(world, step % 2 ? way->other : way->device));
+		}
+	}
+	told.hash ^= hash_of(world);
+	OK(scree_bodies_destroy(world, bodies, HEAP));
+	run_steps(world, 1);
+	told.open -= events_of(world).visits_ended_count;
+	assert_int_equal(told.open, 0);
+	scree_world_destroy(world);
+	return told;
+}
+
+static void all_devices_agree(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways), steps = quick() ? 60 : 300;
+	Told first = tell_heap(ways, steps, true);
+	assert_true(first.began > steps / 2);
+	for (int k = 1; k < count; ++k)
+	{
+		Told other = tell_heap(ways + k, steps, false);
+		if (other.hash != first.hash || other.began != first.began)
+			fail_msg("other visits on %s", ways[k].name);
+	}
+}
+
+// A world with a sensor over everything moves like the world without it.
+static void sensors_change_no_motion(void** state)
+{
+	(void)state;
+	scree_vec last[2][HEAP];
+	for (int turn = 0; turn < 2; ++turn)
+	{
+		scree_world* world = open_world(-10.0f);
+		uint64_t seed = 5;
+		scree_body bodies[HEAP];
+		add_floor(world);
+		for (int k = 0; k < HEAP; ++k)
+			bodies[k] = add_random(world, &seed, false);
+		if (turn)
+			add_sensor(world, box_shape(20.0f, 20.0f), 7, at(0.0f, 0.0f));
+		run_steps(world, 200);
+		for (int k = 0; k < HEAP; ++k)
+			last[turn][k] = position_of(world, bodies[k]);
+		scree_world_destroy(world);
+	}
+	assert_memory_equal(last[0], last[1], sizeof last[0]);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(bullets_are_seen),
+	    cmocka_unit_test(behind_a_wall),
+	    cmocka_unit_test(turning_bars),
+	    cmocka_unit_test(kinds_and_filters),
+	    cmocka_unit_test(one_end_for_each_beginning),
+	    cmocka_unit_test(crowds_and_distance),
+	    cmocka_unit_test(sensors_change_no_motion),
+	    cmocka_unit_test(all_devices_agree),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
