@@ -5,16 +5,24 @@
 #include "step/queries.h"
 #include "world/world.h"
 
-// Checks what all queries have: the definition, and count items in two arrays.
+typedef struct // the items of a call, for their check
+{
+	const scree_world* world;
+	const char* function;
+	const void* items;
+	int count;
+	float longest; // m: a component of a translation
+} Asking;
+
+// Checks what all queries have: the definition, and count items in an array. asking must live as long as questions.
 scree_status query_check(scree_world* world, const char* function, const scree_query_def* def, const void* items,
-                         const char* items_name, int count, Questions* questions);
+                         const char* items_name, int count, Asking* asking, Questions* questions);
 
 // The shape of a query, null for a point, as the device takes it.
 scree_status query_shape_of(const char* function, const char* argument, const scree_shape* shape, Attribute* to);
 
-// The rays, or the probes with their shape, null for a point. moves: their translations need not be 0.
-scree_status query_check_rays(scree_world* world, const char* function, const scree_ray* rays, Questions* questions);
-scree_status query_check_probes(scree_world* world, const char* function, const scree_shape* shape,
-                                const scree_probe* probes, bool moves, Questions* questions);
+// The items are rays; or probes with a shape, null for a point, which is checked at once.
+void query_rays(Asking* asking, Questions* questions);
+scree_status query_probes(scree_world* world, const scree_shape* shape, Asking* asking, Questions* questions);
 
 #endif

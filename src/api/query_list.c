@@ -90,9 +90,10 @@ scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_d
                                          int count, scree_found_list* to, size_t size)
 {
 	const char* function = "scree_world_list_rays";
+	Asking asking;
 	Questions questions;
-	TRY(query_check(world, function, def, rays, "rays", count, &questions));
-	TRY(query_check_rays(world, function, rays, &questions));
+	TRY(query_check(world, function, def, rays, "rays", count, &asking, &questions));
+	query_rays(&asking, &questions);
 	return list(world, function, &questions, to, size);
 }
 
@@ -100,9 +101,10 @@ scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query
                                            const scree_probe* probes, int count, scree_found_list* to, size_t size)
 {
 	const char* function = "scree_world_list_shapes";
+	Asking asking;
 	Questions questions;
-	TRY(query_check(world, function, def, probes, "probes", count, &questions));
-	TRY(query_check_probes(world, function, shape, probes, true, &questions));
+	TRY(query_check(world, function, def, probes, "probes", count, &asking, &questions));
+	TRY(query_probes(world, shape, &asking, &questions));
 	return list(world, function, &questions, to, size);
 }
 
@@ -119,8 +121,9 @@ scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, sc
 		            decimal(box.upper.y).text);
 	TRY(scree_shape_make_box(half_x, half_y, &shape));
 	scree_probe probe = {.pose = {{box.lower.x + half_x, box.lower.y + half_y}, {1.0f, 0.0f}}};
+	Asking asking;
 	Questions questions;
-	TRY(query_check(world, function, NULL, &probe, "box", 1, &questions));
-	TRY(query_check_probes(world, function, &shape, &probe, true, &questions));
+	TRY(query_check(world, function, NULL, &probe, "box", 1, &asking, &questions));
+	TRY(query_probes(world, &shape, &asking, &questions));
 	return list(world, function, &questions, to, size);
 }

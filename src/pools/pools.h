@@ -93,6 +93,7 @@
 #define KIND_KINEMATIC 2
 #define KIND_DYNAMIC   3
 #define KIND_FREE      4 // without a body
+#define KIND_SENSOR    8 // added to the kind of a sensor
 
 // contact_flags
 #define CONTACT_COUNT    3u    // mask of the number of points

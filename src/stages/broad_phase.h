@@ -82,8 +82,11 @@ STAGE(broad_phase_begin)
 	(void)i;
 }
 
-// static collidables have no pairs in the tree of static collidables
-INLINE int broad_phase_trees(int kind) { return kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1; }
+// static collidables have no pairs in the tree of static collidables, and sensors have none at all
+INLINE int broad_phase_trees(int kind)
+{
+	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
+}
 
 // A box that overlaps thousands of leaves would keep one work-item busy after all others are done. What such a walk
 // leaves undone is listed.

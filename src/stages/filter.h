@@ -4,22 +4,18 @@
 #define FILTER_H
 #include "pools/pools.h"
 
-INLINE int filter_matches(Filter a, Filter b)
+INLINE int filter_accepts(Filter a, Filter b)
 {
 	if (a.group != 0 && a.group == b.group)
 		return a.group > 0;
 	return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
-// A sensor touches nothing.
-INLINE int filter_accepts(Filter a, Filter b)
-{
-	return !((a.reports | b.reports) & SENSOR_BITS) && filter_matches(a, b);
-}
-
-// one of the two must be able to move, or be made for detection
+// one of the two must be able to move, or be made for detection; a sensor touches nothing
 INLINE int kinds_meet(int a, int b)
 {
+	if ((a | b) & KIND_SENSOR)
+		return 0;
 	return a == KIND_DYNAMIC || b == KIND_DYNAMIC || a == KIND_FREE || b == KIND_FREE;
 }
 

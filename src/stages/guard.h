@@ -92,7 +92,8 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 	way.center = vec(world_shape.center_x, world_shape.center_y);
 	way.reach = attribute->reach - attribute->radius + absolute(way.center.x) + absolute(way.center.y);
 	float swing = absolute(turn) * way.reach;
-	if (!(absolute(path.x) + absolute(path.y) + swing > GUARD_TRAVEL * thickness))
+	if (p->collidable_kind[i] & KIND_SENSOR ||
+	    !(absolute(path.x) + absolute(path.y) + swing > GUARD_TRAVEL * thickness))
 		return guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 
 	Float4 box = world_box(world_shape, attribute, 0.0f);
@@ -105,7 +106,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 		for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
 		{
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
-			if (!filter_accepts(p->filter[i], p->filter[j]))
+			if (p->collidable_kind[j] != KIND_STATIC || !filter_accepts(p->filter[i], p->filter[j]))
 				continue;
 			Vec normal = vec(0.0f, 0.0f);
 			float share = guard_time(p, p->world_shape[j], world_shape, way, thickness, &normal);

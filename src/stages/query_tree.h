@@ -53,7 +53,7 @@ STAGE(query_leaf)
 			seen.attribute = at.attribute;
 			seen.body = at.body;
 			seen.collidable = k;
-			seen.kinds = (filter.reports & SENSOR_BITS ? SEEN_SENSOR : 1u << (kind - 1)) |
+			seen.kinds = (kind & KIND_SENSOR ? SEEN_SENSOR : 1u << (kind - 1)) |
 			             (filter.category && filter.mask ? SEEN_LISTENS : 0u);
 			p->seen[tree->leaf_begin + i] = seen;
 		}

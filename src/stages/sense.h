@@ -159,7 +159,7 @@ STAGE(sense)
 			Seen seen = p->seen[tree->leaf_begin + first + k];
 			Found visit = query_nothing();
 			if (!(seen.kinds & kinds) || seen.collidable == sensor || (body >= 0 && seen.body == body) ||
-			    !filter_matches(filter, p->filter[seen.collidable]) || !sense_visit(p, sensor, at, seen, &visit))
+			    !filter_accepts(filter, p->filter[seen.collidable]) || !sense_visit(p, sensor, at, seen, &visit))
 				continue;
 			query_append(p, i, &visit, 1);
 		}

@@ -19,7 +19,7 @@
 // leaves that is bent once.
 #define STRAY_BOXES 64.0f
 
-INLINE int tree_of_kind(int kind) { return kind == KIND_STATIC; }
+INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
 
 // Leaves between the one that is read and the one whose box is fetched.
 #define LEAF_SOON 16

@@ -102,7 +102,8 @@ static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int
 	plan.room = room;
 	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
 	Run run = {.stage = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
-	return b->f->run(b, &pipeline->step, &run, 1);
+	TRY(b->f->run(b, &pipeline->step, &run, 1));
+	return q->check ? q->check(q->context) : SCREE_OK;
 }
 
 scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found)

@@ -15,6 +15,9 @@ typedef struct // what is asked
 	int collidables;
 	uint64_t version;
 	bool timings;
+	// of the items, while the device works: an answer is read only if they are good. Searches end whatever the items are
+	scree_status (*check)(const void* context);
+	const void* context; // of check
 } Questions;
 
 // The answer of each query. The user's changes are on the device.

@@ -27,6 +27,12 @@ int collidable_kind(const scree_world* world, int index)
 	return kind_on_body(world, world->host_collidables[index].body);
 }
 
+int device_kind(const scree_world* world, int index)
+{
+	int kind = collidable_kind(world, index);
+	return kind != KIND_DEAD && world->host_collidables[index].sensor ? kind | KIND_SENSOR : kind;
+}
+
 scree_status collidables_reserve(scree_world* world, const char* function, int more)
 {
 	if (world->collidables.alive + more > MAX_ITEMS)

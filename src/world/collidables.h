@@ -17,6 +17,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 
 int collidable_kind(const scree_world* world, int index); // KIND_DEAD also on a disabled body
+int device_kind(const scree_world* world, int index);     // the same with KIND_SENSOR, as the device has it
 int kind_on_body(const scree_world* world, int body);     // of a collidable of this body, -1 for none
 int kind_of_type(scree_body_type type);
 

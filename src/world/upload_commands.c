@@ -43,7 +43,7 @@ static int collidable_commands(const scree_world* world, int k, Command* to)
 	Filter filter = filter_row(host->filter, report_bits(host));
 	to[count] = (Command){.kind = COMMAND_FILTER,
 	                      .index = index,
-	                      .whole = {filter.group, collidable_kind(world, index) | (int)(filter.reports << 8)}};
+	                      .whole = {filter.group, device_kind(world, index) | (int)(filter.reports << 8)}};
 	Word words[4] = {(Word)filter.category, (Word)(filter.category >> 32), (Word)filter.mask,
 	                 (Word)(filter.mask >> 32)};
 	memcpy(&to[count].value, words, sizeof words);

@@ -69,7 +69,7 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 		*(int*)item = host->next + 1;
 		break;
 	case POOL_collidable_kind:
-		*(int*)item = collidable_kind(world, index);
+		*(int*)item = device_kind(world, index);
 		break;
 	case POOL_filter:
 		*(Filter*)item = filter_row(host->filter, report_bits(host));
