@@ -109,6 +109,13 @@ static void sensors(void** state)
 	INVALID(scree_collidable_get_sensor, (world, part, NULL), "sensor is null");
 	INVALID(scree_collidable_get_visits, (world, part, &visit, 1, &count), "is no sensor");
 	STALE(scree_collidable_get_visits, (world, stale_part, &visit, 1, &count), "sensor (index 4");
+	scree_collidable pair[2] = {part, stale_part};
+	uint32_t two[2] = {1, 1};
+	STALE(scree_collidables_set_reports, (world, pair, two, 2), "collidables[1] (index 4");
+	pair[1] = part;
+	two[1] = 4;
+	INVALID(scree_collidables_set_reports, (world, pair, two, 2), "reports[1] is 4");
+	INVALID(scree_world_get_moved, (world, NULL), "list is null");
 	assert_ok(scree_collidable_get_sensor(world, part, &bits));
 	assert_true(bits == 0);
 }

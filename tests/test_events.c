@@ -40,6 +40,25 @@ static scree_events events_of(scree_world* world)
 	return events;
 }
 
+static int moved_of(scree_world* world, scree_body* first)
+{
+	scree_moved_list list;
+	OK(scree_world_get_moved(world, &list));
+	for (int k = 1; k < list.count; ++k)
+		assert_true(list.moved[k - 1].body.index < list.moved[k].body.index);
+	*first = list.count > 0 ? list.moved[0].body : SCREE_NULL_BODY;
+	for (int k = 0; k < list.count; ++k)
+	{
+		scree_pose pose;
+		scree_velocity velocity;
+		OK(scree_body_get_pose(world, list.moved[k].body, &pose));
+		OK(scree_body_get_velocity(world, list.moved[k].body, &velocity));
+		assert_memory_equal(&pose, &list.moved[k].pose, sizeof pose);
+		assert_memory_equal(&velocity, &list.moved[k].velocity, sizeof velocity);
+	}
+	return list.count;
+}
+
 // ---------------------------------------------------------------------------------------------------------------
 // what events say
 // ---------------------------------------------------------------------------------------------------------------
@@ -422,6 +441,69 @@ static Ledger tell_heap(const Way* way, int steps)
 	return ledger;
 }
 
+// Bodies that moved are listed once: by motion, by the user, and new ones, also in a slot that was given away.
+static void the_moved_are_told(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_world_def def = scree_world_def_default();
+		scree_world* world;
+		scree_body first, bodies[3];
+		def.device = ways[k].device;
+		def.threads = ways[k].threads;
+		def.lanes = ways[k].lanes;
+		OK(scree_world_create(&def, &world));
+		scree_body ground = add_floor(world);
+		bodies[0] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 5.0f);
+		bodies[1] = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 9.0f, 5.0f);
+		bodies[2] = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -9.0f, 5.0f);
+		OK(scree_body_set_user(world, bodies[2], 8));
+		assert_int_equal(moved_of(world, &first), 4);
+		assert_true(scree_body_equals(first, ground));
+		assert_int_equal(moved_of(world, &first), 0);
+		run_steps(world, 2);
+		if (ways[k].other[0])
+			OK(scree_world_move(world, ways[k].other));
+		assert_int_equal(moved_of(world, &first), 1);
+		assert_true(scree_body_equals(first, bodies[0]));
+		OK(scree_body_set_pose(world, bodies[1], (scree_pose){{9.0f, 6.0f}, {1.0f, 0.0f}}));
+		assert_int_equal(moved_of(world, &first), 1);
+		assert_true(scree_body_equals(first, bodies[1]));
+		OK(scree_body_destroy(world, bodies[2]));
+		bodies[2] = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -9.0f, 5.0f);
+		assert_int_equal(moved_of(world, &first), 1);
+		assert_true(scree_body_equals(first, bodies[2]));
+		assert_int_equal(moved_of(world, &first), 0);
+		scree_world_destroy(world);
+	}
+}
+
+// A joint above its threshold is among the events, and in the list of joints.
+static void joints_are_listed(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	def.body_b = load;
+	def.force_threshold = 5.0f; // it weighs 10 N
+	def.user = 77;
+	scree_joint joint;
+	OK(scree_joint_create(world, &def, &joint));
+	run_steps(world, 3);
+	scree_events events = events_of(world);
+	assert_int_equal(events.joint_count, 1);
+	assert_true(scree_joint_equals(events.joints[0].joint, joint) && events.joints[0].user == 77);
+	NEAR(events.joints[0].force, 10.0, 0.1);
+	OK(scree_joint_set_thresholds(world, joint, 50.0f, 50.0f, false));
+	run_steps(world, 1);
+	assert_int_equal(events_of(world).joint_count, 0);
+	scree_world_destroy(world);
+}
+
 static void all_devices_agree(void** state)
 {
 	(void)state;
@@ -446,6 +528,8 @@ int main(void)
 	    cmocka_unit_test(the_destroyed_are_named),
 	    cmocka_unit_test(bullets_hit),
 	    cmocka_unit_test(reports_change),
+	    cmocka_unit_test(the_moved_are_told),
+	    cmocka_unit_test(joints_are_listed),
 	    cmocka_unit_test(all_devices_agree),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

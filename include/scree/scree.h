@@ -726,10 +726,13 @@ SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_col
                                                    scree_filter filter); // recreates its contacts
 SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user);
 SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
-// From the next step on. A touch that began with the old bits still ends.
+// From the next step on. A touch that began with the old bits still ends. scree_collidables_set_reports sets as many at once; on
+// failure none has changed.
 SCREE_API scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable,
                                                     uint32_t* reports);
 SCREE_API scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports);
+SCREE_API scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
+                                                     const uint32_t* reports, int count);
 
 // From the next step on. What becomes a sensor touches nothing any more: its touches end. What is none any more has no visits.
 SCREE_API scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable,
@@ -1142,11 +1145,36 @@ typedef struct scree_events
 	int visits_began_count, visits_ended_count;
 	const scree_visit* visits_began;
 	const scree_visit* visits_ended;
+
+	// Joints whose force or torque exceeded a threshold, by index: as scree_world_get_joint_events.
+	uint32_t joint_size; // set by scree_world_get_events
+	int joint_count;
+	const scree_joint_event* joints;
 } scree_events;
 
 // The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
 // scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
+
+typedef struct scree_moved // a body at another pose than before
+{
+	scree_body body;
+	uint64_t user; // user data
+	scree_pose pose;
+	scree_velocity velocity;
+} scree_moved;
+
+typedef struct scree_moved_list
+{
+	uint32_t size, moved_size; // set by scree_world_get_moved
+	int count;
+	const scree_moved* moved; // by index
+} scree_moved_list;
+
+// The bodies whose poses have changed since the last call, by motion or by the user, and those made since: what a renderer or a
+// network has to know. The first call lists all bodies. The array belongs to the world; it is valid until the next call of this
+// function, or until the world is destroyed. The device puts the list together, and only the list is read.
+static inline scree_status scree_world_get_moved(scree_world* world, scree_moved_list* list);
 
 // Writes up to capacity visits to a sensor that lasted at the end of the last step, by index of the visitor, and sets count to their
 // number; .time is when each began, if that was in this step. Fails with SCREE_ERROR_INVALID for a collidable that is no sensor.
@@ -1498,6 +1526,7 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 		events->contact_size = (uint32_t)sizeof(scree_contact);
 		events->hit_size = (uint32_t)sizeof(scree_hit);
 		events->visit_size = (uint32_t)sizeof(scree_visit);
+		events->joint_size = (uint32_t)sizeof(scree_joint_event);
 	}
 	return scree_world_get_events_sized(world, events);
 }
@@ -1508,6 +1537,17 @@ static inline scree_status scree_collidable_get_visits(scree_world* world, scree
                                                        int capacity, int* count)
 {
 	return scree_collidable_get_visits_sized(world, sensor, visits, sizeof *visits, capacity, count);
+}
+
+SCREE_API scree_status scree_world_get_moved_sized(scree_world* world, scree_moved_list* list); // with the sizes set
+static inline scree_status scree_world_get_moved(scree_world* world, scree_moved_list* list)
+{
+	if (list)
+	{
+		list->size = (uint32_t)sizeof(scree_moved_list);
+		list->moved_size = (uint32_t)sizeof(scree_moved);
+	}
+	return scree_world_get_moved_sized(world, list);
 }
 
 SCREE_API void scree_query_def_default_sized(scree_query_def* def, size_t size);

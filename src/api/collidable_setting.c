@@ -129,22 +129,45 @@ scree_status scree_collidable_get_reports(const scree_world* world, scree_collid
 	return SCREE_OK;
 }
 
+static scree_status set_reports(scree_world* world, const char* function, const char* argument,
+                                const scree_collidable* collidables, const uint32_t* reports, int count, bool alone)
+{
+	for (int k = 0; k < count; ++k)
+	{
+		int index;
+		TRY(check_collidable(world, (Where){function, argument, alone ? ALONE : k}, collidables[k], &index));
+		TRY(check_reports((Where){function, "reports", alone ? ALONE : k}, "", reports[k]));
+	}
+	TRY(edits_reserve(world, function, 0, 0, count));
+	for (int k = 0; k < count; ++k)
+	{
+		int index = (int)collidables[k].index - 1;
+		HostCollidable* host = world->host_collidables + index;
+		if (host->reports == reports[k])
+			continue;
+		world->reports.reporters += (reports[k] != 0) - (host->reports != 0);
+		host->reports = reports[k];
+		edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)report_bits(host));
+		world->pipeline.mixed = true;
+	}
+	return SCREE_OK;
+}
+
 scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports)
 {
 	const char* function = "scree_collidable_set_reports";
 	TRY(world_check(world, function));
-	int index = 0;
-	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
-	TRY(check_reports((Where){function, "reports", ALONE}, "", reports));
-	HostCollidable* host = world->host_collidables + index;
-	if (host->reports == reports)
-		return SCREE_OK;
-	TRY(edits_reserve(world, function, 0, 0, 1));
-	world->reports.reporters += (reports != 0) - (host->reports != 0);
-	host->reports = reports;
-	edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)report_bits(host));
-	world->pipeline.mixed = true;
-	return SCREE_OK;
+	return set_reports(world, function, "collidable", &collidable, &reports, 1, true);
+}
+
+scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
+                                           const uint32_t* reports, int count)
+{
+	const char* function = "scree_collidables_set_reports";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "collidables", collidables, count));
+	TRY(check_batch(function, "reports", reports, count));
+	return set_reports(world, function, "collidables", collidables, reports, count, false);
 }
 
 scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable, uint32_t* sensor)

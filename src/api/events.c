@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // events.c -- what happened in the last step, for the user.
 #include "api/contact_result.h"
-#include "api/visit_result.h"
+#include "api/visits.h"
 #include "world/check.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -12,8 +12,8 @@
 // bytes: no struct of events is larger
 #define MOST_SIZE 4096
 
-// of structs from versions that know visits
-#define LEAST_WITH_VISITS (offsetof(scree_events, visits_ended) + sizeof(const scree_visit*))
+// of structs from versions that know visits and joints
+#define LEAST_WITH_VISITS (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 
 // The names of both sides of a contact or a hit.
 #define NAME(world, event, first, second, before)                                         \
@@ -69,7 +69,8 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	TRY(check_pointer(function, "events", events));
 	uint32_t least = offsetof(scree_events, hit_count) + sizeof events->hit_count;
 	if (events->size < least || events->size > MOST_SIZE || events->contact_size > MOST_SIZE ||
-	    events->hit_size > MOST_SIZE || (events->size >= LEAST_WITH_VISITS && events->visit_size > MOST_SIZE))
+	    events->hit_size > MOST_SIZE ||
+	    (events->size >= LEAST_WITH_VISITS && (events->visit_size > MOST_SIZE || events->joint_size > MOST_SIZE)))
 		return refuse(SCREE_ERROR_INVALID, (Where){function, "events", ALONE}, ".size",
 		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
 		              events->contact_size, events->hit_size, function);
@@ -82,6 +83,11 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	const Sensors* sensors = &world->sensors;
 	size_t visit = events->size >= LEAST_WITH_VISITS ? events->visit_size : 0;
 	bytes += visit * (size_t)(sensors->began_count + sensors->ended_count);
+	size_t joint = visit > 0 ? events->joint_size : 0;
+	int joints = 0;
+	if (joint > 0)
+		TRY(scree_world_get_joint_events_sized(world, NULL, joint, 0, &joints));
+	bytes += joint * (size_t)joints;
 	if (bytes > INT32_MAX)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
 	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
@@ -94,7 +100,9 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	                       .hit_count = counts[EVENT_HIT],
 	                       .visit_size = (uint32_t)visit,
 	                       .visits_began_count = sensors->began_count,
-	                       .visits_ended_count = sensors->ended_count};
+	                       .visits_ended_count = sensors->ended_count,
+	                       .joint_size = (uint32_t)joint,
+	                       .joint_count = joints};
 	char* to = r->rows;
 	result.touches_began = (const scree_contact*)to;
 	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
@@ -117,7 +125,10 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	result.visits_began = (const scree_visit*)to;
 	to = visits_at(world, sensors->began, visit > 0 ? sensors->began_count : 0, to, visit);
 	result.visits_ended = (const scree_visit*)to;
-	visits_at(world, sensors->ended, visit > 0 ? sensors->ended_count : 0, to, visit);
+	to = visits_at(world, sensors->ended, visit > 0 ? sensors->ended_count : 0, to, visit);
+	result.joints = (const scree_joint_event*)to;
+	if (joints > 0)
+		TRY(scree_world_get_joint_events_sized(world, (scree_joint_event*)to, joint, joints, &joints));
 	write_result(events, result.size, &result, sizeof result);
 	return SCREE_OK;
 }

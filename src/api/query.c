@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // query.c -- queries with one answer each: the first, any, or the nearest collidable.
-#include "api/query.h"
+#include "api/query_check.h"
 #include "world/auto.h"
 #include "world/check.h"
 #include "world/failure.h"

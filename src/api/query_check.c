@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // query_check.c -- checks of queries: the definition and the shape before they are asked, the items while the device works.
-#include "api/query.h"
+#include "api/query_check.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/geometry.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // query_list.c -- queries with all their answers.
-#include "api/query.h"
+#include "api/query_check.h"
 #include "world/auto.h"
 #include "world/definition.h"
 #include "world/failure.h"

@@ -55,14 +55,6 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 
 static scree_vec turned(scree_rot rotation, scree_vec v) { return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v); }
 
-// The pose of the origin of a body. Its row in the pool pose is that of its center of mass.
-static scree_pose body_pose(const scree_world* world, int index, const Float4* row)
-{
-	scree_rot rotation = {row->z, row->w};
-	scree_vec shift = turned(rotation, world->host_bodies[index].mass.center);
-	return (scree_pose){{row->x - shift.x, row->y - shift.y}, rotation};
-}
-
 static scree_status get_poses(scree_world* world, const char* function, const char* argument, const scree_body* bodies,
                               scree_pose* poses, int count, bool alone)
 {
@@ -70,7 +62,7 @@ static scree_status get_poses(scree_world* world, const char* function, const ch
 	TRY(read_rows(world, function, argument, POOL_pose, bodies, count, alone, &rows));
 	for (int k = 0; k < count; ++k)
 	{
-		poses[k] = body_pose(world, (int)bodies[k].index, row_of(&rows, bodies, k));
+		poses[k] = world_body_pose(world, (int)bodies[k].index, row_of(&rows, bodies, k));
 	}
 	return SCREE_OK;
 }
@@ -164,7 +156,7 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 	{
 		if (!slots_in_use(&world->bodies, k))
 			continue;
-		states[listed].pose = body_pose(world, k, poses + k);
+		states[listed].pose = world_body_pose(world, k, poses + k);
 		states[listed].velocity = (scree_velocity){{rows[k].vx, rows[k].vy}, rows[k].w};
 		if (world->host_bodies[k].disabled)
 			states[listed].velocity = stored_velocity(stored + k);

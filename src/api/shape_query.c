@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shape_query.c -- the geometry of queries for two shapes without a world: distance, meeting, time of impact.
-#include "api/query.h"
+#include "api/query_check.h"
 #include "platform/processor.h"
 #include "stages/convex_sum.h"
 #include "world/check.h"

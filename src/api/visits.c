@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // visits.c -- the visits to a sensor, for the user.
-#include "api/visit_result.h"
+#include "api/visits.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/handles.h"

@@ -225,6 +225,13 @@ typedef struct // 32 bytes: scree_found
 #define FOUND_HIT    1u
 #define FOUND_INSIDE 0x100u
 
+typedef struct // 32 bytes: a body that moved, as the user is told
+{
+	Float4 pose; // of the center of mass: x, y, cos, sin
+	float vx, vy, w;
+	int body;
+} Told;
+
 typedef struct // what is common to the queries of a call
 {
 	Word64 category, mask;
@@ -581,6 +588,7 @@ typedef struct
 	int joined;                    // pairs of bodies that joints keep from touching
 	int joint_events;              // joints whose force exceeded a threshold in the step
 	int touches_began, touches_ended, hits; // of the step
+	int told;                               // bodies at other poses than the user was told
 	int fault; // set by a device that failed during a run; its backend reads it with the other counters
 } Counters;
 

@@ -30,5 +30,6 @@
 #include "stages/event.h"
 #include "stages/query.h"
 #include "stages/sense.h"
+#include "stages/told.h"
 #include "stages/joint_show.h"
 #include "stages/hash.h"

@@ -28,4 +28,8 @@ scree_status queries_answer(Pipeline* pipeline, const Questions* questions, Foun
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const Questions* questions, int* count);
 
+// The bodies, of so many slots, at other poses than the user was told last: sets *count to their number, and lists them in the pool
+// told_row, by index.
+scree_status told_list(Pipeline* pipeline, int bodies, int* count);
+
 #endif

@@ -39,6 +39,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->host_collidables);
 	reports_close(world);
 	sensors_close(world);
+	scree_release(world->moved);
 	scree_release(world->queries.found);
 	scree_release(world->queries.query);
 	scree_release(world->queries.first);

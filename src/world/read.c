@@ -3,6 +3,7 @@
 #include "world/read.h"
 #include "world/auto.h"
 #include "world/failure.h"
+#include "world/geometry.h"
 #include "world/world.h"
 
 scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items)
@@ -12,4 +13,11 @@ scree_status world_read(scree_world* world, PoolId pool, int first, int count, v
 	scree_status status = b->f->read(b, pool, first, count, items);
 	auto_count(world, begin);
 	return world_note(world, status);
+}
+
+scree_pose world_body_pose(const scree_world* world, int index, const Float4* row)
+{
+	scree_rot rotation = {row->z, row->w};
+	scree_vec shift = pose_point((scree_pose){{0.0f, 0.0f}, rotation}, world->host_bodies[index].mass.center);
+	return (scree_pose){{row->x - shift.x, row->y - shift.y}, rotation};
 }

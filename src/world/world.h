@@ -178,6 +178,8 @@ struct scree_world
 	Reports reports;
 	Queries queries;
 	Sensors sensors;
+	char* moved; // what scree_world_get_moved returned last
+	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;
 	int shared_rows; // rows that fit the memory shared with OpenGL; 0 while none is shared

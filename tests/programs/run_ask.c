@@ -67,6 +67,11 @@ scree_status run_ask(const Turn* t)
 	}
 	if (status == SCREE_OK)
 		status = mix_list(scree_world_list_shapes(t->world, &def, shape, places, ASKED, &list), &list, &word);
+	scree_moved_list moved = {0};
+	if (status == SCREE_OK)
+		status = scree_world_get_moved(t->world, &moved);
+	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
+		word = read_mixed(word, moved.moved + k, sizeof moved.moved[k]);
 	t->left->word = word;
 	return status;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// visit_result.h -- a visit to a sensor as the user gets it.
-#ifndef VISIT_RESULT_H
-#define VISIT_RESULT_H
+// visits.h -- a visit to a sensor as the user gets it.
+#ifndef VISITS_H
+#define VISITS_H
 #include "world/world.h"
 
 scree_visit visit_result(const scree_world* world, const Visit* visit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// query.h -- checks of queries, and what the device is asked.
-#ifndef API_QUERY_H
-#define API_QUERY_H
+// query_check.h -- checks of queries, and what the device is asked.
+#ifndef QUERY_CHECK_H
+#define QUERY_CHECK_H
 #include "step/queries.h"
 #include "world/world.h"
 
