@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "bad_input.h"
+#include <float.h>
 #include <math.h>
 
 static scree_shape box(void)
@@ -120,6 +121,28 @@ static void sensors(void** state)
 	assert_true(bits == 0);
 }
 
+static void blasts(void** state)
+{
+	(void)state;
+	scree_blast_def def = scree_blast_def_default();
+	int count;
+	INVALID(scree_world_blast, (world, NULL, &count), "def is null");
+#define DEF(change, sentence)        \
+	def = scree_blast_def_default(); \
+	def.change;                      \
+	INVALID(scree_world_blast, (world, &def, &count), "def" sentence)
+	DEF(size = 0, ".size is 0: the definition was not made by scree_blast_def_default");
+	DEF(position.x = NAN, ".position.x is nan");
+	DEF(radius = -1, ".radius is -1");
+	DEF(falloff = INFINITY, ".falloff is inf");
+	DEF(impulse = NAN, ".impulse is nan");
+#undef DEF
+	def = scree_blast_def_default();
+	def.radius = 1000;
+	def.impulse = FLT_MAX;
+	INVALID(scree_world_blast, (world, &def, &count), "def.impulse is 3.4028235e+38: an impulse on collidable");
+}
+
 static void shapes_without_a_world(void** state)
 {
 	(void)state;
@@ -143,10 +166,8 @@ static void shapes_without_a_world(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(rays),
-	    cmocka_unit_test(shapes),
-	    cmocka_unit_test(shapes_without_a_world),
-	    cmocka_unit_test(sensors),
+	    cmocka_unit_test(rays),    cmocka_unit_test(shapes), cmocka_unit_test(shapes_without_a_world),
+	    cmocka_unit_test(sensors), cmocka_unit_test(blasts),
 	};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
 }

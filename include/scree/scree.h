@@ -1290,6 +1290,25 @@ static inline scree_status scree_world_overlap_shape(scree_world* world, const s
                                                      scree_found_list* list);
 static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_found_list* list);
 
+typedef struct scree_blast_def // an explosion, or with a negative impulse an implosion
+{
+	uint32_t size;      // set by scree_blast_def_default
+	scree_vec position; // m
+	float radius;       // m, 0 to SCREE_HUGE: nearer surfaces get the whole impulse; default 1
+	float falloff;      // m, 0 to SCREE_HUGE: beyond the radius it falls to 0 within so many metres; default 1
+	float impulse;      // N s per m of the width that a collidable turns to the blast; default 1
+	uint64_t category;  // as in scree_query_def; default all
+	uint64_t mask;      // the same
+} scree_blast_def;
+
+static inline scree_blast_def scree_blast_def_default(void);
+
+// Pushes the dynamic bodies around a position, and sets count (may be null) to the number of collidables that were pushed. Each gets
+// an impulse at the point of it that is nearest to the position, away from it; one that the position is inside of at its centroid.
+// Sensors and disabled bodies are left alone. The impulses are applied as those of scree_bodies_apply_impulses_at, in the order of the
+// collidables. Walls do not shield: ask scree_world_cast_rays, and push yourself.
+SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
+
 // ---------------------------------------------------------------------------------------------------------------
 // Two shapes, without a world
 //
@@ -1548,6 +1567,14 @@ static inline scree_status scree_world_get_moved(scree_world* world, scree_moved
 		list->moved_size = (uint32_t)sizeof(scree_moved);
 	}
 	return scree_world_get_moved_sized(world, list);
+}
+
+SCREE_API void scree_blast_def_default_sized(scree_blast_def* def, size_t size);
+static inline scree_blast_def scree_blast_def_default(void)
+{
+	scree_blast_def def;
+	scree_blast_def_default_sized(&def, sizeof def);
+	return def;
 }
 
 SCREE_API void scree_query_def_default_sized(scree_query_def* def, size_t size);

@@ -451,6 +451,19 @@ static void put_ask(Maker* m)
 	put(m, call);
 }
 
+static void put_blast(Maker* m)
+{
+	Call call = call_make(CALL_blast);
+	call_set(&call, "x", bounded(m, 4.0f));
+	call_set(&call, "y", bounded(m, 3.0f) + 3.0f);
+	call_set(&call, "radius", chance(m, 0.1) ? PICK(m, 0.0f, 1e-6f, 100.0f, 1e5f) : between(m, 0.1f, 3.0f));
+	call_set(&call, "falloff", chance(m, 0.1) ? PICK(m, 0.0f, 1e-6f, 1e5f) : between(m, 0.1f, 3.0f));
+	call_set(&call, "impulse", amount(m, 5.0f));
+	if (chance(m, 0.2))
+		call_set(&call, "mask", (float)(1 + below(m, 3)));
+	put(m, call);
+}
+
 static void put_any(Maker* m)
 {
 	// a step costs a GPU as much as dozens of other calls
@@ -476,7 +489,7 @@ static void put_any(Maker* m)
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
 	else if (k < 96 && m->asks)
-		put_ask(m);
+		chance(m, 0.8) ? put_ask(m) : put_blast(m);
 	else if (k < 97)
 		put_alone(m, m->moves ? CALL_move : CALL_step, m->moves ? "back" : "substeps",
 		          m->moves ? (float)chance(m, 0.6) : 4.0f);

@@ -534,6 +534,8 @@ scree_status run_call(const Turn* t)
 		return run_step(t);
 	case CALL_move:
 		return run_move(t);
+	case CALL_blast:
+		return run_blast(t);
 	case CALL_ask:
 		return run_ask(t);
 	case CALL_read:

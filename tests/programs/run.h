@@ -63,6 +63,7 @@ scree_status clear_paths(const Turn* turn);
 
 // run_ask.c: queries, with their answers mixed into a word.
 scree_status run_ask(const Turn* turn);
+scree_status run_blast(const Turn* turn);
 
 // run_step.c: a step, with its events mixed into a word.
 scree_status run_step(const Turn* turn);

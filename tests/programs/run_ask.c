@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_ask.c -- queries of a program: the same answers from both worlds.
+// run_ask.c -- queries and blasts of a program: the same answers from both worlds.
 #include "programs/run.h"
 #include <math.h>
 
@@ -73,5 +73,19 @@ scree_status run_ask(const Turn* t)
 	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
 		word = read_mixed(word, moved.moved + k, sizeof moved.moved[k]);
 	t->left->word = word;
+	return status;
+}
+
+scree_status run_blast(const Turn* t)
+{
+	scree_blast_def def = scree_blast_def_default();
+	def.position = call_vec(t, "x", "y");
+	def.radius = call_real(t, "radius");
+	def.falloff = call_real(t, "falloff");
+	def.impulse = call_real(t, "impulse");
+	def.mask = (uint64_t)call_whole(t, "mask");
+	int count = 0;
+	scree_status status = scree_world_blast(t->world, &def, &count);
+	t->left->word = (uint64_t)count;
 	return status;
 }

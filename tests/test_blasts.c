@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// test_blasts.c -- explosions: who is pushed, how much and where, the same everywhere.
+#include "support.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static int blast(scree_world* world, float x, float y, float radius, float falloff, float impulse)
+{
+	scree_blast_def def = scree_blast_def_default();
+	def.position = (scree_vec){x, y};
+	def.radius = radius;
+	def.falloff = falloff;
+	def.impulse = impulse;
+	int count;
+	OK(scree_world_blast(world, &def, &count));
+	return count;
+}
+
+// A crate of 2 m by 1 m and 2 kg gets the impulse times the width that it turns to the blast, at the nearest point.
+static void impulses_follow_the_width(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body wide = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.5f, 0.0f, 3.0f);
+	assert_int_equal(blast(world, 0.0f, 0.0f, 5.0f, 0.0f, 4.0f), 1);
+	scree_velocity v = velocity_of(world, wide);
+	NEAR(v.linear.x, 0.0, 1e-6);
+	NEAR(v.linear.y, 4.0 * 2.0 / 2.0, 1e-5);
+	NEAR(v.angular, 0.0, 1e-6);
+
+	// from the side, off its middle: it turns
+	OK(scree_body_set_velocity(world, wide, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
+	assert_int_equal(blast(world, 3.0f, 3.3f, 5.0f, 0.0f, 4.0f), 1);
+	v = velocity_of(world, wide);
+	NEAR(v.linear.x, -4.0 * 1.0 / 2.0, 1e-5);
+	NEAR(v.angular, 0.3 * 4.0 * 1.0 / (2.0 * (4.0 + 1.0) / 12.0), 1e-4);
+
+	// half of it in the middle of the falloff, nothing beyond; an implosion pulls
+	OK(scree_body_set_velocity(world, wide, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
+	assert_int_equal(blast(world, 0.0f, 0.0f, 1.5f, 2.0f, -4.0f), 1);
+	NEAR(velocity_of(world, wide).linear.y, -2.0, 1e-5);
+	OK(scree_body_set_velocity(world, wide, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
+	assert_int_equal(blast(world, 0.0f, 0.0f, 1.0f, 1.0f, 4.0f), 0);
+	NEAR(velocity_of(world, wide).linear.y, 0.0, 1e-6);
+
+	// inside of it: away from the position, through its centroid; and at it: somewhere, but finite
+	assert_int_equal(blast(world, 0.0f, 2.9f, 1.0f, 1.0f, 4.0f), 1);
+	NEAR(velocity_of(world, wide).linear.y, 4.0, 1e-5);
+	assert_int_equal(blast(world, 0.0f, 3.0f, 1.0f, 1.0f, 4.0f), 1);
+	check_finite(world);
+	scree_world_destroy(world);
+}
+
+static void who_is_pushed(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 2.0f, 0.0f);
+	add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -2.0f, 0.0f);
+	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 2.0f);
+	scree_body off = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, -2.0f);
+	OK(scree_body_set_enabled(world, off, false));
+	assert_int_equal(blast(world, 0.0f, 0.0f, 3.0f, 1.0f, 1.0f), 1);
+	scree_blast_def def = scree_blast_def_default();
+	def.radius = 3.0f;
+	def.mask = 2;
+	int count;
+	OK(scree_world_blast(world, &def, &count));
+	assert_int_equal(count, 0);
+	OK(scree_world_blast(world, &def, NULL));
+	NEAR(velocity_of(world, crate).linear.y, 1.0, 1e-5);
+	assert_true(velocity_of(world, off).linear.y == 0.0f);
+	scree_world_destroy(world);
+}
+
+// A heap that is blown up again and again, far away too: the same bits on every device.
+static void all_devices_agree(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	uint64_t first = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		scree_world_def def = scree_world_def_default();
+		def.device = ways[k].device;
+		def.threads = ways[k].threads;
+		def.lanes = ways[k].lanes;
+		scree_world* world;
+		OK(scree_world_create(&def, &world));
+		float x = 70000.0f;
+		scree_body floor = add_box(world, SCREE_BODY_STATIC, 50.0f, 1.0f, x, -1.0f);
+		(void)floor;
+		for (int i = 0; i < 100; ++i)
+			add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f + 0.002f * (float)i, x + (float)(i % 10) - 5.0f,
+			        0.5f + (float)(i / 10));
+		int pushed = 0;
+		for (int step = 0; step < 40; ++step)
+		{
+			if (step % 10 == 9)
+				pushed += blast(world, x + 0.3f * (float)step - 5.0f, 0.2f, 2.0f, 3.0f, step % 20 == 9 ? 2.0f : -1.0f);
+			if (ways[k].other[0] && step % 10 == 8)
+				OK(scree_world_move(world, step % 20 == 8 ? ways[k].other : ways[k].device));
+			run_steps(world, 1);
+		}
+		assert_true(pushed > 40);
+		uint64_t hash = hash_of(world);
+		first = k == 0 ? hash : first;
+		if (hash != first)
+			fail_msg("another hash on %s", ways[k].name);
+		scree_world_destroy(world);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(impulses_follow_the_width),
+	    cmocka_unit_test(who_is_pushed),
+	    cmocka_unit_test(all_devices_agree),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
