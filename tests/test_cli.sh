@@ -120,6 +120,13 @@ else
 fi
 refuse 2 'no scene is called "nothing"' bench frames nothing
 
+# queries: five kinds of them, with the same answers on one thread and on two
+"$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 1 >one || fail "bench queries: failed"
+"$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 2 --lanes 1 >two
+[ "$(sed 1d one | wc -l)" = 5 ] || fail "bench queries: not five rows"
+cmp -s <(cut -d, -f 4-6,9 one) <(cut -d, -f 4-6,9 two) || fail "bench queries: other answers on two threads"
+refuse 2 'no scene is called "nothing"' bench queries nothing
+
 # hash
 expect 0 '' hash pyramid "${small[@]}"
 grep -qxE '[0-9a-f]{16}' out || fail "hash: not 16 digits alone"
