@@ -132,6 +132,7 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 INLINE void command_body(const Pools* p, int i, Float4 pose)
 {
 	item_clear(p, PER_BODY, i);
+	p->told_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->pose[i] = pose;
 	p->motion[i].free_x = 1.0f;
 	p->motion[i].free_y = 1.0f;

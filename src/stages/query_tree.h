@@ -29,7 +29,18 @@ INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
 }
 
-// What every leaf is now. Item i is a leaf of the tree argument; argument is 2 more for boxes of the way in the step.
+// Whether the step's box of a collidable still holds it: that box is half the speculative distance larger than the collidable was when
+// the step began. A new row has an empty box.
+INLINE int query_holds(const Pools* p, int k, WorldShape at)
+{
+	WorldShape start = p->world_shape[k];
+	float turn = absolute(start.c * at.s - start.s * at.c) + absolute(1.0f - (start.c * at.c + start.s * at.s));
+	float shift = absolute(at.x - start.x) + absolute(at.y - start.y) + p->attribute[at.attribute].reach * turn;
+	return shift <= 0.5f * SPECULATIVE_DISTANCE && !box_is_empty(p->box[k]);
+}
+
+// What every leaf is now. Item i is a leaf of the tree argument; argument is 2 more for boxes of the way in the step, 4 more if the
+// step's boxes do not fit its poses.
 STAGE(query_leaf)
 {
 	int t = p->argument & 1;
@@ -43,8 +54,12 @@ STAGE(query_leaf)
 			WorldShape at = collidable_place(p, k);
 			Filter filter = p->filter[k];
 			float out = absolute(at.x) + absolute(at.y);
-			box = p->argument & 2 ? query_way_box(p, k, at)
-			                      : world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
+			if (!(p->argument & 4) && query_holds(p, k, at))
+				box = box_grow(p->box[k], QUERY_SPACING * out);
+			else if (p->argument & 2)
+				box = query_way_box(p, k, at);
+			else
+				box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
 			Seen seen;
 			seen.x = at.x;
 			seen.y = at.y;

@@ -206,6 +206,8 @@ static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status
 {
 	runs_add(&pipeline->list, STAGE_transform_undo, 0, step->collidables, NO_COUNT, 0);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
+	pipeline->trees[0].seen = pipeline->trees[1].seen = false;
+	pipeline->undone = true;
 	scree_status status = pipeline_run(pipeline, step);
 	pipeline->begun = status != SCREE_OK;
 	return status ? status : why;

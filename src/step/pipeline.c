@@ -150,6 +150,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->begun = false;
 	TRY(count_trees(pipeline));
 	pipeline->jumps = false;
+	pipeline->undone = false;
 	pipeline_trim(pipeline);
 	++pipeline->steps;
 	return SCREE_OK;

@@ -17,9 +17,12 @@
 static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
 // ways: the boxes are those of the way in the last step.
-static void list_refit(RunList* list, const Tree* tree, int t, bool ways)
+static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
-	runs_add(list, STAGE_query_leaf, 0, padded(tree->count[0]), NO_COUNT, t | (ways ? 2 : 0));
+	RunList* list = &pipeline->list;
+	const Tree* tree = &pipeline->trees[t].tree;
+	int how = (ways ? 2 : 0) | (pipeline->undone ? 4 : 0);
+	runs_add(list, STAGE_query_leaf, 0, padded(tree->count[0]), NO_COUNT, t | how);
 	for (int level = 1; level <= tree->top; ++level)
 		runs_add(list, STAGE_query_node, 0, padded(tree->count[level]), NO_COUNT, t | level << 1);
 }
@@ -29,7 +32,7 @@ static scree_status order(Pipeline* pipeline, int t)
 {
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
-	list_refit(list, tree, t, false);
+	list_refit(pipeline, t, false);
 	runs_add(list, STAGE_tree_root, 0, 1, NO_COUNT, t | 2);
 	runs_add(list, STAGE_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
 	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
@@ -55,7 +58,7 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 			continue;
 		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
 			TRY(order(pipeline, t));
-		list_refit(&pipeline->list, &state->tree, t, moves);
+		list_refit(pipeline, t, moves);
 		TRY(pipeline_run(pipeline, &pipeline->step));
 		state->seen = !moves;
 	}
@@ -159,6 +162,7 @@ scree_status told_list(Pipeline* pipeline, int bodies, int* count)
 {
 	Backend* b = pipeline->backend;
 	RunList* list = &pipeline->list;
+	pipeline->tells = true;
 	TRY(runs_reserve(list, 3));
 	runs_add_single(list, STAGE_told_begin);
 	runs_add(list, STAGE_told_mark, 1, bodies, NO_COUNT, 0); // the first one is the ground

@@ -61,6 +61,7 @@ typedef struct
 	bool mixed;     // some collidable got another attribute of its shape, or reports other events, since the last step
 	bool reports;   // some collidable has ever reported touches or hits
 	bool begun;     // the current step has changed something on the device
+	bool undone;    // the last step was refused: boxes are older than the poses that it found
 	bool rolls;     // some attribute has restitution, rolling resistance or tangent speed
 	bool bounces;   // some attribute has restitution
 	bool round;     // some attribute has a radius
@@ -76,6 +77,7 @@ typedef struct
 	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed
 	int64_t steps;
+	bool tells;                // the user has asked which bodies moved
 	uint64_t named;            // version of the handles of collidables that the device has; 0 for none
 	int grown;                 // times that a pool grew
 	double milliseconds;       // of the last step, by the wall clock

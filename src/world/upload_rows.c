@@ -93,7 +93,8 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		size_t bytes = pool_info[pool].bytes;
-		if (!is_cleared(pool, PER_BODY))
+		// what is told is only known once somebody has asked
+		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_told_pose && world->pipeline.tells))
 			continue;
 		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)
