@@ -26,7 +26,8 @@ static inline Boxes8 boxes8(const Float4* boxes)
 	                _mm256_shuffle_ps(high01, high23, 0x44), _mm256_shuffle_ps(high01, high23, 0xee)};
 }
 
-static inline Word overlaps8(const Float4* boxes, Float4 box)
+// Called, rather than inlined, in the walks of the broad phase, it cost storm 2 % more instructions.
+static inline __attribute__((always_inline)) Word overlaps8(const Float4* boxes, Float4 box)
 {
 	Boxes8 b = boxes8(boxes);
 	__m256 x = _mm256_and_ps(_mm256_cmp_ps(b.lower_x, _mm256_set1_ps(box.z), _CMP_LE_OQ),
