@@ -232,6 +232,21 @@ static scree_status act_body_contacts(Scenario* s)
 	return scree_body_get_contacts(s->world, s->slab_body, contacts, 200, &count);
 }
 
+// a sensor that sees all
+static scree_status act_sensor(Scenario* s)
+{
+	scree_collidable_def def = scree_collidable_def_default();
+	def.attribute = s->slab;
+	def.sensor = SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC;
+	return scree_collidable_create(s->world, &def, NULL);
+}
+
+static scree_status act_events(Scenario* s)
+{
+	scree_events events;
+	return scree_world_get_events(s->world, &events);
+}
+
 typedef scree_status (*Act)(Scenario* s);
 static const Act acts[] = {
     act_create_world,
@@ -271,6 +286,10 @@ static const Act acts[] = {
     act_body_contacts,
     act_look,
     act_step,
+    act_sensor,
+    act_step,
+    act_events,
+    act_look,
 };
 #define ACTS ((int)(sizeof acts / sizeof *acts))
 

@@ -250,6 +250,47 @@ static void one_end_for_each_beginning(void** state)
 	scree_world_destroy(world);
 }
 
+// What is placed outside a sensor and flies in again within the step has left it.
+static void placed_elsewhere(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_collidable sensor = add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
+	scree_body ball = add_mover(world, circle_shape(0.1f), 0.0f, 0.0f, (scree_vec){0.0f, 0.0f});
+	run_steps(world, 1);
+	assert_int_equal(visits_of(world, sensor), 1);
+	OK(scree_body_set_pose(world, ball, at(-1.1f, 0.0f)));
+	OK(scree_body_set_linear_velocity(world, ball, (scree_vec){60.0f, 0.0f}));
+	run_steps(world, 1);
+	scree_events events = events_of(world);
+	assert_true(events.visits_ended_count == 1 && events.visits_began_count == 1 && visits_of(world, sensor) == 1);
+	NEAR(events.visits_ended[0].time, 0.0, 0.0);
+	NEAR(events.visits_began[0].time, 0.5, 1e-3);
+	run_steps(world, 1);
+	events = events_of(world);
+	assert_true(events.visits_ended_count == 1 && events.visits_began_count == 0);
+	NEAR(events.visits_ended[0].time, 0.7, 1e-3);
+	scree_world_destroy(world);
+}
+
+// What moves by a millimetre in a step is timed as well as what flies.
+static void slow_visits(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
+	add_mover(world, circle_shape(0.125f), -0.62825f, 0.0f, (scree_vec){0.06f, 0.0f}); // 3.25 mm before it
+	for (int k = 0; k < 4; ++k)
+	{
+		run_steps(world, 1);
+		scree_events events = events_of(world);
+		assert_int_equal(events.visits_began_count, k == 3);
+		if (k == 3)
+			NEAR(events.visits_began[0].time, 0.25, 1e-3);
+	}
+	scree_world_destroy(world);
+}
+
 // Three hundred at one point, and 90 km away.
 static void crowds_and_distance(void** state)
 {
@@ -475,6 +516,8 @@ int main(void)
 	    cmocka_unit_test(turning_bars),
 	    cmocka_unit_test(kinds_and_filters),
 	    cmocka_unit_test(one_end_for_each_beginning),
+	    cmocka_unit_test(placed_elsewhere),
+	    cmocka_unit_test(slow_visits),
 	    cmocka_unit_test(crowds_and_distance),
 	    cmocka_unit_test(sensors_change_no_motion),
 	    cmocka_unit_test(all_devices_agree),

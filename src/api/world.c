@@ -130,7 +130,10 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	auto_count(world, begin);
 	TRY(world_note(world, status));
 	world->reports.fetched = false;
-	TRY(world_note(world, sensors_update(world, function)));
+	status = sensors_update(world, function);
+	if (status != SCREE_OK) // the step is done, and its visits would be missing from then on
+		world->broken = status;
+	TRY(world_note(world, status));
 	world->pipeline.milliseconds = milliseconds;
 	const Counters* c = &world->pipeline.counters;
 	if (c->nonfinite > 0 && dt > 0.0f)

@@ -103,13 +103,15 @@ typedef struct
 	int count;
 } QueryWalk;
 
+// The kinds, as bits of Seen.kinds, that there may be in a tree.
+INLINE Word query_kinds(int t) { return t == 1 ? 1u << (KIND_STATIC - 1) | SEEN_SENSOR : ~(1u << (KIND_STATIC - 1)); }
+
 INLINE void query_begin(const Pools* p, QueryWalk* walk, Word kinds)
 {
 	walk->count = 0;
 	for (int t = 1; t >= 0; --t)
 	{
-		Word in_tree = t == 1 ? 1u << (KIND_STATIC - 1) | SEEN_SENSOR : ~(1u << (KIND_STATIC - 1));
-		if (p->tree[t].leaves == 0 || !(kinds & in_tree))
+		if (p->tree[t].leaves == 0 || !(kinds & query_kinds(t)))
 			continue;
 		walk->group[walk->count] = query_group(t, p->tree[t].top, 0);
 		walk->apart[walk->count] = 0.0f;

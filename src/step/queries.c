@@ -105,6 +105,13 @@ static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int
 	plan.room = room;
 	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
 	Run run = {.stage = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
+	if (q->form == QUERY_SENSORS)
+	{
+		// work-items share the leaves where there are more of them than sensors
+		int parts = b->walkers / q->count, blocks = (q->collidables + ARITY - 1) / ARITY;
+		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
+		run.end = q->count * run.argument;
+	}
 	TRY(b->f->run(b, &pipeline->step, &run, 1));
 	return q->check ? q->check(q->context) : SCREE_OK;
 }

@@ -94,7 +94,7 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 		const Visit* was = side == 0 ? s->visits + old++ : NULL;
 		if (now->lasts)
 			s->next[kept++] = *now;
-		if (was && !is_fresh(world, was))
+		if (was && !is_fresh(world, was) && now->time == 0.0f) // later: it was placed elsewhere before the step
 		{
 			if (!now->lasts)
 				end_visit(s, now, now->left, false);
