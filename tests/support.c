@@ -108,6 +108,13 @@ float random_between(uint64_t* seed, float low, float high)
 
 int random_below(uint64_t* seed, int count) { return (int)(random_word(seed) % (uint64_t)count); }
 
+uint64_t hash_more(uint64_t hash, const void* bytes, size_t count)
+{
+	for (size_t k = 0; k < count; ++k)
+		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
+	return hash;
+}
+
 // ---------------------------------------------------------------------------------------------------------------
 // worlds on the CPU
 // ---------------------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define SUPPORT_H
 #include "scree/scree.h"
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #define STEP     (1.0f / 60.0f) // s
@@ -32,6 +33,10 @@ extern int allocations_left;
 uint64_t random_word(uint64_t* seed);
 float random_between(uint64_t* seed, float low, float high);
 int random_below(uint64_t* seed, int count);
+
+// Adds bytes to a hash that began with HASH_BEGIN (Fowler, Noll, Vo).
+#define HASH_BEGIN 0xcbf29ce484222325u
+uint64_t hash_more(uint64_t hash, const void* bytes, size_t count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // worlds on the CPU

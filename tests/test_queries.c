@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// test_queries.c -- rays, moving shapes, overlaps and the nearest, against all pairs in double precision, and equal everywhere.
+// test_queries.c -- rays, moving shapes, overlaps and the nearest, against all pairs in double precision.
 #include "exact.h"
-#include "support.h"
+#include "query_support.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,56 +31,13 @@ typedef struct
 	float size;
 } Place;
 
-static scree_shape random_shape(uint64_t* seed, float scale)
-{
-	scree_shape shape;
-	scree_vec points[6];
-	float r = scale * random_between(seed, 0.2f, 1.0f);
-	switch (random_below(seed, 7))
-	{
-	case 0:
-		OK(scree_shape_make_circle((scree_vec){0.3f * r, 0.0f}, r, &shape));
-		return shape;
-	case 1:
-		OK(scree_shape_make_capsule((scree_vec){-r, 0.1f * r}, (scree_vec){r, 0.2f * r}, 0.4f * r, &shape));
-		return shape;
-	case 2:
-		OK(scree_shape_make_segment((scree_vec){-r, 0.0f}, (scree_vec){2.0f * r, r}, &shape));
-		return shape;
-	case 3:
-		OK(scree_shape_make_box(r, 0.02f * scale + 0.3f * r, &shape));
-		return shape;
-	case 4:
-		OK(scree_shape_make_box(r, r, &shape));
-		return shape;
-	default:
-		for (;;)
-		{
-			for (int k = 0; k < 6; ++k)
-				points[k] = (scree_vec){random_between(seed, -r, r), random_between(seed, -r, r)};
-			float round = random_below(seed, 2) ? 0.3f * r : 0.0f;
-			if (scree_shape_make_hull(points, 6, round, &shape) == SCREE_OK)
-				return shape;
-		}
-	}
-}
-
-static scree_pose random_pose(uint64_t* seed, const Place* place)
-{
-	scree_vec at = {place->center.x + place->size * random_between(seed, -1.0f, 1.0f),
-	                place->center.y + place->size * random_between(seed, -1.0f, 1.0f)};
-	static const float right[] = {0.0f, 1.5707964f, 3.1415927f, -1.5707964f};
-	bool even = random_below(seed, 3) == 0; // parallel edges
-	return (scree_pose){at, scree_rot_make(even ? right[random_below(seed, 4)] : random_between(seed, -3.0f, 3.0f))};
-}
-
 static void fill(Place* place, uint64_t* seed, int bodies, float scale)
 {
 	for (int k = 0; k < bodies; ++k)
 	{
 		scree_body_def def = scree_body_def_default();
 		def.type = (scree_body_type)random_below(seed, 3);
-		def.pose = random_pose(seed, place);
+		def.pose = random_pose(seed, place->center, place->size);
 		scree_attribute_def surface = surface_of(random_shape(seed, scale));
 		def.attribute = add_attribute(place->world, &surface);
 		def.filter.category = 1u << random_below(seed, 4);
@@ -97,7 +54,7 @@ static void fill(Place* place, uint64_t* seed, int bodies, float scale)
 		}
 		else if (random_below(seed, 3) == 0)
 		{
-			more.pose = random_pose(seed, place);
+			more.pose = random_pose(seed, place->center, place->size);
 			OK(scree_collidable_create(place->world, &more, NULL));
 		}
 	}
@@ -249,30 +206,9 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 
 #define QUERIES 60
 
-static scree_query_def random_def(uint64_t* seed)
-{
-	scree_query_def def = scree_query_def_default();
-	if (random_below(seed, 3) == 0)
-		def.kinds = 1 + (uint32_t)random_below(seed, 15);
-	if (random_below(seed, 3) == 0)
-		def.mask = 1 + (uint64_t)random_below(seed, 15);
-	return def;
-}
-
 static scree_body random_body(uint64_t* seed, const Place* place)
 {
 	return random_below(seed, 3) ? SCREE_NULL_BODY : place->items[random_below(seed, place->count)].body;
-}
-
-static scree_vec random_path(uint64_t* seed, const Place* place)
-{
-	float length = random_below(seed, 2) ? place->size : 0.1f * place->size;
-	scree_vec path = {length * random_between(seed, -1.0f, 1.0f), length * random_between(seed, -1.0f, 1.0f)};
-	if (random_below(seed, 8) == 0)
-		path.x = 0.0f;
-	if (random_below(seed, 8) == 0)
-		path.y = 0.0f;
-	return path;
 }
 
 static void check_rays(const Place* place, uint64_t* seed, double slack)
@@ -281,8 +217,8 @@ static void check_rays(const Place* place, uint64_t* seed, double slack)
 	any.any = true;
 	scree_ray rays[QUERIES];
 	for (int k = 0; k < QUERIES; ++k)
-		rays[k] = (scree_ray){.origin = random_pose(seed, place).position,
-		                      .translation = random_path(seed, place),
+		rays[k] = (scree_ray){.origin = random_pose(seed, place->center, place->size).position,
+		                      .translation = random_path(seed, place->size),
 		                      .radius = random_below(seed, 2) ? 0.0f : random_between(seed, 0.0f, 0.1f * place->size),
 		                      .ignored = random_body(seed, place)};
 	scree_found first[QUERIES], some[QUERIES];
@@ -312,8 +248,8 @@ static void check_shapes(const Place* place, uint64_t* seed, float scale, double
 		scree_shape shape = random_shape(seed, scale);
 		scree_probe probes[QUERIES / 6];
 		for (int k = 0; k < QUERIES / 6; ++k)
-			probes[k] = (scree_probe){random_pose(seed, place),
-			                          random_below(seed, 3) ? random_path(seed, place) : (scree_vec){0.0f, 0.0f},
+			probes[k] = (scree_probe){random_pose(seed, place->center, place->size),
+			                          random_below(seed, 3) ? random_path(seed, place->size) : (scree_vec){0.0f, 0.0f},
 			                          random_body(seed, place)};
 		scree_found first[QUERIES / 6], some[QUERIES / 6];
 		scree_found_list list;
@@ -345,7 +281,8 @@ static void check_nearest(const Place* place, uint64_t* seed, float scale, doubl
 		scree_found found[QUERIES / 6];
 		float most = random_below(seed, 2) ? 4.0f * place->size : scale;
 		for (int k = 0; k < QUERIES / 6; ++k)
-			probes[k] = (scree_probe){random_pose(seed, place), {0.0f, 0.0f}, random_body(seed, place)};
+			probes[k] =
+			    (scree_probe){random_pose(seed, place->center, place->size), {0.0f, 0.0f}, random_body(seed, place)};
 		OK(scree_world_find_nearest(place->world, &def, given, probes, QUERIES / 6, most, found));
 		for (int k = 0; k < QUERIES / 6; ++k)
 		{
@@ -400,7 +337,7 @@ static void all_pairs(float x, float y, float size, float scale, double slack, u
 		if (scree_body_is_valid(place->world, body) && k % 2)
 			OK(scree_body_destroy(place->world, body));
 		else if (scree_body_is_valid(place->world, body))
-			OK(scree_body_set_pose(place->world, body, random_pose(&seed, place)));
+			OK(scree_body_set_pose(place->world, body, random_pose(&seed, place->center, place->size)));
 	}
 	fill(place, &seed, 10, scale);
 	check_place(place, &seed, scale, slack);
@@ -437,8 +374,9 @@ static void shapes_alone(void** state)
 	for (int k = 0; k < 3000; ++k)
 	{
 		scree_shape a = random_shape(&seed, 1.0f), b = random_shape(&seed, 1.0f);
-		scree_pose at_a = random_pose(&seed, &place), at_b = random_pose(&seed, &place), to_a = at_a, to_b = at_b;
-		scree_vec path = random_path(&seed, &place);
+		scree_pose at_a = random_pose(&seed, place.center, place.size),
+		           at_b = random_pose(&seed, place.center, place.size), to_a = at_a, to_b = at_b;
+		scree_vec path = random_path(&seed, place.size);
 		scree_distance d;
 		scree_found found;
 		OK(scree_shapes_get_distance(&a, at_a, &b, at_b, &d));
@@ -484,213 +422,13 @@ static void shapes_alone(void** state)
 	}
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// the same everywhere
-// ---------------------------------------------------------------------------------------------------------------
-
-#define BODIES 300
-#define ASKED  500
-
-static uint64_t hash_more(uint64_t hash, const void* bytes, size_t count)
-{
-	for (size_t k = 0; k < count; ++k)
-		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
-	return hash;
-}
-
-// Asks everything, and adds the answers to a hash.
-static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
-{
-	static scree_ray rays[ASKED];
-	static scree_probe probes[ASKED];
-	static scree_found found[ASKED];
-	scree_shape shape = random_shape(seed, 1.0f);
-	scree_query_def def = random_def(seed);
-	scree_found_list list;
-	for (int k = 0; k < ASKED; ++k)
-	{
-		rays[k] = (scree_ray){.origin = random_pose(seed, place).position, .translation = random_path(seed, place)};
-		rays[k].radius = k % 3 ? 0.0f : 0.3f;
-		probes[k] = (scree_probe){.pose = random_pose(seed, place), .translation = random_path(seed, place)};
-	}
-	OK(scree_world_cast_rays(place->world, &def, rays, ASKED, found));
-	hash = hash_more(hash, found, sizeof found);
-	OK(scree_world_cast_shapes(place->world, &def, &shape, probes, ASKED, found));
-	hash = hash_more(hash, found, sizeof found);
-	OK(scree_world_list_shapes(place->world, &def, &shape, probes, ASKED, &list));
-	hash = hash_more(hash, list.found, (size_t)list.count * sizeof *list.found);
-	OK(scree_world_list_rays(place->world, &def, rays, ASKED / 10, &list));
-	hash = hash_more(hash, list.first, (ASKED / 10 + 1) * sizeof *list.first);
-	for (int k = 0; k < ASKED; ++k)
-		probes[k].translation = (scree_vec){0.0f, 0.0f};
-	OK(scree_world_find_nearest(place->world, &def, random_below(seed, 2) ? &shape : NULL, probes, ASKED, 5.0f, found));
-	return hash_more(hash, found, sizeof found);
-}
-
-// A heap that falls; bodies come, go, change, and are asked for in every step or only now and then.
-static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
-{
-	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
-	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
-	OK(scree_world_create(&def, &place.world));
-	uint64_t seed = 3, asked = 4, hash = 0xcbf29ce484222325u;
-	scree_body bodies[BODIES];
-	add_floor(place.world);
-	for (int k = 0; k < BODIES; ++k)
-	{
-		scree_attribute_def surface = surface_of(random_shape(&seed, 0.5f));
-		scree_pose pose = random_pose(&seed, &place);
-		bodies[k] = add_body(place.world, k % 10 ? SCREE_BODY_DYNAMIC : (scree_body_type)(k / 10 % 3),
-		                     add_attribute(place.world, &surface), pose.position.x, pose.position.y, 0.3f * (float)k);
-	}
-	for (int step = 0; step < (quick() ? 6 : 20); ++step)
-	{
-		int k = random_below(&seed, BODIES);
-		if (asks)
-			hash = ask_all(&place, &asked, hash);
-		switch (step % 5)
-		{
-		case 0:
-			OK(scree_body_set_pose(place.world, bodies[k], random_pose(&seed, &place)));
-			break;
-		case 1:
-			OK(scree_body_set_enabled(place.world, bodies[k], step % 2));
-			break;
-		case 2:
-			OK(scree_body_set_type(place.world, bodies[k], SCREE_BODY_STATIC));
-			break;
-		case 3:
-			OK(scree_body_destroy(place.world, bodies[k]));
-			bodies[k] = add_box(place.world, SCREE_BODY_DYNAMIC, 0.2f, 0.4f, 0.1f * (float)k, 9.0f);
-			break;
-		default:
-			if (way->other[0])
-				OK(scree_world_move(place.world, step % 2 ? way->other : way->device));
-		}
-		if (asks)
-			hash = ask_all(&place, &asked, hash);
-		OK(scree_world_step(place.world, step == 7 ? 0.0f : STEP, SUBSTEPS));
-	}
-	*world_hash = hash_of(place.world);
-	scree_world_destroy(place.world);
-	return hash;
-}
-
-static void all_devices_agree(void** state)
-{
-	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	uint64_t silent, world, other;
-	tell_heap(ways, false, &silent);
-	uint64_t first = tell_heap(ways, true, &world);
-	assert_true(world == silent); // queries change nothing
-	for (int k = 1; k < count; ++k)
-	{
-		if (tell_heap(ways + k, true, &other) != first || other != world)
-			fail_msg("other answers on %s", ways[k].name);
-	}
-}
-
-// ---------------------------------------------------------------------------------------------------------------
-// hostile worlds
-// ---------------------------------------------------------------------------------------------------------------
-
-// Thousands at one point: all are found, in the order of their indices; a list that is longer than its room grows.
-static void all_at_one_point(void** state)
-{
-	(void)state;
-	enum
-	{
-		COUNT = 3000
-	};
-	scree_world* world = open_world(0.0f);
-	for (int k = 0; k < COUNT; ++k)
-		add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 1.0f, 2.0f);
-	scree_found found;
-	scree_found_list list;
-	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 2.0f}, (scree_vec){10.0f, 0.0f}, &found));
-	assert_true(found.hit && found.collidable.index == 1);
-	NEAR(found.fraction, 0.35, 1e-6);
-	OK(scree_world_overlap_point(world, (scree_vec){1.2f, 2.2f}, &list));
-	assert_int_equal(list.count, COUNT);
-	for (int k = 0; k < COUNT; ++k)
-		assert_true(list.found[k].inside && list.found[k].collidable.index == (uint32_t)k + 1);
-	OK(scree_world_overlap_point(world, (scree_vec){1.6f, 2.2f}, &list));
-	assert_int_equal(list.count, 0);
-	OK(scree_world_overlap_box(world, (scree_box){{1.4f, 2.4f}, {8.0f, 9.0f}}, &list));
-	assert_int_equal(list.count, COUNT);
-	scree_world_destroy(world);
-}
-
-// Rays that begin inside say so, or look through; rays of no length, along edges and through corners have answers.
-static void edges_and_insides(void** state)
-{
-	(void)state;
-	scree_world* world = open_world(0.0f);
-	add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f);
-	scree_body far = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 1.0f, 6.0f, 0.0f);
-	scree_found found;
-	OK(scree_world_cast_ray(world, (scree_vec){0.5f, 0.0f}, (scree_vec){10.0f, 0.0f}, &found));
-	assert_true(found.hit && found.inside && found.fraction == 0.0f && found.normal.x == 0.0f);
-	scree_query_def def = scree_query_def_default();
-	def.skip_inside = true;
-	scree_ray ray = {.origin = {0.5f, 0.0f}, .translation = {10.0f, 0.0f}};
-	OK(scree_world_cast_rays(world, &def, &ray, 1, &found));
-	assert_true(found.hit && !found.inside && found.collidable.index == 2);
-	NEAR(found.fraction, 0.45, 1e-6);
-	ray.ignored = far;
-	OK(scree_world_cast_rays(world, &def, &ray, 1, &found));
-	assert_true(!found.hit);
-	OK(scree_world_cast_ray(world, (scree_vec){0.5f, 0.0f}, (scree_vec){0.0f, 0.0f}, &found));
-	assert_true(found.hit && found.inside);
-	OK(scree_world_cast_ray(world, (scree_vec){3.0f, 0.0f}, (scree_vec){0.0f, 0.0f}, &found));
-	assert_true(!found.hit);
-	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.0f}, (scree_vec){6.0f, 0.0f}, &found)); // along the top
-	assert_true(found.hit);
-	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.00001f}, (scree_vec){6.0f, 0.0f}, &found));
-	assert_true(!found.hit);
-	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, -3.0f}, (scree_vec){6.0f, 6.0f}, &found)); // into a corner
-	assert_true(found.hit);
-	NEAR(found.fraction, 1.0 / 3.0, 1e-6);
-	OK(scree_body_set_enabled(world, far, false));
-	OK(scree_world_cast_ray(world, (scree_vec){3.0f, 0.0f}, (scree_vec){10.0f, 0.0f}, &found));
-	assert_true(!found.hit);
-	scree_world_destroy(world);
-}
-
-// A shape between two walls that leave it a hair's breadth; a nearest search from inside of several.
-static void tight_places(void** state)
-{
-	(void)state;
-	scree_world* world = open_world(0.0f);
-	add_box(world, SCREE_BODY_STATIC, 5.0f, 1.0f, 0.0f, 2.001f);
-	add_box(world, SCREE_BODY_STATIC, 5.0f, 1.0f, 0.0f, -2.001f);
-	scree_shape shape = box_shape(1.0f, 1.0f);
-	scree_found found;
-	scree_pose pose = {{-10.0f, 0.0f}, {1.0f, 0.0f}};
-	OK(scree_world_cast_shape(world, &shape, pose, (scree_vec){20.0f, 0.0f}, &found));
-	assert_true(!found.hit);
-	pose.rotation = scree_rot_make(0.01f);
-	OK(scree_world_cast_shape(world, &shape, pose, (scree_vec){20.0f, 0.0f}, &found));
-	assert_true(found.hit && !found.inside);
-	NEAR(found.fraction, 0.2, 0.01);
-	scree_probe probe = {.pose = {{0.0f, 0.5f}, {1.0f, 0.0f}}};
-	OK(scree_world_find_nearest(world, NULL, &shape, &probe, 1, 1.0f, &found));
-	assert_true(found.hit && found.inside && found.collidable.index == 1);
-	NEAR(found.fraction, -0.499, 1e-4);
-	scree_world_destroy(world);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(answers_are_exact), cmocka_unit_test(far_away),          cmocka_unit_test(tiny_and_huge),
-	    cmocka_unit_test(all_at_one_point),  cmocka_unit_test(edges_and_insides), cmocka_unit_test(tight_places),
-	    cmocka_unit_test(shapes_alone),      cmocka_unit_test(all_devices_agree),
+	    cmocka_unit_test(answers_are_exact),
+	    cmocka_unit_test(far_away),
+	    cmocka_unit_test(tiny_and_huge),
+	    cmocka_unit_test(shapes_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

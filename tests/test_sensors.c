@@ -325,13 +325,6 @@ typedef struct // what a run said
 	int began, open, deep;
 } Told;
 
-static uint64_t mix(uint64_t hash, const void* bytes, size_t count)
-{
-	for (size_t k = 0; k < count; ++k)
-		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
-	return hash;
-}
-
 static scree_body add_random(scree_world* world, uint64_t* seed, bool sensors)
 {
 	scree_shape shapes[4];
@@ -408,7 +401,7 @@ static void check_visits(scree_world* world, const scree_body* bodies)
 
 static Told tell_heap(const Way* way, int steps, bool checks)
 {
-	Told told = {.hash = 0xcbf29ce484222325u};
+	Told told = {.hash = HASH_BEGIN};
 	scree_world_def def = scree_world_def_default();
 	def.device = way->device;
 	def.threads = way->threads;
@@ -424,8 +417,8 @@ static Told tell_heap(const Way* way, int steps, bool checks)
 	{
 		OK(scree_world_step(world, step % 40 == 39 ? 0.0f : STEP, SUBSTEPS));
 		scree_events events = events_of(world);
-		told.hash = mix(told.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
-		told.hash = mix(told.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
+		told.hash = hash_more(told.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
+		told.hash = hash_more(told.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
 		told.began += events.visits_began_count;
 		told.open += events.visits_began_count - events.visits_ended_count;
 		if (checks && step % 10 == 0)

@@ -8,10 +8,6 @@
 #include "world/memory.h"
 #include "world/world.h"
 #include <math.h>
-#include <stddef.h>
-
-static const DefinitionType blast_definition = {
-    sizeof(scree_blast_def), offsetof(scree_blast_def, mask) + sizeof(uint64_t), "scree_blast_def_default"};
 
 void scree_blast_def_default_sized(scree_blast_def* def, size_t size)
 {
@@ -31,15 +27,13 @@ typedef struct // what a blast does, of so many collidables
 	scree_vec *impulses, *points;
 } Push;
 
-static scree_vec rotated(scree_rot r, scree_vec v) { return pose_point((scree_pose){{0.0f, 0.0f}, r}, v); }
-
 // The width of a shape at a pose across a direction, m.
 static float width_across(const scree_shape* shape, scree_pose pose, scree_vec direction)
 {
 	float least = FLT_MAX, most = -FLT_MAX;
 	for (int k = 0; k < shape->count; ++k)
 	{
-		scree_vec v = rotated(pose.rotation, shape->vertices[k]);
+		scree_vec v = rot_vec(pose.rotation, shape->vertices[k]);
 		float across = v.y * direction.x - v.x * direction.y;
 		least = across < least ? across : least;
 		most = across > most ? across : most;
@@ -53,8 +47,7 @@ static scree_status push_one(const scree_world* world, const scree_blast_def* de
 {
 	const HostCollidable* host = world->host_collidables + collidable;
 	const scree_shape* shape = &world->attributes[host->attribute].shape;
-	scree_rot r = body.rotation, own = host->pose.rotation;
-	scree_pose pose = {pose_point(body, host->pose.position), {r.c * own.c - r.s * own.s, r.s * own.c + r.c * own.s}};
+	scree_pose pose = pose_product(body, host->pose);
 	scree_distance d;
 	TRY(scree_shapes_get_distance(shape, pose, NULL, (scree_pose){def->position, {1.0f, 0.0f}}, &d));
 	*point = d.distance > 0.0f ? d.point_a : pose_point(pose, shape->centroid);

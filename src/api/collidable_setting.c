@@ -37,6 +37,13 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
+// Marks the tree of a collidable whose row is uploaded anew, since its box changes. Its leaf exists already.
+static scree_status mark_tree(scree_world* world, int index)
+{
+	int kind = collidable_kind(world, index);
+	return kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), index);
+}
+
 scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
 {
 	const char* function = "scree_collidable_set_attribute";
@@ -52,9 +59,8 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 
 	// shapes of attributes are canonical: equal values, equal bytes
 	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
-	int kind = collidable_kind(world, index);
-	if (!same && kind != KIND_DEAD)
-		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	if (!same)
+		TRY(mark_tree(world, index));
 	--world->host_attributes[host->attribute].collidables;
 	++world->host_attributes[now].collidables;
 	host->attribute = now;
@@ -112,10 +118,7 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	int index = 0;
 	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
 	TRY(edits_reserve(world, function, 0, 1, 0));
-	// its leaf exists already; the call marks the tree, since the box changes
-	int kind = collidable_kind(world, index);
-	if (kind != KIND_DEAD)
-		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	TRY(mark_tree(world, index));
 	world->host_collidables[index].filter = filter;
 	edits_collidable(world, index);
 	return SCREE_OK;
@@ -189,9 +192,7 @@ scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable co
 	if (host->sensor == sensor)
 		return SCREE_OK;
 	TRY(edits_reserve(world, function, 0, 1, 0));
-	int kind = collidable_kind(world, index);
-	if (kind != KIND_DEAD)
-		TRY(tree_insert(&world->pipeline, tree_of_kind(kind), index));
+	TRY(mark_tree(world, index));
 	sensors_note(world, host->sensor, sensor);
 	host->sensor = sensor;
 	host->born = world->pipeline.steps;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // events.c -- what happened in the last step, for the user.
 #include "api/contact_result.h"
+#include "api/joint_state.h"
 #include "api/visits.h"
 #include "world/check.h"
 #include "world/definition.h"
@@ -8,9 +9,6 @@
 #include "world/memory.h"
 #include "world/reports.h"
 #include <stddef.h>
-
-// bytes: no struct of events is larger
-#define MOST_SIZE 4096
 
 // of structs from versions that know visits and joints
 #define LEAST_WITH_VISITS (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
@@ -84,9 +82,10 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	size_t visit = events->size >= LEAST_WITH_VISITS ? events->visit_size : 0;
 	bytes += visit * (size_t)(sensors->began_count + sensors->ended_count);
 	size_t joint = visit > 0 ? events->joint_size : 0;
+	JointEvent* joint_rows = NULL;
 	int joints = 0;
 	if (joint > 0)
-		TRY(scree_world_get_joint_events_sized(world, NULL, joint, 0, &joints));
+		TRY(joint_events_find(world, function, &joint_rows, &joints));
 	bytes += joint * (size_t)joints;
 	if (bytes > INT32_MAX)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
@@ -127,8 +126,11 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	result.visits_ended = (const scree_visit*)to;
 	to = visits_at(world, sensors->ended, visit > 0 ? sensors->ended_count : 0, to, visit);
 	result.joints = (const scree_joint_event*)to;
-	if (joints > 0)
-		TRY(scree_world_get_joint_events_sized(world, (scree_joint_event*)to, joint, joints, &joints));
+	for (int k = 0; k < joints; ++k, to += joint)
+	{
+		scree_joint_event row = joint_event_result(world, joint_rows + k);
+		write_result(to, joint, &row, sizeof row);
+	}
 	write_result(events, result.size, &result, sizeof result);
 	return SCREE_OK;
 }

@@ -79,8 +79,6 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	write_result(def, size, &made, sizeof made);
 }
 
-static scree_rot turned(scree_rot a, scree_rot b) { return (scree_rot){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s}; }
-
 // The frame of a body, or of the world, that lies at a pose in the world.
 static scree_status place(scree_world* world, Where at, const char* member, scree_body body, scree_pose pose,
                           scree_pose* frame)
@@ -94,8 +92,8 @@ static scree_status place(scree_world* world, Where at, const char* member, scre
 	TRY(scree_body_get_pose(world, body, &own));
 	scree_rot back = {own.rotation.c, -own.rotation.s};
 	scree_vec shift = {pose.position.x - own.position.x, pose.position.y - own.position.y};
-	frame->position = pose_point((scree_pose){{0.0f, 0.0f}, back}, shift);
-	frame->rotation = turned(back, pose.rotation);
+	frame->position = rot_vec(back, shift);
+	frame->rotation = rot_product(back, pose.rotation);
 	return SCREE_OK;
 }
 
@@ -113,11 +111,6 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 		def->frame_a = frame_a;
 	def->frame_b = frame_b;
 	return SCREE_OK;
-}
-
-static scree_pose within_pose(scree_pose outer, scree_pose inner)
-{
-	return (scree_pose){pose_point(outer, inner.position), turned(outer.rotation, inner.rotation)};
 }
 
 scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along)
@@ -141,7 +134,7 @@ scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, flo
 		TRY(check_body(world, at, ".body_a", def->body_a, &body));
 		TRY(scree_body_get_pose(world, def->body_a, &own));
 	}
-	scree_pose pose = within_pose(within_pose(own, frame), path_pose_at(world, path, along));
+	scree_pose pose = pose_product(pose_product(own, frame), path_pose_at(world, path, along));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &def->frame_b));
 	def->path_near = along;
 	return SCREE_OK;
@@ -168,8 +161,8 @@ static scree_status measure(scree_world* world, Where at, const scree_joint_def*
 		*value = sqrtf(d.x * d.x + d.y * d.y);
 	else
 	{
-		scree_rot now = turned(pose.rotation, frame.rotation);
-		*value = scree_rot_get_angle(turned((scree_rot){base.rotation.c, -base.rotation.s}, now));
+		scree_rot now = rot_product(pose.rotation, frame.rotation);
+		*value = scree_rot_get_angle(rot_product((scree_rot){base.rotation.c, -base.rotation.s}, now));
 	}
 	return SCREE_OK;
 }

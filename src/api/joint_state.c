@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // joint_state.c -- joints: coordinates, forces and events, read from the device.
+#include "api/joint_state.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/handles.h"
@@ -56,38 +57,50 @@ static int compare_events(const void* a, const void* b)
 	return ((const JointEvent*)a)->slot - ((const JointEvent*)b)->slot;
 }
 
-scree_status scree_world_get_joint_events_sized(scree_world* world, scree_joint_event* events, size_t size,
-                                                int capacity, int* count)
+scree_status joint_events_find(scree_world* world, const char* function, JointEvent** rows, int* count)
 {
-	const char* function = "scree_world_get_joint_events";
-	TRY(world_check(world, function));
-	TRY(check_list(function, "events", events, capacity, count));
 	*count = 0;
 	if (!world->pipeline.drives)
 		return SCREE_OK;
 	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
-	int found = world->pipeline.counters.joint_events, listed = 0;
+	int found = world->pipeline.counters.joint_events;
 	if (found == 0)
 		return SCREE_OK;
-	JointEvent* rows = world_scratch(world, (size_t)found * sizeof *rows);
-	if (!rows)
+	*rows = world_scratch(world, (size_t)found * sizeof **rows);
+	if (!*rows)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d events", function, found);
-	TRY(world_read(world, POOL_joint_event, 0, found, rows));
-	qsort(rows, (size_t)found, sizeof *rows, compare_events);
+	TRY(world_read(world, POOL_joint_event, 0, found, *rows));
+	qsort(*rows, (size_t)found, sizeof **rows, compare_events);
 	for (int k = 0; k < found; ++k)
 	{
-		const HostJoint* host = world->host_joints + rows[k].slot;
-		if (!slots_in_use(&world->joints, rows[k].slot) || host->born >= world->pipeline.steps)
-			continue;
-		scree_joint_event event = {.joint = joint_handle(world, rows[k].slot),
-		                           .force = rows[k].force,
-		                           .torque = rows[k].torque,
-		                           .broken = rows[k].broken,
-		                           .user = host->def.user};
-		if (listed < capacity)
-			write_result((char*)events + size * (size_t)listed, size, &event, sizeof event);
-		++listed;
+		int slot = (*rows)[k].slot;
+		if (slots_in_use(&world->joints, slot) && world->host_joints[slot].born < world->pipeline.steps)
+			(*rows)[(*count)++] = (*rows)[k];
 	}
-	*count = listed;
+	return SCREE_OK;
+}
+
+scree_joint_event joint_event_result(const scree_world* world, const JointEvent* row)
+{
+	return (scree_joint_event){.joint = joint_handle(world, row->slot),
+	                           .force = row->force,
+	                           .torque = row->torque,
+	                           .broken = row->broken,
+	                           .user = world->host_joints[row->slot].def.user};
+}
+
+scree_status scree_world_get_joint_events_sized(scree_world* world, scree_joint_event* events, size_t size,
+                                                int capacity, int* count)
+{
+	const char* function = "scree_world_get_joint_events";
+	JointEvent* rows = NULL;
+	TRY(world_check(world, function));
+	TRY(check_list(function, "events", events, capacity, count));
+	TRY(joint_events_find(world, function, &rows, count));
+	for (int k = 0; k < *count && k < capacity; ++k)
+	{
+		scree_joint_event event = joint_event_result(world, rows + k);
+		write_result((char*)events + size * (size_t)k, size, &event, sizeof event);
+	}
 	return SCREE_OK;
 }

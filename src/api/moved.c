@@ -10,9 +10,6 @@
 #include "world/world.h"
 #include <stddef.h>
 
-// bytes: no such struct is larger
-#define MOST_SIZE 4096
-
 static scree_moved moved_at(const scree_world* world, const Told* row)
 {
 	return (scree_moved){.body = body_handle(world, row->body),

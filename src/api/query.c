@@ -30,49 +30,49 @@ static scree_status answer(scree_world* world, const char* function, const Quest
 	return world_note(world, status);
 }
 
-scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
-                                   scree_found* found)
+static scree_status cast_rays(scree_world* world, const char* function, const char* name, const scree_query_def* def,
+                              const scree_ray* rays, int count, scree_found* found)
 {
-	const char* function = "scree_world_cast_rays";
 	Asking asking;
 	Questions questions;
-	TRY(query_check(world, function, def, rays, "rays", count, &asking, &questions));
+	TRY(query_check(world, function, def, rays, name, count, &asking, &questions));
 	query_rays(&asking, &questions);
 	return answer(world, function, &questions, found);
 }
 
+scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
+                                   scree_found* found)
+{
+	return cast_rays(world, "scree_world_cast_rays", "rays", def, rays, count, found);
+}
+
 scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation, scree_found* found)
 {
-	const char* function = "scree_world_cast_ray";
 	scree_ray ray = {.origin = origin, .translation = translation};
+	return cast_rays(world, "scree_world_cast_ray", "ray", NULL, &ray, 1, found);
+}
+
+static scree_status cast_shapes(scree_world* world, const char* function, const char* name, const scree_query_def* def,
+                                const scree_shape* shape, const scree_probe* probes, int count, scree_found* found)
+{
 	Asking asking;
 	Questions questions;
-	TRY(query_check(world, function, NULL, &ray, "ray", 1, &asking, &questions));
-	query_rays(&asking, &questions);
+	TRY(query_check(world, function, def, probes, name, count, &asking, &questions));
+	TRY(query_probes(world, shape, &asking, &questions));
 	return answer(world, function, &questions, found);
 }
 
 scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                      const scree_probe* probes, int count, scree_found* found)
 {
-	const char* function = "scree_world_cast_shapes";
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, probes, "probes", count, &asking, &questions));
-	TRY(query_probes(world, shape, &asking, &questions));
-	return answer(world, function, &questions, found);
+	return cast_shapes(world, "scree_world_cast_shapes", "probes", def, shape, probes, count, found);
 }
 
 scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
                                     scree_vec translation, scree_found* found)
 {
-	const char* function = "scree_world_cast_shape";
 	scree_probe probe = {.pose = pose, .translation = translation};
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, NULL, &probe, "probe", 1, &asking, &questions));
-	TRY(query_probes(world, shape, &asking, &questions));
-	return answer(world, function, &questions, found);
+	return cast_shapes(world, "scree_world_cast_shape", "probe", NULL, shape, &probe, 1, found);
 }
 
 scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def, const scree_shape* shape,

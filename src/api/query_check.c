@@ -12,9 +12,6 @@
 #define ALL_KINDS \
 	(SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS)
 
-static const DefinitionType query_definition = {
-    sizeof(scree_query_def), offsetof(scree_query_def, skip_inside) + sizeof(bool), "scree_query_def_default"};
-
 void scree_query_def_default_sized(scree_query_def* def, size_t size)
 {
 	scree_query_def made = {.size = (uint32_t)size,

@@ -36,13 +36,10 @@ static void sort_few(Found* found, int* query, int count)
 static scree_status read_rows(scree_world* world, const char* function, int count)
 {
 	Queries* q = &world->queries;
-	Backend* b = world->backend;
 	TRY(GROW(function, q->found, q->capacity, count));
 	TRY(GROW(function, q->query, q->query_capacity, count));
-	bool few = count <= FEW_ANSWERS;
-	TRY(b->f->read(b, few ? POOL_found_query : POOL_found_row_query, 0, count, q->query));
-	TRY(b->f->read(b, few ? POOL_found : POOL_found_row, 0, count, q->found));
-	if (few)
+	TRY(queries_read(&world->pipeline, count, q->found, q->query));
+	if (count <= FEW_ANSWERS)
 		sort_few(q->found, q->query, count);
 	return SCREE_OK;
 }

@@ -53,8 +53,6 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 	return SCREE_OK;
 }
 
-static scree_vec turned(scree_rot rotation, scree_vec v) { return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v); }
-
 static scree_status get_poses(scree_world* world, const char* function, const char* argument, const scree_body* bodies,
                               scree_pose* poses, int count, bool alone)
 {
@@ -190,7 +188,7 @@ scree_status scree_body_get_local_point(scree_world* world, scree_body body, scr
 	scree_pose pose;
 	TRY(point_pose(world, "scree_body_get_local_point", body, "point", point, "local", local, &pose));
 	scree_vec from = {point.x - pose.position.x, point.y - pose.position.y};
-	*local = turned((scree_rot){pose.rotation.c, -pose.rotation.s}, from);
+	*local = rot_vec((scree_rot){pose.rotation.c, -pose.rotation.s}, from);
 	return SCREE_OK;
 }
 

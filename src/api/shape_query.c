@@ -3,7 +3,7 @@
 #include "api/query_check.h"
 #include "platform/processor.h"
 #include "stages/convex_sum.h"
-#include "world/check.h"
+#include "world/geometry.h"
 
 // m: shapes that are this near have met; half a tenth of the slop of contacts
 #define IMPACT_DISTANCE (0.05f * LINEAR_SLOP)
@@ -138,17 +138,15 @@ typedef struct // from one pose to another
 
 static Way motion_of(scree_pose from, scree_pose to)
 {
-	scree_rot turn = {from.rotation.c * to.rotation.c + from.rotation.s * to.rotation.s,
-	                  from.rotation.c * to.rotation.s - from.rotation.s * to.rotation.c};
-	return (Way){from, to, scree_rot_get_angle(turn)};
+	scree_rot back = {from.rotation.c, -from.rotation.s};
+	return (Way){from, to, scree_rot_get_angle(rot_product(back, to.rotation))};
 }
 
 static scree_pose pose_then(const Way* m, float time)
 {
 	scree_vec a = m->from.position, b = m->to.position;
-	scree_rot turn = scree_rot_make(time * m->angle), r = m->from.rotation;
 	return (scree_pose){{a.x + time * (b.x - a.x), a.y + time * (b.y - a.y)},
-	                    {r.c * turn.c - r.s * turn.s, r.s * turn.c + r.c * turn.s}};
+	                    rot_product(m->from.rotation, scree_rot_make(time * m->angle))};
 }
 
 // The most by which a point of a shape moves because it turns, m.

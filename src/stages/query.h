@@ -67,7 +67,7 @@ INLINE Found query_nothing(void)
 	return found;
 }
 
-// Writes an answer in the world: a point and a normal in the frame of a seen.
+// Writes an answer in the world: a point and a normal in the frame of what is seen.
 INLINE void query_place(Found* found, Seen seen, Vec point, Vec normal)
 {
 	Vec turn = vec(seen.c, seen.s);

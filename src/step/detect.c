@@ -23,9 +23,9 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
 		return;
-	runs_add(list, STAGE_tree_leaf, 0, (tree->count[0] + ARITY - 1) / ARITY * ARITY, count, t);
+	runs_add(list, STAGE_tree_leaf, 0, tree_padded(tree->count[0]), count, t);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, STAGE_tree_node, 0, (tree->count[level] + ARITY - 1) / ARITY * ARITY, count, t | level << 1);
+		runs_add(list, STAGE_tree_node, 0, tree_padded(tree->count[level]), count, t | level << 1);
 }
 
 // puts the leaves of a tree in order: always, or when a counter says so

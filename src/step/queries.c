@@ -14,17 +14,15 @@
 // most runs that a refit lists: twice the levels of both trees, and an order of each
 #define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
 
-static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
-
 // ways: the boxes are those of the way in the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
 	int how = (ways ? 2 : 0) | (pipeline->undone ? 4 : 0);
-	runs_add(list, STAGE_query_leaf, 0, padded(tree->count[0]), NO_COUNT, t | how);
+	runs_add(list, STAGE_query_leaf, 0, tree_padded(tree->count[0]), NO_COUNT, t | how);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, STAGE_query_node, 0, padded(tree->count[level]), NO_COUNT, t | level << 1);
+		runs_add(list, STAGE_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, t | level << 1);
 }
 
 // A tree of a world that never made a step has its leaves in the order of their creation.
@@ -163,6 +161,14 @@ scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
 	if (*count > FEW_ANSWERS)
 		TRY(sort(pipeline, q, *count));
 	return lap(pipeline, q);
+}
+
+scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* queries)
+{
+	Backend* b = pipeline->backend;
+	bool few = count <= FEW_ANSWERS;
+	TRY(b->f->read(b, few ? POOL_found_query : POOL_found_row_query, 0, count, queries));
+	return b->f->read(b, few ? POOL_found : POOL_found_row, 0, count, found);
 }
 
 scree_status told_list(Pipeline* pipeline, int bodies, int* count)

@@ -28,6 +28,9 @@ scree_status queries_answer(Pipeline* pipeline, const Questions* questions, Foun
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const Questions* questions, int* count);
 
+// Reads so many answers from there, and the query of each.
+scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* queries);
+
 // The bodies, of so many slots, at other poses than the user was told last: sets *count to their number, and lists them in the pool
 // told_row, by index.
 scree_status told_list(Pipeline* pipeline, int bodies, int* count);

@@ -22,15 +22,15 @@ static void touch(TreeState* state)
 	state->seen = false;
 }
 
-static int padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
+int tree_padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
 
 int tree_nodes(int leaves)
 {
-	int nodes = padded(leaves);
+	int nodes = tree_padded(leaves);
 	while (leaves > ARITY)
 	{
 		leaves = (leaves + ARITY - 1) / ARITY;
-		nodes += padded(leaves);
+		nodes += tree_padded(leaves);
 	}
 	return nodes + ARITY; // the root, behind the highest level
 }
@@ -50,7 +50,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 		tree->count[tree->top] = count;
 		if (count <= ARITY)
 			break;
-		begin += padded(count);
+		begin += tree_padded(count);
 		count = (count + ARITY - 1) / ARITY;
 	}
 	if (memcmp(tree, &state->sent, sizeof *tree) == 0)

@@ -4,6 +4,9 @@
 #define TREE_HOST_H
 #include "step/state.h"
 
+// So many leaves or nodes of a level, rounded up to whole groups of siblings.
+int tree_padded(int count);
+
 // nodes of all levels of a tree of so many leaves, padding included
 int tree_nodes(int leaves);
 

@@ -7,9 +7,6 @@
 // the end of a member, in bytes from the start of its struct
 #define END_OF(type, member) (uint32_t)(offsetof(type, member) + sizeof((type*)0)->member)
 
-// no definition is larger: a size above it means that the member was never set
-#define MOST_BYTES 4096
-
 const DefinitionType world_definition = {sizeof(scree_world_def), END_OF(scree_world_def, contact_limit),
                                          "scree_world_def_default"};
 const DefinitionType tuning_definition = {sizeof(scree_tuning), END_OF(scree_tuning, max_speed),
@@ -24,6 +21,10 @@ const DefinitionType joint_definition = {sizeof(scree_joint_def), END_OF(scree_j
                                          "scree_joint_def_make"};
 
 const DefinitionType path_definition = {sizeof(scree_path_def), END_OF(scree_path_def, user), "scree_path_def_default"};
+const DefinitionType query_definition = {sizeof(scree_query_def), END_OF(scree_query_def, skip_inside),
+                                         "scree_query_def_default"};
+const DefinitionType blast_definition = {sizeof(scree_blast_def), END_OF(scree_blast_def, mask),
+                                         "scree_blast_def_default"};
 
 static uint32_t size_of(const void* def)
 {
@@ -38,7 +39,7 @@ scree_status check_definition(Where at, const void* defs, int k, const Definitio
 {
 	const char* def = place_of(defs, k);
 	uint32_t size = size_of(def);
-	if (size < type->least || size > MOST_BYTES)
+	if (size < type->least || size > MOST_SIZE)
 		return refuse(SCREE_ERROR_INVALID, at, ".size", "is %u: the definition was not made by %s", size,
 		              type->default_function);
 	if (size != size_of(defs))

@@ -32,4 +32,21 @@ static inline double vec_cross_from(scree_vec origin, scree_vec a, scree_vec b)
 double vec_distance(scree_vec a, scree_vec b);
 scree_vec pose_point(scree_pose pose, scree_vec point);
 
+static inline scree_vec rot_vec(scree_rot rotation, scree_vec v)
+{
+	return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v);
+}
+
+// b, then a
+static inline scree_rot rot_product(scree_rot a, scree_rot b)
+{
+	return (scree_rot){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
+}
+
+// A pose in the frame of another one, in the world.
+static inline scree_pose pose_product(scree_pose outer, scree_pose inner)
+{
+	return (scree_pose){pose_point(outer, inner.position), rot_product(outer.rotation, inner.rotation)};
+}
+
 #endif

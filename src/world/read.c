@@ -18,6 +18,6 @@ scree_status world_read(scree_world* world, PoolId pool, int first, int count, v
 scree_pose world_body_pose(const scree_world* world, int index, const Float4* row)
 {
 	scree_rot rotation = {row->z, row->w};
-	scree_vec shift = pose_point((scree_pose){{0.0f, 0.0f}, rotation}, world->host_bodies[index].mass.center);
+	scree_vec shift = rot_vec(rotation, world->host_bodies[index].mass.center);
 	return (scree_pose){{row->x - shift.x, row->y - shift.y}, rotation};
 }

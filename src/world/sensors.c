@@ -117,7 +117,6 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 static scree_status ask(scree_world* world, const char* function, int* count)
 {
 	Sensors* s = &world->sensors;
-	Backend* b = world->backend;
 	*count = 0;
 	TRY(list_sensors(world, function));
 	if (s->count == 0)
@@ -131,19 +130,17 @@ static scree_status ask(scree_world* world, const char* function, int* count)
 	TRY(queries_list(&world->pipeline, &questions, count));
 	if (*count == 0)
 		return SCREE_OK;
-	bool few = *count <= FEW_ANSWERS;
 	TRY(GROW(function, s->rows, s->row_capacity, *count));
 	TRY(GROW(function, s->row_queries, s->row_query_capacity, *count));
 	TRY(GROW(function, s->found, s->found_capacity, *count));
-	TRY(b->f->read(b, few ? POOL_found : POOL_found_row, 0, *count, s->rows));
-	TRY(b->f->read(b, few ? POOL_found_query : POOL_found_row_query, 0, *count, s->row_queries));
+	TRY(queries_read(&world->pipeline, *count, s->rows, s->row_queries));
 	for (int k = 0; k < *count; ++k)
 		s->found[k] = (Visit){.sensor = s->queries[s->row_queries[k]].ignored_generation,
 		                      .visitor = s->rows[k].collidable,
 		                      .time = s->rows[k].fraction,
 		                      .left = s->rows[k].x,
 		                      .lasts = (s->rows[k].marks & FOUND_INSIDE) != 0};
-	if (few)
+	if (*count <= FEW_ANSWERS)
 		qsort(s->found, (size_t)*count, sizeof *s->found, compare);
 	return SCREE_OK;
 }
