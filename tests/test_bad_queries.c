@@ -163,11 +163,50 @@ static void shapes_without_a_world(void** state)
 	        "to_a.position.y is nan");
 }
 
+static void movers(void** state)
+{
+	(void)state;
+	scree_mover list[2] = {{.position = {1, 2}}, {.position = {3, 4}}};
+	scree_mover_def def = scree_mover_def_default();
+	INVALID(scree_movers_move, (NULL, NULL, list, 2, 0.1f), "world is null");
+	INVALID(scree_movers_move, (world, NULL, NULL, 2, 0.1f), "movers is null");
+	INVALID(scree_movers_move, (world, NULL, list, -1, 0.1f), "count is -1");
+	INVALID(scree_movers_move, (world, NULL, list, 2, NAN), "dt is nan");
+	INVALID(scree_movers_move, (world, NULL, list, 2, -0.1f), "dt is -0.1");
+	INVALID(scree_movers_move, (world, NULL, list, 2, 2), "dt is 2");
+	assert_ok(scree_movers_move(world, NULL, NULL, 0, 0.1f));
+#define DEF(change, sentence)        \
+	def = scree_mover_def_default(); \
+	def.change;                      \
+	INVALID(scree_movers_move, (world, &def, list, 2, 0.1f), "def" sentence)
+	DEF(size = 0, ".size is 0: the definition was not made by scree_mover_def_default");
+	DEF(length = -1, ".length is -1");
+	DEF(length = 0.001f, ".length is 0.001, must be 0 or at least 0.002");
+	DEF(radius = 0, ".radius is 0");
+	DEF(up = ((scree_vec){1, 1}), ".up is (1, 1), must be a unit vector");
+	DEF(up.y = NAN, ".up.y is nan");
+	DEF(slope = 2, ".slope is 2");
+	DEF(climb = -1, ".climb is -1");
+	DEF(snap = INFINITY, ".snap is inf");
+	DEF(skin = 0, ".skin is 0");
+	DEF(kinds = 64, ".kinds is 64, has bits other than SCREE_QUERY_*");
+#undef DEF
+#define MOVER(status, change, sentence) \
+	list[1] = list[0];                  \
+	list[1].change;                     \
+	REFUSED(scree_movers_move, (world, NULL, list, 2, 0.1f), status, "movers[1]" sentence)
+	MOVER(SCREE_ERROR_INVALID, position.y = NAN, ".position.y is nan");
+	MOVER(SCREE_ERROR_INVALID, velocity.x = 1e9f, ".velocity.x is 1e+09");
+	MOVER(SCREE_ERROR_INVALID, ground_pose.rotation.c = 3, ".ground_pose.rotation is (3, 0)");
+	MOVER(SCREE_ERROR_STALE, ignored = stale, ".ignored (index 4");
+#undef MOVER
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(rays),    cmocka_unit_test(shapes), cmocka_unit_test(shapes_without_a_world),
-	    cmocka_unit_test(sensors), cmocka_unit_test(blasts),
+	    cmocka_unit_test(sensors), cmocka_unit_test(blasts), cmocka_unit_test(movers),
 	};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
 }

@@ -1309,6 +1309,45 @@ static inline scree_blast_def scree_blast_def_default(void);
 // collidables. Walls do not shield: ask scree_world_cast_rays, and push yourself.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
+typedef struct scree_mover_def // characters of one kind: upright capsules that are moved by queries
+{
+	uint32_t size;  // set by scree_mover_def_default
+	uint32_t kinds; // bits of SCREE_QUERY_*: what stops it; default those of bodies
+	float length; // m, 0 or 0.002 to SCREE_HUGE: between the centers of the capsule's ends, 0 for a circle; default 0.6
+	float radius; // m, 0.001 to SCREE_HUGE; default 0.3
+	scree_vec up; // unit vector; default (0, 1)
+	float slope;  // rad, 0 to pi / 2: the steepest ground that it can stand on; default 50 degrees
+	float climb;  // m, 0 to SCREE_HUGE: the highest step that it walks up; default 0.3
+	float snap;   // m, 0 to SCREE_HUGE: so far down it follows the ground that it stands on; default 0.3
+	float skin;   // m, 0.001 to SCREE_HUGE: the distance that it keeps from everything; default 0.01
+	uint64_t category; // as in scree_query_def; default all
+	uint64_t mask;     // the same
+} scree_mover_def;
+
+static inline scree_mover_def scree_mover_def_default(void);
+
+typedef struct
+    scree_mover // a character. Begin with zeros, a position and a velocity; then change velocity and ignored only
+{
+	scree_vec position;      // m: of the capsule's center
+	scree_vec velocity;      // m/s, on top of that of the ground: what you wish; then what is left of it
+	scree_body ignored;      // a body that it does not see, such as one that follows it; or null
+	scree_collidable ground; // what it stands on, null in the air
+	scree_vec normal;        // of the ground, 0 in the air
+	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along
+	scree_vec carried;       // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
+	scree_collidable wall;   // the last wall, ceiling or steep slope that stopped it, or null
+	scree_vec wall_normal;   // unit vector from the wall to it, or 0
+} scree_mover;
+
+// Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
+// ground down, ride on what moves below them, and are pushed out of what moves into them. They do not collide with each other, and push
+// no body: give wall an impulse yourself. Add gravity to the velocity of those in the air. A velocity against up is dropped on ground; one
+// along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
+// on every device. Components of velocities are at most SCREE_HUGE. Fails without a change to movers.
+SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
+                                         float dt);
+
 // ---------------------------------------------------------------------------------------------------------------
 // Two shapes, without a world
 //
@@ -1574,6 +1613,14 @@ static inline scree_blast_def scree_blast_def_default(void)
 {
 	scree_blast_def def;
 	scree_blast_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API void scree_mover_def_default_sized(scree_mover_def* def, size_t size);
+static inline scree_mover_def scree_mover_def_default(void)
+{
+	scree_mover_def def;
+	scree_mover_def_default_sized(&def, sizeof def);
 	return def;
 }
 

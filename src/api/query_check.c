@@ -21,6 +21,13 @@ void scree_query_def_default_sized(scree_query_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
+scree_status check_query_kinds(Where at, uint32_t kinds)
+{
+	return kinds & ~(uint32_t)ALL_KINDS
+	           ? refuse(SCREE_ERROR_INVALID, at, ".kinds", "is %u, has bits other than SCREE_QUERY_*", kinds)
+	           : SCREE_OK;
+}
+
 scree_status query_check(scree_world* world, const char* function, const scree_query_def* def, const void* items,
                          const char* items_name, int count, Asking* asking, Questions* questions)
 {
@@ -32,8 +39,7 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 		Where at = {function, "def", ALONE};
 		TRY(check_definition(at, def, 0, &query_definition));
 		def = definition_at(def, 0, &query_definition, &local);
-		if (def->kinds & ~(uint32_t)ALL_KINDS)
-			return refuse(SCREE_ERROR_INVALID, at, ".kinds", "is %u, has bits other than SCREE_QUERY_*", def->kinds);
+		TRY(check_query_kinds(at, def->kinds));
 	}
 	else
 	{

@@ -3,6 +3,7 @@
 #ifndef QUERY_CHECK_H
 #define QUERY_CHECK_H
 #include "step/queries.h"
+#include "world/check.h"
 #include "world/world.h"
 
 typedef struct // the items of a call, for their check
@@ -13,6 +14,8 @@ typedef struct // the items of a call, for their check
 	int count;
 	float longest; // m: a component of a translation
 } Asking;
+
+scree_status check_query_kinds(Where at, uint32_t kinds);
 
 // Checks what all queries have: the definition, and count items in an array. asking must live as long as questions.
 scree_status query_check(scree_world* world, const char* function, const scree_query_def* def, const void* items,

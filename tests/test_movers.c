@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+// test_movers.c -- characters on floors, walls, slopes, steps and platforms; batches, and the same bits everywhere.
+#include "support.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define SPEED   4.0f
+#define GRAVITY 10.0f
+#define HALF    0.6f // m: from the center of a default mover to its foot
+
+static scree_mover mover_at(float x, float y) { return (scree_mover){.position = {x, y}}; }
+
+// Walks for so many frames at a speed, and falls when it is in the air.
+static void walk_frames(scree_world* world, const scree_mover_def* def, scree_mover* m, float speed, int frames)
+{
+	for (int k = 0; k < frames; ++k)
+	{
+		m->velocity.x = speed;
+		m->velocity.y -= GRAVITY * STEP;
+		OK(scree_world_step(world, STEP, SUBSTEPS));
+		OK(scree_movers_move(world, def, m, 1, STEP));
+	}
+}
+
+static void walks_on_a_floor(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_floor(world);
+	scree_mover m = mover_at(0.0f, 2.0f);
+	walk_frames(world, NULL, &m, 0.0f, 120);
+	assert_false(scree_collidable_is_null(m.ground));
+	NEAR(m.position.y, HALF + 0.01, 1e-4);
+	NEAR(m.velocity.y, 0.0, 1e-6);
+	NEAR(m.normal.y, 1.0, 1e-6);
+	walk_frames(world, NULL, &m, SPEED, 60);
+	NEAR(m.position.x, SPEED, 1e-3);
+	NEAR(m.velocity.x, SPEED, 1e-6);
+	NEAR(m.position.y, HALF + 0.01, 1e-4);
+
+	// a jump leaves the ground and lands again after 2 v / g
+	int frames = 0;
+	m.velocity.y = 5.0f;
+	do
+	{
+		OK(scree_movers_move(world, NULL, &m, 1, STEP));
+		m.velocity.y -= GRAVITY * STEP;
+	} while (scree_collidable_is_null(m.ground) && ++frames < 200);
+	NEAR(frames, 60.0, 2.0);
+
+	// at rest for two minutes: not a bit changes
+	walk_frames(world, NULL, &m, 0.0f, 10);
+	scree_mover before = m;
+	walk_frames(world, NULL, &m, 0.0f, 7200);
+	assert_memory_equal(&m.position, &before.position, sizeof m.position);
+	scree_world_destroy(world);
+}
+
+static void stops_at_walls(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_floor(world);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 3.0f, 3.0f, 3.0f);
+	add_box(world, SCREE_BODY_STATIC, 2.0f, 0.5f, -3.0f, 2.0f); // a ceiling at 1.5 m
+	scree_mover m = mover_at(0.0f, HALF + 0.01f);
+	walk_frames(world, NULL, &m, SPEED, 120);
+	NEAR(m.position.x, 2.5 - 0.3 - 0.01, 1e-3);
+	NEAR(m.velocity.x, 0.0, 1e-5);
+	NEAR(m.wall_normal.x, -1.0, 1e-5);
+	assert_false(scree_collidable_is_null(m.wall));
+	// at 1000 m/s it is stopped as well
+	m = mover_at(-10.0f, HALF + 3.0f);
+	m.velocity = (scree_vec){1000.0f, 0.0f};
+	OK(scree_movers_move(world, NULL, &m, 1, STEP));
+	NEAR(m.position.x, 2.5 - 0.3 - 0.01, 1e-3);
+	// under the ceiling a jump ends
+	m = mover_at(-3.0f, HALF + 0.01f);
+	m.velocity = (scree_vec){0.0f, 20.0f};
+	OK(scree_movers_move(world, NULL, &m, 1, STEP));
+	NEAR(m.position.y, 1.5 - HALF - 0.01, 1e-3);
+	NEAR(m.velocity.y, 0.0, 1e-6);
+	scree_world_destroy(world);
+}
+
+// Walks up a step of a height; returns how high it stands behind it.
+static float up_a_step(float height, float speed)
+{
+	scree_world* world = open_world(0.0f);
+	add_floor(world);
+	add_box(world, SCREE_BODY_STATIC, 5.0f, height, 6.0f, 0.0f);
+	scree_mover m = mover_at(0.0f, HALF + 0.01f);
+	walk_frames(world, NULL, &m, speed, (int)(3.0f / speed / STEP));
+	scree_world_destroy(world);
+	return m.position.y - HALF - 0.01f;
+}
+
+static void climbs_steps(void** state)
+{
+	(void)state;
+	for (float speed = 0.2f; speed < 20.0f; speed *= 3.0f)
+		for (float height = 0.02f; height < 0.6f; height += 0.07f)
+			NEAR(up_a_step(height, speed), height <= 0.3f ? height : 0.0f, 2e-3);
+}
+
+// Walks on a plane that rises by an angle; sets v to its last velocity, returns how far it came.
+static float along_a_slope(float degrees, float speed, int frames, scree_mover* m)
+{
+	scree_world* world = open_world(0.0f);
+	float radians = degrees * (float)PI / 180.0f;
+	scree_rot r = scree_rot_make(radians);
+	scree_shape shape = box_shape(50.0f, 1.0f);
+	scree_attribute_def def = surface_of(shape);
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), r.s, -r.c, radians); // its surface goes through 0
+	*m = mover_at(0.0f, 0.31f / r.c + 0.3f);
+	walk_frames(world, NULL, m, 0.0f, 60);
+	scree_vec from = m->position;
+	walk_frames(world, NULL, m, speed, frames);
+	scree_world_destroy(world);
+	return (m->position.x - from.x) * r.c + (m->position.y - from.y) * r.s;
+}
+
+static void walks_on_slopes(void** state)
+{
+	(void)state;
+	scree_mover m;
+	for (float degrees = -45.0f; degrees < 46.0f; degrees += 15.0f)
+	{
+		NEAR(along_a_slope(degrees, 0.0f, 600, &m), 0.0, 1e-3); // stands still for ten seconds
+		float c = scree_rot_make(degrees * (float)PI / 180.0f).c;
+		float came = along_a_slope(degrees, 2.0f, 60, &m);
+		assert_false(scree_collidable_is_null(m.ground));
+		NEAR(came, degrees > 0.0f ? 2.0f * c : 2.0f / c, 0.05);
+	}
+	// too steep: it slides down, and does not come up
+	float down = along_a_slope(60.0f, 0.0f, 120, &m), up = along_a_slope(60.0f, 4.0f, 120, &m);
+	printf("down a slope of 60 degrees %.2f m, up %.2f m\n", (double)down, (double)up);
+	assert_true(down < -0.5f && up < 0.3f);
+	assert_true(scree_collidable_is_null(m.ground));
+}
+
+static void rides_on_platforms(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body platform = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 0.0f, 0.0f);
+	scree_mover m = mover_at(1.0f, 0.5f + HALF + 0.01f);
+	walk_frames(world, NULL, &m, 0.0f, 2);
+	static const scree_velocity ways[] = {
+	    {{3.0f, 0.0f}, 0.0f}, {{0.0f, 2.0f}, 0.0f}, {{0.0f, -4.0f}, 0.0f}, {{-2.0f, 1.0f}, 0.0f}};
+	for (size_t k = 0; k < sizeof ways / sizeof *ways; ++k)
+	{
+		OK(scree_body_set_velocity(world, platform, ways[k]));
+		walk_frames(world, NULL, &m, 0.0f, 120);
+		scree_vec at = position_of(world, platform);
+		assert_false(scree_collidable_is_null(m.ground));
+		NEAR(m.position.x - at.x, 1.0, 2e-3);
+		NEAR(m.position.y - at.y, 0.5 + HALF + 0.01, 2e-3);
+		NEAR(m.carried.x, ways[k].linear.x, 1e-2);
+		NEAR(m.carried.y, ways[k].linear.y, 1e-2);
+	}
+	// it turns by 30 degrees: the mover stays at its place of the platform; targets carry too
+	scree_vec at = position_of(world, platform);
+	OK(scree_body_set_velocity(world, platform, (scree_velocity){{0.0f, 0.0f}, (float)PI / 6.0f}));
+	walk_frames(world, NULL, &m, 0.0f, 60);
+	assert_false(scree_collidable_is_null(m.ground));
+	NEAR((m.position.x - at.x) * cos(PI / 6.0) + (m.position.y - at.y) * sin(PI / 6.0), 1.0 + 0.6 * sin(PI / 6.0), 0.1);
+	// gone, the mover falls
+	OK(scree_body_destroy(world, platform));
+	walk_frames(world, NULL, &m, 0.0f, 60);
+	assert_true(scree_collidable_is_null(m.ground));
+	assert_true(m.velocity.y < -9.0f);
+	scree_world_destroy(world);
+}
+
+// A wall that moves pushes it; between two walls it is not pushed through the floor, and everything stays finite.
+static void is_pushed(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_floor(world);
+	scree_body wall = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 2.0f, -2.0f, 2.1f);
+	OK(scree_body_set_velocity(world, wall, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	scree_mover m = mover_at(0.0f, HALF + 0.01f);
+	walk_frames(world, NULL, &m, 0.0f, 240);
+	NEAR(m.position.x, -2.0 + 4.0 + 0.5 + 0.3 + 0.01, 5e-3);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 2.0f, 4.0f, 2.0f);
+	walk_frames(world, NULL, &m, 0.0f, 240);
+	assert_true(isfinite(m.position.x) && isfinite(m.position.y));
+	assert_true(m.position.y > 0.2f);
+	scree_world_destroy(world);
+}
+
+#define CROWD 200
+
+static void build_town(scree_world* world)
+{
+	uint64_t seed = 7;
+	add_floor(world);
+	for (int k = 0; k < 60; ++k)
+		add_box(world, k % 3 ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC, random_between(&seed, 0.1f, 1.0f),
+		        random_between(&seed, 0.05f, 1.0f), random_between(&seed, -30.0f, 30.0f),
+		        random_between(&seed, 0.0f, 4.0f));
+	for (int k = 0; k < 8; ++k)
+		OK(scree_body_set_velocity(world,
+		                           add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 0.1f, -28.0f + 8.0f * (float)k, 1.5f),
+		                           (scree_velocity){{k % 2 ? 1.0f : -1.0f, 0.3f}, 0.2f}));
+}
+
+// A crowd in a town; alone moves them one by one.
+static uint64_t hash_crowd(const Way* way, bool alone)
+{
+	scree_world_def def = scree_world_def_default();
+	def.device = way->device;
+	def.threads = way->threads;
+	def.lanes = way->lanes;
+	if (way->persistent)
+		setenv("SCREE_PERSISTENT", way->persistent, 1);
+	scree_world* world;
+	OK(scree_world_create(&def, &world));
+	unsetenv("SCREE_PERSISTENT");
+	build_town(world);
+	scree_mover crowd[CROWD];
+	uint64_t seed = 3, hash = HASH_BEGIN;
+	for (int k = 0; k < CROWD; ++k)
+		crowd[k] = mover_at(random_between(&seed, -30.0f, 30.0f), random_between(&seed, 0.0f, 6.0f));
+	for (int frame = 0; frame < 90; ++frame)
+	{
+		OK(scree_world_step(world, STEP, SUBSTEPS));
+		for (int k = 0; k < CROWD; ++k)
+		{
+			bool jumps = !scree_collidable_is_null(crowd[k].ground) && random_below(&seed, 30) == 0;
+			crowd[k].velocity = (scree_vec){k % 2 ? 3.0f : -3.0f, jumps ? 5.0f : crowd[k].velocity.y - GRAVITY * STEP};
+		}
+		if (alone)
+			for (int k = 0; k < CROWD; ++k)
+				OK(scree_movers_move(world, NULL, crowd + k, 1, STEP));
+		else
+			OK(scree_movers_move(world, NULL, crowd, CROWD, STEP));
+		for (int k = 0; k < CROWD; ++k)
+			assert_true(fabsf(crowd[k].position.x) < 200.0f && crowd[k].position.y > -3.0f);
+		hash = hash_more(hash, crowd, sizeof crowd);
+	}
+	scree_world_destroy(world);
+	return hash;
+}
+
+static void crowds_are_equal_everywhere(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	uint64_t expected = hash_crowd(ways, true);
+	for (int k = 0; k < count; ++k)
+		if (!ways[k].solver && !ways[k].other[0]) // the form of the solver makes no difference to queries
+			assert_int_equal(hash_crowd(ways + k, false), expected);
+}
+
+// Movers and definitions of all sizes, among walls at random, at one point, far away: answers stay finite and in reach.
+static void hostile_movers(void** state)
+{
+	(void)state;
+	uint64_t seed = 11;
+	scree_world* world = open_world(0.0f);
+	build_town(world);
+	static const float sizes[] = {0.001f, 0.02f, 0.3f, 5.0f, 100.0f}, far[] = {0.0f, 1e3f, 9e4f};
+	for (int trial = 0; trial < 300; ++trial)
+	{
+		scree_mover_def def = scree_mover_def_default();
+		float angle = random_between(&seed, 0.0f, 6.28f);
+		def.radius = sizes[random_below(&seed, 5)];
+		def.length = random_below(&seed, 2) ? 0.0f : 2.0f * sizes[random_below(&seed, 5)];
+		def.skin = random_below(&seed, 2) ? 0.001f : 0.3f * def.radius + 0.001f;
+		def.climb = random_below(&seed, 2) ? 0.0f : def.radius;
+		def.snap = random_below(&seed, 2) ? 0.0f : def.radius;
+		def.slope = random_between(&seed, 0.0f, 1.57f);
+		def.up = random_below(&seed, 2) ? def.up : (scree_vec){scree_rot_make(angle).c, scree_rot_make(angle).s};
+		scree_mover movers[20];
+		float out = far[random_below(&seed, 3)];
+		for (int k = 0; k < 20; ++k)
+			movers[k] =
+			    mover_at(out + random_between(&seed, -3.0f, 3.0f), k < 10 ? 0.5f : random_between(&seed, -1.0f, 4.0f));
+		float most = 0.0f;
+		for (int frame = 0; frame < 20; ++frame)
+		{
+			OK(scree_world_step(world, STEP, SUBSTEPS));
+			for (int k = 0; k < 20; ++k)
+			{
+				float speed = random_below(&seed, 10) ? 5.0f : 3000.0f;
+				movers[k].velocity =
+				    (scree_vec){random_between(&seed, -speed, speed), random_between(&seed, -speed, speed)};
+			}
+			most += 2.0f * 3000.0f * STEP +
+			        8.0f * (def.radius + def.length + def.skin + 10.0f); // pushed out of what it was in
+			OK(scree_movers_move(world, &def, movers, 20, random_below(&seed, 20) ? STEP : 0.0f));
+			for (int k = 0; k < 20; ++k)
+			{
+				assert_true(fabsf(movers[k].position.x - out) < most && fabsf(movers[k].position.y) < most);
+				float speed = fabsf(movers[k].velocity.x) + fabsf(movers[k].velocity.y);
+				assert_true(speed <= 6001.0f);
+			}
+		}
+	}
+	scree_world_destroy(world);
+}
+
+// Down stairs and slopes the ground is followed at a walk; off a ledge that is higher than snap the mover falls.
+static void follows_the_ground_down(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_floor(world);
+	for (int k = 0; k < 10; ++k)
+		add_box(world, SCREE_BODY_STATIC, 0.5f, 2.5f - 0.125f * (float)k, -4.5f + 1.0f * (float)k, 0.0f);
+	scree_mover m = mover_at(-4.5f, 2.5f + HALF + 0.01f);
+	walk_frames(world, NULL, &m, 0.0f, 2);
+	int air = 0;
+	for (int frame = 0; frame < 120; ++frame)
+	{
+		walk_frames(world, NULL, &m, SPEED, 1);
+		air += scree_collidable_is_null(m.ground);
+	}
+	assert_int_equal(air, 0);
+	NEAR(m.position.y, 2.5 - 0.125 * 8.0 + HALF + 0.01, 0.13);
+	walk_frames(world, NULL, &m, SPEED, 30); // over the last edge, 1.4 m above the floor
+	assert_true(scree_collidable_is_null(m.ground));
+	walk_frames(world, NULL, &m, SPEED, 60);
+	NEAR(m.position.y, HALF + 0.01, 1e-3);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(walks_on_a_floor),
+	    cmocka_unit_test(stops_at_walls),
+	    cmocka_unit_test(climbs_steps),
+	    cmocka_unit_test(walks_on_slopes),
+	    cmocka_unit_test(rides_on_platforms),
+	    cmocka_unit_test(is_pushed),
+	    cmocka_unit_test(crowds_are_equal_everywhere),
+	    cmocka_unit_test(hostile_movers),
+	    cmocka_unit_test(follows_the_ground_down),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
