@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_share.c -- the rows that a renderer draws: what they say, and that memory shared with it gets the same ones.
+// test_share.c -- rows that a renderer draws, and queries in memory of the device: shared memory gets what would be copied.
 //
 // No driver of a CPU shares memory. So PoCL is taught to: its functions are wrapped, and what it imports is a file
 // that is mapped here as well. The wrapper refuses what a driver refuses: memory that was not handed over.
@@ -364,6 +364,73 @@ static void test_shared_memory(void** state)
 	close(larger_file);
 }
 
+#define RAYS 100
+
+// Rays and probes that lie in shared memory are answered like those of the host, in place or beside them.
+static void test_shared_queries(void** state)
+{
+	(void)state;
+	if (!has_pocl())
+		skip();
+	device = POCL;
+	scree_world* world = open_pile();
+	run_steps(world, 3);
+	size_t bytes = 2 * RAYS * 32;
+	void* memory;
+	int file = make_file(bytes, &memory);
+	expect_refusal(scree_world_cast_shared_rays(world, NULL, 0, 1, 0), SCREE_ERROR_INVALID, "nothing is shared");
+	expect_refusal(scree_world_share_queries(world, -1, bytes), SCREE_ERROR_INVALID, "file_descriptor is -1");
+	expect_refusal(scree_world_share_queries(world, file, 31), SCREE_ERROR_INVALID, "bytes is 31, must be at least 32");
+	OK(scree_world_share_queries(world, file, bytes));
+
+	scree_ray rays[RAYS];
+	scree_probe probes[RAYS];
+	scree_found found[RAYS];
+	for (int k = 0; k < RAYS; ++k)
+	{
+		rays[k] = (scree_ray){.origin = {-5.0f, 0.3f * (float)k}, .translation = {10.0f, 0.0f}};
+		probes[k] = (scree_probe){.pose = {rays[k].origin, {1.0f, 0.0f}}, .translation = {10.0f, 0.0f}};
+	}
+	uint64_t hash = hash_of(world);
+	OK(scree_world_cast_rays(world, NULL, rays, RAYS, found));
+	memcpy(memory, rays, sizeof rays);
+	OK(scree_world_cast_shared_rays(world, NULL, 0, RAYS, sizeof rays));
+	assert_memory_equal((char*)memory + sizeof rays, found, sizeof found);
+	assert_memory_equal(memory, rays, sizeof rays);
+	OK(scree_world_cast_shared_rays(world, NULL, 0, RAYS, 0));
+	assert_memory_equal(memory, found, sizeof found);
+
+	scree_shape shape = box_shape(0.2f, 0.4f);
+	OK(scree_world_cast_shapes(world, NULL, &shape, probes, RAYS, found));
+	memcpy((char*)memory + 32, probes, sizeof probes);
+	OK(scree_world_cast_shared_shapes(world, NULL, &shape, 32, RAYS, sizeof probes));
+	assert_memory_equal((char*)memory + sizeof probes, found, sizeof found);
+	assert_false(handed_over);
+
+	// what is not a ray harms nothing
+	memset(memory, 0xff, bytes);
+	OK(scree_world_cast_shared_rays(world, NULL, 0, 2 * RAYS, 0));
+	memset(memory, 0x7f, bytes);
+	OK(scree_world_cast_shared_shapes(world, NULL, &shape, 0, 2 * RAYS, 0));
+	OK(scree_world_cast_shared_rays(world, NULL, 0, 0, bytes));
+	assert_true(hash == hash_of(world));
+
+	expect_refusal(scree_world_cast_shared_rays(world, NULL, 0, -1, 0), SCREE_ERROR_INVALID, "count is -1");
+	expect_refusal(scree_world_cast_shared_rays(world, NULL, 2, 1, 0), SCREE_ERROR_INVALID,
+	               "rays_offset is 2, must be a multiple of 4");
+	expect_refusal(scree_world_cast_shared_rays(world, NULL, 0, 2 * RAYS, 32), SCREE_ERROR_INVALID,
+	               "found_offset is 32: 200 items of 32 bytes do not fit into the 6400 bytes that are shared");
+	expect_refusal(scree_world_cast_shared_shapes(world, NULL, &shape, SIZE_MAX - 3, 1, 0), SCREE_ERROR_INVALID,
+	               "probes_offset is");
+	OK(scree_world_move(world, "cpu"));
+	expect_refusal(scree_world_cast_shared_rays(world, NULL, 0, 1, 0), SCREE_ERROR_INVALID, "nothing is shared");
+	expect_refusal(scree_world_share_queries(world, file, bytes), SCREE_ERROR_NOT_SUPPORTED,
+	               "the queries of a world on cpu are copied");
+	scree_world_destroy(world);
+	munmap(memory, bytes);
+	close(file);
+}
+
 static void test_shared_opengl(void** state)
 {
 	(void)state;
@@ -415,6 +482,8 @@ int main(void)
 	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_back, "opencl"),
 	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_back, "opencl"),
 	    cmocka_unit_test_prestate_setup_teardown(test_shared_memory, teach, forget, "cl_khr_external_memory_opaque_fd"),
+	    cmocka_unit_test_prestate_setup_teardown(test_shared_queries, teach, forget,
+	                                             "cl_khr_external_memory_opaque_fd"),
 	    cmocka_unit_test_prestate_setup_teardown(test_shared_opengl, teach, forget, "cl_khr_gl_sharing"),
 	};
 	int failures = cmocka_run_group_tests_name("cpu", own, NULL, NULL);

@@ -1238,13 +1238,11 @@ typedef struct scree_probe // 32 bytes: a place for the shape of a call
 typedef struct scree_found // 32 bytes: the answer of a query
 {
 	scree_collidable collidable; // null if nothing was found
-	scree_vec
-	    point; // m: of its surface, where it is met or nearest; for what is inside, the origin of the ray or shape then
-	scree_vec normal; // unit vector from the collidable to the query; 0 for a ray or shape that begins inside
-	float
-	    fraction; // of the translation, 0 to 1; of scree_world_find_nearest the distance, m, below 0 for what overlaps
-	bool hit;     // whether something was found
-	bool inside;  // it overlapped already where the query began
+	scree_vec point;             // m: of its surface, where it is met or nearest; if inside, where the query begins
+	scree_vec normal;            // unit vector from the collidable to the query; 0 if inside
+	float fraction;              // of the translation, 0 to 1; of the nearest the distance, m, below 0 if they overlap
+	bool hit;                    // whether something was found
+	bool inside;                 // it overlapped already where the query began
 	uint16_t reserved;
 } scree_found;
 
@@ -1275,6 +1273,17 @@ SCREE_API scree_status scree_world_cast_shape(scree_world* world, const scree_sh
 SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def,
                                                 const scree_shape* shape, const scree_probe* probes, int count,
                                                 float distance, scree_found* found);
+
+// Queries in memory of the device, which stay there: scree_world_share_queries shares memory as scree_world_share_memory does, with the
+// same conditions. The others answer count rays or probes that begin so many bytes into it, and write the answers from another offset,
+// which may be the same; found lies there when they return. Both offsets are multiples of 4. Nobody checks these items: those that the
+// calls above would refuse have any answer.
+SCREE_API scree_status scree_world_share_queries(scree_world* world, int file_descriptor, size_t bytes);
+SCREE_API scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset,
+                                                    int count, size_t found_offset);
+SCREE_API scree_status scree_world_cast_shared_shapes(scree_world* world, const scree_query_def* def,
+                                                      const scree_shape* shape, size_t probes_offset, int count,
+                                                      size_t found_offset);
 
 // All collidables that the rays, or the shapes, meet; with a translation of 0 all that they overlap. The arrays of list belong
 // to the world, and are valid until the next call that fills a list, or until the world is destroyed. def->any must be false.
@@ -1326,8 +1335,8 @@ typedef struct scree_mover_def // characters of one kind: upright capsules that 
 
 static inline scree_mover_def scree_mover_def_default(void);
 
-typedef struct
-    scree_mover // a character. Begin with zeros, a position and a velocity; then change velocity and ignored only
+// A character. Begin with zeros, a position and a velocity. Then change velocity and ignored only.
+typedef struct scree_mover
 {
 	scree_vec position;      // m: of the capsule's center
 	scree_vec velocity;      // m/s, on top of that of the ground: what you wish; then what is left of it
@@ -1423,7 +1432,7 @@ SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_des
 // if the driver rejects the buffer.
 SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
-// Ends sharing and releases the imported memory or buffer. world may be null, and may share nothing.
+// Ends all sharing, also of queries, and releases the imported memory or buffer. world may be null, and may share nothing.
 SCREE_API void scree_world_unshare(scree_world* world);
 
 // Writes the rows of the current state into the shared memory and sets count to their number. The rows are complete

@@ -5,7 +5,6 @@
 #include "world/share.h"
 #include "world/upload.h"
 #include "world/world.h"
-#include <limits.h>
 
 _Static_assert(sizeof(scree_render_row) == sizeof(WorldShape) &&
                    offsetof(scree_render_row, center) == offsetof(WorldShape, center_x) &&
@@ -48,29 +47,10 @@ scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* r
 	return SCREE_OK;
 }
 
-static scree_status share(scree_world* world, const char* function, const SharedMemory* memory)
-{
-	TRY(world_check(world, function));
-	Backend* b = world->backend;
-	if (memory->bytes < sizeof(scree_render_row))
-		return fail(SCREE_ERROR_INVALID, "%s: bytes is %zu, must be at least %zu, one row", function, memory->bytes,
-		            sizeof(scree_render_row));
-	if (b->sharing != memory->how)
-		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: the rows of a world on %s are %s", function, b->name,
-		            scree_sharing_name(b->sharing));
-	TRY(world_note(world, b->f->share(b, memory)));
-	size_t rows = memory->bytes / sizeof(scree_render_row);
-	world->shared_rows = rows < INT_MAX ? (int)rows : INT_MAX;
-	return SCREE_OK;
-}
-
 scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
 {
-	const char* function = "scree_world_share_memory";
-	if (file_descriptor < 0)
-		return fail(SCREE_ERROR_INVALID, "%s: file_descriptor is %d, must not be negative", function, file_descriptor);
-	return share(world, function,
-	             &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
+	return world_share(world, "scree_world_share_memory", "rows", SHARED_ROWS,
+	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
 }
 
 scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes)
@@ -78,7 +58,8 @@ scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_
 	const char* function = "scree_world_share_opengl";
 	if (buffer == 0)
 		return fail(SCREE_ERROR_INVALID, "%s: buffer is 0, not the name of a buffer object", function);
-	return share(world, function, &(SharedMemory){.how = SCREE_SHARING_OPENGL, .buffer = buffer, .bytes = bytes});
+	return world_share(world, function, "rows", SHARED_ROWS,
+	                   &(SharedMemory){.how = SCREE_SHARING_OPENGL, .buffer = buffer, .bytes = bytes});
 }
 
 void scree_world_unshare(scree_world* world)
@@ -92,14 +73,15 @@ scree_status scree_world_write_render_rows(scree_world* world, int* count)
 	const char* function = "scree_world_write_render_rows";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "count", count));
-	if (world->shared_rows == 0)
+	if (world->shared[SHARED_ROWS] == 0)
 		return fail(SCREE_ERROR_INVALID,
 		            "%s: nothing is shared; scree_world_share_memory or scree_world_share_opengl comes first",
 		            function);
 	TRY(world_upload(world));
 	*count = world->collidables.used;
-	if (*count > world->shared_rows)
-		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and the shared memory has room for %d", function,
-		            *count, world->shared_rows);
+	size_t room = world->shared[SHARED_ROWS] / sizeof(scree_render_row);
+	if ((size_t)*count > room)
+		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and the shared memory has room for %zu", function,
+		            *count, room);
 	return *count > 0 ? world_note(world, pipeline_show(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
 }

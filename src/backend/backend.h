@@ -31,6 +31,13 @@ typedef struct // memory that OpenGL draws from; the caller owns it
 	size_t bytes;
 } SharedMemory;
 
+typedef enum // of shared memory
+{
+	SHARED_ROWS,    // for drawing
+	SHARED_QUERIES, // and their answers
+	SHARED_USES
+} SharedUse;
+
 // Blocks of so many bodies, or collidables, that a step may change. A backend may leave out the others in stages over all of
 // them: these would write what is there already.
 #define ACTIVE_ITEMS (8 * MAX_LANES)
@@ -72,10 +79,14 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*wait)(Backend* b);
 	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
-	// Takes memory to show in, instead of what it had, or null for none; on failure it keeps what it had. Waits.
-	scree_status (*share)(Backend* b, const SharedMemory* memory);
+	// Takes memory for a use, instead of what it had, or null for none; on failure it keeps what it had. Waits.
+	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
 	// runs a stage with the pool shown in that memory, and waits until OpenGL may read it
 	scree_status (*show)(Backend* b, const Run* run);
+	// copies the first items of a pool from the memory for queries at an offset, in order with the runs; or to it, and waits until
+	// others may read it
+	scree_status (*take)(Backend* b, PoolId pool, int count, size_t offset);
+	scree_status (*give)(Backend* b, PoolId pool, int count, size_t offset);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
 	// frees a core for other work of this process, or uses it again, between two lists of runs. Null where the backend
@@ -92,15 +103,16 @@ typedef struct // every function that returns a status has set the error's sente
 struct Backend
 {
 	const BackendFunctions* f;
-	char name[160];          // "cpu", "opencl:NVIDIA H200"
-	int threads, lanes;      // 0 on OpenCL
-	int walkers;             // work-items among which the rest of a long walk is split, at least 1
-	int walk_nodes;          // nodes over leaves in a short walk; one that visits more is long
-	int groups;              // work-groups that run at the same time, at least 1
-	bool distant;            // a read takes as long as many runs
-	bool skips;              // it leaves out what is not in active
-	scree_sharing sharing;   // what share accepts; SCREE_SHARING_COPIED for nothing, then share and show are null
-	int capacity[PER_COUNT]; // items that each kind of pool has room for
+	char name[160];     // "cpu", "opencl:NVIDIA H200"
+	int threads, lanes; // 0 on OpenCL
+	int walkers;        // work-items among which the rest of a long walk is split, at least 1
+	int walk_nodes;     // nodes over leaves in a short walk; one that visits more is long
+	int groups;         // work-groups that run at the same time, at least 1
+	bool distant;       // a read takes as long as many runs
+	bool skips;         // it leaves out what is not in active
+	scree_sharing
+	    sharing; // what share accepts; SCREE_SHARING_COPIED for nothing, then share, show, take and give are null
+	int capacity[PER_COUNT];           // items that each kind of pool has room for
 	ActiveBlocks active[ACTIVE_KINDS]; // the caller sets them before a step
 	uint64_t bytes;                    // memory of the pools
 	uint64_t memory;                   // bytes of the device for them; 0 for the host's memory

@@ -297,6 +297,8 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .timings = opencl_timings,
 	    .share = opencl_share,
 	    .show = opencl_show,
+	    .take = opencl_take,
+	    .give = opencl_give,
 	    .copy_reserve = opencl_copy_reserve,
 	    .copy_release = opencl_copy_release,
 	    .copy = opencl_copy,

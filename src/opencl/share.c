@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// share.c -- memory that OpenGL draws from, which the kernel of the stage show writes.
+// share.c -- memory shared with other programs of the device: rows for drawing, queries and their answers.
 //
 // Drivers offer it by one of two extensions. cl_khr_gl_sharing takes a buffer object of OpenGL, in a context created
 // for it. cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. With both, the memory must
-// be acquired before a kernel uses it and released afterwards. It is therefore an argument of one kernel, for one
-// launch; the other kernels use the pool.
+// be acquired before a kernel uses it and released afterwards. Rows are written to it by one kernel, show, whose argument it is
+// for one launch. Queries and answers are copied on the device, at its speed: their pools share a buffer with others.
 #include "opencl/share.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
@@ -38,7 +38,7 @@ static cl_mem import(OpenCl* d, void* create, const SharedMemory* memory, cl_int
 	return ((CreateFromFile)create)(d->context, properties, CL_MEM_READ_WRITE, memory->bytes, NULL, error);
 }
 
-scree_status opencl_share(Backend* b, const SharedMemory* memory)
+scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory)
 {
 	OpenCl* d = b->state;
 	Shared made = {0};
@@ -60,31 +60,63 @@ scree_status opencl_share(Backend* b, const SharedMemory* memory)
 			            extension.create, opencl_error_name(error), (int)error);
 	}
 	scree_status status = finish(d);
-	cl_mem left = status == SCREE_OK ? d->shared.memory : made.memory;
+	cl_mem left = status == SCREE_OK ? d->shared[use].memory : made.memory;
 	if (left)
 		opencl.ReleaseMemObject(left);
 	if (status == SCREE_OK)
-		d->shared = made;
+		d->shared[use] = made;
 	return status;
+}
+
+static scree_status acquire(OpenCl* d, const Shared* shared)
+{
+	return opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL));
+}
+
+static scree_status release(OpenCl* d, const Shared* shared)
+{
+	return opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL));
 }
 
 scree_status opencl_show(Backend* b, const Run* run)
 {
 	OpenCl* d = b->state;
-	Shared* shared = &d->shared;
+	const Shared* shared = &d->shared[SHARED_ROWS];
 	const Kernel* kernel = &d->stages[run->stage];
-	TRY(opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(acquire(d, shared));
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem), &shared->memory));
 	TRY(stage_run(d, run));
 	TRY(kernel_bind(d, PER_RENDER_ROW, kernel));
-	TRY(opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL)));
+	TRY(release(d, shared));
+	return finish(d);
+}
+
+scree_status opencl_take(Backend* b, PoolId pool, int count, size_t offset)
+{
+	OpenCl* d = b->state;
+	const Shared* shared = &d->shared[SHARED_QUERIES];
+	TRY(acquire(d, shared));
+	TRY(CALL(EnqueueCopyBuffer, d->queue, shared->memory, pool_buffer(d, pool), offset, pool_offset(d, pool),
+	         pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	return release(d, shared);
+}
+
+scree_status opencl_give(Backend* b, PoolId pool, int count, size_t offset)
+{
+	OpenCl* d = b->state;
+	const Shared* shared = &d->shared[SHARED_QUERIES];
+	TRY(acquire(d, shared));
+	TRY(CALL(EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), shared->memory, pool_offset(d, pool), offset,
+	         pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	TRY(release(d, shared));
 	return finish(d);
 }
 
 void shared_close(OpenCl* d)
 {
-	if (d->shared.memory)
-		opencl.ReleaseMemObject(d->shared.memory);
+	for (int use = 0; use < SHARED_USES; ++use)
+		if (d->shared[use].memory)
+			opencl.ReleaseMemObject(d->shared[use].memory);
 }
 
 scree_status context_open(OpenCl* d, const scree_opengl* opengl)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// share.h -- memory that OpenGL draws from, which the kernel of the stage show writes.
+// share.h -- memory shared with other programs of the device: rows for drawing, queries and their answers.
 #ifndef OPENCL_SHARE_H
 #define OPENCL_SHARE_H
 #include "opencl/state.h"
@@ -7,7 +7,9 @@
 // Creates the context of a device. It is shared with OpenGL if opengl is not null and the driver supports it.
 scree_status context_open(OpenCl* d, const scree_opengl* opengl);
 void shared_close(OpenCl* d);
-scree_status opencl_share(Backend* b, const SharedMemory* memory);
+scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory);
 scree_status opencl_show(Backend* b, const Run* run);
+scree_status opencl_take(Backend* b, PoolId pool, int count, size_t offset);
+scree_status opencl_give(Backend* b, PoolId pool, int count, size_t offset);
 
 #endif

@@ -155,7 +155,7 @@ typedef enum // of a solve
 typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
                                            cl_event*);
 
-typedef struct // memory that OpenGL draws from
+typedef struct // memory that others read and write
 {
 	cl_mem memory; // or null
 	ShareFunction acquire, release;
@@ -196,7 +196,7 @@ typedef struct
 	Carry carry;
 	AsyncRead read;
 	CopyBlocks copy;
-	Shared shared;
+	Shared shared[SHARED_USES];
 	Timing timing;
 } OpenCl;
 

@@ -87,7 +87,8 @@ static scree_status send(Pipeline* pipeline, const Questions* q)
 		pipeline->named = q->version;
 	}
 	TRY(pipeline_reserve(pipeline, PER_QUERY, q->count));
-	return b->f->write(b, POOL_query, 0, q->count, q->items);
+	return q->items ? b->f->write(b, POOL_query, 0, q->count, q->items)
+	                : b->f->take(b, POOL_query, q->count, q->items_at);
 }
 
 static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int room)
@@ -120,7 +121,7 @@ scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found
 	TRY(send(pipeline, q));
 	TRY(pipeline_reserve(pipeline, PER_FOUND, q->count));
 	TRY(search(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST, 0));
-	TRY(b->f->read(b, POOL_found, 0, q->count, found));
+	TRY(found ? b->f->read(b, POOL_found, 0, q->count, found) : b->f->give(b, POOL_found, q->count, q->found_at));
 	return lap(pipeline, q);
 }
 

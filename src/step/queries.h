@@ -9,7 +9,8 @@ typedef struct // what is asked
 	int form;          // QUERY_RAYS, ...
 	bool any;          // only whether there is an answer
 	QueryPlan plan;    // without room and found
-	const void* items; // of the layout of Query
+	const void* items; // of the layout of Query; null for those in the memory shared for queries, from an offset
+	size_t items_at, found_at; // and the offset of their answers there
 	int count;
 	const uint32_t* generation; // of the handles of collidables, so many slots, of this version
 	int collidables;
@@ -20,7 +21,7 @@ typedef struct // what is asked
 	const void* context; // of check
 } Questions;
 
-// The answer of each query. The user's changes are on the device.
+// The answer of each query; found is null for those whose items are. The user's changes are on the device.
 scree_status queries_answer(Pipeline* pipeline, const Questions* questions, Found* found);
 
 // All answers: sets *count to their number, and lists them in the pools found_row and found_row_query, by their queries, then by

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// share.h -- ends the sharing of render rows with OpenGL.
+// share.h -- memory of the device that a world shares with other programs.
 #ifndef WORLD_SHARE_H
 #define WORLD_SHARE_H
+#include "backend/backend.h"
 #include "scree/scree.h"
+
+#define SHARED_LEAST 32 // bytes: a row, a query, an answer
+
+// Takes memory for a use. what: rows or queries.
+scree_status world_share(scree_world* world, const char* function, const char* what, SharedUse use,
+                         const SharedMemory* memory);
 
 // The device takes back the memory that it shares. Does nothing when it shares none.
 void world_unshare(scree_world* world);

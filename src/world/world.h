@@ -182,7 +182,7 @@ struct scree_world
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;
-	int shared_rows; // rows that fit the memory shared with OpenGL; 0 while none is shared
+	size_t shared[SHARED_USES]; // bytes of the memory shared for each use; 0 while none is shared
 	AutoDevice auto_device;
 	char device[160]; // the name of backend
 	void* scratch;    // temporary memory of one call; see world_scratch
