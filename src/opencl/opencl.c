@@ -249,7 +249,9 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	char program_options[64];
-	snprintf(program_options, sizeof program_options, "%s%s", d->resident ? " -DRESIDENT" : "",
+	// where kernels are compiled at their first launch, those that are not launched cost nothing, and the others are compiled once
+	bool resident = d->resident || d->device.compiles_at_launch;
+	snprintf(program_options, sizeof program_options, "%s%s", resident ? " -DRESIDENT" : "",
 	         cpu ? " -DONE_GROUP -DCALLS" : "");
 	TRY(program_build(d->context, &d->device, program_options, opencl_program, opencl_program_length, &d->program));
 

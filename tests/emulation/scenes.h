@@ -29,7 +29,7 @@ void check_fault(const char* scene, Form form);
 void check_lost(const char* scene, Form form);
 
 // How many seeds a form is tried with on a scene: SCREE_SEEDS of the environment, else few; in quick builds one on every
-// second scene.
+// third scene.
 int form_seeds(int form, int scene);
 
 // Exit status of a test that cannot emulate here and says why, else 0.
