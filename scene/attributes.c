@@ -35,6 +35,7 @@ static const char* const attribute_keys[] = {"box",
                                              "restitution",
                                              "rolling_resistance",
                                              "tangent_speed",
+                                             "one_way",
                                              "description",
                                              NULL};
 
@@ -166,6 +167,9 @@ bool attributes_read(Reader* reader, const Location* location, const json_t* val
 				return false;
 			*(float*)((char*)&attribute->def + surface_keys[k].offset) = (float)number;
 		}
+		const json_t* way = json_object_get(entry, "one_way");
+		if (way && !reader_vec(reader, KEY(at, "one_way"), way, any_coordinate, &attribute->def.one_way))
+			return false;
 		++scene->attribute_count;
 	}
 	return true;

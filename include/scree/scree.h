@@ -421,6 +421,8 @@ typedef struct scree_attribute_def
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
 	float tangent_speed;      // speed of a conveyor belt along the surface, m/s, default 0; clockwise around the
 	                          // shape if positive, so that a body on top moves to the right
+	scree_vec one_way; // if it is not 0: a one-way platform, solid only for what comes from this side; a direction
+	                   // in the frame of the shape, at least 1e-3 long. docs/rules.md; default 0
 } scree_attribute_def;
 
 // Default values, with a box 1 m wide and high.

@@ -50,6 +50,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .rolls = pipeline->rolls,
 	    .details = request->details || request->reports,
 	    .reports = request->reports,
+	    .rules = pipeline->rules,
 	    .hit_speed = request->hit_speed,
 	    .hit_impulse = request->hit_impulse,
 	    .bounces = pipeline->bounces,

@@ -60,6 +60,7 @@ typedef struct
 	bool jumps;          // the user placed or created something since the last step: boxes may jump
 	bool mixed;     // some collidable got another attribute of its shape, or reports other events, since the last step
 	bool reports;   // some collidable has ever reported touches or hits
+	bool rules;     // some attribute is a one-way platform
 	bool begun;     // the current step has changed something on the device
 	bool undone;    // the last step was refused: boxes are older than the poses that it found
 	bool rolls;     // some attribute has restitution, rolling resistance or tangent speed

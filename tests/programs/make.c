@@ -53,6 +53,11 @@ static void set_surface(Maker* m, Call* call)
 		call_set(call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
 		call_set(call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
 	}
+	if (m->rules && chance(m, 0.4))
+	{
+		call_set(call, "way_x", chance(m, 0.5) ? 0.0f : bounded(m, 1.0f));
+		call_set(call, "way_y", chance(m, 0.7) ? 1.0f : bounded(m, 1.0f));
+	}
 }
 
 static void put_attribute(Maker* m)
@@ -530,6 +535,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.reports = chance(&m, 0.5);
 	m.asks = chance(&m, 0.5);
 	m.senses = chance(&m, 0.35);
+	m.rules = chance(&m, 0.4);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

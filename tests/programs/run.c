@@ -139,6 +139,7 @@ static scree_status run_attribute(const Turn* t)
 	def.restitution = call_real(t, "restitution");
 	def.rolling_resistance = call_real(t, "rolling");
 	def.tangent_speed = call_real(t, "tangent");
+	def.one_way = call_vec(t, "way_x", "way_y");
 	if (status == SCREE_OK)
 		status = scree_attribute_create(t->world, &def, &made);
 	int k = call_whole(t, "attribute");

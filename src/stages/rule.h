@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// rule.h -- rules of the user about pairs: which contacts act. Only worlds that have rules run this.
+//
+// A contact that a rule keeps from acting has no points, as if the boxes of its collidables overlapped and no more. It is looked at
+// before the narrow phase, by what it was in the last step and by the poses now.
+#ifndef RULE_H
+#define RULE_H
+#include "stages/one_way.h"
+#include "stages/touch.h"
+
+// Whether a is a one-way platform for b: what is static or kinematic is no visitor of a platform that falls.
+INLINE int rule_platform(const Pools* p, int a, int b)
+{
+	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
+}
+
+// How b moves against a in the step, as far as it is known, m.
+INLINE Vec rule_way(const Pools* p, int a, int b)
+{
+	return sweep_closing(p, p->world_shape[a], p->world_shape[b]).near;
+}
+
+// Whether contact i passes because a side of it is a one-way platform.
+INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
+{
+	int known = flags & CONTACT_FRESH ? ONE_WAY_NEW : flags & CONTACT_PASSES ? ONE_WAY_PAST : ONE_WAY_HELD;
+	if (known == ONE_WAY_HELD && flags & CONTACT_COUNT)
+		return 0;
+	for (int side = 0; side < 2; ++side)
+	{
+		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
+		if (rule_platform(p, a, b) && !one_way_holds(p, a, b, rule_way(p, a, b), known))
+			return 1;
+	}
+	return 0;
+}
+
+// Contact i: whether it acts in this step.
+STAGE(contact_rule)
+{
+	Word flags = p->contact_flags[i];
+	Int2 pair = p->pair[i];
+	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_DETECTED | CONTACT_JOINED))
+		return;
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
+		return;
+	Word apart = rule_passes(p, pair, flags) ? CONTACT_PASSES : 0u;
+	if ((flags & CONTACT_PASSES) != apart)
+		contact_anew(p, i, flags, apart | (flags & CONTACT_REPORTS));
+}
+
+// Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
+INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
+{
+	return one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST);
+}
+
+#endif
