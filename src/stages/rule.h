@@ -14,10 +14,21 @@ INLINE int rule_platform(const Pools* p, int a, int b)
 	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
 }
 
-// How b moves against a in the step, as far as it is known, m.
+// How the body of collidable i moves in the step, as far as it is known.
+INLINE Advance rule_advance(const Pools* p, int i)
+{
+	BodyState body = p->body[p->world_shape[i].body];
+	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
+}
+
+// How b moves against a, which turns, in the step, m.
 INLINE Vec rule_way(const Pools* p, int a, int b)
 {
-	return sweep_closing(p, p->world_shape[a], p->world_shape[b]).near;
+	WorldShape at = p->world_shape[a], to = p->world_shape[b];
+	Advance first = rule_advance(p, a), second = rule_advance(p, b);
+	// from the center of mass of a to that of b
+	Vec arm = vec(to.x - at.x + (to.center_x - at.center_x), to.y - at.y + (to.center_y - at.center_y));
+	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
 // Whether contact i passes because a side of it is a one-way platform.
