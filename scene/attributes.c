@@ -36,6 +36,7 @@ static const char* const attribute_keys[] = {"box",
                                              "rolling_resistance",
                                              "tangent_speed",
                                              "one_way",
+                                             "material",
                                              "description",
                                              NULL};
 
@@ -168,6 +169,11 @@ bool attributes_read(Reader* reader, const Location* location, const json_t* val
 			*(float*)((char*)&attribute->def + surface_keys[k].offset) = (float)number;
 		}
 		const json_t* way = json_object_get(entry, "one_way");
+		const json_t* material = json_object_get(entry, "material");
+		double number = 0;
+		if (material && !reader_constant(reader, KEY(at, "material"), material, (Range){0, 255, true, false}, &number))
+			return false;
+		attribute->def.material = (int)number;
 		if (way && !reader_vec(reader, KEY(at, "one_way"), way, any_coordinate, &attribute->def.one_way))
 			return false;
 		++scene->attribute_count;

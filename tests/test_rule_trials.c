@@ -65,6 +65,7 @@ static void build(scree_world* world, const void* context)
 		scree_attribute_def surface = surface_of(any_shape(k));
 		if (k >= 6)
 			surface.one_way = (scree_vec){random_between(seed, -1.0f, 1.0f), random_between(seed, 0.1f, 1.0f)};
+		surface.material = k % 3;
 		trial.surfaces[k] = add_attribute(world, &surface);
 	}
 	scree_attribute_def platform = surface_of(box_shape(6.0f, 0.1f));
@@ -85,7 +86,7 @@ static void act(scree_world* world, int step, const void* context)
 	scree_collidable part;
 	int count;
 	OK(scree_body_get_collidables(world, trial.bodies[k], &part, 1, &count));
-	switch (random_below(seed, 6))
+	switch (random_below(seed, 8))
 	{
 	case 0:
 		OK(scree_body_destroy(world, trial.bodies[k]));
@@ -104,6 +105,20 @@ static void act(scree_world* world, int step, const void* context)
 	case 4:
 		OK(scree_body_set_enabled(world, trial.bodies[k], random_below(seed, 2)));
 		break;
+	case 5:
+	{
+		scree_material_pair pair = scree_material_pair_default();
+		if (random_below(seed, 2))
+			pair.friction = random_between(seed, 0.0f, 2.0f);
+		if (random_below(seed, 2))
+			pair.restitution = random_between(seed, 0.0f, 1.0f);
+		if (random_below(seed, 2))
+			pair.tangent_speed = random_between(seed, -5.0f, 5.0f);
+		pair.ignored = random_below(seed, 3) == 0;
+		OK(scree_world_set_material_pair(world, random_below(seed, 3), random_below(seed, 3),
+		                                 random_below(seed, 4) ? &pair : NULL));
+		break;
+	}
 	}
 }
 

@@ -38,6 +38,9 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	TRY(check_real(at, ".tangent_speed", def->tangent_speed, -SCREE_HUGE, SCREE_HUGE));
 
 	TRY(check_vec(at, ".one_way", def->one_way, SCREE_HUGE));
+	if (def->material < 0 || def->material >= MATERIALS)
+		return refuse(SCREE_ERROR_INVALID, at, ".material", "is %d, must be from 0 to %d", def->material,
+		              MATERIALS - 1);
 	if (def->one_way.x * def->one_way.x + def->one_way.y * def->one_way.y < LEAST_DIRECTION * LEAST_DIRECTION &&
 	    (def->one_way.x != 0.0f || def->one_way.y != 0.0f))
 		return refuse(SCREE_ERROR_INVALID, at, ".one_way", "is (%s, %s), too short for a direction: at least %s",
@@ -53,6 +56,7 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	plain.rolling_resistance = def->rolling_resistance + 0.0f;
 	plain.tangent_speed = def->tangent_speed + 0.0f;
 	plain.one_way = (scree_vec){def->one_way.x + 0.0f, def->one_way.y + 0.0f};
+	plain.material = def->material;
 	plain.size = sizeof plain;
 	*def = plain;
 	return SCREE_OK;

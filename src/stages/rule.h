@@ -8,6 +8,26 @@
 #include "stages/one_way.h"
 #include "stages/touch.h"
 
+// What the materials of a pair do.
+INLINE MaterialPair rule_materials(const Pools* p, int i, int j)
+{
+	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
+	int a = p->rule[p->collidable_attribute[i]].material, b = p->rule[p->collidable_attribute[j]].material;
+	int low = a < b ? a : b, high = a < b ? b : a, place = MATERIAL_PLACE(low, high);
+	if (place < p->step.material_pairs)
+		pair = p->material_pair[place];
+	return pair;
+}
+
+// The surface of a contact (contact_surface), by its materials.
+INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
+{
+	float friction = pair.friction < MOST_FRICTION ? pair.friction : MOST_FRICTION;
+	return make_float4(pair.sets & MATERIAL_FRICTION ? friction : surface.x,
+	                   pair.sets & MATERIAL_RESTITUTION ? pair.restitution : surface.y, surface.z,
+	                   pair.sets & MATERIAL_SPEED ? pair.tangent_speed : surface.w);
+}
+
 // Whether a is a one-way platform for b: what is static or kinematic is no visitor of a platform that falls.
 INLINE int rule_platform(const Pools* p, int a, int b)
 {
@@ -34,7 +54,9 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 // Whether contact i passes because a side of it is a one-way platform.
 INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
 {
-	int known = flags & CONTACT_FRESH ? ONE_WAY_NEW : flags & CONTACT_PASSES ? ONE_WAY_PAST : ONE_WAY_HELD;
+	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED) ? ONE_WAY_NEW
+	            : flags & CONTACT_PASSES                  ? ONE_WAY_PAST
+	                                                      : ONE_WAY_HELD;
 	if (known == ONE_WAY_HELD && flags & CONTACT_COUNT)
 		return 0;
 	for (int side = 0; side < 2; ++side)
@@ -56,15 +78,25 @@ STAGE(contact_rule)
 	// a contact that parted is released by the narrow phase, but not one that is fresh
 	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
 		return;
-	Word apart = rule_passes(p, pair, flags) ? CONTACT_PASSES : 0u;
-	if ((flags & CONTACT_PASSES) != apart)
+	Word apart = 0;
+	if (p->step.material_pairs > 0)
+	{
+		MaterialPair materials = rule_materials(p, pair.x, pair.y);
+		if (flags & CONTACT_FRESH)
+			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
+		apart = materials.sets & MATERIAL_IGNORED ? CONTACT_IGNORED : 0u;
+	}
+	if (!apart && rule_passes(p, pair, flags))
+		apart = CONTACT_PASSES;
+	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart)
 		contact_anew(p, i, flags, apart | (flags & CONTACT_REPORTS));
 }
 
 // Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
 INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
 {
-	return one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST);
+	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||
+	       (one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST));
 }
 
 #endif

@@ -151,9 +151,13 @@ Rule attribute_rule(const scree_world* world, int index)
 {
 	scree_vec up = world->attributes[index].one_way;
 	double length = sqrt((double)up.x * up.x + (double)up.y * up.y);
+	Rule rule = {.material = world->attributes[index].material};
 	if (length == 0.0)
-		return (Rule){0};
-	return (Rule){.up_x = (float)(up.x / length), .up_y = (float)(up.y / length), .one_way = 1};
+		return rule;
+	rule.one_way = 1;
+	rule.up_x = (float)(up.x / length);
+	rule.up_y = (float)(up.y / length);
+	return rule;
 }
 
 float attribute_thickness(const scree_world* world, int index)

@@ -25,6 +25,8 @@ const DefinitionType query_definition = {sizeof(scree_query_def), END_OF(scree_q
                                          "scree_query_def_default"};
 const DefinitionType blast_definition = {sizeof(scree_blast_def), END_OF(scree_blast_def, mask),
                                          "scree_blast_def_default"};
+const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(scree_material_pair, ignored),
+                                            "scree_material_pair_default"};
 
 static uint32_t size_of(const void* def)
 {

@@ -53,6 +53,8 @@ static void set_surface(Maker* m, Call* call)
 		call_set(call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
 		call_set(call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
 	}
+	if (m->rules && chance(m, 0.5))
+		call_set(call, "material", (float)(chance(m, 0.05) ? PICK(m, 255.0f, 256.0f, -1.0f) : below(m, 4)));
 	if (m->rules && chance(m, 0.4))
 	{
 		call_set(call, "way_x", chance(m, 0.5) ? 0.0f : bounded(m, 1.0f));
@@ -417,6 +419,22 @@ static void put_hits(Maker* m)
 	put(m, call);
 }
 
+static void put_material(Maker* m)
+{
+	Call call = call_make(CALL_material);
+	call_set(&call, "a", (float)below(m, 4));
+	call_set(&call, "b", chance(m, 0.05) ? PICK(m, 255.0f, 256.0f, -1.0f) : (float)below(m, 4));
+	if (chance(m, 0.3))
+		call_set(&call, "friction", factor(m, 1.0f));
+	if (chance(m, 0.3))
+		call_set(&call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f, 2.0f));
+	if (chance(m, 0.3))
+		call_set(&call, "tangent", bounded(m, 3.0f));
+	call_set(&call, "ignored", chance(m, 0.3));
+	call_set(&call, "unset", chance(m, 0.2));
+	put(m, call);
+}
+
 static void put_tuning(Maker* m)
 {
 	Call call = call_make(CALL_tuning);
@@ -491,6 +509,8 @@ static void put_any(Maker* m)
 		m->alive < MOST_BODIES - 20 ? put_bodies(m, 2 + below(m, 18)) : put_destroy(m);
 	else if (k < 92)
 		chance(m, 0.5) ? put_attribute(m) : chance(m, 0.5) ? put_like(m) : put_drop(m);
+	else if (k < 95 && m->rules && chance(m, 0.5))
+		put_material(m);
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
 	else if (k < 96 && m->asks)
