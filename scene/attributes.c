@@ -35,6 +35,8 @@ static const char* const attribute_keys[] = {"box",
                                              "restitution",
                                              "rolling_resistance",
                                              "tangent_speed",
+                                             "one_way",
+                                             "material",
                                              "description",
                                              NULL};
 
@@ -166,6 +168,14 @@ bool attributes_read(Reader* reader, const Location* location, const json_t* val
 				return false;
 			*(float*)((char*)&attribute->def + surface_keys[k].offset) = (float)number;
 		}
+		const json_t* way = json_object_get(entry, "one_way");
+		const json_t* material = json_object_get(entry, "material");
+		double number = 0;
+		if (material && !reader_constant(reader, KEY(at, "material"), material, (Range){0, 255, true, false}, &number))
+			return false;
+		attribute->def.material = (int)number;
+		if (way && !reader_vec(reader, KEY(at, "one_way"), way, any_coordinate, &attribute->def.one_way))
+			return false;
 		++scene->attribute_count;
 	}
 	return true;

@@ -4,6 +4,7 @@
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/materials.h"
 #include "scene/paths.h"
 #include <stdlib.h>
 
@@ -100,6 +101,11 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 		build.status = scree_attribute_create(world, &scene->attributes[k].def, &attributes[k]);
 	for (int k = 0; k < scene->path_count && build.status == SCREE_OK; ++k)
 		build.status = path_build(&scene->paths[k], world, &build.paths[k]);
+	for (int k = 0; k < scene->material_count && build.status == SCREE_OK; ++k)
+	{
+		const SceneMaterials* m = scene->materials + k;
+		build.status = scree_world_set_material_pair(world, m->a, m->b, &m->pair);
+	}
 	// all numbers were checked when the scene was read, so that only memory can be short, here or in the world
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{

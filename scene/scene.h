@@ -9,10 +9,11 @@
 #define SCENE_SENTENCE   512      // characters of an error message
 #define SCENE_PATH       1024     // characters of a path
 
-typedef struct Block Block;           // scene/block.h
-typedef struct JointBlock JointBlock; // scene/joint_block.h
-typedef struct Attribute Attribute;   // scene/attributes.h
-typedef struct ScenePath ScenePath;   // scene/paths.h
+typedef struct Block Block;                   // scene/block.h
+typedef struct JointBlock JointBlock;         // scene/joint_block.h
+typedef struct Attribute Attribute;           // scene/attributes.h
+typedef struct ScenePath ScenePath;           // scene/paths.h
+typedef struct SceneMaterials SceneMaterials; // scene/materials.h
 
 typedef struct
 {
@@ -32,6 +33,8 @@ typedef struct
 	int attribute_count;
 	ScenePath* paths;
 	int path_count;
+	SceneMaterials* materials;
+	int material_count;
 	Block* blocks; // of bodies, then of collidables without a body
 	int block_count;
 	JointBlock* joint_blocks;

@@ -186,6 +186,10 @@ static void attribute_functions(void** state)
 	DEF(restitution = 1.5f, "def.restitution is 1.5, must be from 0 to 1");
 	DEF(rolling_resistance = NAN, "def.rolling_resistance is nan");
 	DEF(tangent_speed = -INFINITY, "def.tangent_speed is -inf");
+	DEF(material = 256, "def.material is 256, must be from 0 to 255");
+	DEF(material = -1, "def.material is -1");
+	DEF(one_way.x = NAN, "def.one_way.x is nan");
+	DEF(one_way.y = 1e-9f, "def.one_way is (0, 1e-09), too short for a direction: at least 0.001");
 	DEF(shape.kind = -1, "def.shape.kind is -1");
 	DEF(shape.count = 9, "def.shape.count is 9, must be from 3 to 8");
 	DEF(shape.radius = -1, "def.shape.radius is -1");

@@ -421,6 +421,9 @@ typedef struct scree_attribute_def
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
 	float tangent_speed;      // speed of a conveyor belt along the surface, m/s, default 0; clockwise around the
 	                          // shape if positive, so that a body on top moves to the right
+	scree_vec one_way; // if it is not 0: a one-way platform, solid only for what comes from this side; a direction
+	                   // in the frame of the shape, at least 1e-3 long. docs/rules.md; default 0
+	int material;      // 0 to 255, default 0: what scree_world_set_material_pair names
 } scree_attribute_def;
 
 // Default values, with a box 1 m wide and high.
@@ -440,6 +443,27 @@ SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribut
 // The values from which an attribute was created.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
                                                    scree_attribute_def* def);
+
+typedef struct scree_material_pair // what a pair of materials does instead of what their attributes say
+{
+	uint32_t size;     // set by scree_material_pair_default
+	float friction;    // 0 to 1e6, at most 1000 counts; NaN (default): as ever
+	float restitution; // 0 to 1; NaN (default): as ever
+	float
+	    tangent_speed; // m/s, within SCREE_HUGE: how fast the two surfaces run past each other, clockwise around each of the two
+	                   // shapes if positive; NaN (default): the sum of both, as ever
+	bool ignored; // they pass through each other, as if their filters kept them apart; default false
+} scree_material_pair;
+
+static inline scree_material_pair scree_material_pair_default(void);
+
+// Says what collidables of two materials (0 to 255, also twice the same) do with each other; the order of the two makes no difference.
+// pair null: nothing but what their attributes say. Takes effect in the next step, also where they touch already: a contact that is
+// ignored from now on ends with its event, and one that is not any more begins anew.
+SCREE_API scree_status scree_world_set_material_pair(scree_world* world, int material_a, int material_b,
+                                                     const scree_material_pair* pair);
+static inline scree_status scree_world_get_material_pair(const scree_world* world, int material_a, int material_b,
+                                                         scree_material_pair* pair);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Bodies
@@ -1615,6 +1639,22 @@ static inline scree_status scree_world_get_moved(scree_world* world, scree_moved
 		list->moved_size = (uint32_t)sizeof(scree_moved);
 	}
 	return scree_world_get_moved_sized(world, list);
+}
+
+SCREE_API void scree_material_pair_default_sized(scree_material_pair* pair, size_t size);
+static inline scree_material_pair scree_material_pair_default(void)
+{
+	scree_material_pair pair;
+	scree_material_pair_default_sized(&pair, sizeof pair);
+	return pair;
+}
+
+SCREE_API scree_status scree_world_get_material_pair_sized(const scree_world* world, int material_a, int material_b,
+                                                           scree_material_pair* pair, size_t size);
+static inline scree_status scree_world_get_material_pair(const scree_world* world, int material_a, int material_b,
+                                                         scree_material_pair* pair)
+{
+	return scree_world_get_material_pair_sized(world, material_a, material_b, pair, sizeof *pair);
 }
 
 SCREE_API void scree_blast_def_default_sized(scree_blast_def* def, size_t size);

@@ -15,6 +15,9 @@
 // up to this, square roots, products and ratios of two values are finite
 #define MOST_SURFACE 1e6f
 
+// shortest vector that is a direction
+#define LEAST_DIRECTION 1e-3f
+
 void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 {
 	scree_attribute_def made = {.size = (uint32_t)size, .density = 1.0f, .friction = 0.6f};
@@ -34,6 +37,15 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	TRY(check_real(at, ".rolling_resistance", def->rolling_resistance, 0.0f, MOST_SURFACE));
 	TRY(check_real(at, ".tangent_speed", def->tangent_speed, -SCREE_HUGE, SCREE_HUGE));
 
+	TRY(check_vec(at, ".one_way", def->one_way, SCREE_HUGE));
+	if (def->material < 0 || def->material >= MATERIALS)
+		return refuse(SCREE_ERROR_INVALID, at, ".material", "is %d, must be from 0 to %d", def->material,
+		              MATERIALS - 1);
+	if (def->one_way.x * def->one_way.x + def->one_way.y * def->one_way.y < LEAST_DIRECTION * LEAST_DIRECTION &&
+	    (def->one_way.x != 0.0f || def->one_way.y != 0.0f))
+		return refuse(SCREE_ERROR_INVALID, at, ".one_way", "is (%s, %s), too short for a direction: at least %s",
+		              decimal(def->one_way.x).text, decimal(def->one_way.y).text, decimal(LEAST_DIRECTION).text);
+
 	// adding zero makes a negative zero positive
 	scree_attribute_def plain;
 	memset(&plain, 0, sizeof plain);
@@ -43,6 +55,8 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	plain.restitution = def->restitution + 0.0f;
 	plain.rolling_resistance = def->rolling_resistance + 0.0f;
 	plain.tangent_speed = def->tangent_speed + 0.0f;
+	plain.one_way = (scree_vec){def->one_way.x + 0.0f, def->one_way.y + 0.0f};
+	plain.material = def->material;
 	plain.size = sizeof plain;
 	*def = plain;
 	return SCREE_OK;

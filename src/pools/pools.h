@@ -104,7 +104,10 @@
 #define CONTACT_JOINED   8192u // a joint keeps the two bodies from touching
 #define CONTACT_REPORT   14    // the REPORT_* bits of its collidables, from this bit on
 #define CONTACT_REPORTS  ((REPORT_TOUCHES | REPORT_HITS) << CONTACT_REPORT)
-#define CONTACT_TOUCHED  65536u                                                 // its touch began, and will end
+#define CONTACT_TOUCHED  65536u  // its touch began, and will end
+#define CONTACT_PASSES   131072u // a side of it is a one-way platform, which lets the other one through
+#define CONTACT_IGNORED  262144u // its materials ignore each other
+#define CONTACT_APART    (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED)    // has no points, whatever the poses
 #define CONTACT_LASTS    (CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
@@ -128,6 +131,31 @@ typedef struct // 160 bytes
 	float margin;        // m: how much an enlarged box exceeds a tight one
 	float reach;         // m: largest distance of a point from the origin
 } Attribute;
+
+typedef struct // 16 bytes: what rules say of an attribute
+{
+	float up_x, up_y; // of a one-way platform: unit vector in the frame of the shape to the side from which it is solid
+	int one_way;      // 1 for such a platform
+	int material;
+} Rule;
+
+#define MATERIALS 256
+
+// bits of MaterialPair.sets
+#define MATERIAL_FRICTION    1
+#define MATERIAL_RESTITUTION 2
+#define MATERIAL_SPEED       4
+#define MATERIAL_IGNORED     8
+
+typedef struct // 16 bytes: what a pair of materials does instead of what their attributes say
+{
+	float friction, restitution;
+	float tangent_speed; // m/s, as in Attribute
+	int sets;            // MATERIAL_* bits: which of these count
+} MaterialPair;
+
+// Place of the pair of materials low and high in the pool material_pair: those that have the same higher one lie side by side.
+#define MATERIAL_PLACE(low, high) ((high) * ((high) + 1) / 2 + (low))
 
 typedef struct // 16 bytes: what guard needs of a dynamic body
 {
@@ -460,6 +488,8 @@ typedef struct // constants of one step, passed by value to every stage
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step
 	int reports;          // some collidable reports touches or hits
+	int rules;            // some pair may be subject to a rule
+	int material_pairs;   // rows of the pool material_pair
 	float hit_speed;      // m/s: slower approaches are no hits
 	float hit_impulse;    // N s: nor are smaller impulses
 	int bounces;          // some attribute has restitution

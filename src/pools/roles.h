@@ -25,7 +25,8 @@ typedef enum // what a pool has an item for
 	PER_SEEN,        // leaf, as queries see it
 	PER_SEEN_NODE,   // node, as queries see it
 	PER_QUERY,
-	PER_FOUND, // answer of a query
+	PER_FOUND,         // answer of a query
+	PER_MATERIAL_PAIR, // pair of materials
 	PER_TREE,
 	PER_LEAF,
 	PER_NODE,

@@ -9,6 +9,7 @@
 #include "dialect/finite.h"
 #include "stages/item.h"
 #include "stages/joint.h"
+#include "stages/rule.h"
 
 // Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
 // and so on no device.
@@ -142,6 +143,8 @@ STAGE(contact_mix)
 	Float4 surface = contact_surface_of(p->attribute + p->collidable_attribute[pair.x],
 	                                    p->attribute + p->collidable_attribute[pair.y]);
 	int c = p->contact_place[i];
+	if (p->step.material_pairs > 0)
+		surface = rule_surface(rule_materials(p, pair.x, pair.y), surface);
 	p->contact_surface[i] = surface;
 	p->contact_flags[i] = (p->contact_flags[i] & ~CONTACT_REPORTS) | touch_reports(p, pair);
 	if (c < 0)

@@ -16,6 +16,7 @@
 #ifndef GUARD_H
 #define GUARD_H
 #include "stages/filter.h"
+#include "stages/rule.h"
 #include "stages/sweep.h"
 #include "stages/transform.h"
 #include "stages/tree.h"
@@ -107,6 +108,8 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 		{
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
 			if (p->collidable_kind[j] != KIND_STATIC || !filter_accepts(p->filter[i], p->filter[j]))
+				continue;
+			if (p->step.rules && rule_lets(p, j, i, path))
 				continue;
 			Vec normal = vec(0.0f, 0.0f);
 			float share = guard_time(p, p->world_shape[j], world_shape, way, thickness, &normal);

@@ -164,10 +164,7 @@ STAGE(contact_join)
 	// a contact that parted is released by the narrow phase, but not one that is fresh
 	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
-	contact_end(p, i);
-	touch_end(p, p->pair[i], flags);
-	p->contact_flags[i] = CONTACT_FRESH | joined | (flags & CONTACT_REPORTS);
-	p->contact_feature[i] = make_int2(-1, -1);
+	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
 // ---------------------------------------------------------------------------------------------------------------

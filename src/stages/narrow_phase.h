@@ -178,9 +178,9 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	int moved = p->moved[pair.x] | p->moved[pair.y];
 	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX) && narrow_phase_parted(p, i, pair))
 		return;
-	if (flags & CONTACT_JOINED)
+	if (flags & CONTACT_APART)
 	{
-		p->contact_flags[i] = flags & (CONTACT_JOINED | CONTACT_LASTS);
+		p->contact_flags[i] = flags & (CONTACT_APART | CONTACT_LASTS);
 		return;
 	}
 	if (!(flags & CONTACT_ANEW))

@@ -118,7 +118,7 @@ WIDE_STAGE(narrow_phase_keep)
 	narrow_phase_keep_fetch(p, i, live);
 	Int flags = load_int(p->contact_flags, i), ia, ib;
 	load_int2(p->pair, i, &ia, &ib);
-	Word there = lane_bits((ia >= 0) & (indices(i) < live)), joined = lane_bits((flags & (int)CONTACT_JOINED) != 0);
+	Word there = lane_bits((ia >= 0) & (indices(i) < live)), apart = lane_bits((flags & (int)CONTACT_APART) != 0);
 	ia = ia & ~(ia >> 31);
 	ib = ib & ~(ib >> 31);
 	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
@@ -139,17 +139,16 @@ WIDE_STAGE(narrow_phase_keep)
 	Real cosine = minimum(vec_dot(c.then_a, axes_a), vec_dot(then_b, axes_b));
 	Int upright = cosine >= splat(HOLD_COSINE);
 	Word stays = lane_bits((c.shift < c.limit) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
-	Word anew = there & ~stays & ~joined;
+	Word anew = there & ~stays & ~apart;
 
 	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
 	c.far = (moved & MOVED_FAR) != 0;
 	c.on = ((moved & MOVED_ON) != 0) & points;
-	Word wanders = there & stays & ~joined & lane_bits(answers & (c.far | c.on));
+	Word wanders = there & stays & ~apart & lane_bits(answers & (c.far | c.on));
 	if (wanders)
 		anew |= narrow_phase_wander(p, i, flags, wanders, &c);
 	Word look =
-	    anew |
-	    (there & (lane_bits((moved & MOVED_BOX) != 0) | (joined & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
+	    anew | (there & (lane_bits((moved & MOVED_BOX) != 0) | (apart & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
 	if (look == 0)
 		return;
 	raise_int(&p->counters->look, live);

@@ -12,6 +12,7 @@
 #include "stages/transform.h"
 #include "stages/tree.h"
 #include "stages/broad_phase.h"
+#include "stages/rule.h"
 #include "stages/joint.h"
 #include "stages/contact.h"
 #include "stages/narrow_phase.h"

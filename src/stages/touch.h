@@ -8,6 +8,7 @@
 #define TOUCH_H
 #include "constraints/kinds.h"
 #include "stages/box.h"
+#include "stages/edge.h"
 
 // The bits of a contact for what its collidables report.
 INLINE Word touch_reports(const Pools* p, Int2 pair)
@@ -22,6 +23,15 @@ INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 {
 	if (flags & CONTACT_TOUCHED)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
+}
+
+// Ends contact i, as if its boxes met for the first time. flags: those that it had; kept: those that it has from now on.
+INLINE void contact_anew(const Pools* p, int i, Word flags, Word kept)
+{
+	contact_end(p, i);
+	touch_end(p, p->pair[i], flags);
+	p->contact_flags[i] = CONTACT_FRESH | kept;
+	p->contact_feature[i] = make_int2(-1, -1);
 }
 
 // Before the narrow phase, which will release contact i if its boxes parted. A kernel of its own, because with these lines the narrow

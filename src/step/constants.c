@@ -50,6 +50,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .rolls = pipeline->rolls,
 	    .details = request->details || request->reports,
 	    .reports = request->reports,
+	    .rules = pipeline->rules,
+	    .material_pairs = pipeline->material_pairs,
 	    .hit_speed = request->hit_speed,
 	    .hit_impulse = request->hit_impulse,
 	    .bounces = pipeline->bounces,

@@ -111,6 +111,8 @@ static void join(RunList* list, int joints, int bodies)
 
 static void narrow_phase(RunList* list, const Step* step, bool reports)
 {
+	if (step->rules)
+		runs_add(list, STAGE_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
 	if (reports)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);

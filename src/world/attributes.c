@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "world/memory.h"
 #include "world/world.h"
+#include <math.h>
 #include <string.h>
 
 // The margin of an enlarged box is an eighth of the shape's size, within these bounds in m. A larger margin finds more pairs
@@ -94,6 +95,8 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 		world->pipeline.bounces = true;
 	if (plain->shape.radius != 0.0f)
 		world->pipeline.round = true;
+	if (plain->one_way.x != 0.0f || plain->one_way.y != 0.0f)
+		world->pipeline.rules = true;
 	return index;
 }
 
@@ -142,6 +145,19 @@ void attribute_item(const scree_world* world, int index, Attribute* item)
 	margin = margin < MOST_MARGIN ? margin : MOST_MARGIN;
 	item->margin = margin > LEAST_MARGIN ? margin : LEAST_MARGIN;
 	item->reach = shape->reach;
+}
+
+Rule attribute_rule(const scree_world* world, int index)
+{
+	scree_vec up = world->attributes[index].one_way;
+	double length = sqrt((double)up.x * up.x + (double)up.y * up.y);
+	Rule rule = {.material = world->attributes[index].material};
+	if (length == 0.0)
+		return rule;
+	rule.one_way = 1;
+	rule.up_x = (float)(up.x / length);
+	rule.up_y = (float)(up.y / length);
+	return rule;
 }
 
 float attribute_thickness(const scree_world* world, int index)

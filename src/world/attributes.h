@@ -12,8 +12,9 @@ scree_status attribute_claim(scree_world* world, const char* function, const scr
 // Removes one claim; the last one frees the slot. No collidable has the attribute then.
 void attribute_disclaim(scree_world* world, int index);
 
-// The rows of an attribute in the pools attribute and thickness.
+// The rows of an attribute in the pools attribute, rule and thickness.
 void attribute_item(const scree_world* world, int index, Attribute* item);
+Rule attribute_rule(const scree_world* world, int index);
 float attribute_thickness(const scree_world* world, int index); // m
 
 #endif

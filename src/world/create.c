@@ -5,6 +5,7 @@
 #include "world/auto.h"
 #include "world/edits.h"
 #include "world/idle.h"
+#include "world/materials.h"
 #include "world/memory.h"
 #include "world/paths.h"
 #include "world/reports.h"
@@ -38,6 +39,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->host_bodies);
 	scree_release(world->host_collidables);
 	reports_close(world);
+	materials_close(world);
 	sensors_close(world);
 	scree_release(world->moved);
 	scree_release(world->queries.found);

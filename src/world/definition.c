@@ -27,6 +27,8 @@ const DefinitionType blast_definition = {sizeof(scree_blast_def), END_OF(scree_b
                                          "scree_blast_def_default"};
 const DefinitionType mover_definition = {sizeof(scree_mover_def), END_OF(scree_mover_def, mask),
                                          "scree_mover_def_default"};
+const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(scree_material_pair, ignored),
+                                            "scree_material_pair_default"};
 
 static uint32_t size_of(const void* def)
 {

@@ -39,6 +39,8 @@ static int lasting_items(const scree_world* world, Per per)
 		return (c->layout[CONSTRAINT_##KIND].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+	case PER_MATERIAL_PAIR:
+		return smaller(world->pipeline.material_pairs, b->capacity[per]);
 	case PER_PATH_SAMPLE:
 		return smaller(world->edits.sample_rows, b->capacity[per]);
 	case PER_CHAIN:

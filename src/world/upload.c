@@ -9,6 +9,7 @@
 #include "world/failure.h"
 #include "world/idle.h"
 #include "world/joints.h"
+#include "world/materials.h"
 #include "world/memory.h"
 #include "world/paths.h"
 #include "world/reports.h"
@@ -128,6 +129,7 @@ static bool no_edits(const Edits* p)
 static scree_status upload_all(scree_world* world)
 {
 	TRY(chains_update(world)); // joints whose place changed are edits
+	TRY(upload_materials(world));
 	if (no_edits(&world->edits))
 		return SCREE_OK;
 	idle_note(world);
@@ -147,7 +149,7 @@ static scree_status upload_all(scree_world* world)
 
 scree_status world_upload(scree_world* world)
 {
-	if (no_edits(&world->edits) && !world->chains_stale)
+	if (no_edits(&world->edits) && !world->chains_stale && !world->materials.waiting)
 		return SCREE_OK;
 	TRY(reports_fetch(world)); // an upload may change what they refer to
 	world->pipeline.trees[0].seen = false;

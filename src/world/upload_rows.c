@@ -130,7 +130,10 @@ static scree_status write_attributes(scree_world* world, int first, int count, c
 	TRY(b->f->write(b, POOL_attribute, first, count, stage));
 	for (int k = 0; k < count; ++k)
 		((float*)stage)[k] = attribute_thickness(world, first + k);
-	return b->f->write(b, POOL_thickness, first, count, stage);
+	TRY(b->f->write(b, POOL_thickness, first, count, stage));
+	for (int k = 0; k < count; ++k)
+		((Rule*)stage)[k] = attribute_rule(world, first + k);
+	return b->f->write(b, POOL_rule, first, count, stage);
 }
 
 static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }

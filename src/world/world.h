@@ -137,6 +137,13 @@ typedef struct
 	int found_capacity, row_capacity, row_query_capacity;
 } Sensors;
 
+typedef struct // pairs of materials
+{
+	MaterialPair* rows; // at MATERIAL_PLACE
+	int capacity;
+	bool waiting; // for the next upload
+} Materials;
+
 typedef struct // the shape of the last queries, checked; the answers of the last call that listed all
 {
 	scree_shape shape;
@@ -178,6 +185,7 @@ struct scree_world
 	Reports reports;
 	Queries queries;
 	Sensors sensors;
+	Materials materials;
 	char* moved; // what scree_world_get_moved returned last
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];

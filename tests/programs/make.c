@@ -53,6 +53,13 @@ static void set_surface(Maker* m, Call* call)
 		call_set(call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
 		call_set(call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
 	}
+	if (m->rules && chance(m, 0.5))
+		call_set(call, "material", (float)(chance(m, 0.05) ? PICK(m, 255.0f, 256.0f, -1.0f) : below(m, 4)));
+	if (m->rules && chance(m, 0.4))
+	{
+		call_set(call, "way_x", chance(m, 0.5) ? 0.0f : bounded(m, 1.0f));
+		call_set(call, "way_y", chance(m, 0.7) ? 1.0f : bounded(m, 1.0f));
+	}
 }
 
 static void put_attribute(Maker* m)
@@ -412,6 +419,22 @@ static void put_hits(Maker* m)
 	put(m, call);
 }
 
+static void put_material(Maker* m)
+{
+	Call call = call_make(CALL_material);
+	call_set(&call, "a", (float)below(m, 4));
+	call_set(&call, "b", chance(m, 0.05) ? PICK(m, 255.0f, 256.0f, -1.0f) : (float)below(m, 4));
+	if (chance(m, 0.3))
+		call_set(&call, "friction", factor(m, 1.0f));
+	if (chance(m, 0.3))
+		call_set(&call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f, 2.0f));
+	if (chance(m, 0.3))
+		call_set(&call, "tangent", bounded(m, 3.0f));
+	call_set(&call, "ignored", chance(m, 0.3));
+	call_set(&call, "unset", chance(m, 0.2));
+	put(m, call);
+}
+
 static void put_tuning(Maker* m)
 {
 	Call call = call_make(CALL_tuning);
@@ -486,6 +509,8 @@ static void put_any(Maker* m)
 		m->alive < MOST_BODIES - 20 ? put_bodies(m, 2 + below(m, 18)) : put_destroy(m);
 	else if (k < 92)
 		chance(m, 0.5) ? put_attribute(m) : chance(m, 0.5) ? put_like(m) : put_drop(m);
+	else if (k < 95 && m->rules && chance(m, 0.5))
+		put_material(m);
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
 	else if (k < 96 && m->asks)
@@ -530,6 +555,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.reports = chance(&m, 0.5);
 	m.asks = chance(&m, 0.5);
 	m.senses = chance(&m, 0.35);
+	m.rules = chance(&m, 0.4);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#define SURFACE "density=1 friction=0.6 restitution=0 rolling=0 tangent=0"
+#define SURFACE "density=1 friction=0.6 restitution=0 rolling=0 tangent=0 way_x=0 way_y=0 material=0"
 #define FILTER  "category=1 mask=-1 group=0"
 #define COORDINATE                                                                                                \
 	"target=0 lock_hertz=0 lock_ratio=0 lower=0 upper=0 spring_hertz=0 spring_ratio=0 spring_max=1e30 push=1e30 " \

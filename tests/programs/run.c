@@ -129,6 +129,22 @@ static scree_status make_shape(const Turn* t, scree_shape* shape)
 	}
 }
 
+static scree_status run_material(const Turn* t)
+{
+	scree_material_pair pair = scree_material_pair_default();
+	float friction = call_real(t, "friction"), restitution = call_real(t, "restitution"),
+	      tangent = call_real(t, "tangent");
+	if (friction != -1.0f)
+		pair.friction = friction;
+	if (restitution != -1.0f)
+		pair.restitution = restitution;
+	if (tangent != 1e30f)
+		pair.tangent_speed = tangent;
+	pair.ignored = call_whole(t, "ignored") != 0;
+	return scree_world_set_material_pair(t->world, call_whole(t, "a"), call_whole(t, "b"),
+	                                     call_whole(t, "unset") ? NULL : &pair);
+}
+
 static scree_status run_attribute(const Turn* t)
 {
 	scree_attribute_def def = scree_attribute_def_default();
@@ -139,6 +155,8 @@ static scree_status run_attribute(const Turn* t)
 	def.restitution = call_real(t, "restitution");
 	def.rolling_resistance = call_real(t, "rolling");
 	def.tangent_speed = call_real(t, "tangent");
+	def.one_way = call_vec(t, "way_x", "way_y");
+	def.material = call_whole(t, "material");
 	if (status == SCREE_OK)
 		status = scree_attribute_create(t->world, &def, &made);
 	int k = call_whole(t, "attribute");
@@ -498,6 +516,8 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_destroy(t->world, collidable_of(t));
 	case CALL_filter:
 		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
+	case CALL_material:
+		return run_material(t);
 	case CALL_reports:
 		return scree_collidable_set_reports(t->world, collidable_of(t), (uint32_t)call_whole(t, "reports"));
 	case CALL_sensor:

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// one_way.h -- one-way platforms: whether a visitor is on the side from which a platform is solid.
+//
+// A platform has a direction, up. A visitor that is not held yet is held once it is above: no point of it is deeper under one of the
+// platform's upper sides than a small slop, and it is over that side, or gets there in the step by its velocity. So what comes from
+// below, from beside or stands half through passes, however fast, and what comes from above is held in the step in which it meets
+// the platform. A visitor that is held stays so while it touches the platform, and while it is neither below nor beside it: a tilted
+// plank may reach under the platform before they touch.
+//
+// This work is based on:
+// Erin Catto, Box2D's sample Platform, and Rapier's ContactModificationContext::update_as_oneway_platform: a state for each contact.
+#ifndef ONE_WAY_H
+#define ONE_WAY_H
+#include "stages/sweep.h"
+
+// m: how deep a visitor may be that is above; it is more than bodies fall in a step of 1/30 s, and than loads press them in. Of the
+// thickness of a thinner visitor, so that one that comes from below is not above when it touches. A pair that was far apart in the
+// last step: of the thickness, because guard stops a visitor at GUARD_DEPTH.
+#define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
+#define ONE_WAY_SHARE 0.5f
+#define ONE_WAY_FRESH 0.3f
+
+// what is known of a contact when it is looked at
+#define ONE_WAY_NEW  0 // the boxes did not overlap in the last step
+#define ONE_WAY_PAST 1 // the platform let the visitor through
+#define ONE_WAY_HELD 2 // it held it, but they do not touch
+// cosine: sides that face up by more are upper ones. The walls of a box must not count, whatever the rounding of its corners
+#define ONE_WAY_UPPER 0.1f
+
+typedef struct // of a shape along a direction, and across it, m
+{
+	float low, high, left, right;
+} OneWaySpan;
+
+INLINE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
+{
+	OneWaySpan span = {0.0f, 0.0f, 0.0f, 0.0f};
+	for (int k = 0; k < shape->count; ++k)
+	{
+		Vec corner = frame_point(f, shape_corner(shape, k));
+		float along = vec_dot(n, corner), across = vec_cross(n, corner);
+		span.low = k == 0 ? along : minimum(span.low, along);
+		span.high = k == 0 ? along : maximum(span.high, along);
+		span.left = k == 0 ? across : minimum(span.left, across);
+		span.right = k == 0 ? across : maximum(span.right, across);
+	}
+	span.low = span.low - shape->radius;
+	span.high = span.high + shape->radius;
+	span.left = span.left - shape->radius;
+	span.right = span.right + shape->radius;
+	return span;
+}
+
+INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right && b.left <= a.right; }
+
+// Whether a visitor is over a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
+INLINE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, float slop)
+{
+	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
+	if (!(gap >= -slop))
+		return 0;
+	// what is not at the height of the side yet counts where it gets there
+	if (gap > slop && closes > gap)
+		from = to = gap / closes;
+	visitor.left += minimum(from * slides, to * slides);
+	visitor.right += maximum(from * slides, to * slides);
+	return one_way_meet(side, visitor);
+}
+
+typedef struct // a visitor, as its platform sees it
+{
+	int above, below, beside;
+} OneWayPlace;
+
+// Where visitor b is of platform a, by their poses now. way: as above, in the world. known: ONE_WAY_*
+INLINE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, int known)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Vec axes = vec(a.c, a.s), up = vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
+	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
+	float thickness = p->thickness[b.attribute], slop = minimum(ONE_WAY_SLOP, ONE_WAY_SHARE * thickness);
+	slop = known == ONE_WAY_NEW ? maximum(slop, ONE_WAY_FRESH * thickness) : slop;
+	way = vec_turn_back(axes, way);
+	OneWayPlace place;
+	place.above = 0;
+	// its upper sides, and last its whole width
+	for (int k = shape_a->count > 1 ? 0 : shape_a->count; k <= shape_a->count && !place.above; ++k)
+	{
+		int whole = k == shape_a->count;
+		Vec n = whole ? up : shape_normal(shape_a, k);
+		if (!(vec_dot(n, up) > ONE_WAY_UPPER))
+			continue;
+		OneWaySpan side = one_way_span(shape_a, own, n);
+		place.above = one_way_over(side, one_way_span(shape_b, f, n), n, way, slop);
+	}
+	OneWaySpan platform = one_way_span(shape_a, own, up), visitor = one_way_span(shape_b, f, up);
+	place.below = visitor.high < platform.high;
+	place.beside = !one_way_meet(platform, visitor);
+	return place;
+}
+
+// Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.
+INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, int known)
+{
+	for (int k = p->guarded[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
+	{
+		if (k - 1 == b || p->collidable_kind[k - 1] & KIND_SENSOR)
+			continue;
+		OneWayPlace place = one_way_place(p, a, p->world_shape[k - 1], way, known);
+		if (!place.above && !place.beside)
+			return 1;
+	}
+	return 0;
+}
+
+INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
+
+// Whether platform a holds b in the step. known: ONE_WAY_*
+INLINE int one_way_holds(const Pools* p, int a, int b, Vec way, int known)
+{
+	WorldShape platform = p->world_shape[a];
+	OneWayPlace place = one_way_place(p, platform, p->world_shape[b], way, known);
+	if (known == ONE_WAY_HELD)
+		return place.above || !(place.below || place.beside);
+	return place.above && !one_way_through(p, platform, b, way, known);
+}
+
+#endif

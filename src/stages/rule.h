@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// rule.h -- rules of the user about pairs: which contacts act. Only worlds that have rules run this.
+//
+// A contact that a rule keeps from acting has no points, as if the boxes of its collidables overlapped and no more. It is looked at
+// before the narrow phase, by what it was in the last step and by the poses now.
+#ifndef RULE_H
+#define RULE_H
+#include "stages/one_way.h"
+#include "stages/touch.h"
+
+// What the materials of a pair do.
+INLINE MaterialPair rule_materials(const Pools* p, int i, int j)
+{
+	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
+	int a = p->rule[p->collidable_attribute[i]].material, b = p->rule[p->collidable_attribute[j]].material;
+	int low = a < b ? a : b, high = a < b ? b : a, place = MATERIAL_PLACE(low, high);
+	if (place < p->step.material_pairs)
+		pair = p->material_pair[place];
+	return pair;
+}
+
+// The surface of a contact (contact_surface), by its materials.
+INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
+{
+	float friction = pair.friction < MOST_FRICTION ? pair.friction : MOST_FRICTION;
+	return make_float4(pair.sets & MATERIAL_FRICTION ? friction : surface.x,
+	                   pair.sets & MATERIAL_RESTITUTION ? pair.restitution : surface.y, surface.z,
+	                   pair.sets & MATERIAL_SPEED ? pair.tangent_speed : surface.w);
+}
+
+// Whether a is a one-way platform for b: what is static or kinematic is no visitor of a platform that falls.
+INLINE int rule_platform(const Pools* p, int a, int b)
+{
+	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
+}
+
+// How the body of collidable i moves in the step, as far as it is known.
+INLINE Advance rule_advance(const Pools* p, int i)
+{
+	BodyState body = p->body[p->world_shape[i].body];
+	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
+}
+
+// How b moves against a, which turns, in the step, m.
+INLINE Vec rule_way(const Pools* p, int a, int b)
+{
+	WorldShape at = p->world_shape[a], to = p->world_shape[b];
+	Advance first = rule_advance(p, a), second = rule_advance(p, b);
+	// from the center of mass of a to that of b
+	Vec arm = vec(to.x - at.x + (to.center_x - at.center_x), to.y - at.y + (to.center_y - at.center_y));
+	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
+}
+
+// Whether contact i passes because a side of it is a one-way platform.
+INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
+{
+	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED) ? ONE_WAY_NEW
+	            : flags & CONTACT_PASSES                  ? ONE_WAY_PAST
+	                                                      : ONE_WAY_HELD;
+	if (known == ONE_WAY_HELD && flags & CONTACT_COUNT)
+		return 0;
+	for (int side = 0; side < 2; ++side)
+	{
+		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
+		if (rule_platform(p, a, b) && !one_way_holds(p, a, b, rule_way(p, a, b), known))
+			return 1;
+	}
+	return 0;
+}
+
+// Contact i: whether it acts in this step.
+STAGE(contact_rule)
+{
+	Word flags = p->contact_flags[i];
+	Int2 pair = p->pair[i];
+	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_DETECTED | CONTACT_JOINED))
+		return;
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
+		return;
+	Word apart = 0;
+	if (p->step.material_pairs > 0)
+	{
+		MaterialPair materials = rule_materials(p, pair.x, pair.y);
+		if (flags & CONTACT_FRESH)
+			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
+		apart = materials.sets & MATERIAL_IGNORED ? CONTACT_IGNORED : 0u;
+	}
+	if (!apart && rule_passes(p, pair, flags))
+		apart = CONTACT_PASSES;
+	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart)
+		contact_anew(p, i, flags, apart | (flags & CONTACT_REPORTS));
+}
+
+// Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
+INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
+{
+	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||
+	       (one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST));
+}
+
+#endif

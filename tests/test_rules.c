@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+// test_rules.c -- one-way platforms: from above they hold, from elsewhere they let through, at any speed.
+#include "support.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static scree_attribute add_platform_surface(scree_world* world, scree_shape shape, scree_vec up)
+{
+	scree_attribute_def surface = surface_of(shape);
+	surface.one_way = up;
+	return add_attribute(world, &surface);
+}
+
+static scree_body add_platform(scree_world* world, scree_body_type type, scree_shape shape, float x, float y,
+                               float radians)
+{
+	scree_attribute surface = add_platform_surface(world, shape, (scree_vec){0.0f, 1.0f});
+	return add_body(world, type, surface, x, y, radians);
+}
+
+static scree_body add_thrown(scree_world* world, scree_shape shape, float x, float y, float vx, float vy)
+{
+	scree_attribute_def surface = surface_of(shape);
+	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), x, y, 0.0f);
+	OK(scree_body_set_linear_velocity(world, body, (scree_vec){vx, vy}));
+	return body;
+}
+
+static scree_pose pose_of(scree_world* world, scree_body body)
+{
+	scree_pose pose;
+	OK(scree_body_get_pose(world, body, &pose));
+	return pose;
+}
+
+static scree_shape segment_shape(float ax, float ay, float bx, float by)
+{
+	scree_shape shape;
+	OK(scree_shape_make_segment((scree_vec){ax, ay}, (scree_vec){bx, by}, &shape));
+	return shape;
+}
+
+static scree_shape capsule_shape(float half, float radius)
+{
+	scree_shape shape;
+	OK(scree_shape_make_capsule((scree_vec){-half, 0.0f}, (scree_vec){half, 0.0f}, radius, &shape));
+	return shape;
+}
+
+// platforms of 8 m whose top is at y = 0
+static scree_shape platform_shape(int kind, float* y)
+{
+	*y = kind == 0 ? -0.5f : kind == 1 ? -0.01f : kind == 2 ? 0.0f : -0.1f;
+	return kind == 0   ? box_shape(4.0f, 0.5f)
+	       : kind == 1 ? box_shape(4.0f, 0.01f)
+	       : kind == 2 ? segment_shape(-4.0f, 0.0f, 4.0f, 0.0f)
+	                   : capsule_shape(4.0f, 0.1f);
+}
+
+static scree_shape visitor_shape(int kind, float size)
+{
+	return kind == 0 ? box_shape(size, size) : kind == 1 ? circle_shape(size) : capsule_shape(size, 0.5f * size);
+}
+
+// half of the height of such a visitor
+static float visitor_half(int kind, float size) { return kind == 2 ? 0.5f * size : size; }
+
+// What jumps from below goes through, comes down, and comes to rest on top; platforms and visitors of all kinds, sizes from 2 cm.
+static void jumps_up_and_lands(void** state)
+{
+	(void)state;
+	static const float sizes[] = {0.01f, 0.1f, 0.5f, 2.0f};
+	for (int k = 0; k < 4 * 3 * 4; ++k)
+	{
+		int platform = k % 4, kind = k / 4 % 3;
+		float size = sizes[k / 12], half = visitor_half(kind, size), y;
+		scree_world* world = open_world(-10.0f);
+		scree_shape shape = platform_shape(platform, &y);
+		add_platform(world, SCREE_BODY_STATIC, shape, 0.0f, y, 0.0f);
+		// jumps so that its lowest point gets a metre above the top
+		float rise = 1.0f + 2.0f * half + 1.5f, speed = sqrtf(20.0f * rise);
+		scree_body body = add_thrown(world, visitor_shape(kind, size), 0.3f, -1.5f - half, 0.0f, speed);
+		float highest = -10.0f;
+		for (int step = 0; step < 300; ++step)
+		{
+			run_steps(world, 1);
+			float now = pose_of(world, body).position.y - half;
+			highest = now > highest ? now : highest;
+		}
+		NEAR(highest, 1.0, 0.12);
+		NEAR(pose_of(world, body).position.y, half, 0.006);
+		scree_world_destroy(world);
+	}
+}
+
+// From above nothing gets through, from below, from beside and from half inside everything does and keeps its speed: 1 to 1,000 m/s.
+static void fast_bodies(void** state)
+{
+	(void)state;
+	static const float speeds[] = {1.0f, 10.0f, 60.0f, 300.0f, 1000.0f};
+	uint64_t seed = 1;
+	for (int k = 0; k < 1200; ++k)
+	{
+		int platform = k % 4, kind = k / 4 % 3;
+		float speed = speeds[k / 12 % 5], size = random_between(&seed, 0.02f, 0.5f), half = visitor_half(kind, size), y;
+		int from = k / 60 % 2; // above, below
+		scree_world_def def = scree_world_def_default();
+		def.device = "cpu", def.threads = 1, def.gravity = (scree_vec){0.0f, 0.0f}, def.max_speed = 2000.0f;
+		scree_world* world;
+		OK(scree_world_create(&def, &world));
+		scree_shape shape = platform_shape(platform, &y);
+		add_platform(world, SCREE_BODY_STATIC, shape, 0.0f, y, 0.0f);
+		float far = speed * STEP * random_between(&seed, 0.1f, 2.0f) + half + 0.1f;
+		scree_body body = add_thrown(world, visitor_shape(kind, size), random_between(&seed, -3.0f, 3.0f),
+		                             from == 0 ? far : -far - 1.0f, 0.0f, from == 0 ? -speed : speed);
+		int steps = (int)(8.0f * (far + 3.0f) / (speed * STEP)) / 4;
+		run_steps(world, steps < 8 ? 8 : steps);
+		scree_velocity velocity;
+		OK(scree_body_get_velocity(world, body, &velocity));
+		float now = pose_of(world, body).position.y;
+		if (from == 0 && !(now > half - 0.02f - 0.3f * size))
+			fail_msg("run %d: platform %d lets visitor %d of %g m through at %g m/s: %g", k, platform, kind, size,
+			         speed, now);
+		if (from == 1 && (!(now > half) || velocity.linear.y != speed))
+			fail_msg("run %d: platform %d stops visitor %d of %g m at %g m/s: %g", k, platform, kind, size, speed, now);
+		scree_world_destroy(world);
+	}
+}
+
+// What stands half through when it is made falls through. What comes from beside passes.
+static void half_through(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 3 * 3; ++k)
+	{
+		float y;
+		scree_world* world = open_world(-10.0f);
+		scree_shape shape = platform_shape(k % 3, &y);
+		add_platform(world, SCREE_BODY_STATIC, shape, 0.0f, y, 0.0f);
+		scree_body inside = add_thrown(world, visitor_shape(k / 3, 0.5f), 0.0f, -0.05f, 0.0f, 0.0f);
+		scree_body beside = add_thrown(world, visitor_shape(k / 3, 0.1f), -16.0f, -0.05f, 40.0f, 0.0f);
+		OK(scree_body_set_gravity_scale(world, beside, 0.0f));
+		run_steps(world, 90);
+		scree_pose pose = pose_of(world, inside);
+		NEAR(pose.position.x, 0.0, 0.0);
+		assert_true(pose.position.y < -8.0f);
+		NEAR(pose_of(world, beside).position.x, -16.0 + 40.0 * 1.5, 1e-3);
+		scree_world_destroy(world);
+	}
+}
+
+// A sloped platform whose direction is up is solid along its whole length, though most of it is lower than its upper end.
+static void slopes(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 12; ++k)
+	{
+		scree_world* world = open_world(-10.0f);
+		scree_attribute surface =
+		    add_platform_surface(world, segment_shape(-4.0f, -2.0f, 4.0f, 2.0f), (scree_vec){0.0f, 3.0f});
+		add_body(world, SCREE_BODY_STATIC, surface, 0.0f, 0.0f, 0.0f);
+		float x = -3.0f + 0.5f * (float)(k % 6) + 3.0f * (float)(k / 6);
+		bool fast = k % 2;
+		scree_body above =
+		    add_thrown(world, circle_shape(0.2f), x, 0.5f * x + (fast ? 3.0f : 0.5f), 0.0f, fast ? -60.0f : 0.0f);
+		scree_body below = add_thrown(world, circle_shape(0.2f), x, 0.5f * x - 2.0f, 0.0f, fast ? 60.0f : 10.0f);
+		int held = 0;
+		for (int step = 0; step < 40; ++step)
+		{
+			run_steps(world, 1);
+			scree_vec at = pose_of(world, above).position;
+			held += at.y > 0.5f * at.x + 0.15f;
+		}
+		scree_vec up = pose_of(world, below).position;
+		assert_true(held >= 30);
+		assert_true(up.y > 0.5f * up.x + 0.15f);
+		scree_world_destroy(world);
+	}
+}
+
+// A platform that turns over drops what lies on it only when it is upside down; one that rises carries; one that falls, falls on.
+static void moving_platforms(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	add_box(world, SCREE_BODY_STATIC, 50.0f, 0.5f, 0.0f, -20.5f);
+	scree_body lift = add_platform(world, SCREE_BODY_KINEMATIC, box_shape(2.0f, 0.1f), 0.0f, 0.0f, 0.0f);
+	scree_body rider = add_thrown(world, box_shape(0.3f, 0.3f), 0.0f, 0.4f, 0.0f, 0.0f);
+	scree_body low = add_thrown(world, box_shape(0.3f, 0.3f), 1.0f, -1.0f, 0.0f, 12.0f);
+	OK(scree_body_set_linear_velocity(world, lift, (scree_vec){0.0f, 2.0f}));
+	run_steps(world, 120);
+	NEAR(pose_of(world, rider).position.y, 4.0 + 0.4, 0.01);
+	NEAR(pose_of(world, low).position.y, 4.0 + 0.4, 0.01);
+	// a platform that falls lands on the ground, and what jumps beside it passes it
+	scree_body falls = add_platform(world, SCREE_BODY_DYNAMIC, box_shape(2.0f, 0.1f), 10.0f, -15.0f, 0.0f);
+	scree_body jumps = add_thrown(world, box_shape(0.3f, 0.3f), 10.0f, -19.0f, 0.0f, 14.0f);
+	run_steps(world, 400);
+	NEAR(pose_of(world, falls).position.y, -19.9, 0.01);
+	NEAR(pose_of(world, jumps).position.y, -19.5, 0.02);
+	scree_world_destroy(world);
+}
+
+// A body that slides over many platforms side by side, with a load of 100 times its mass on it, moves as on solid ones.
+static void chains_of_platforms(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 6; ++k)
+	{
+		float speed = k % 3 == 0 ? 2.0f : k % 3 == 1 ? 20.0f : 60.0f;
+		scree_vec at[2];
+		for (int solid = 0; solid < 2; ++solid)
+		{
+			scree_world* world = open_world(-10.0f);
+			for (int tile = 0; tile < 200; ++tile)
+				if (solid)
+					add_box(world, SCREE_BODY_STATIC, 0.5f, 0.1f, (float)tile, -0.1f);
+				else
+					add_platform(world, SCREE_BODY_STATIC, box_shape(0.5f, 0.1f), (float)tile, -0.1f, 0.0f);
+			scree_attribute_def surface = surface_of(k < 3 ? box_shape(0.3f, 0.3f) : circle_shape(0.3f));
+			surface.friction = 0.0f;
+			scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), 5.0f, 0.3f, 0.0f);
+			OK(scree_body_set_linear_velocity(world, body, (scree_vec){speed, 0.0f}));
+			surface.density = 100.0f;
+			scree_body load = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), 5.0f, 0.9f, 0.0f);
+			OK(scree_body_set_linear_velocity(world, load, (scree_vec){speed, 0.0f}));
+			run_steps(world, (int)(100.0f / speed / STEP));
+			at[solid] = pose_of(world, body).position;
+			scree_world_destroy(world);
+		}
+		if (at[0].x != at[1].x || at[0].y != at[1].y)
+			fail_msg("run %d: %g, %g; on solid platforms %g, %g", k, at[0].x, at[0].y, at[1].x, at[1].y);
+	}
+}
+
+// What comes from above moves as on a solid platform, to the last bit: also a tilted plank on a narrow one, where one end gets under
+// the top before they touch.
+static void tilted_planks(void** state)
+{
+	(void)state;
+	for (int k = 1; k < 12; ++k)
+	{
+		scree_vec at[2];
+		for (int solid = 0; solid < 2; ++solid)
+		{
+			scree_world* world = open_world(-10.0f);
+			if (solid)
+				add_box(world, SCREE_BODY_STATIC, 0.1f, 0.1f, 0.0f, -0.1f);
+			else
+				add_platform(world, SCREE_BODY_STATIC, box_shape(0.1f, 0.1f), 0.0f, -0.1f, 0.0f);
+			scree_attribute_def surface = surface_of(box_shape(2.0f, 0.05f));
+			surface.friction = 5.0f;
+			scree_body plank =
+			    add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), 0.0f, 2.5f, 0.05f * (float)k);
+			OK(scree_body_set_linear_velocity(world, plank, (scree_vec){0.0f, k % 2 ? 0.0f : -60.0f}));
+			run_steps(world, 50);
+			at[solid] = pose_of(world, plank).position;
+			scree_world_destroy(world);
+		}
+		assert_true(at[0].x == at[1].x && at[0].y == at[1].y);
+	}
+}
+
+// A body of two boxes, one above the other, is held as a whole: it hangs by none of them.
+static void compounds(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), 0.0f, -0.1f, 0.0f);
+	scree_attribute_def surface = surface_of(box_shape(0.3f, 0.3f));
+	scree_attribute part = add_attribute(world, &surface);
+	scree_body bodies[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, part, k ? 2.0f : -2.0f, k ? -3.0f : -0.4f, 0.0f);
+		scree_collidable_def more = scree_collidable_def_default();
+		more.body = bodies[k];
+		more.attribute = part;
+		more.pose.position.y = 1.0f;
+		OK(scree_collidable_create(world, &more, NULL));
+	}
+	OK(scree_body_set_linear_velocity(world, bodies[1], (scree_vec){0.0f, 12.0f}));
+	run_steps(world, 240);
+	assert_true(pose_of(world, bodies[0]).position.y <
+	            -10.0f); // the upper box stood above the top, the lower one did not
+	NEAR(pose_of(world, bodies[1]).position.y, 0.3, 0.01);
+	scree_world_destroy(world);
+}
+
+// A touch begins when the platform holds, not while it lets through, and ends once.
+static void touches(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), 0.0f, -0.1f, 0.0f);
+	scree_attribute_def surface = surface_of(box_shape(0.3f, 0.3f));
+	scree_body_def def = scree_body_def_default();
+	def.attribute = add_attribute(world, &surface);
+	def.pose.position = (scree_vec){0.0f, -2.0f};
+	def.velocity.linear.y = 10.0f;
+	def.reports = SCREE_REPORT_TOUCHES;
+	scree_body body;
+	OK(scree_body_create(world, &def, &body));
+	int began = 0, ended = 0;
+	for (int step = 0; step < 240; ++step)
+	{
+		if (step == 200)
+			OK(scree_body_set_linear_velocity(world, body, (scree_vec){0.0f, 5.0f}));
+		run_steps(world, 1);
+		scree_events events;
+		OK(scree_world_get_events(world, &events));
+		if (began == 0 && events.touches_began_count)
+			assert_true(pose_of(world, body).position.y > 0.28f);
+		began += events.touches_began_count;
+		ended += events.touches_ended_count;
+	}
+	assert_int_equal(began, 1);
+	assert_int_equal(ended, 1);
+	scree_world_destroy(world);
+}
+
+// Any collidable becomes a one-way platform, and none again, by its attribute.
+static void changed_in_mid_run(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_shape shape = box_shape(4.0f, 0.1f);
+	scree_attribute_def plain = surface_of(shape);
+	scree_attribute solid = add_attribute(world, &plain),
+	                way = add_platform_surface(world, shape, (scree_vec){0.0f, -1.0f});
+	scree_body platform = add_body(world, SCREE_BODY_STATIC, solid, 0.0f, -0.1f, 0.0f);
+	scree_collidable part;
+	int count;
+	OK(scree_body_get_collidables(world, platform, &part, 1, &count));
+	scree_body body = add_thrown(world, box_shape(0.3f, 0.3f), 0.0f, 0.3f, 0.0f, 0.0f);
+	run_steps(world, 60);
+	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
+	// solid from below only: what touches stays held until it leaves, then falls through
+	OK(scree_collidable_set_attribute(world, part, way));
+	run_steps(world, 60);
+	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
+	OK(scree_body_set_linear_velocity(world, body, (scree_vec){0.0f, 3.0f}));
+	run_steps(world, 60);
+	assert_true(pose_of(world, body).position.y < -0.5f);
+	OK(scree_body_set_linear_velocity(world, body, (scree_vec){0.0f, 60.0f}));
+	run_steps(world, 20);
+	assert_true(pose_of(world, body).position.y < -0.5f);
+	scree_world_destroy(world);
+}
+
+// A struck body is not pushed through a platform on which it lies, but through one from below.
+static void struck(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 40; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		float side = k % 2 ? -1.0f : 1.0f, gap = 0.02f + 0.01f * (float)(k / 2);
+		add_platform(world, SCREE_BODY_STATIC, segment_shape(-4.0f, 0.0f, 4.0f, 0.0f), 0.0f, 0.0f, 0.0f);
+		scree_body light = add_thrown(world, box_shape(0.05f, 0.05f), 0.0f, side * (0.05f + gap), 0.0f, 0.0f);
+		scree_attribute_def surface = surface_of(box_shape(0.2f, 0.2f));
+		surface.density = 50.0f;
+		scree_body heavy =
+		    add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), 0.0f, side * (1.0f + gap), 0.0f);
+		OK(scree_body_set_linear_velocity(world, heavy, (scree_vec){0.0f, -side * 60.0f}));
+		run_steps(world, 10);
+		float y = pose_of(world, light).position.y;
+		if (side > 0.0f ? y < 0.0f : y < 1.0f)
+			fail_msg("run %d: gap %g, y = %g", k, gap, y);
+		scree_world_destroy(world);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(jumps_up_and_lands),
+	    cmocka_unit_test(fast_bodies),
+	    cmocka_unit_test(half_through),
+	    cmocka_unit_test(slopes),
+	    cmocka_unit_test(moving_platforms),
+	    cmocka_unit_test(chains_of_platforms),
+	    cmocka_unit_test(tilted_planks),
+	    cmocka_unit_test(compounds),
+	    cmocka_unit_test(touches),
+	    cmocka_unit_test(changed_in_mid_run),
+	    cmocka_unit_test(struck),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
