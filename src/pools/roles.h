@@ -26,6 +26,8 @@ typedef enum // what a pool has an item for
 	PER_SEEN_NODE,   // node, as queries see it
 	PER_QUERY,
 	PER_FOUND, // answer of a query
+	PER_FIELD,
+	PER_FIELD_SHAPE, // collidable of a world with fields that act on shapes
 	PER_TREE,
 	PER_LEAF,
 	PER_NODE,

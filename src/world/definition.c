@@ -26,6 +26,9 @@ const DefinitionType query_definition = {sizeof(scree_query_def), END_OF(scree_q
 const DefinitionType blast_definition = {sizeof(scree_blast_def), END_OF(scree_blast_def, mask),
                                          "scree_blast_def_default"};
 
+const DefinitionType field_definition = {sizeof(scree_field_def), END_OF(scree_field_def, user),
+                                         "scree_field_def_default"};
+
 static uint32_t size_of(const void* def)
 {
 	uint32_t size;
