@@ -1357,27 +1357,32 @@ typedef struct scree_field_def
 {
 	uint32_t size; // set by scree_field_def_default
 	scree_field_type type;
-	scree_body body;       // on which the region lies and with which it moves, null (default) for the world; destroyed with it
-	scree_pose pose;       // of the field's frame in the frame of the body, or in the world; default the origin
-	scree_shape shape;     // the region, in the field's frame; count 0 (default): everywhere. BUOYANCY: a polygon without rounding
-	bool disabled;         // does nothing; default false
-	uint64_t category;     // acts on collidables of the bits of mask whose masks have a bit of category; bodies: on those that
-	uint64_t mask;         // have such a collidable. Default all bits: then it acts on all, whatever their filters
-	scree_vec acceleration; // UNIFORM, m/s^2, in the field's frame; default 0
-	scree_vec force;        // UNIFORM, N, the same; default 0
-	float strength;         // RADIAL, VORTEX, m/s^2; default 10
+	scree_body
+	    body; // on which the region lies and with which it moves, null (default) for the world; destroyed with it
+	scree_pose pose; // of the field's frame in the frame of the body, or in the world; default the origin
+	scree_shape
+	    shape; // the region, in the field's frame; count 0 (default): everywhere. BUOYANCY: a polygon without rounding
+	bool disabled; // does nothing; default false
+	uint64_t
+	    category;  // acts on collidables of the bits of mask whose masks have a bit of category; bodies: on those that
+	uint64_t mask; // have such a collidable. Default all bits: then it acts on all, whatever their filters
+	scree_vec acceleration;      // UNIFORM, m/s^2, in the field's frame; default 0
+	scree_vec force;             // UNIFORM, N, the same; default 0
+	float strength;              // RADIAL, VORTEX, m/s^2; default 10
 	scree_field_falloff falloff; // the same; default inverse square
-	float radius;           // the same: of the falloff, m, 1e-3 to SCREE_HUGE; default 1
-	float softening;        // the same: r is the root of the sum of the squares of the distance and this, m, >= 0; default 0.1
-	scree_vec velocity;     // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, beside that of the body; default 0
-	float density;          // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
-	float drag;             // WIND, BUOYANCY: coefficient: the force is drag density / 2 width speed^2, >= 0; default 1
-	float lift;             // WIND: the same across the wind, >= 0; default 0
-	float linear_drag;      // DRAG: force by the speed, kg/s. BUOYANCY: the same for 1 m^2 of a shape. >= 0; default 0, 2 for a fluid
-	float quadratic_drag;   // DRAG: force by the square of the speed, kg/m, >= 0; default 0
-	float spin_drag;        // DRAG: torque by the spin, N m s, >= 0; default 0
+	float radius;                // the same: of the falloff, m, 1e-3 to SCREE_HUGE; default 1
+	float softening; // the same: r is the root of the sum of the squares of the distance and this, m, >= 0; default 0.1
+	scree_vec
+	    velocity;  // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, beside that of the body; default 0
+	float density; // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
+	float drag;    // WIND, BUOYANCY: coefficient: the force is drag density / 2 width speed^2, >= 0; default 1
+	float lift;    // WIND: the same across the wind, >= 0; default 0
+	float
+	    linear_drag; // DRAG: force by the speed, kg/s. BUOYANCY: the same for 1 m^2 of a shape. >= 0; default 0, 2 for a fluid
+	float quadratic_drag;      // DRAG: force by the square of the speed, kg/m, >= 0; default 0
+	float spin_drag;           // DRAG: torque by the spin, N m s, >= 0; default 0
 	float spin_drag_quadratic; // DRAG: torque by the square of the spin, N m s^2, >= 0; default 0
-	uint64_t user;          // user data, not simulated; default 0
+	uint64_t user;             // user data, not simulated; default 0
 } scree_field_def;
 
 static inline scree_field_def scree_field_def_default(scree_field_type type);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // field.c -- fields: created, changed, destroyed, listed, and read.
-#include "world/fields.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/fields.h"
 #include "world/geometry.h"
 #include "world/handles.h"
 #include <stdio.h>

@@ -400,8 +400,9 @@ typedef struct // 16 bytes: the velocity of a disabled body
 
 typedef struct // 288 bytes
 {
-	Attribute shape;       // of its region; only corners, normals, radius and count. count is 0 for a field that is everywhere
-	Float4 pose;           // of the region in the frame of the body, or in the world: x, y (m), cos, sin
+	Attribute
+	    shape;   // of its region; only corners, normals, radius and count. count is 0 for a field that is everywhere
+	Float4 pose; // of the region in the frame of the body, or in the world: x, y (m), cos, sin
 	Word64 category, mask; // of what it acts on
 	int all;               // category and mask have all bits
 	int body;              // -1 for none
@@ -421,17 +422,18 @@ typedef struct // 288 bytes
 
 typedef struct // 48 bytes: a field in the step
 {
-	Float4 pose;             // of its region: x, y (m), cos, sin
+	Float4 pose;              // of its region: x, y (m), cos, sin
 	float center_x, center_y; // m: center of mass of its body, from there on
-	float vx, vy, w;         // m/s, rad/s: of that body
+	float vx, vy, w;          // m/s, rad/s: of that body
 	float unused[3];
 } FieldSpot;
 
 typedef struct // 48 bytes: what acts on a body, about its center of mass
 {
-	float fx, fy, torque;               // N, N m: what does not depend on its velocity
-	float drag_x, drag_y, drag_torque;  // N, N m: what brakes it
-	float rate, rate_x, rate_y, rate_w; // kg/s, kg m/s, kg m^2/s: sums of k, k x, k y, k (x^2 + y^2) over drags k at points x, y
+	float fx, fy, torque;              // N, N m: what does not depend on its velocity
+	float drag_x, drag_y, drag_torque; // N, N m: what brakes it
+	float rate, rate_x, rate_y,
+	    rate_w; // kg/s, kg m/s, kg m^2/s: sums of k, k x, k y, k (x^2 + y^2) over drags k at points x, y
 	float unused[2];
 } FieldForce;
 

@@ -4,7 +4,8 @@
 // The outline of a shape is a row of edges and arcs. In axes that lie on the surface, x along it and y = 0 on it, the integrals of
 // x dy, x^2 / 2 dy and x y dy around a part are its area and its first moments. They are 0 along the surface itself, so the sum over
 // what lies below it is all: no outline of the part is needed, and a part of any shape is exact.
-// A shape that several edges of a region cut is clipped by them one after the other, with its arcs replaced by corners.
+// A shape that several edges of a region cut is clipped by them one after the other, with its arcs replaced by corners: that is exact
+// without arcs.
 //
 // This work is based on:
 // George Green, An Essay on the Application of Mathematical Analysis, 1828: areas from integrals along outlines.
@@ -56,8 +57,7 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 	float mixed = 0.5f * (b.y * b.y - a.y * a.y), mixed2 = (a.x * a.x * a.x - b.x * b.x * b.x) * (1.0f / 3.0f);
 	float width = center.x * rise + r * squares;
 	sum->area = sum->area + r * width;
-	sum->x = sum->x +
-	         0.5f * r * (center.x * center.x * rise + 2.0f * r * center.x * squares + r * r * cubes);
+	sum->x = sum->x + 0.5f * r * (center.x * center.x * rise + 2.0f * r * center.x * squares + r * r * cubes);
 	sum->y = sum->y + r * (center.y * width + r * (center.x * mixed + r * mixed2));
 }
 
@@ -99,7 +99,8 @@ INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, Field
 	for (int k = 0; k < shape->count; ++k)
 	{
 		Float2 a = shape->vertices[k], b = shape->vertices[k < last ? k + 1 : 0], own = shape->normals[k];
-		Vec from = vec_turn(axes, vec(a.x, a.y)), to = vec_turn(axes, vec(b.x, b.y)), normal = vec_turn(axes, vec(own.x, own.y));
+		Vec from = vec_turn(axes, vec(a.x, a.y)), to = vec_turn(axes, vec(b.x, b.y)),
+		    normal = vec_turn(axes, vec(own.x, own.y));
 		from.y = from.y + edge.offset;
 		to.y = to.y + edge.offset;
 		if (shape->count == 1)
@@ -121,15 +122,16 @@ INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, Field
 	return part;
 }
 
-// The outline of a shape, turned, with three corners for an arc. Returns the number of corners.
+// The outline of a shape, turned, with corners for its arcs that keep its area: eight for a circle, five for the end of a capsule, three
+// for an arc of a polygon. Returns the number of corners.
 INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 {
 	int count = 0, last = shape->count - 1;
+	Vec eighth = vec(0.707106781f, 0.707106781f);
 	if (shape->count == 1)
 	{
-		// eight corners around the area of the circle
 		Vec middle = vec_turn(turn, vec(shape->vertices[0].x, shape->vertices[0].y));
-		Vec d = vec(1.05390736f * shape->radius, 0.0f), eighth = vec(0.707106781f, 0.707106781f);
+		Vec d = vec(1.05390736f * shape->radius, 0.0f);
 		for (int k = 0; k < 8; ++k)
 		{
 			out[count++] = vec_add(middle, d);
@@ -143,12 +145,25 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 		Vec at = vec_turn(turn, vec(shape->vertices[k].x, shape->vertices[k].y));
 		Vec normal = vec_turn(turn, vec(shape->normals[k].x, shape->normals[k].y));
 		if (shape->radius > 0.0f)
-		{
-			Vec half = vec_add(before, normal);
-			float length = square_root(vec_dot(half, half));
-			half = length > 0.001f ? vec_scale(1.0f / length, half) : vec(-before.y, before.x);
 			out[count++] = vec_add(at, vec_scale(shape->radius, before));
-			out[count++] = vec_add(at, vec_scale(shape->radius, half));
+		if (shape->radius > 0.0f && shape->count == 2)
+		{
+			// half a turn: three corners between its ends
+			Vec d = vec_scale(1.07209f * shape->radius, before);
+			for (int e = 0; e < 3; ++e)
+			{
+				d = vec_turn(eighth, d);
+				out[count++] = vec_add(at, d);
+			}
+		}
+		else if (shape->radius > 0.0f)
+		{
+			// an arc of the angle a has the area of its corners if the middle one is a / 2 / sin(a / 2) times as far; here by a series
+			Vec half = vec_add(before, normal);
+			float square = vec_dot(half, half),
+			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2), of sin(a / 2)
+			float far = shape->radius * (1.0f + sine * (1.0f / 6.0f) + sine * sine * (1.0f / 9.0f));
+			out[count++] = vec_add(at, vec_scale(far / square_root(square), half));
 		}
 		out[count++] = vec_add(at, vec_scale(shape->radius, normal));
 		before = normal;

@@ -117,7 +117,8 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot
 
 // The weight of the fluid that a shape displaces, at the centroid of that; and the drag of the fluid there: by the area, and by the
 // square of the speed as of a disc of the same area.
-INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, FieldForce* sum)
+INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t,
+                        FieldForce* sum)
 {
 	if (t->shape->count < 3 && !(t->shape->radius > 0.0f))
 		return;
@@ -129,7 +130,8 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSp
 	field_push(sum, arm, vec(-displaced * p->step.gravity_x, -displaced * p->step.gravity_y));
 	Vec e = field_passing(field, spot, t, arm);
 	float width = 2.0f * square_root(part.area * 0.318309886f);
-	float rate = field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
+	float rate =
+	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
 	field_brake(sum, arm, rate, vec_scale(rate, e));
 
 	// turning about that point, as a rod from there to the farthest corner on both sides

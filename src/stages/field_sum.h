@@ -56,7 +56,10 @@ INLINE FieldSpot field_spot_of(const Pools* p, const GLOBAL Field* field)
 }
 
 // A vector of a field, in the world.
-INLINE Vec field_turn(const FieldSpot* spot, float x, float y) { return vec_turn(vec(spot->pose.z, spot->pose.w), vec(x, y)); }
+INLINE Vec field_turn(const FieldSpot* spot, float x, float y)
+{
+	return vec_turn(vec(spot->pose.z, spot->pose.w), vec(x, y));
+}
 
 // The velocity of the medium at a point.
 INLINE Vec field_flow(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
@@ -75,7 +78,8 @@ INLINE int field_holds(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
 	float nearest = MOST_FLOAT; // square of the distance from the edges
 	for (int k = 0; k < shape->count; ++k)
 	{
-		Float2 a = shape->vertices[k], b = shape->vertices[k + 1 < shape->count ? k + 1 : 0], normal = shape->normals[k];
+		Float2 a = shape->vertices[k], b = shape->vertices[k + 1 < shape->count ? k + 1 : 0],
+		       normal = shape->normals[k];
 		Vec from = vec(q.x - a.x, q.y - a.y), edge = vec(b.x - a.x, b.y - a.y);
 		float along = vec_dot(from, edge), length = vec_dot(edge, edge);
 		float share = along > 0.0f && length > 0.0f ? minimum(along / length, 1.0f) : 0.0f;
@@ -155,8 +159,8 @@ INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 		float dx = motion.free_x * state.inv_mass * (unit * fx), dy = motion.free_y * state.inv_mass * (unit * fy);
 		float dw = state.inv_inertia * (unit * torque);
 		float gain = unit * sum->drag_x * dx + unit * sum->drag_y * dy + unit * sum->drag_torque * dw;
-		float loss = sum->rate * (dx * dx + dy * dy) + 2.0f * dw * (sum->rate_x * dy - sum->rate_y * dx) +
-		             sum->rate_w * dw * dw;
+		float loss =
+		    sum->rate * (dx * dx + dy * dy) + 2.0f * dw * (sum->rate_x * dy - sum->rate_y * dx) + sum->rate_w * dw * dw;
 		share = dt * loss > gain ? gain / (dt * loss) : 1.0f;
 	}
 	sum->drag_x = share * fx;
