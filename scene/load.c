@@ -4,6 +4,7 @@
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/fields.h"
 #include "scene/items.h"
 #include "scene/parameters.h"
 #include "scene/paths.h"
@@ -12,7 +13,7 @@
 
 static const char* const scene_keys[] = {
     "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world", "steps",
-    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     NULL};
+    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "fields", "blasts", NULL};
 
 static const struct
 {
@@ -240,7 +241,8 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	if (!scene->blocks)
 		return reader_fail(reader, NULL, "out of memory");
 	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
-	    !paths_read(reader, root, scene) || !read_joints(reader, root, scene))
+	    !paths_read(reader, root, scene) || !read_joints(reader, root, scene) || !fields_read(reader, root, scene) ||
+	    !blasts_read(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -302,6 +304,8 @@ void scene_free(Scene* scene)
 		joint_block_free(&scene->joint_blocks[k]);
 	free(scene->joint_blocks);
 	paths_free(scene);
+	free(scene->fields);
+	free(scene->blasts);
 	free(scene->blocks);
 	free(scene->attributes);
 	free(scene);

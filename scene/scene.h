@@ -13,6 +13,8 @@ typedef struct Block Block;           // scene/block.h
 typedef struct JointBlock JointBlock; // scene/joint_block.h
 typedef struct Attribute Attribute;   // scene/attributes.h
 typedef struct ScenePath ScenePath;   // scene/paths.h
+typedef struct SceneField SceneField; // scene/fields.h
+typedef struct SceneBlast SceneBlast;
 
 typedef struct
 {
@@ -32,6 +34,10 @@ typedef struct
 	int attribute_count;
 	ScenePath* paths;
 	int path_count;
+	SceneField* fields;
+	int field_count;
+	SceneBlast* blasts;
+	int blast_count;
 	Block* blocks; // of bodies, then of collidables without a body
 	int block_count;
 	JointBlock* joint_blocks;

@@ -159,11 +159,11 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 		else if (shape->radius > 0.0f)
 		{
 			// an arc of the angle a has the area of its corners if the middle one is a / 2 / sin(a / 2) times as far; here by a series
-			Vec half = vec_add(before, normal);
-			float square = vec_dot(half, half),
+			Vec bisector = vec_add(before, normal);
+			float square = vec_dot(bisector, bisector),
 			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2), of sin(a / 2)
 			float far = shape->radius * (1.0f + sine * (1.0f / 6.0f) + sine * sine * (1.0f / 9.0f));
-			out[count++] = vec_add(at, vec_scale(far / square_root(square), half));
+			out[count++] = vec_add(at, vec_scale(far / square_root(square), bisector));
 		}
 		out[count++] = vec_add(at, vec_scale(shape->radius, normal));
 		before = normal;
