@@ -116,8 +116,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 	for (int k = 0; k < scene->field_count && build.status == SCREE_OK; ++k)
 	{
 		const SceneField* field = &scene->fields[k];
-		build.status = field_build(field, world,
-		                           field->block < 0 ? SCREE_NULL_BODY : build.of_block[field->block][field->index]);
+		build.status =
+		    field_build(field, world, field->block < 0 ? SCREE_NULL_BODY : build.of_block[field->block][field->index]);
 	}
 done:
 	free(build.bodies);

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_FIELDS 100000 // of a scene, and explosions
+#define MOST_FIELDS  100000 // of a scene, and explosions
 #define MOST_NUMBERS 20
 
 static const Range any_strength = {-1e12, 1e12, false, false};
@@ -26,9 +26,9 @@ typedef struct // a number of a definition, or the first of two
 	bool pair;
 } Member;
 
-#define FIELD(member, range, pair)                                    \
-	{                                                                 \
-		#member, offsetof(scree_field_def, member), (&range), (pair)  \
+#define FIELD(member, range, pair)                                   \
+	{                                                                \
+#member, offsetof(scree_field_def, member), (&range), (pair) \
 	}
 static const Member field_members[] = {FIELD(acceleration, any_strength, true),
                                        FIELD(force, any_strength, true),
@@ -44,9 +44,9 @@ static const Member field_members[] = {FIELD(acceleration, any_strength, true),
                                        FIELD(spin_drag, no_less, false),
                                        FIELD(spin_drag_quadratic, no_less, false),
                                        {NULL, 0, NULL, false}};
-#define BLAST(member, range, pair)                                    \
-	{                                                                 \
-		#member, offsetof(scree_blast_def, member), (&range), (pair)  \
+#define BLAST(member, range, pair)                                   \
+	{                                                                \
+#member, offsetof(scree_blast_def, member), (&range), (pair) \
 	}
 static const Member blast_members[] = {BLAST(position, any_coordinate, true),
                                        BLAST(radius, any_reach, false),
@@ -54,13 +54,21 @@ static const Member blast_members[] = {BLAST(position, any_coordinate, true),
                                        BLAST(impulse, any_strength, false),
                                        {NULL, 0, NULL, false}};
 
-static const char* const field_keys[] = {"type",     "attribute", "body",        "position",       "angle",
-                                         "disabled", "category",  "mask",        "falloff",        "acceleration",
-                                         "force",    "strength",  "radius",      "softening",      "velocity",
-                                         "density",  "drag",      "lift",        "linear_drag",    "quadratic_drag",
-                                         "spin_drag", "spin_drag_quadratic", "repeat", "description", NULL};
-static const char* const blast_keys[] = {"step", "position", "radius",      "falloff", "impulse",
-                                         "category", "mask", "repeat", "description", NULL};
+static const char* const field_keys[] = {"type",        "attribute",
+                                         "body",        "position",
+                                         "angle",       "disabled",
+                                         "category",    "mask",
+                                         "falloff",     "acceleration",
+                                         "force",       "strength",
+                                         "radius",      "softening",
+                                         "velocity",    "density",
+                                         "drag",        "lift",
+                                         "linear_drag", "quadratic_drag",
+                                         "spin_drag",   "spin_drag_quadratic",
+                                         "repeat",      "description",
+                                         NULL};
+static const char* const blast_keys[] = {"step",     "position", "radius", "falloff",     "impulse",
+                                         "category", "mask",     "repeat", "description", NULL};
 static const char* const types[] = {"uniform", "radial", "vortex", "drag", "wind", "buoyancy", NULL};
 static const char* const falloffs[] = {"constant", "linear", "inverse", "inverse_square", NULL};
 
@@ -188,8 +196,7 @@ static bool read_region(Entry* e, const json_t* value)
 	if (found < 0)
 		return reader_fail(e->reader, at, "\"%.60s\" is not among the attributes", name);
 	e->def.shape = e->scene->attributes[found].def.shape;
-	if (e->def.type == SCREE_FIELD_BUOYANCY &&
-	    (e->def.shape.kind != SCREE_SHAPE_POLYGON || e->def.shape.radius > 0.0f))
+	if (e->def.type == SCREE_FIELD_BUOYANCY && (e->def.shape.kind != SCREE_SHAPE_POLYGON || e->def.shape.radius > 0.0f))
 		return reader_fail(e->reader, at, "a fluid needs a box or a polygon without rounding, and \"%.60s\" is none",
 		                   name);
 	return true;

@@ -182,8 +182,8 @@ bool joint_end_read(Reader* reader, const Location* location, const json_t* valu
 		return reader_fail(reader, KEY(location, "body"), "\"%.60s\" is not the name of an entry of bodies", name);
 	const Block* bodies = &scene->blocks[end->block];
 	if (bodies->churn.replaced > 0)
-		return reader_fail(reader, KEY(location, "body"), "the bodies \"%s\" are replaced, which ends their joints and fields",
-		                   name);
+		return reader_fail(reader, KEY(location, "body"),
+		                   "the bodies \"%s\" are replaced, which ends their joints and fields", name);
 	if (!json_object_get(value, "index") && bodies->count != 1)
 		return reader_fail(reader, location, "index is missing: there are %.9g bodies \"%s\"", (double)bodies->count,
 		                   name);

@@ -11,9 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const scene_keys[] = {
-    "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world", "steps",
-    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "fields", "blasts", NULL};
+static const char* const scene_keys[] = {"$schema",    "name",      "title",       "description", "seed",
+                                         "parameters", "constants", "world",       "steps",       "view",
+                                         "attributes", "bodies",    "collidables", "joints",      "penetration_limit",
+                                         "paths",      "fields",    "blasts",      NULL};
 
 static const struct
 {
