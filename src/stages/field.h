@@ -4,6 +4,9 @@
 // Each body gathers what the fields do: first the sum of each of its collidables, in the order of its list, then the fields that act on
 // bodies, by index. So no two items write to one place, and the order of a sum depends on nothing but the user's calls. The result goes
 // where the user's forces are, which integrate adds in each substep and finalize clears.
+//
+// This work is based on:
+// Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
 #ifndef FIELD_H
 #define FIELD_H
 #include "stages/command.h"
