@@ -28,7 +28,7 @@ struct Picture
 	scree_box view; // m
 	Sprites sprites;
 	Links links;
-	Regions regions;
+	FieldRegions regions;
 	Canvas canvas;
 	cairo_t* cairo; // of the canvas
 	Viewport viewport;
@@ -200,7 +200,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 }
 
 // Tints the region of a field; a fluid without a shape is everything below its surface.
-static void draw_region(Picture* p, const Region* region, const scree_pose* poses)
+static void draw_region(Picture* p, const FieldRegion* region, const scree_pose* poses)
 {
 	const float far = 2.0f * SCREE_HUGE;
 	scree_shape below = {.kind = SCREE_SHAPE_POLYGON, .count = 4};

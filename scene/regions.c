@@ -3,7 +3,7 @@
 #include "scene/regions.h"
 #include <stdlib.h>
 
-bool regions_list(Regions* regions, const Sprites* sprites, const scree_world* world)
+bool regions_list(FieldRegions* regions, const Sprites* sprites, const scree_world* world)
 {
 	int count;
 	if (scree_world_get_fields(world, NULL, 0, &count) != SCREE_OK)
@@ -13,7 +13,7 @@ bool regions_list(Regions* regions, const Sprites* sprites, const scree_world* w
 	bool good = fields && regions->list && scree_world_get_fields(world, fields, count, &count) == SCREE_OK;
 	for (int k = 0; good && k < count; ++k)
 	{
-		Region* region = &regions->list[regions->count];
+		FieldRegion* region = &regions->list[regions->count];
 		good = scree_field_get_def(world, fields[k], &region->def) == SCREE_OK;
 		region->body = good ? sprites_find(sprites, region->def.body) : -1;
 		bool drawn = region->def.shape.count > 0 || region->def.type == SCREE_FIELD_BUOYANCY;
@@ -23,9 +23,9 @@ bool regions_list(Regions* regions, const Sprites* sprites, const scree_world* w
 	return good;
 }
 
-void regions_free(Regions* regions) { free(regions->list); }
+void regions_free(FieldRegions* regions) { free(regions->list); }
 
-scree_pose region_pose(const Region* region, const scree_pose* poses)
+scree_pose region_pose(const FieldRegion* region, const scree_pose* poses)
 {
 	scree_pose own = region->def.pose;
 	if (region->body < 0)
@@ -37,7 +37,7 @@ scree_pose region_pose(const Region* region, const scree_pose* poses)
 	                    {q.c * r.c - q.s * r.s, q.s * r.c + q.c * r.s}};
 }
 
-Color region_color(const Region* region)
+Color region_color(const FieldRegion* region)
 {
 	static const Color colors[] = {[SCREE_FIELD_UNIFORM] = {196, 160, 60}, [SCREE_FIELD_RADIAL] = {190, 90, 70},
 	                               [SCREE_FIELD_VORTEX] = {150, 90, 170},  [SCREE_FIELD_DRAG] = {120, 120, 110},

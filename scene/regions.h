@@ -8,20 +8,20 @@ typedef struct // the region of a field
 {
 	scree_field_def def;
 	int body; // index in Sprites.bodies, -1 for the world
-} Region;
+} FieldRegion;
 
 typedef struct
 {
-	Region* list;
+	FieldRegion* list;
 	int count;
-} Regions;
+} FieldRegions;
 
 // Lists the fields of a world that have something to draw: those with a shape, and fluids; false when memory is short.
-bool regions_list(Regions* regions, const Sprites* sprites, const scree_world* world);
-void regions_free(Regions* regions);
+bool regions_list(FieldRegions* regions, const Sprites* sprites, const scree_world* world);
+void regions_free(FieldRegions* regions);
 
 // The pose of a region in the world; and the color of its tint.
-scree_pose region_pose(const Region* region, const scree_pose* poses);
-Color region_color(const Region* region);
+scree_pose region_pose(const FieldRegion* region, const scree_pose* poses);
+Color region_color(const FieldRegion* region);
 
 #endif
