@@ -224,6 +224,73 @@ static void wrong_arguments_are_refused(void** state)
 	scree_world_destroy(world);
 }
 
+// Memory runs out at every allocation in turn: a status, and nothing has changed.
+static void memory_runs_out(void** state)
+{
+	(void)state;
+	scree_field_def def = water_def(2.0f);
+	count_allocations();
+	for (int left = 0, failures = 1; failures > 0; ++left)
+	{
+		scree_world* worlds[2];
+		failures = 0;
+		for (int k = 0; k < 2; ++k)
+		{
+			worlds[k] = open_world((float)-G);
+			add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
+			run_steps(worlds[k], 1);
+			allocations_left = k == 0 ? left : -1;
+			scree_status status = scree_field_create(worlds[k], &def, NULL);
+			if (status == SCREE_OK)
+				status = scree_world_step(worlds[k], STEP, SUBSTEPS);
+			allocations_left = -1;
+			if (status == SCREE_OK)
+				continue;
+			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
+			++failures;
+			int count;
+			OK(scree_world_get_fields(worlds[k], NULL, 0, &count));
+			if (count == 0)
+				add_field(worlds[k], &def);
+			run_steps(worlds[k], 1);
+		}
+		assert_true(hash_of(worlds[0]) == hash_of(worlds[1]));
+		for (int k = 0; k < 2; ++k)
+			scree_world_destroy(worlds[k]);
+		assert_true(left < 100);
+	}
+	OK(scree_hooks_set(NULL));
+}
+
+// A step that is refused because of too many contacts changes nothing: the forces are not there twice in the next one.
+static void refused_steps_push_nothing(void** state)
+{
+	(void)state;
+	scree_world* worlds[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_world_def world_def = scree_world_def_default();
+		world_def.device = "cpu";
+		world_def.contact_limit = 3;
+		OK(scree_world_create(&world_def, &worlds[k]));
+		scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+		def.acceleration.x = 6.0f;
+		add_field(worlds[k], &def);
+		add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
+		run_steps(worlds[k], 2);
+		scree_body crowd[5];
+		for (int i = 0; i < 5; ++i)
+			crowd[i] = add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 9.0f, 9.0f);
+		for (int i = 0; i < 3 && k == 0; ++i)
+			assert_int_equal(scree_world_step(worlds[k], STEP, SUBSTEPS), SCREE_ERROR_CROWDED);
+		OK(scree_bodies_destroy(worlds[k], crowd, 5));
+		run_steps(worlds[k], 2);
+	}
+	assert_true(hash_of(worlds[0]) == hash_of(worlds[1]));
+	for (int k = 0; k < 2; ++k)
+		scree_world_destroy(worlds[k]);
+}
+
 // ---------------------------------------------------------------------------------------------------------------
 // all devices
 // ---------------------------------------------------------------------------------------------------------------
@@ -342,6 +409,7 @@ int main(void)
 	    cmocka_unit_test(bodies_float_and_sink),     cmocka_unit_test(boats_right_themselves),
 	    cmocka_unit_test(fields_move_with_bodies),   cmocka_unit_test(who_is_pushed),
 	    cmocka_unit_test(drag_leaves_weights_alone), cmocka_unit_test(wrong_arguments_are_refused),
+	    cmocka_unit_test(memory_runs_out),           cmocka_unit_test(refused_steps_push_nothing),
 	    cmocka_unit_test(all_devices_agree),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
