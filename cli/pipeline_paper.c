@@ -23,6 +23,12 @@ static int paper_open(const Options* options, Simulation* simulation)
 		        simulation->scene->name);
 		return EXIT_BAD;
 	}
+	if (simulation->scene->field_count > 0 || simulation->scene->blast_count > 0)
+	{
+		fprintf(stderr, "scree: %s has fields or explosions, which the pipeline paper does not know\n",
+		        simulation->scene->name);
+		return EXIT_BAD;
+	}
 	if (simulation->scene->joint_count > 0)
 	{
 		fprintf(stderr, "scree: %s has joints, which the pipeline paper does not know\n", simulation->scene->name);

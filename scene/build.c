@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// build.c -- creates the bodies, collidables and joints of a scene in a world.
+// build.c -- creates the bodies, collidables, joints and fields of a scene in a world.
 #include "scene/build.h"
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/fields.h"
 #include "scene/materials.h"
 #include "scene/paths.h"
 #include <stdlib.h>
@@ -117,6 +118,12 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 	{
 		if (!evaluate_joints(reader, scene, &scene->joint_blocks[k], build_joints, &build) && build.status == SCREE_OK)
 			build.status = SCREE_ERROR_OUT_OF_MEMORY;
+	}
+	for (int k = 0; k < scene->field_count && build.status == SCREE_OK; ++k)
+	{
+		const SceneField* field = &scene->fields[k];
+		build.status =
+		    field_build(field, world, field->block < 0 ? SCREE_NULL_BODY : build.of_block[field->block][field->index]);
 	}
 done:
 	free(build.bodies);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// churn.c -- what a scene does to its bodies between steps: some are moved to another place, some destroyed and created again.
+// churn.c -- what a scene does to its bodies between steps: some are moved to another place, some destroyed and created again, some
+// blown up.
 //
 // The number of the step alone decides which bodies change and where they go, so that no state is kept between steps. All
 // replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body gets
@@ -7,6 +8,7 @@
 #include "scene/churn.h"
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
+#include "scene/fields.h"
 #include <stdlib.h>
 
 static int64_t common_divisor(int64_t a, int64_t b)
@@ -155,7 +157,7 @@ static scree_status apply(scree_world* world, Arrays* arrays, const SceneChange*
 scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
 {
 	if (!scene_churns(scene))
-		return SCREE_OK;
+		return blasts_fire(scene, world, step);
 	SceneChange* changes;
 	int count = scene_changes(scene, step, &changes), bodies = 0;
 	Arrays arrays = {0};
@@ -173,5 +175,5 @@ scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
 		status = apply(world, &arrays, changes, count, true);
 	close_arrays(&arrays);
 	free(changes);
-	return status;
+	return status == SCREE_OK ? blasts_fire(scene, world, step) : status;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// churn.h -- what a scene does to its bodies between steps: some are moved to another place, some destroyed and created again.
+// churn.h -- what a scene does to its bodies between steps: some are moved to another place, some destroyed and created again, some
+// blown up.
 #ifndef CHURN_H
 #define CHURN_H
 #include "scene/scene.h"
@@ -7,7 +8,7 @@
 // Whether the scene changes bodies between steps.
 bool scene_churns(const Scene* scene);
 
-// Changes the bodies of a world as the scene does before a step; the first step is number 0. The world must have been built
+// Changes the bodies of a world as the scene does before a step, then sets off its explosions; the first step is number 0. The world must have been built
 // by scene_build and have taken all steps before this one. Bodies that were added later stay as they are. On failure
 // scree_error() says why.
 scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step);

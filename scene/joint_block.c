@@ -168,8 +168,7 @@ static bool read_type(Reader* reader, const Location* location, const json_t* va
 	return reader_fail_value(reader, location, value, names);
 }
 
-// Reads the body at one end: null for the world, or a block of bodies by name and the index of a body in it.
-static bool read_end(Reader* reader, const Location* location, const json_t* value, const Scene* scene, JointEnd* end)
+bool joint_end_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, JointEnd* end)
 {
 	const char* name;
 	end->block = -1;
@@ -183,8 +182,8 @@ static bool read_end(Reader* reader, const Location* location, const json_t* val
 		return reader_fail(reader, KEY(location, "body"), "\"%.60s\" is not the name of an entry of bodies", name);
 	const Block* bodies = &scene->blocks[end->block];
 	if (bodies->churn.replaced > 0)
-		return reader_fail(reader, KEY(location, "body"), "the bodies \"%s\" are replaced, which ends their joints",
-		                   name);
+		return reader_fail(reader, KEY(location, "body"),
+		                   "the bodies \"%s\" are replaced, which ends their joints and fields", name);
 	if (!json_object_get(value, "index") && bodies->count != 1)
 		return reader_fail(reader, location, "index is missing: there are %.9g bodies \"%s\"", (double)bodies->count,
 		                   name);
@@ -195,8 +194,8 @@ static bool read_end(Reader* reader, const Location* location, const json_t* val
 static bool read_ends(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                       JointBlock* block)
 {
-	return read_end(reader, KEY(location, "a"), json_object_get(value, "a"), scene, &block->ends[0]) &&
-	       read_end(reader, KEY(location, "b"), json_object_get(value, "b"), scene, &block->ends[1]) &&
+	return joint_end_read(reader, KEY(location, "a"), json_object_get(value, "a"), scene, &block->ends[0]) &&
+	       joint_end_read(reader, KEY(location, "b"), json_object_get(value, "b"), scene, &block->ends[1]) &&
 	       (block->ends[0].block >= 0 || block->ends[1].block >= 0 ||
 	        reader_fail(reader, location, "a and b are both null; a joint needs a body"));
 }

@@ -45,6 +45,9 @@ struct JointBlock
 bool joint_block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                       JointBlock* block);
 
+// Reads the body at one end: null for the world, or a block of bodies by name and the index of a body in it. The caller frees the index.
+bool joint_end_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, JointEnd* end);
+
 void joint_block_free(JointBlock* block);
 
 #endif

@@ -8,12 +8,6 @@
 #define RAIL_SHARES 8
 #define RAIL_MOST   4000
 
-static int compare_bodies(const void* a, const void* b)
-{
-	const scree_body *x = a, *y = b;
-	return (x->index > y->index) - (x->index < y->index);
-}
-
 static bool set_end(Link* link, int end, const Sprites* sprites, const scree_world* world, scree_body body,
                     scree_pose frame)
 {
@@ -22,11 +16,10 @@ static bool set_end(Link* link, int end, const Sprites* sprites, const scree_wor
 	link->anchors[end] = frame.position;
 	if (scree_body_is_null(body))
 		return true;
-	const scree_body* found = bsearch(&body, sprites->bodies, (size_t)sprites->body_count, sizeof body, compare_bodies);
 	scree_body_type type;
-	if (!found || scree_body_get_type(world, body, &type) != SCREE_OK)
+	link->bodies[end] = sprites_find(sprites, body);
+	if (link->bodies[end] < 0 || scree_body_get_type(world, body, &type) != SCREE_OK)
 		return false;
-	link->bodies[end] = (int)(found - sprites->bodies);
 	// bodies that stand still may be large, and their origins far away
 	link->centers[end] = type == SCREE_BODY_DYNAMIC;
 	return true;

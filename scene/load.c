@@ -4,6 +4,7 @@
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/fields.h"
 #include "scene/items.h"
 #include "scene/materials.h"
 #include "scene/parameters.h"
@@ -11,9 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const scene_keys[] = {
-    "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world",     "steps",
-    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "materials", NULL};
+static const char* const scene_keys[] = {"$schema",    "name",      "title",       "description", "seed",
+                                         "parameters", "constants", "world",       "steps",       "view",
+                                         "attributes", "bodies",    "collidables", "joints",      "penetration_limit",
+                                         "paths",      "materials", "fields",      "blasts",      NULL};
 
 static const struct
 {
@@ -241,7 +243,8 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	if (!scene->blocks)
 		return reader_fail(reader, NULL, "out of memory");
 	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
-	    !paths_read(reader, root, scene) || !materials_read(reader, root, scene) || !read_joints(reader, root, scene))
+	    !paths_read(reader, root, scene) || !materials_read(reader, root, scene) || !read_joints(reader, root, scene) ||
+	    !fields_read(reader, root, scene) || !blasts_read(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -304,6 +307,8 @@ void scene_free(Scene* scene)
 	free(scene->joint_blocks);
 	paths_free(scene);
 	free(scene->materials);
+	free(scene->fields);
+	free(scene->blasts);
 	free(scene->blocks);
 	free(scene->attributes);
 	free(scene);

@@ -9,8 +9,7 @@
 static const char* const part_keys[] = {"attribute", "choose",  "position", "angle",  "category", "mask",
                                         "group",     "reports", "sensor",   "repeat", NULL};
 
-// Reads a list of bit numbers, because a JSON number cannot hold 64 bits.
-static bool read_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
+bool bits_read(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
 {
 	const json_t* value = json_object_get(object, key);
 	if (!value)
@@ -38,8 +37,8 @@ static bool read_filter(Reader* reader, const Location* location, const json_t* 
 	return reader_member(reader, location, object, "group", (Range){-1e9, 1e9, true, false}, 0, &part->group) &&
 	       reader_member(reader, location, object, "reports", bits, 0, &part->reports) &&
 	       reader_member(reader, location, object, "sensor", sees, 0, &part->sensor) &&
-	       read_bits(reader, location, object, "category", &part->filter.category) &&
-	       read_bits(reader, location, object, "mask", &part->filter.mask);
+	       bits_read(reader, location, object, "category", &part->filter.category) &&
+	       bits_read(reader, location, object, "mask", &part->filter.mask);
 }
 
 static bool read_attribute_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene,

@@ -2,6 +2,7 @@
 // picture.c -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
 #include "scene/picture.h"
 #include "scene/links.h"
+#include "scene/regions.h"
 #include "scene/sprites.h"
 #include "scene/viewport.h"
 
@@ -27,6 +28,7 @@ struct Picture
 	scree_box view; // m
 	Sprites sprites;
 	Links links;
+	FieldRegions regions;
 	Canvas canvas;
 	cairo_t* cairo; // of the canvas
 	Viewport viewport;
@@ -40,7 +42,8 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 	Picture* p = calloc(1, sizeof(Picture));
 	if (p)
 		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo};
-	if (!p || !sprites_list(&p->sprites, world) || !links_list(&p->links, &p->sprites, world))
+	if (!p || !sprites_list(&p->sprites, world) || !links_list(&p->links, &p->sprites, world) ||
+	    !regions_list(&p->regions, &p->sprites, world))
 	{
 		snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");
 		if (!p)
@@ -61,6 +64,7 @@ void picture_free(Picture* p)
 	canvas_close(&p->canvas);
 	sprites_free(&p->sprites);
 	links_free(&p->links);
+	regions_free(&p->regions);
 	free(p);
 }
 
@@ -195,6 +199,22 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_stroke(p->cairo);
 }
 
+// Tints the region of a field; a fluid without a shape is everything below its surface.
+static void draw_region(Picture* p, const FieldRegion* region, const scree_pose* poses)
+{
+	const float far = 2.0f * SCREE_HUGE;
+	scree_shape below = {.kind = SCREE_SHAPE_POLYGON, .count = 4};
+	const scree_vec corners[] = {{-far, -far}, {far, -far}, {far, 0}, {-far, 0}};
+	memcpy(below.vertices, corners, sizeof corners);
+	Color color = region_color(region);
+	make_path(p, region->def.shape.count > 0 ? &region->def.shape : &below, region_pose(region, poses));
+	cairo_set_source_rgba(p->cairo, color.r / 255.0, color.g / 255.0, color.b / 255.0, 0.22);
+	cairo_fill_preserve(p->cairo);
+	cairo_set_source_rgba(p->cairo, color.r / 255.0, color.g / 255.0, color.b / 255.0, 0.6);
+	cairo_set_line_width(p->cairo, 1);
+	cairo_stroke(p->cairo);
+}
+
 static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 {
 	scree_vec points[LINK_POINTS];
@@ -243,6 +263,8 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 	p->viewport = viewport_show(p->view, p->width, p->height);
 	set_color(p->cairo, BACKGROUND_COLOR, 1);
 	cairo_paint(p->cairo);
+	for (int k = 0; k < p->regions.count; ++k)
+		draw_region(p, &p->regions.list[k], poses);
 	for (int small = 0; small < 2; ++small)
 	{
 		cairo_surface_flush(p->canvas.surface);

@@ -14,6 +14,8 @@ typedef struct JointBlock JointBlock;         // scene/joint_block.h
 typedef struct Attribute Attribute;           // scene/attributes.h
 typedef struct ScenePath ScenePath;           // scene/paths.h
 typedef struct SceneMaterials SceneMaterials; // scene/materials.h
+typedef struct SceneField SceneField;         // scene/fields.h
+typedef struct SceneBlast SceneBlast;
 
 typedef struct
 {
@@ -35,6 +37,10 @@ typedef struct
 	int path_count;
 	SceneMaterials* materials;
 	int material_count;
+	SceneField* fields;
+	int field_count;
+	SceneBlast* blasts;
+	int blast_count;
 	Block* blocks; // of bodies, then of collidables without a body
 	int block_count;
 	JointBlock* joint_blocks;

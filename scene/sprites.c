@@ -113,6 +113,20 @@ bool sprites_list(Sprites* p, scree_world* world)
 	return add_body(p, world, SCREE_NULL_BODY, -1, false);
 }
 
+static int compare_bodies(const void* a, const void* b)
+{
+	const scree_body *x = a, *y = b;
+	return (x->index > y->index) - (x->index < y->index);
+}
+
+int sprites_find(const Sprites* sprites, scree_body body)
+{
+	const scree_body* found = sprites->body_count > 0 ? bsearch(&body, sprites->bodies, (size_t)sprites->body_count,
+	                                                            sizeof body, compare_bodies)
+	                                                  : NULL;
+	return found ? (int)(found - sprites->bodies) : -1;
+}
+
 void sprites_free(Sprites* p)
 {
 	free(p->bodies);

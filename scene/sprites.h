@@ -37,6 +37,9 @@ typedef struct
 bool sprites_list(Sprites* sprites, scree_world* world);
 void sprites_free(Sprites* sprites);
 
+// The position of a body in Sprites.bodies, -1 for none.
+int sprites_find(const Sprites* sprites, scree_body body);
+
 // A color of the palette; -1 is the color of bodies that are not dynamic.
 Color sprite_base(int entry);
 

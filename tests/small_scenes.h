@@ -19,6 +19,7 @@ typedef struct
 
 static const SmallScene small_scenes[] = {
     {"billiards", 300, {{"rack", "10"}}},
+    {"blast", 240, {{"towers", "3"}, {"storeys", "5"}}},
     {"bridge", 240, {{"planks", "30"}}},
     {"cars", 240, {{"roads", "3"}}},
     {"chains", 240, {{"lengths", "4"}}}, // enough to lie side by side
@@ -31,6 +32,7 @@ static const SmallScene small_scenes[] = {
     {"machine", 240, {{"columns", "3"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
+    {"pond", 200, {{"boats", "3"}, {"balls", "36"}, {"crates", "12"}, {"fish", "75"}, {"stones", "100"}}},
     {"pyramid", 120, {{"rows", "24"}}},
     {"pyramids", 120, {{"columns", "4"}, {"rows", "3"}, {"base", "7"}}},
     {"ragdolls", 240, {{"columns", "5"}, {"rows", "3"}}},

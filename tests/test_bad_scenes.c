@@ -355,6 +355,37 @@ static void test_bad_loops(void** state)
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
 
+#define FIELD(text) \
+	HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\"}], \"fields\": [{" text "}]}"
+#define BLAST(text) HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}], \"blasts\": [{" text "}]}"
+
+static void test_bad_fields(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}], \"fields\": {}}",
+	     "fields: {} must be a list, [ ... ]"},
+	    {FIELD(""), "fields[0]: type is missing, must be one of uniform, radial, vortex, drag, wind, buoyancy"},
+	    {FIELD("\"type\": \"water\""), "fields[0].type: \"water\" must be one of uniform, radial,"},
+	    {FIELD("\"type\": \"radial\", \"falloff\": 2"),
+	     "fields[0].falloff: 2 must be one of constant, linear, inverse,"},
+	    {FIELD("\"type\": \"drag\", \"attribute\": \"c\""), "fields[0].attribute: \"c\" is not among the attributes"},
+	    {FIELD("\"type\": \"buoyancy\", \"attribute\": \"a\""),
+	     "fields[0].attribute: a fluid needs a box or a polygon without rounding, and \"a\" is none"},
+	    {FIELD("\"type\": \"drag\", \"body\": {\"body\": \"two\"}"), "fields[0].body.body: \"two\" is not the name"},
+	    {FIELD("\"type\": \"drag\", \"drag\": -1"), "fields[0].drag: -1 must"},
+	    {FIELD("\"type\": \"drag\", \"velocity\": [1]"), "fields[0].velocity: [1] must be a list of 2 numbers"},
+	    {FIELD("\"type\": \"drag\", \"wet\": 1"), "fields[0]"},
+	    {FIELD("\"type\": \"radial\", \"radius\": \"i\", \"repeat\": {\"index\": \"i\", \"to\": 3}"),
+	     "fields[0].radius"},
+	    {BLAST("\"position\": [0, 0]"), "blasts[0]: step is missing"},
+	    {BLAST("\"step\": -1"), "blasts[0].step: -1 must"},
+	    {BLAST("\"step\": 1.5"), "blasts[0].step: 1.5 must"},
+	    {BLAST("\"step\": 1, \"radius\": -1"), "blasts[0].radius: -1 must"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -364,7 +395,7 @@ int main(void)
 	    cmocka_unit_test(test_bad_coordinates), cmocka_unit_test(test_bad_values),
 	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
 	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_bad_couplings),
-	    cmocka_unit_test(test_bad_paths),
+	    cmocka_unit_test(test_bad_paths),       cmocka_unit_test(test_bad_fields),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,6 +80,7 @@ static void test_shipped(void** state)
 	    {"cloth", 1801, 1801, 3521},      {"chains", 648, 648, 648},
 	    {"windmill", 863, 905, 21},       {"machine", 184, 216, 224},
 	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
+	    {"pond", 2028, 2048, 0},          {"blast", 730, 730, 0},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
@@ -400,12 +401,57 @@ static void test_disabled(void** state)
 	scene_free(scene);
 }
 
+// Fields on the world and on bodies of a row, and explosions before their steps.
+static void test_fields(void** state)
+{
+	(void)state;
+	char sentence[SCENE_SENTENCE];
+	Scene* scene = load_text(
+	    SCRATCH,
+	    HEAD GOOD_ATTRIBUTES
+	    "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [{\"name\": \"row\", \"attribute\": \"a\", \"repeat\": "
+	    "{\"index\": \"i\", "
+	    "\"to\": 3}, \"position\": [\"10 * i\", 0]}], \"fields\": [{\"type\": \"drag\", \"body\": {\"body\": "
+	    "\"row\", \"index\": \"i\"}, \"attribute\": \"b\", \"repeat\": {\"index\": \"i\", \"to\": 2}, \"position\": "
+	    "[0, \"i + 2\"], \"linear_drag\": \"3 + i\"}, {\"type\": \"uniform\", \"acceleration\": [0, 6], "
+	    "\"mask\": [3]}], \"blasts\": [{\"step\": 4, \"position\": [-2, 0], \"radius\": 3, \"falloff\": 0, "
+	    "\"impulse\": 5}]}",
+	    NULL, 0, sentence);
+	assert_non_null(scene);
+	scree_world* world;
+	scree_field fields[4];
+	scree_field_def def;
+	scree_body bodies[4];
+	scree_velocity v;
+	int count;
+	assert_int_equal(scree_world_create(&scene->world, &world), SCREE_OK);
+	assert_int_equal(scene_build(scene, world), SCREE_OK);
+	assert_int_equal(scree_world_get_bodies(world, bodies, 4, &count), SCREE_OK);
+	assert_int_equal(scree_world_get_fields(world, fields, 4, &count), SCREE_OK);
+	assert_int_equal(count, 3);
+	assert_int_equal(scree_field_get_def(world, fields[1], &def), SCREE_OK);
+	assert_true(scree_body_equals(def.body, bodies[1]) && def.pose.position.y == 3 && def.linear_drag == 4);
+	assert_true(def.shape.count == 4 && def.type == SCREE_FIELD_DRAG);
+	assert_int_equal(scree_field_get_def(world, fields[2], &def), SCREE_OK);
+	assert_true(scree_body_is_null(def.body) && def.acceleration.y == 6 && def.mask == 8 && def.shape.count == 0);
+	for (int step = 0; step < 6; ++step)
+	{
+		assert_int_equal(scree_body_get_velocity(world, bodies[0], &v), SCREE_OK);
+		assert_true((v.linear.x > 0) == (step > 4));
+		assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
+		assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
+	}
+	scree_world_destroy(world);
+	scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(test_joints),  cmocka_unit_test(test_missing_file), cmocka_unit_test(test_settings),
 	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),  cmocka_unit_test(test_build),
 	    cmocka_unit_test(test_churn),   cmocka_unit_test(test_disabled),     cmocka_unit_test(test_contact_details),
+	    cmocka_unit_test(test_fields),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -63,6 +63,7 @@ void renderer_close(Renderer* r)
 	strokes_close(&r->strokes);
 	render_tables_close(&r->tables);
 	joint_lines_close(&r->joint_lines);
+	field_lines_close(&r->field_lines);
 	free(r->contacts);
 	*r = (Renderer){0};
 }
@@ -111,6 +112,8 @@ scree_status renderer_fetch(Renderer* r, const Style* style)
 		render_tables_update_graph(&r->tables, r->contacts, r->contact_count);
 	if (status == SCREE_OK && style->layers[LAYER_joints])
 		status = fetch_joints(r);
+	if (status == SCREE_OK && style->layers[LAYER_fields])
+		status = field_lines_update(&r->field_lines, &r->tables);
 	return status;
 }
 
@@ -197,6 +200,8 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 		draw_over(r, &r->box, share, camera, style);
 	if (style->layers[LAYER_velocities])
 		draw_over(r, &r->velocity, share, camera, style);
+	if (style->layers[LAYER_fields])
+		field_lines_mark(&r->field_lines, &r->strokes);
 	if (style->layers[LAYER_joints])
 		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style->detail);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);

@@ -2,6 +2,7 @@
 // renderer.h -- draws a world from rows in an OpenGL buffer: bodies, and layers over them.
 #ifndef RENDERER_H
 #define RENDERER_H
+#include "view/field_lines.h"
 #include "view/joint_lines.h"
 #include "view/lod.h"
 #include "view/render_tables.h"
@@ -23,6 +24,7 @@ typedef struct
 	RenderTables tables;
 	Lod lod;
 	JointLines joint_lines;
+	FieldLines field_lines;
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
 	bool software; // OpenGL runs on the CPU
@@ -35,7 +37,7 @@ void renderer_close(Renderer* renderer);
 // Reads the world again after bodies were added or removed; also before the first frame.
 bool renderer_update_world(Renderer* renderer, scree_world* world);
 
-// Reads what a style shows besides the rows: velocities, contacts, joints.
+// Reads what a style shows besides the rows: velocities, contacts, joints, fields.
 scree_status renderer_fetch(Renderer* renderer, const Style* style);
 
 // Draws background, bodies and layers into the current framebuffer. Strokes that were added before are drawn on top.

@@ -48,7 +48,7 @@ int find_name(const char* const* names, int count, const char* text, size_t leng
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence)
 {
 	char names[160];
-	*style = (Style){.detail = 1.0f, .layers[LAYER_joints] = !layers};
+	*style = (Style){.detail = 1.0f, .layers[LAYER_joints] = !layers, .layers[LAYER_fields] = !layers};
 	int found = paint ? find_name(paint_names, PAINTS, paint, strlen(paint)) : PAINT_ATTRIBUTE;
 	if (found < 0)
 	{

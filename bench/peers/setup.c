@@ -35,6 +35,11 @@ bool setup_load(Setup* setup, const char* name, const char* executable, const Sc
 		fprintf(stderr, "scree_peers: %s\n", sentence);
 		return false;
 	}
+	if (setup->scene->field_count > 0 || setup->scene->blast_count > 0)
+	{
+		fprintf(stderr, "scree_peers: %s has fields or explosions, which other engines do not have\n", name);
+		return false;
+	}
 	setup->dt = setup->scene->dt;
 	setup->substeps = setup->scene->substeps;
 	setup->steps = setup->scene->steps;

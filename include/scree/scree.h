@@ -1382,6 +1382,101 @@ SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_d
                                          float dt);
 
 // ---------------------------------------------------------------------------------------------------------------
+// Fields
+//
+// A field pushes the dynamic bodies in a region in each step: gravity of its own, attraction, a vortex, drag, wind, or a fluid in which
+// they float. Its region is a shape that lies in the world or on a body, or everything. Fields add up. The force of a step is that at
+// the poses in the middle of the step and the velocities at its start; docs/fields.md has the formulas. A world without fields pays
+// nothing.
+//
+// Types UNIFORM, RADIAL, VORTEX and DRAG act on bodies, at the center of mass, while that is in the region. WIND acts on each
+// collidable whose middle is in the region, BUOYANCY on the part of each collidable that is in it. Sensors, disabled bodies and the
+// field's own body are left alone; nothing pushes back on the body of a field. Bodies of other types do not move by forces.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_field
+{
+	uint32_t index, generation;
+} scree_field;
+
+static const scree_field SCREE_NULL_FIELD = {0, 0};
+static inline bool scree_field_is_null(scree_field field) { return field.index == 0 && field.generation == 0; }
+static inline bool scree_field_equals(scree_field a, scree_field b)
+{
+	return a.index == b.index && a.generation == b.generation;
+}
+
+typedef enum scree_field_type
+{
+	SCREE_FIELD_UNIFORM,  // acceleration and force, the same everywhere
+	SCREE_FIELD_RADIAL,   // acceleration towards the origin of the field's frame; away from it if strength is negative
+	SCREE_FIELD_VORTEX,   // acceleration around the origin, counter-clockwise; clockwise if strength is negative
+	SCREE_FIELD_DRAG,     // of a medium, on bodies: linear and quadratic, and on their rotation
+	SCREE_FIELD_WIND,     // of a medium, on the edges that face it: drag and lift by the square of the speed
+	SCREE_FIELD_BUOYANCY, // of a fluid in the region; without a shape the fluid is below the x axis of the field's frame
+} scree_field_type;
+
+typedef enum scree_field_falloff // of RADIAL and VORTEX: strength times
+{
+	SCREE_FALLOFF_CONSTANT,       // 1
+	SCREE_FALLOFF_LINEAR,         // 1 - r / radius, 0 from there on
+	SCREE_FALLOFF_INVERSE,        // radius / r
+	SCREE_FALLOFF_INVERSE_SQUARE, // (radius / r)^2
+} scree_field_falloff;
+
+// Members that its type does not use must be finite and in range, and have no effect.
+typedef struct scree_field_def
+{
+	uint32_t size; // set by scree_field_def_default
+	scree_field_type type;
+	scree_body
+	    body; // on which the region lies and with which it moves, null (default) for the world; destroyed with it
+	scree_pose pose; // of the field's frame in the frame of the body, or in the world; default the origin
+	scree_shape
+	    shape; // the region, in the field's frame; count 0 (default): everywhere. BUOYANCY: a polygon without rounding
+	bool disabled; // does nothing; default false
+	uint64_t
+	    category;  // acts on collidables of the bits of mask whose masks have a bit of category; bodies: on those that
+	uint64_t mask; // have such a collidable. Default all bits: then it acts on all, whatever their filters
+	scree_vec acceleration;      // UNIFORM, m/s^2, in the field's frame; default 0
+	scree_vec force;             // UNIFORM, N, the same; default 0
+	float strength;              // RADIAL, VORTEX, m/s^2; default 10
+	scree_field_falloff falloff; // the same; default inverse square
+	float radius;                // the same: of the falloff, m, 1e-3 to SCREE_HUGE; default 1
+	float softening; // the same: r is the root of the sum of the squares of the distance and this, m, >= 0; default 0.1
+	scree_vec
+	    velocity;  // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, beside that of the body; default 0
+	float density; // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
+	float drag;    // WIND, BUOYANCY: coefficient: the force is drag density / 2 width speed^2, >= 0; default 1
+	float lift;    // WIND: the same across the wind, >= 0; default 0
+	float
+	    linear_drag; // DRAG: force by the speed, kg/s. BUOYANCY: the same for 1 m^2 of a shape. >= 0; default 0, 2 for a fluid
+	float quadratic_drag;      // DRAG: force by the square of the speed, kg/m, >= 0; default 0
+	float spin_drag;           // DRAG: torque by the spin, N m s, >= 0; default 0
+	float spin_drag_quadratic; // DRAG: torque by the square of the spin, N m s^2, >= 0; default 0
+	uint64_t user;             // user data, not simulated; default 0
+} scree_field_def;
+
+static inline scree_field_def scree_field_def_default(scree_field_type type);
+
+// Creates a field and writes its handle to *field (may be null). Fields act in the order of their indices. Strengths, drags and
+// densities are limited to 1e12.
+SCREE_API scree_status scree_field_create(scree_world* world, const scree_field_def* def, scree_field* field);
+SCREE_API scree_status scree_field_destroy(scree_world* world, scree_field field);
+SCREE_API bool scree_field_is_valid(const scree_world* world, scree_field field);
+
+// Reads and replaces all of a field but its size; its handle stays. It acts from the next step on.
+static inline scree_status scree_field_get_def(const scree_world* world, scree_field field, scree_field_def* def);
+SCREE_API scree_status scree_field_set_def(scree_world* world, scree_field field, const scree_field_def* def);
+
+// The pose of the field's frame, as in scree_field_def.
+SCREE_API scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_pose pose);
+SCREE_API scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool enabled);
+
+// Writes the handles of up to capacity fields in ascending index order, and sets count to their number.
+SCREE_API scree_status scree_world_get_fields(const scree_world* world, scree_field* fields, int capacity, int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
 // Two shapes, without a world
 //
 // The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_HUGE. Results are the same on every machine.
@@ -1671,6 +1766,21 @@ static inline scree_mover_def scree_mover_def_default(void)
 	scree_mover_def def;
 	scree_mover_def_default_sized(&def, sizeof def);
 	return def;
+}
+
+SCREE_API void scree_field_def_default_sized(scree_field_def* def, size_t size, scree_field_type type);
+static inline scree_field_def scree_field_def_default(scree_field_type type)
+{
+	scree_field_def def;
+	scree_field_def_default_sized(&def, sizeof def, type);
+	return def;
+}
+
+SCREE_API scree_status scree_field_get_def_sized(const scree_world* world, scree_field field, scree_field_def* def,
+                                                 size_t size);
+static inline scree_status scree_field_get_def(const scree_world* world, scree_field field, scree_field_def* def)
+{
+	return scree_field_get_def_sized(world, field, def, sizeof *def);
 }
 
 SCREE_API void scree_query_def_default_sized(scree_query_def* def, size_t size);

@@ -5,6 +5,7 @@
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
+#include "world/fields.h"
 #include "world/handles.h"
 #include "world/joints.h"
 #include "world/mass.h"
@@ -233,6 +234,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		host->disabled = false;
 		target_drop(world, index);
 		body_joints_remove(world, index);
+		fields_body_gone(world, index);
 		slots_free(&world->bodies, index);
 		edits_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}

@@ -5,6 +5,7 @@
 #include "world/failure.h"
 #include "world/geometry.h"
 #include "world/handles.h"
+#include "world/rows.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -152,13 +153,7 @@ scree_status query_shape_of(const char* function, const char* argument, const sc
 		return SCREE_OK;
 	scree_shape shape = *given;
 	TRY(shape_finish((Where){function, argument, ALONE}, &shape));
-	to->count = shape.count;
-	to->radius = shape.radius;
-	for (int k = 0; k < shape.count; ++k)
-	{
-		to->vertices[k] = make_float2(shape.vertices[k].x, shape.vertices[k].y);
-		to->normals[k] = make_float2(shape.normals[k].x, shape.normals[k].y);
-	}
+	shape_row(&shape, to);
 	return SCREE_OK;
 }
 

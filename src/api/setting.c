@@ -5,6 +5,7 @@
 #include "world/collidables.h"
 #include "world/edits.h"
 #include "world/failure.h"
+#include "world/fields.h"
 #include "world/handles.h"
 #include "world/joints.h"
 #include "world/mass.h"
@@ -175,6 +176,7 @@ static void enable(scree_world* world, int index, bool enabled)
 		edits_collidable(world, k);
 	}
 	body_joints_changed(world, index);
+	fields_body_changed(world, index);
 	edits_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
 	body_send_motion(world, index);
 }

@@ -8,6 +8,7 @@
 #include "world/create.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/fields.h"
 #include "world/idle.h"
 #include "world/reports.h"
 #include "world/sensors.h"
@@ -112,6 +113,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .reports = world->reports.reporters > 0,
 	                       .hit_speed = world->def.hit_speed,
 	                       .hit_impulse = world->def.hit_impulse};
+	request.fields = fields_acting(world, &request.field_shapes);
 	if (dt > 0.0f)
 		TRY(targets_commands(world, &request.commands));
 	idle_begin(world);

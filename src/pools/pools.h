@@ -412,6 +412,59 @@ typedef struct // 16 bytes: the velocity of a disabled body
 	float stored; // 1, or 0 for a body that is enabled
 } StoredVelocity;
 
+// kinds of fields, as scree_field_type
+#define FIELD_UNIFORM  0
+#define FIELD_RADIAL   1
+#define FIELD_VORTEX   2
+#define FIELD_DRAG     3
+#define FIELD_WIND     4 // this one and the next act on shapes, the others on bodies
+#define FIELD_BUOYANCY 5
+
+// how a radial field and a vortex fall off, as scree_field_falloff
+#define FALLOFF_CONSTANT       0
+#define FALLOFF_LINEAR         1
+#define FALLOFF_INVERSE        2
+#define FALLOFF_INVERSE_SQUARE 3
+
+typedef struct // 288 bytes
+{
+	Attribute
+	    shape;   // of its region; only corners, normals, radius and count. count is 0 for a field that is everywhere
+	Float4 pose; // of the region in the frame of the body, or in the world: x, y (m), cos, sin
+	Word64 category, mask; // of what it acts on
+	int all;               // category and mask have all bits
+	int body;              // -1 for none
+	int kind, falloff;     // FIELD_*, FALLOFF_*
+	// in the frame of the region
+	float acceleration_x, acceleration_y; // m/s^2
+	float force_x, force_y;               // N
+	float velocity_x, velocity_y;         // m/s: of the medium
+	float strength;                       // m/s^2
+	float radius, softening;              // m
+	float density;                        // kg/m^2: of the medium
+	float drag, lift;                     // coefficients of a shape in the medium
+	float linear_drag, quadratic_drag;    // kg/s, kg/m; of buoyancy linear_drag is for 1 m^2
+	float spin_drag, spin_drag_quadratic; // N m s, N m s^2
+	float unused[4];
+} Field;
+
+typedef struct // 48 bytes: a field in the step
+{
+	Float4 pose;              // of its region: x, y (m), cos, sin
+	float center_x, center_y; // m: center of mass of its body, from there on
+	float vx, vy, w;          // m/s, rad/s: of that body
+	float unused[3];
+} FieldSpot;
+
+typedef struct // 48 bytes: what acts on a body, about its center of mass
+{
+	float fx, fy, torque;              // N, N m: what does not depend on its velocity
+	float drag_x, drag_y, drag_torque; // N, N m: what brakes it
+	float rate, rate_x, rate_y,
+	    rate_w; // kg/s, kg m/s, kg m^2/s: sums of k, k x, k y, k (x^2 + y^2) over drags k at points x, y
+	float unused[2];
+} FieldForce;
+
 typedef struct // 32 bytes: a change that the user made between steps
 {
 	int kind;  // COMMAND_*

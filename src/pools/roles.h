@@ -27,6 +27,8 @@ typedef enum // what a pool has an item for
 	PER_QUERY,
 	PER_FOUND,         // answer of a query
 	PER_MATERIAL_PAIR, // pair of materials
+	PER_FIELD,
+	PER_FIELD_SHAPE, // collidable of a world with fields that act on shapes
 	PER_TREE,
 	PER_LEAF,
 	PER_NODE,

@@ -18,6 +18,7 @@
 #include "stages/narrow_phase.h"
 #include "stages/hub_one.h"
 #include "stages/color.h"
+#include "stages/field.h"
 #include "stages/prepare_one.h"
 #include "stages/prepare.h"
 #include "stages/integrate.h"

@@ -32,12 +32,26 @@ scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
 	return pipeline_run(pipeline, step);
 }
 
+// Forces of the fields, on poses and velocities of the start of the step.
+static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
+{
+	RunList* list = &pipeline->list;
+	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
+	runs_add(list, STAGE_field_place, 0, padded, bound, fields);
+	if (request->field_shapes)
+		runs_add(list, STAGE_field_shape, 0, request->collidables, bound, fields);
+	runs_add(list, STAGE_field_body, 0, request->bodies, bound, 2 * fields + request->field_shapes);
+	return pipeline_run(pipeline, step);
+}
+
 scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
 {
 	Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	if (c->hubs > 0 && !pipeline->split)
 		TRY(pipeline_split(pipeline, step, request->bodies));
+	if (request->fields > 0)
+		TRY(push(pipeline, step, request, bound));
 	Solve solve = {.bodies = request->bodies,
 	               .collidables = request->collidables,
 	               .substeps = request->substeps,

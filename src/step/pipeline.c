@@ -131,6 +131,8 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_upload(pipeline));
 	TRY(events_reserve(pipeline, request));
+	if (request->field_shapes)
+		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));
 	Step step = step_constants(pipeline, request);
 	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
 	if (!status)

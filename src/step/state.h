@@ -42,6 +42,8 @@ typedef struct // what a step is asked for
 	bool details;                 // contacts tell what they did in the step
 	bool reports;                 // some collidable reports touches or hits
 	float hit_speed, hit_impulse; // as in Step
+	int fields;                   // that act
+	bool field_shapes;            // some of them on shapes
 } StepRequest;
 
 typedef struct

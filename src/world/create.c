@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "world/auto.h"
 #include "world/edits.h"
+#include "world/fields.h"
 #include "world/idle.h"
 #include "world/materials.h"
 #include "world/memory.h"
@@ -51,6 +52,7 @@ void world_destroy(scree_world* world)
 	slots_close(&world->joints);
 	scree_release(world->host_joints);
 	paths_close(world);
+	fields_close(world);
 	scree_release(world->targets);
 	idle_close(world);
 	scree_release(world->scratch);

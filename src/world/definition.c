@@ -30,6 +30,9 @@ const DefinitionType mover_definition = {sizeof(scree_mover_def), END_OF(scree_m
 const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(scree_material_pair, ignored),
                                             "scree_material_pair_default"};
 
+const DefinitionType field_definition = {sizeof(scree_field_def), END_OF(scree_field_def, user),
+                                         "scree_field_def_default"};
+
 static uint32_t size_of(const void* def)
 {
 	uint32_t size;

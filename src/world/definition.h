@@ -19,7 +19,7 @@ typedef struct // of one type of definition
 
 extern const DefinitionType world_definition, tuning_definition, attribute_definition, body_definition,
     collidable_definition, joint_definition, path_definition, query_definition, blast_definition, mover_definition,
-    material_definition;
+    material_definition, field_definition;
 
 // Checks definition k of a batch. All definitions of a batch have the size of the first.
 scree_status check_definition(Where at, const void* defs, int k, const DefinitionType* type);

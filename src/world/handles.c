@@ -112,6 +112,24 @@ scree_status check_joint(const scree_world* world, Where at, scree_joint joint, 
 	return SCREE_OK;
 }
 
+scree_field field_handle(const scree_world* world, int index)
+{
+	return (scree_field){(uint32_t)index + 1, world->fields.slots.generation[index]};
+}
+
+bool field_is_valid(const scree_world* world, scree_field field)
+{
+	return holds(&world->fields.slots, field.index - 1, field.generation);
+}
+
+scree_status check_field(const scree_world* world, Where at, scree_field field, int* index)
+{
+	if (!field_is_valid(world, field))
+		return refuse_stale(at, "", field.index, field.generation);
+	*index = (int)field.index - 1;
+	return SCREE_OK;
+}
+
 scree_path path_handle(const scree_world* world, int index)
 {
 	return (scree_path){(uint32_t)index + 1, world->paths.generation[index]};

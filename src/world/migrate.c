@@ -121,6 +121,7 @@ scree_status world_move(scree_world* world, Backend* to)
 		return status;
 	world_unshare(world);       // another device cannot use that memory
 	world->chains_stale = true; // how chains lie depends on the device
+	world->fields.stale = true; // they are not copied
 	idle_forget(world);
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);

@@ -7,6 +7,7 @@
 #include "world/chains.h"
 #include "world/edit_order.h"
 #include "world/failure.h"
+#include "world/fields.h"
 #include "world/idle.h"
 #include "world/joints.h"
 #include "world/materials.h"
@@ -128,6 +129,7 @@ static bool no_edits(const Edits* p)
 
 static scree_status upload_all(scree_world* world)
 {
+	TRY(upload_fields(world));
 	TRY(chains_update(world)); // joints whose place changed are edits
 	TRY(upload_materials(world));
 	if (no_edits(&world->edits))
@@ -149,7 +151,7 @@ static scree_status upload_all(scree_world* world)
 
 scree_status world_upload(scree_world* world)
 {
-	if (no_edits(&world->edits) && !world->chains_stale && !world->materials.waiting)
+	if (no_edits(&world->edits) && !world->chains_stale && !world->materials.waiting && !world->fields.stale)
 		return SCREE_OK;
 	TRY(reports_fetch(world)); // an upload may change what they refer to
 	world->pipeline.trees[0].seen = false;

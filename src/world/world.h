@@ -19,6 +19,7 @@ typedef struct // host data of a body
 	int collidables;                       // how many
 	uint64_t user;
 	int first_joint; // 1 + end (joints.h) of its first joint, 0 for none
+	int fields;      // that lie on it
 	int target;      // 1 + its place among the targets, 0 for none
 	bool disabled;   // not simulated: its collidables are KIND_DEAD on the device
 	Waiting waiting;
@@ -65,6 +66,22 @@ typedef struct // host data of a joint
 	bool waiting;             // for the next upload
 	bool marked;              // within one call: already seen in the batch
 } HostJoint;
+
+typedef struct // host data of a field
+{
+	scree_field_def def; // checked
+	int body;            // index, -1 for none
+} HostField;
+
+typedef struct
+{
+	Slots slots;
+	HostField* host; // of each slot
+	int capacity;
+	bool stale;  // some changed since they were sent to the device
+	int acting;  // that the device has
+	bool shapes; // some of these act on shapes
+} Fields;
 
 typedef struct // host data of an attribute, beside its definition
 {
@@ -186,6 +203,7 @@ struct scree_world
 	Queries queries;
 	Sensors sensors;
 	Materials materials;
+	Fields fields;
 	char* moved; // what scree_world_get_moved returned last
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];

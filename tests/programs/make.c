@@ -497,6 +497,8 @@ static void put_any(Maker* m)
 		m->jointed&& k >= 32 ? chance(m, 0.4) ? put_joint(m) : put_joint_change(m) : put_motion(m);
 	else if (k < 46 && m->railed)
 		put_path(m);
+	else if (k < 50 && m->fields)
+		put_field(m);
 	else if (k < 58)
 		put_setting(m);
 	else if (k < 69)
@@ -557,6 +559,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.senses = chance(&m, 0.35);
 	m.rules = chance(&m, 0.4);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
+	m.fields = chance(&m, 0.4);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);
 	if (chance(&m, 0.85))

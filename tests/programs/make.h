@@ -26,6 +26,7 @@ typedef struct
 	bool asks;     // queries
 	bool senses;   // some collidables are sensors
 	bool rules;    // one-way platforms, materials
+	bool fields;   // has fields
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -97,5 +98,8 @@ void put_joint(Maker* m);
 void put_joints(Maker* m, int count); // of a row of bodies that the last call made
 void put_joint_change(Maker* m);
 void put_path(Maker* m); // or one is destroyed
+
+// make_field.c
+void put_field(Maker* m);
 
 #endif

@@ -441,6 +441,8 @@ static scree_status run_read(const Turn* t)
 		status = read_joints(t, &word);
 	if (status == SCREE_OK)
 		status = read_paths(t, &word);
+	if (status == SCREE_OK)
+		status = read_fields(t, &word);
 	t->left->word = word;
 	return status;
 }
@@ -471,6 +473,8 @@ static scree_status run_clear(const Turn* t)
 		status = scree_collidables_destroy(t->world, collidables, count < MOST_NAMES ? count : MOST_NAMES);
 	if (status == SCREE_OK)
 		status = clear_paths(t);
+	if (status == SCREE_OK)
+		status = clear_fields(t);
 	const Open open = t->names->open; // touches end with the next step
 	memset(t->names, 0, sizeof *t->names);
 	t->names->open = open;
@@ -529,6 +533,11 @@ scree_status run_call(const Turn* t)
 	case CALL_path:
 	case CALL_path_destroy:
 		return run_path(t);
+	case CALL_field:
+	case CALL_field_destroy:
+	case CALL_field_pose:
+	case CALL_field_enabled:
+		return run_field(t);
 	case CALL_joint:
 	case CALL_joints:
 	case CALL_joint_destroy:

@@ -20,6 +20,7 @@ struct Names
 	scree_attribute attributes[MOST_NAMES];
 	scree_joint joints[MOST_NAMES];
 	scree_path paths[MOST_NAMES];
+	scree_field fields[MOST_NAMES];
 	Open open;
 };
 
@@ -60,6 +61,11 @@ scree_path call_path(const Turn* turn);
 scree_status run_path(const Turn* turn);
 scree_status read_paths(const Turn* turn, uint64_t* word);
 scree_status clear_paths(const Turn* turn);
+
+// run_field.c: the same of fields.
+scree_status run_field(const Turn* turn);
+scree_status read_fields(const Turn* turn, uint64_t* word);
+scree_status clear_fields(const Turn* turn);
 
 // run_ask.c: queries, with their answers mixed into a word.
 scree_status run_ask(const Turn* turn);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// regions.h -- the fields of a picture: outlines of their regions.
+#ifndef REGIONS_H
+#define REGIONS_H
+#include "scene/sprites.h"
+
+typedef struct // the region of a field
+{
+	scree_field_def def;
+	int body; // index in Sprites.bodies, -1 for the world
+} FieldRegion;
+
+typedef struct
+{
+	FieldRegion* list;
+	int count;
+} FieldRegions;
+
+// Lists the fields of a world that have something to draw: those with a shape, and fluids; false when memory is short.
+bool regions_list(FieldRegions* regions, const Sprites* sprites, const scree_world* world);
+void regions_free(FieldRegions* regions);
+
+// The pose of a region in the world; and the color of its tint.
+scree_pose region_pose(const FieldRegion* region, const scree_pose* poses);
+Color region_color(const FieldRegion* region);
+
+#endif

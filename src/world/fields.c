@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// fields.c -- slots of fields, and those that act, as the device has them.
+//
+// Fields are few and change seldom, so all that act are sent when one changed, without gaps, in the order of their slots.
+#include "world/fields.h"
+#include "dialect/hash_word.h"
+#include "platform/error.h"
+#include "step/room.h"
+#include "world/memory.h"
+#include "world/rows.h"
+#include <string.h>
+
+scree_status fields_reserve(scree_world* world, const char* function)
+{
+	Fields* f = &world->fields;
+	if (f->slots.alive >= MAX_ITEMS)
+		return fail(SCREE_ERROR_INVALID, "%s: a world holds at most %d fields", function, MAX_ITEMS);
+	if (!slots_reserve(&f->slots, 1))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for one more field", function);
+	return GROW(function, f->host, f->capacity, f->slots.capacity);
+}
+
+int field_make(scree_world* world)
+{
+	int index = slots_allocate(&world->fields.slots);
+	world->fields.host[index] = (HostField){.body = -1};
+	return index;
+}
+
+static void count_on_body(scree_world* world, int body, int more)
+{
+	if (body >= 0)
+		world->host_bodies[body].fields += more;
+}
+
+void field_put(scree_world* world, int index, const scree_field_def* def, int body)
+{
+	HostField* host = world->fields.host + index;
+	count_on_body(world, host->body, -1);
+	*host = (HostField){*def, body};
+	count_on_body(world, body, 1);
+	world->fields.stale = true;
+}
+
+void field_remove(scree_world* world, int index)
+{
+	count_on_body(world, world->fields.host[index].body, -1);
+	slots_free(&world->fields.slots, index);
+	world->fields.stale = true;
+}
+
+void fields_body_gone(scree_world* world, int body)
+{
+	Fields* f = &world->fields;
+	for (int k = 0; k < f->slots.used && world->host_bodies[body].fields > 0; ++k)
+		if (slots_in_use(&f->slots, k) && f->host[k].body == body)
+			field_remove(world, k);
+}
+
+void fields_body_changed(scree_world* world, int body) { world->fields.stale |= world->host_bodies[body].fields > 0; }
+
+static bool acts(const scree_world* world, int index)
+{
+	const HostField* host = world->fields.host + index;
+	return slots_in_use(&world->fields.slots, index) && !host->def.disabled &&
+	       (host->body < 0 || !world->host_bodies[host->body].disabled);
+}
+
+static Field field_row(const HostField* host)
+{
+	const scree_field_def* def = &host->def;
+	const uint64_t all = ~(uint64_t)0;
+	Field row;
+	memset(&row, 0, sizeof row); // the hash covers the padding
+	shape_row(&def->shape, &row.shape);
+	row.pose = pose_row(def->pose);
+	row.category = def->category;
+	row.mask = def->mask;
+	row.all = def->category == all && def->mask == all;
+	row.body = host->body;
+	row.kind = (int)def->type;
+	row.falloff = (int)def->falloff;
+	row.acceleration_x = def->acceleration.x;
+	row.acceleration_y = def->acceleration.y;
+	row.force_x = def->force.x;
+	row.force_y = def->force.y;
+	row.velocity_x = def->velocity.x;
+	row.velocity_y = def->velocity.y;
+	row.strength = def->strength;
+	row.radius = def->radius;
+	row.softening = def->softening;
+	row.density = def->density;
+	row.drag = def->drag;
+	row.lift = def->lift;
+	row.linear_drag = def->linear_drag;
+	row.quadratic_drag = def->quadratic_drag;
+	row.spin_drag = def->spin_drag;
+	row.spin_drag_quadratic = def->spin_drag_quadratic;
+	return row;
+}
+
+int fields_acting(const scree_world* world, bool* shapes)
+{
+	*shapes = world->fields.shapes;
+	return world->fields.acting;
+}
+
+scree_status upload_fields(scree_world* world)
+{
+	Fields* f = &world->fields;
+	Backend* b = world->backend;
+	if (!f->stale)
+		return SCREE_OK;
+	int count = 0;
+	bool shapes = false;
+	for (int k = 0; k < f->slots.used; ++k)
+		count += acts(world, k);
+	if (count > 0)
+	{
+		TRY(pipeline_reserve(&world->pipeline, PER_FIELD, (count + ARITY - 1) / ARITY * ARITY));
+		Field* rows = world_scratch(world, (size_t)count * sizeof *rows);
+		if (!rows)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to upload %d fields", count);
+		for (int k = 0, row = 0; k < f->slots.used; ++k)
+		{
+			if (!acts(world, k))
+				continue;
+			shapes |= f->host[k].def.type >= SCREE_FIELD_WIND;
+			rows[row++] = field_row(f->host + k);
+		}
+		TRY(b->f->write(b, POOL_field, 0, count, rows));
+	}
+	f->acting = count;
+	f->shapes = shapes;
+	f->stale = false;
+	return SCREE_OK;
+}
+
+uint64_t fields_hash(const scree_world* world)
+{
+	Word64 sum = 0;
+	for (int k = 0; k < world->fields.slots.used; ++k)
+	{
+		if (!slots_in_use(&world->fields.slots, k))
+			continue;
+		Field row = field_row(world->fields.host + k);
+		Word words[sizeof row / sizeof(Word)];
+		memcpy(words, &row, sizeof row);
+		Word64 h = hash_word(hash_begin(HASH_FIELD, k), world->fields.host[k].def.disabled);
+		for (size_t i = 0; i < sizeof words / sizeof *words; ++i)
+			h = hash_word(h, words[i]);
+		sum += h;
+	}
+	return sum;
+}
+
+void fields_close(scree_world* world)
+{
+	slots_close(&world->fields.slots);
+	scree_release(world->fields.host);
+}

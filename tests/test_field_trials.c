@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: MIT
+// test_field_trials.c -- fields as strangers try them: boats, moving fields, extremes, changes in mid-run, all devices.
+#include "field_support.h"
+
+#define G 10.0
+
+static scree_field_def water_def(float density)
+{
+	scree_field_def def = field_def(SCREE_FIELD_BUOYANCY);
+	def.density = density;
+	return def;
+}
+
+// A body of half the density floats half immersed, within 1 %, and comes to rest and stays there for minutes; a heavier one sinks.
+static void bodies_float_and_sink(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	scree_field_def def = water_def(2.0f);
+	add_field(world, &def);
+	scree_body flat = add_dense(world, box_shape(1.0f, 0.25f), 1.0f, 0.0f, 0.4f);
+	scree_body disc = add_dense(world, circle_shape(0.5f), 1.0f, 5.0f, 0.3f);
+	scree_body log = add_dense(world, capsule_shape(1.0f, 0.3f), 1.0f, 10.0f, 1.0f);
+	scree_body stone = add_dense(world, box_shape(0.3f, 0.3f), 5.0f, 15.0f, 0.0f);
+	scree_body third = add_dense(world, box_shape(1.0f, 0.15f), 0.5f, 20.0f, 0.0f);
+	run_steps(world, 1200);
+	NEAR(position_of(world, flat).y, 0.0, 0.0025);
+	NEAR(position_of(world, disc).y, 0.0, 0.005);
+	NEAR(position_of(world, log).y, 0.0, 0.003);
+	NEAR(position_of(world, third).y, 0.15 - 0.3 * 0.25, 0.001);
+	assert_true(position_of(world, stone).y < -10.0f);
+	scree_world_destroy(world);
+
+	// quiet for minutes, also far away
+	for (int far = 0; far < 2; ++far)
+	{
+		world = open_world((float)-G);
+		add_field(world, &def);
+		float x = far ? 50000.0f : 0.0f;
+		flat = add_dense(world, box_shape(1.0f, 0.25f), 1.0f, x, 0.4f);
+		run_steps(world, 1200);
+		scree_vec before = position_of(world, flat);
+		run_steps(world, quick() ? 600 : 7200);
+		scree_velocity v = velocity_of(world, flat);
+		NEAR(position_of(world, flat).y, before.y, 1e-4);
+		NEAR(position_of(world, flat).x, before.x, far ? 0.02 : 1e-3);
+		assert_true(fabsf(v.linear.x) < 1e-3f && fabsf(v.linear.y) < 1e-3f && fabsf(v.angular) < 1e-3f);
+		scree_world_destroy(world);
+	}
+}
+
+// Compounds work by their parts: a narrow boat with a heavy keel that lies on its side, or almost on its head, rights itself.
+static void boats_right_themselves(void** state)
+{
+	(void)state;
+	for (float turn = -2.6f; turn <= 2.6f; turn += 1.3f)
+	{
+		scree_world* world = open_world((float)-G);
+		scree_field_def def = water_def(1.0f);
+		add_field(world, &def);
+		scree_attribute_def hull = surface_of(box_shape(0.5f, 0.4f)), keel = surface_of(box_shape(0.3f, 0.05f));
+		hull.density = 0.2f;
+		keel.density = 6.0f;
+		scree_body boat = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &hull), 0.0f, 0.5f, turn);
+		scree_collidable_def part = scree_collidable_def_default();
+		part.attribute = add_attribute(world, &keel);
+		part.body = boat;
+		part.pose.position.y = -0.5f;
+		OK(scree_collidable_create(world, &part, NULL));
+		run_steps(world, 1800);
+		NEAR(angle_of(world, boat), 0.0, 0.01);
+		// the weight of both parts is that of what they displace: 0.2 * 0.8 + 6 * 0.06 = keel 0.06 + hull 1 * draft
+		double draft = 0.2 * 0.8 + 6.0 * 0.06 - 0.06;
+		NEAR(position_of(world, boat).y, 0.4 - draft, 0.01);
+		scree_world_destroy(world);
+	}
+}
+
+// A field on a body that moves goes with it, and does not push it.
+static void fields_move_with_bodies(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body truck = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
+	push_off(world, truck, 5.0f, 0.0f, 0.0f);
+	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	def.body = truck;
+	def.pose.position.x = 3.0f;
+	def.shape = box_shape(1.0f, 1.0f);
+	def.acceleration.y = 6.0f;
+	scree_field field = add_field(world, &def);
+	scree_body ahead = add_dense(world, circle_shape(0.1f), 1.0f, 12.0f, 0.0f);
+	run_steps(world, 60); // the region reaches x = 12 after 1.6 s
+	NEAR(velocity_of(world, ahead).linear.y, 0.0, 1e-9);
+	run_steps(world, 90);
+	assert_true(velocity_of(world, ahead).linear.y > 1.0f);
+	NEAR(velocity_of(world, truck).linear.y, 0.0, 1e-9);
+
+	// a disabled body has no field; with the body the field is destroyed
+	OK(scree_body_set_pose(world, ahead, at(position_of(world, truck).x + 3.0f, 0.0f)));
+	push_off(world, ahead, 5.0f, 0.0f, 0.0f);
+	OK(scree_body_set_enabled(world, truck, false));
+	run_steps(world, 5);
+	NEAR(velocity_of(world, ahead).linear.y, 0.0, 1e-9);
+	OK(scree_body_set_enabled(world, truck, true));
+	OK(scree_body_set_pose(world, ahead, at(position_of(world, truck).x + 3.0f, 0.0f)));
+	run_steps(world, 5);
+	assert_true(velocity_of(world, ahead).linear.y > 0.1f);
+	OK(scree_body_destroy(world, truck));
+	assert_false(scree_field_is_valid(world, field));
+	scree_field fields[1];
+	int count;
+	OK(scree_world_get_fields(world, fields, 1, &count));
+	assert_int_equal(count, 0);
+	scree_world_destroy(world);
+}
+
+// Who is pushed: dynamic bodies that are enabled, by the filters of their collidables; sensors float not.
+static void who_is_pushed(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	def.acceleration.x = 6.0f;
+	def.mask = 2;
+	scree_field field = add_field(world, &def);
+	scree_body crate = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
+	scree_body off = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 5.0f);
+	scree_body held = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 10.0f);
+	add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 0.0f, 15.0f);
+	OK(scree_body_set_enabled(world, off, false));
+	OK(scree_body_set_locks(world, held, SCREE_LOCK_X));
+	run_steps(world, 10);
+	NEAR(velocity_of(world, crate).linear.x, 0.0, 1e-9);
+	scree_collidable part;
+	int count;
+	OK(scree_body_get_collidables(world, crate, &part, 1, &count));
+	OK(scree_collidable_set_filter(world, part, (scree_filter){.category = 3, .mask = UINT64_MAX}));
+	run_steps(world, 10);
+	NEAR(velocity_of(world, crate).linear.x, 1.0, 1e-5);
+	OK(scree_field_get_def(world, field, &def));
+	def.mask = def.category;
+	OK(scree_field_set_def(world, field, &def));
+	run_steps(world, 10);
+	NEAR(velocity_of(world, crate).linear.x, 2.0, 1e-5);
+	NEAR(velocity_of(world, off).linear.x, 0.0, 1e-9);
+	NEAR(velocity_of(world, held).linear.x, 0.0, 1e-9);
+	OK(scree_body_set_enabled(world, off, true));
+	NEAR(velocity_of(world, off).linear.x, 0.0, 1e-9);
+	scree_world_destroy(world);
+}
+
+// Drag on what rests is 0, however stiff.
+static void drag_leaves_weights_alone(void** state)
+{
+	(void)state;
+	scree_world* world = open_world((float)-G);
+	add_floor(world);
+	scree_field_def def = field_def(SCREE_FIELD_DRAG);
+	def.linear_drag = 1e6f;
+	add_field(world, &def);
+	scree_body box = add_dense(world, box_shape(0.5f, 0.5f), 3.0f, 0.0f, 0.5f);
+	run_steps(world, 120);
+	scree_vec before = position_of(world, box);
+	run_steps(world, 600);
+	NEAR(position_of(world, box).y, before.y, 1e-5);
+	NEAR(position_of(world, box).y, 0.5, 0.005);
+	scree_world_destroy(world);
+}
+
+static void wrong_arguments_are_refused(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	const struct
+	{
+		size_t offset;
+		float value;
+		const char* sentence;
+	} cases[] = {
+	    {offsetof(scree_field_def, strength), NAN,
+	     "scree_field_create: def.strength is nan, must be from -1e+12 to 1e+12"},
+	    {offsetof(scree_field_def, radius), 0.0f, "scree_field_create: def.radius is 0, must be from 0.001 to 100000"},
+	    {offsetof(scree_field_def, softening), -1.0f,
+	     "scree_field_create: def.softening is -1, must be from 0 to 100000"},
+	    {offsetof(scree_field_def, density), -1.0f, "scree_field_create: def.density is -1, must be from 0 to 1e+12"},
+	    {offsetof(scree_field_def, velocity), 2e5f,
+	     "scree_field_create: def.velocity.x is 200000, must be from -100000 to 100000"},
+	    {offsetof(scree_field_def, force), INFINITY,
+	     "scree_field_create: def.force.x is inf, must be from -1e+12 to 1e+12"},
+	};
+	uint64_t before = hash_of(world);
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k)
+	{
+		scree_field_def def = field_def(SCREE_FIELD_WIND);
+		memcpy((char*)&def + cases[k].offset, &cases[k].value, sizeof(float));
+		assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
+		assert_string_equal(scree_error(), cases[k].sentence);
+	}
+	scree_field_def def = field_def(SCREE_FIELD_BUOYANCY);
+	def.shape = circle_shape(1.0f);
+	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
+	assert_string_equal(scree_error(),
+	                    "scree_field_create: def.shape is not a polygon without rounding: a fluid has no "
+	                    "other region, or none");
+	def = field_def((scree_field_type)6);
+	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
+	assert_string_equal(scree_error(), "scree_field_create: def.type is 6, not a scree_field_type");
+	def = field_def(SCREE_FIELD_DRAG);
+	def.body = (scree_body){77, 1};
+	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_STALE);
+	def = field_def(SCREE_FIELD_DRAG);
+	def.shape.kind = SCREE_SHAPE_POLYGON;
+	def.shape.count = 2;
+	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
+	assert_string_equal(scree_error(), "scree_field_create: def.shape.count is 2, must be from 3 to 8 for this kind");
+	assert_int_equal(scree_field_destroy(world, SCREE_NULL_FIELD), SCREE_ERROR_STALE);
+	assert_string_equal(scree_error(), "scree_field_destroy: field is null");
+	def = field_def(SCREE_FIELD_DRAG);
+	scree_field field = add_field(world, &def);
+	OK(scree_field_destroy(world, field));
+	assert_int_equal(scree_field_set_enabled(world, field, true), SCREE_ERROR_STALE);
+	assert_true(hash_of(world) == before);
+	scree_world_destroy(world);
+}
+
+// Memory runs out at every allocation in turn: a status, and nothing has changed.
+static void memory_runs_out(void** state)
+{
+	(void)state;
+	scree_field_def def = water_def(2.0f);
+	count_allocations();
+	for (int left = 0, failures = 1; failures > 0; ++left)
+	{
+		scree_world* worlds[2];
+		failures = 0;
+		for (int k = 0; k < 2; ++k)
+		{
+			worlds[k] = open_world((float)-G);
+			add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
+			run_steps(worlds[k], 1);
+			allocations_left = k == 0 ? left : -1;
+			scree_status status = scree_field_create(worlds[k], &def, NULL);
+			if (status == SCREE_OK)
+				status = scree_world_step(worlds[k], STEP, SUBSTEPS);
+			allocations_left = -1;
+			if (status == SCREE_OK)
+				continue;
+			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
+			++failures;
+			int count;
+			OK(scree_world_get_fields(worlds[k], NULL, 0, &count));
+			if (count == 0)
+				add_field(worlds[k], &def);
+			run_steps(worlds[k], 1);
+		}
+		assert_true(hash_of(worlds[0]) == hash_of(worlds[1]));
+		for (int k = 0; k < 2; ++k)
+			scree_world_destroy(worlds[k]);
+		assert_true(left < 100);
+	}
+	OK(scree_hooks_set(NULL));
+}
+
+// A step that is refused because of too many contacts changes nothing: the forces are not there twice in the next one.
+static void refused_steps_push_nothing(void** state)
+{
+	(void)state;
+	scree_world* worlds[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_world_def world_def = scree_world_def_default();
+		world_def.device = "cpu";
+		world_def.contact_limit = 3;
+		OK(scree_world_create(&world_def, &worlds[k]));
+		scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+		def.acceleration.x = 6.0f;
+		add_field(worlds[k], &def);
+		add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
+		run_steps(worlds[k], 2);
+		scree_body crowd[5];
+		for (int i = 0; i < 5; ++i)
+			crowd[i] = add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 9.0f, 9.0f);
+		for (int i = 0; i < 3 && k == 0; ++i)
+			assert_int_equal(scree_world_step(worlds[k], STEP, SUBSTEPS), SCREE_ERROR_CROWDED);
+		OK(scree_bodies_destroy(worlds[k], crowd, 5));
+		run_steps(worlds[k], 2);
+	}
+	assert_true(hash_of(worlds[0]) == hash_of(worlds[1]));
+	for (int k = 0; k < 2; ++k)
+		scree_world_destroy(worlds[k]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// all devices
+// ---------------------------------------------------------------------------------------------------------------
+
+#define FIELDS 200
+
+// Fields of all types lie over each other, on bodies and in the world; with extremes, some are as strong as they may be.
+static scree_field_def any_def(scree_world* world, uint64_t* seed, bool extreme)
+{
+	scree_field_def def = field_def((scree_field_type)random_below(seed, 6));
+	scree_body bodies[64];
+	int count;
+	OK(scree_world_get_bodies(world, bodies, 64, &count));
+	if (random_below(seed, 3) == 0 && count > 0)
+		def.body = bodies[random_below(seed, count < 64 ? count : 64)];
+	int shape = random_below(seed, def.type == SCREE_FIELD_BUOYANCY ? 2 : 4);
+	if (shape == 1)
+		def.shape = box_shape(random_between(seed, 0.2f, 6.0f), random_between(seed, 0.2f, 4.0f));
+	if (shape == 2)
+		def.shape = circle_shape(random_between(seed, 0.2f, 6.0f));
+	if (shape == 3)
+		def.shape = capsule_shape(random_between(seed, 0.2f, 6.0f), 1.0f);
+	float most = extreme && random_below(seed, 3) == 0 ? (random_below(seed, 2) ? 1e12f : 1e6f) : 2.0f;
+	def.pose.position = (scree_vec){random_between(seed, -6.0f, 6.0f), random_between(seed, -2.0f, 8.0f)};
+	def.pose.rotation = scree_rot_make(random_between(seed, -3.0f, 3.0f));
+	def.falloff = (scree_field_falloff)random_below(seed, 4);
+	def.strength = random_between(seed, -most, most);
+	def.softening = random_below(seed, 2) ? 0.0f : 0.3f;
+	def.acceleration = (scree_vec){random_between(seed, -most, most), random_between(seed, -most, most)};
+	def.force = (scree_vec){random_between(seed, -most, most), random_between(seed, -most, most)};
+	def.velocity = (scree_vec){random_between(seed, -9.0f, 9.0f), random_between(seed, -9.0f, 9.0f)};
+	def.density = random_between(seed, 0.0f, most);
+	def.lift = random_between(seed, 0.0f, most);
+	def.linear_drag = random_between(seed, 0.0f, most);
+	def.quadratic_drag = random_between(seed, 0.0f, most);
+	def.spin_drag = random_between(seed, 0.0f, most);
+	return def;
+}
+
+static void build_crowd(scree_world* world, const void* context)
+{
+	const bool* extreme = context;
+	uint64_t seed = 5;
+	add_floor(world);
+	scree_shape rounded;
+	const scree_vec corners[] = {{-0.3f, -0.2f}, {0.3f, -0.2f}, {0.2f, 0.3f}};
+	OK(scree_shape_make_polygon(corners, 3, 0.05f, &rounded));
+	const scree_shape shapes[] = {box_shape(0.3f, 0.2f), circle_shape(0.25f), capsule_shape(0.3f, 0.15f), rounded};
+	for (int k = 0; k < 120; ++k)
+		add_dense(world, shapes[k % 4],
+		          k % 7 == 0   ? 100.0f
+		          : k % 5 == 0 ? 0.01f
+		                       : 1.0f,
+		          (float)(k % 12) - 6.0f, 0.5f + (float)(k / 12));
+	add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 0.0f, 12.0f);
+	for (int k = 0; k < (*extreme ? FIELDS : 12); ++k)
+	{
+		scree_field_def def = any_def(world, &seed, *extreme);
+		add_field(world, &def);
+	}
+}
+
+// Each step one field goes, one comes, one changes; some of their bodies go too.
+static void change_crowd(scree_world* world, int step, const void* context)
+{
+	const bool* extreme = context;
+	uint64_t seed = (uint64_t)step + 77;
+	scree_field fields[FIELDS + 100];
+	int count;
+	OK(scree_world_get_fields(world, fields, FIELDS + 100, &count));
+	if (count > 3)
+	{
+		scree_field_def def = any_def(world, &seed, *extreme);
+		OK(scree_field_destroy(world, fields[random_below(&seed, count)]));
+		OK(scree_field_create(world, &def, NULL));
+		OK(scree_world_get_fields(world, fields, FIELDS + 100, &count));
+		def = any_def(world, &seed, *extreme);
+		OK(scree_field_set_def(world, fields[random_below(&seed, count)], &def));
+		OK(scree_field_set_enabled(world, fields[random_below(&seed, count)], step % 2));
+		OK(scree_field_set_pose(world, fields[random_below(&seed, count)], at(0.1f * (float)step, 1.0f)));
+	}
+	scree_body bodies[64];
+	OK(scree_world_get_bodies(world, bodies, 64, &count));
+	if (step % 16 == 7)
+		OK(scree_body_destroy(world, bodies[1 + random_below(&seed, 30)]));
+	if (step % 16 == 3)
+		OK(scree_body_set_enabled(world, bodies[1 + random_below(&seed, 30)], step % 32 == 3));
+	check_finite(world);
+}
+
+static void all_devices_agree(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	for (int extreme = 0; extreme < 2; ++extreme)
+	{
+		bool hard = extreme != 0;
+		Story story = {.name = hard ? "200 fields, some of 1e12" : "12 fields",
+		               .def = scree_world_def_default(),
+		               .dt = STEP,
+		               .substeps = SUBSTEPS,
+		               .steps = quick() ? 20 : 80,
+		               .build = build_crowd,
+		               .act = change_crowd,
+		               .context = &hard};
+		scree_counters last;
+		check_parity(&story, ways, count, &last);
+		assert_int_equal(last.nonfinite, 0);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(bodies_float_and_sink),     cmocka_unit_test(boats_right_themselves),
+	    cmocka_unit_test(fields_move_with_bodies),   cmocka_unit_test(who_is_pushed),
+	    cmocka_unit_test(drag_leaves_weights_alone), cmocka_unit_test(wrong_arguments_are_refused),
+	    cmocka_unit_test(memory_runs_out),           cmocka_unit_test(refused_steps_push_nothing),
+	    cmocka_unit_test(all_devices_agree),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// field_lines.h -- draws the outlines of the regions of fields.
+#ifndef FIELD_LINES_H
+#define FIELD_LINES_H
+#include "scene/regions.h"
+#include "view/render_tables.h"
+#include "view/stroke.h"
+
+typedef struct
+{
+	FieldRegions regions;
+	scree_pose* poses; // of each in the world
+} FieldLines;
+
+// Reads the fields of the world of the tables and where they are; none if memory is short.
+scree_status field_lines_update(FieldLines* lines, const RenderTables* tables);
+void field_lines_close(FieldLines* lines);
+
+// Adds strokes for all outlines; for a fluid without a shape its surface.
+void field_lines_mark(const FieldLines* lines, Strokes* strokes);
+
+#endif
