@@ -336,6 +336,69 @@ static void follows_the_ground_down(void** state)
 	scree_world_destroy(world);
 }
 
+// One-way platforms: a mover jumps up through them, lands on them, walks through them from beside, and drops if it ignores them.
+static void jumps_through_platforms(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	add_floor(world);
+	scree_attribute_def def = surface_of(box_shape(2.0f, 0.1f));
+	def.one_way = (scree_vec){0.0f, 1.0f};
+	scree_body platform = add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, 1.5f, 0.0f);
+	const float top = 1.6f + HALF + 0.01f;
+	scree_mover m = mover_at(0.0f, HALF + 0.01f);
+	walk_frames(world, NULL, &m, 0.0f, 2);
+	m.velocity.y = 8.0f;
+	float highest = 0.0f;
+	for (int frame = 0; frame < 120; ++frame)
+	{
+		walk_frames(world, NULL, &m, 0.0f, 1);
+		highest = fmaxf(highest, m.position.y);
+	}
+	assert_true(highest > top + 0.5f);
+	NEAR(m.position.y, top, 1e-3);
+	assert_false(scree_collidable_is_null(m.ground));
+	walk_frames(world, NULL, &m, 0.0f, 600);
+	NEAR(m.position.y, top, 1e-3);
+
+	// it drops through the platform that it ignores, and is not lifted by it again
+	m.ignored = platform;
+	walk_frames(world, NULL, &m, 0.0f, 8);
+	m.ignored = SCREE_NULL_BODY;
+	walk_frames(world, NULL, &m, 0.0f, 120);
+	NEAR(m.position.y, HALF + 0.01, 1e-3);
+
+	// at the height of the platform it walks on as if there were none
+	OK(scree_body_set_pose(world, platform, (scree_pose){{0.0f, 0.6f}, {1.0f, 0.0f}}));
+	m = mover_at(-4.0f, HALF + 0.01f);
+	walk_frames(world, NULL, &m, SPEED, 120);
+	NEAR(m.position.x, 4.0, 0.05);
+	NEAR(m.position.y, HALF + 0.01, 1e-3);
+
+	// fast from above it is stopped, fast from below it is not
+	m = mover_at(0.0f, 30.0f);
+	m.velocity = (scree_vec){0.0f, -3000.0f};
+	OK(scree_movers_move(world, NULL, &m, 1, STEP));
+	NEAR(m.position.y, 0.7 + HALF + 0.01, 1e-3);
+	OK(scree_body_set_pose(world, platform, (scree_pose){{0.0f, 5.0f}, {1.0f, 0.0f}}));
+	m = mover_at(0.0f, HALF + 0.01f);
+	m.velocity = (scree_vec){0.0f, 3000.0f};
+	OK(scree_movers_move(world, NULL, &m, 1, STEP));
+	NEAR(m.position.y, HALF + 0.01 + 50.0, 1e-2);
+
+	// rays see platforms from above, if they are asked to, and from all sides if not
+	scree_query_def from_above = scree_query_def_default();
+	from_above.one_way = true;
+	scree_ray rays[2] = {{.origin = {0.0f, 9.0f}, .translation = {0.0f, -5.0f}},
+	                     {.origin = {0.0f, 2.0f}, .translation = {0.0f, 5.0f}}};
+	scree_found found[2];
+	OK(scree_world_cast_rays(world, &from_above, rays, 2, found));
+	assert_true(found[0].hit && !found[1].hit);
+	OK(scree_world_cast_rays(world, NULL, rays, 2, found));
+	assert_true(found[0].hit && found[1].hit);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -347,6 +410,7 @@ int main(void)
 	    cmocka_unit_test(is_pushed),
 	    cmocka_unit_test(crowds_are_equal_everywhere),
 	    cmocka_unit_test(hostile_movers),
+	    cmocka_unit_test(jumps_through_platforms),
 	    cmocka_unit_test(follows_the_ground_down),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1239,6 +1239,8 @@ typedef struct scree_query_def // what the queries of a call see
 	uint64_t mask;     // and if this has a bit of its category; default all
 	bool any;          // only scree_found.hit is wanted, which is faster: the rest is zero; default false
 	bool skip_inside;  // what a ray or shape begins inside of is not seen; default false
+	bool
+	    one_way; // one-way platforms are seen by what comes from the side from which they are solid only; default false
 } scree_query_def;
 
 static inline scree_query_def scree_query_def_default(void);

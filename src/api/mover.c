@@ -173,6 +173,7 @@ scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, s
 	seen.category = def->category;
 	seen.mask = def->mask;
 	seen.skip_inside = true;
+	seen.one_way = true;
 	Walk walk = {.world = world,
 	             .def = def,
 	             .seen = seen,

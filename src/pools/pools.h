@@ -222,8 +222,9 @@ typedef struct // what is common to the queries of a call
 	int found;  // answers that were found, also without room for them
 	float most; // m: farther collidables are not near
 	int skips;  // what a query begins inside of is not seen
-	int unused[2];
-	Attribute shape; // not of rays
+	int rules;  // one-way platforms are seen from above only
+	int unused;
+	Attribute shape; // of rays: a point
 } QueryPlan;
 
 typedef struct // MAX_LANES spokes; all but the first two are working data of a pass

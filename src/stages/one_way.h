@@ -67,6 +67,28 @@ INLINE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, flo
 	return one_way_meet(side, visitor);
 }
 
+// Whether a visitor at a frame, with a margin around its shape, is above a platform whose direction is up, or gets there by its way.
+INLINE int one_way_above(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
+                         float margin, Vec way, float slop)
+{
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
+	// its upper sides, and last its whole width
+	for (int k = platform->count > 1 ? 0 : platform->count; k <= platform->count; ++k)
+	{
+		int whole = k == platform->count;
+		Vec n = whole ? up : shape_normal(platform, k);
+		if (!(vec_dot(n, up) > ONE_WAY_UPPER))
+			continue;
+		OneWaySpan side = one_way_span(platform, own, n), span = one_way_span(visitor, f, n);
+		span.low -= margin;
+		span.left -= margin;
+		span.right += margin;
+		if (one_way_over(side, span, n, way, slop))
+			return 1;
+	}
+	return 0;
+}
+
 typedef struct // a visitor, as its platform sees it
 {
 	int above, below, beside;
@@ -84,17 +106,7 @@ INLINE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec
 	slop = known == ONE_WAY_NEW ? maximum(slop, ONE_WAY_FRESH * thickness) : slop;
 	way = vec_turn_back(axes, way);
 	OneWayPlace place;
-	place.above = 0;
-	// its upper sides, and last its whole width
-	for (int k = shape_a->count > 1 ? 0 : shape_a->count; k <= shape_a->count && !place.above; ++k)
-	{
-		int whole = k == shape_a->count;
-		Vec n = whole ? up : shape_normal(shape_a, k);
-		if (!(vec_dot(n, up) > ONE_WAY_UPPER))
-			continue;
-		OneWaySpan side = one_way_span(shape_a, own, n);
-		place.above = one_way_over(side, one_way_span(shape_b, f, n), n, way, slop);
-	}
+	place.above = one_way_above(shape_a, up, shape_b, f, 0.0f, way, slop);
 	OneWaySpan platform = one_way_span(shape_a, own, up), visitor = one_way_span(shape_b, f, up);
 	place.below = visitor.high < platform.high;
 	place.beside = !one_way_meet(platform, visitor);

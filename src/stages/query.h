@@ -6,6 +6,7 @@
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/convex_sum.h"
+#include "stages/one_way.h"
 #include "stages/query_tree.h"
 
 typedef struct // a query in the world
@@ -98,12 +99,25 @@ INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 	return 1;
 }
 
+// Whether what is seen is a one-way platform that lets a query through, which is at f and moves by path in its frame.
+INLINE int query_passes(const Pools* p, Seen seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
+{
+	Rule rule = p->rule[seen.attribute];
+	const GLOBAL Attribute* platform = p->attribute + seen.attribute;
+	if (!rule.one_way)
+		return 0;
+	if (form == QUERY_NEAREST ? hit->fraction < -ONE_WAY_SLOP : hit->inside)
+		return 1;
+	return !one_way_above(platform, vec(rule.up_x, rule.up_y), &p->query_plan->shape, f, radius, path, ONE_WAY_SLOP);
+}
+
 INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, Found* found)
 {
 	const GLOBAL Attribute *a = p->attribute + seen.attribute, *b = &p->query_plan->shape;
 	Vec axes = vec(seen.c, seen.s);
 	Vec q = vec_turn_back(axes, vec(asked->start.x - seen.x, asked->start.y - seen.y));
 	Vec path = vec_turn_back(axes, asked->path), turn = vec_turn_back(axes, asked->turn), point;
+	Frame f = frame_at(q, turn);
 	ConvexHit hit;
 	if (form == QUERY_RAYS || b->count == 1)
 	{
@@ -128,6 +142,8 @@ INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, 
 			q = vec_add(q, vec_scale(hit.fraction, path));
 		point = sum_point(&sum, a, b, turn, q, hit.edge, hit.corner, hit.normal);
 	}
+	if (p->query_plan->rules && query_passes(p, seen, f, asked->radius, path, &hit, form))
+		return 0;
 	if (hit.inside && form != QUERY_NEAREST)
 	{
 		if (p->query_plan->skips)

@@ -21,7 +21,7 @@ const DefinitionType joint_definition = {sizeof(scree_joint_def), END_OF(scree_j
                                          "scree_joint_def_make"};
 
 const DefinitionType path_definition = {sizeof(scree_path_def), END_OF(scree_path_def, user), "scree_path_def_default"};
-const DefinitionType query_definition = {sizeof(scree_query_def), END_OF(scree_query_def, skip_inside),
+const DefinitionType query_definition = {sizeof(scree_query_def), END_OF(scree_query_def, one_way),
                                          "scree_query_def_default"};
 const DefinitionType blast_definition = {sizeof(scree_blast_def), END_OF(scree_blast_def, mask),
                                          "scree_blast_def_default"};
