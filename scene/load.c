@@ -4,6 +4,7 @@
 #include "scene/attributes.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/fan.h"
 #include "scene/items.h"
 #include "scene/parameters.h"
 #include "scene/paths.h"
@@ -12,7 +13,7 @@
 
 static const char* const scene_keys[] = {
     "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world", "steps",
-    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     NULL};
+    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "rays",  NULL};
 
 static const struct
 {
@@ -240,7 +241,7 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	if (!scene->blocks)
 		return reader_fail(reader, NULL, "out of memory");
 	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
-	    !paths_read(reader, root, scene) || !read_joints(reader, root, scene))
+	    !paths_read(reader, root, scene) || !read_joints(reader, root, scene) || !fans_read(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -301,6 +302,7 @@ void scene_free(Scene* scene)
 	for (int k = 0; k < scene->joint_block_count; ++k)
 		joint_block_free(&scene->joint_blocks[k]);
 	free(scene->joint_blocks);
+	free(scene->fans);
 	paths_free(scene);
 	free(scene->blocks);
 	free(scene->attributes);

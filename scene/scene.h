@@ -13,6 +13,7 @@ typedef struct Block Block;           // scene/block.h
 typedef struct JointBlock JointBlock; // scene/joint_block.h
 typedef struct Attribute Attribute;   // scene/attributes.h
 typedef struct ScenePath ScenePath;   // scene/paths.h
+typedef struct Fan Fan;               // scene/fan.h
 
 typedef struct
 {
@@ -36,6 +37,8 @@ typedef struct
 	int block_count;
 	JointBlock* joint_blocks;
 	int joint_block_count;
+	Fan* fans;
+	int fan_count, ray_count; // rays after each step, of all bodies
 } Scene;
 
 typedef struct // --set NAME=VALUE

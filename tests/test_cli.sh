@@ -185,7 +185,7 @@ fi
 # bench
 heading=scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most
 heading+=,ms_transform,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
-heading+=,bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,penetration,hash,valid
+heading+=,bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,rays,ray_hits,ms_rays,hash_rays,penetration,hash,valid
 expect 0 "$heading" bench pyramid "${small[@]}" --repeats 2
 row=$(sed -n 2p out)
 [ "$(tr -cd , <<<"$row")" = "$(tr -cd , <<<"$heading")" ] || fail "bench: not a column for each name"
