@@ -130,7 +130,7 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simula
 	if (status == SCREE_OK)
 		status = simulation->pipeline->poses(simulation, renderer->bodies, renderer->poses, count);
 	if (status == SCREE_OK)
-		picture_draw(renderer->picture, renderer->poses, caption);
+		status = picture_draw(renderer->picture, renderer->poses, caption);
 	return status;
 }
 

@@ -2,6 +2,7 @@
 // renderer.h -- draws a world from rows in an OpenGL buffer: bodies, and layers over them.
 #ifndef RENDERER_H
 #define RENDERER_H
+#include "scene/scan.h"
 #include "view/joint_lines.h"
 #include "view/lod.h"
 #include "view/render_tables.h"
@@ -12,17 +13,18 @@
 typedef struct // an OpenGL program with its uniforms
 {
 	unsigned program;
-	int view, scale, paint, least, size, line, coarse;
+	int view, scale, paint, least, size, line, coarse, first, marked, sensors;
 } Pass;
 
 typedef struct
 {
 	Pass body, splat, box, velocity;
 	unsigned one_each, four_each; // vertex arrays: a row is a vertex, or an instance of four
-	Strokes strokes;
+	Strokes strokes, under;       // over the bodies, under them
 	RenderTables tables;
 	Lod lod;
 	JointLines joint_lines;
+	Scan scan; // of the rays of the scene
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
 	bool software; // OpenGL runs on the CPU
@@ -32,11 +34,12 @@ typedef struct
 bool renderer_open(Renderer* renderer, char* sentence);
 void renderer_close(Renderer* renderer);
 
-// Reads the world again after bodies were added or removed; also before the first frame.
-bool renderer_update_world(Renderer* renderer, scree_world* world);
+// Reads the world again after bodies were added or removed; also before the first frame. A scene that casts rays has made the world;
+// null: none did.
+bool renderer_update_world(Renderer* renderer, const Scene* scene, scree_world* world);
 
-// Reads what a style shows besides the rows: velocities, contacts, joints.
-scree_status renderer_fetch(Renderer* renderer, const Style* style);
+// Reads what a style shows besides the rows: velocities, contacts, joints, sensors, the rays in view.
+scree_status renderer_fetch(Renderer* renderer, const Camera* camera, const Style* style);
 
 // Draws background, bodies and layers into the current framebuffer. Strokes that were added before are drawn on top.
 void renderer_draw(Renderer* renderer, const Share* share, const Camera* camera, const Style* style);

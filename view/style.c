@@ -47,8 +47,9 @@ int find_name(const char* const* names, int count, const char* text, size_t leng
 
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence)
 {
-	char names[160];
-	*style = (Style){.detail = 1.0f, .layers[LAYER_joints] = !layers};
+	char names[200];
+	*style = (Style){.detail = 1.0f};
+	style->layers[LAYER_joints] = style->layers[LAYER_sensors] = style->layers[LAYER_rays] = !layers;
 	int found = paint ? find_name(paint_names, PAINTS, paint, strlen(paint)) : PAINT_ATTRIBUTE;
 	if (found < 0)
 	{

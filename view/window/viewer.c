@@ -23,7 +23,7 @@ void viewer_fail(Viewer* v, const char* sentence)
 
 bool viewer_update_world(Viewer* v)
 {
-	bool good = renderer_update_world(&v->renderer, v->session.world);
+	bool good = renderer_update_world(&v->renderer, v->session.scene, v->session.world);
 	if (!good)
 		viewer_fail(v, "the picture of the world cannot be made: memory is short, or its device failed");
 	return good;
@@ -37,7 +37,7 @@ bool viewer_fetch(Viewer* v, const Style* style)
 	if (status == SCREE_OK)
 		*v->share.sentence = 0;
 	if (status == SCREE_OK)
-		status = renderer_fetch(&v->renderer, style);
+		status = renderer_fetch(&v->renderer, &v->camera, style);
 	if (status != SCREE_OK)
 		viewer_fail(v, share_error(&v->share));
 	return status == SCREE_OK;
