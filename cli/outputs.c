@@ -99,8 +99,9 @@ int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
 		if (ferror(outputs->csv))
 			return file_failed(outputs->options->csv);
 	}
-	if (!outputs->video.pipe)
-		return EXIT_GOOD;
+	scree_status status = outputs->renderer ? picture_renderer_step(outputs->renderer, simulation) : SCREE_OK;
+	if (status != SCREE_OK || !outputs->video.pipe)
+		return report(status);
 	double seconds = (double)record->counters.steps * (double)simulation->scene->dt;
 	int due = video_due(&outputs->video, seconds);
 	int code = due > 0 ? draw(outputs, simulation) : EXIT_GOOD;

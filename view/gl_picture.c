@@ -96,6 +96,11 @@ bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* w
 	return true;
 }
 
+scree_status gl_picture_step(GlPicture* picture, const Style* style, double now)
+{
+	return renderer_step(&picture->renderer, &picture->camera, style, now);
+}
+
 scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char* caption)
 {
 	scree_status status = share_update(&picture->share);

@@ -65,6 +65,7 @@ void renderer_close(Renderer* r)
 	strokes_close(&r->strokes);
 	strokes_close(&r->under);
 	scan_close(&r->scan);
+	flashes_close(&r->flashes);
 	render_tables_close(&r->tables);
 	joint_lines_close(&r->joint_lines);
 	free(r->contacts);
@@ -123,6 +124,12 @@ scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* styl
 	if (status == SCREE_OK && style->layers[LAYER_sensors])
 		render_tables_update_sensors(&r->tables);
 	return status;
+}
+
+scree_status renderer_step(Renderer* r, const Camera* camera, const Style* style, double now)
+{
+	r->tables.sensors.now = now;
+	return flashes_step(&r->flashes, &r->tables, camera, style, now);
 }
 
 // Binds the rows from first on, as vertices (divisor 0) or as instances (divisor 1).
@@ -217,6 +224,7 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 		draw_over(r, &r->velocity, share, camera, style);
 	if (style->layers[LAYER_joints])
 		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style->detail);
+	flashes_mark(&r->flashes, &r->strokes, camera, r->tables.sensors.now);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
 	strokes_draw(&r->strokes, camera);
 }

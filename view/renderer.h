@@ -3,6 +3,7 @@
 #ifndef RENDERER_H
 #define RENDERER_H
 #include "scene/scan.h"
+#include "view/flashes.h"
 #include "view/joint_lines.h"
 #include "view/lod.h"
 #include "view/render_tables.h"
@@ -25,6 +26,7 @@ typedef struct
 	Lod lod;
 	JointLines joint_lines;
 	Scan scan; // of the rays of the scene
+	Flashes flashes;
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
 	bool software; // OpenGL runs on the CPU
@@ -37,6 +39,9 @@ void renderer_close(Renderer* renderer);
 // Reads the world again after bodies were added or removed; also before the first frame. A scene that casts rays has made the world;
 // null: none did.
 bool renderer_update_world(Renderer* renderer, const Scene* scene, scree_world* world);
+
+// After every step, with the time of the world in seconds: adds the events that a style shows.
+scree_status renderer_step(Renderer* renderer, const Camera* camera, const Style* style, double now);
 
 // Reads what a style shows besides the rows: velocities, contacts, joints, sensors, the rays in view.
 scree_status renderer_fetch(Renderer* renderer, const Camera* camera, const Style* style);

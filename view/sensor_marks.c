@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sensor_marks.c -- which rows are sensors, which have something inside, and how bright they flash: one byte a row, for shaders.
 #include "view/sensor_marks.h"
+#include <float.h>
 #include <stdlib.h>
 
 static int compare_sensors(const void* a, const void* b)
@@ -22,7 +23,7 @@ bool sensor_marks_list(SensorMarks* sensors, const Sprites* sprites)
 		return false;
 	for (int k = 0; k < sprites->count; ++k)
 		if (sprites->list[k].sensor)
-			sensors->list[sensors->count++] = (SensorMark){sprites->list[k].collidable, 0.0f};
+			sensors->list[sensors->count++] = (SensorMark){sprites->list[k].collidable, -DBL_MAX};
 	qsort(sensors->list, (size_t)count, sizeof *sensors->list, compare_sensors);
 	sensors->rows = (int)sensors->list[count - 1].collidable.index; // row k has the index k + 1
 	sensors->marks = calloc((size_t)sensors->rows, 1);
@@ -42,7 +43,8 @@ bool sensor_marks_update(SensorMarks* sensors, scree_world* world)
 	for (int k = 0; k < sensors->count; ++k)
 	{
 		const SensorMark* sensor = &sensors->list[k];
-		int flash = (int)(63.0f * sensor->flash);
+		double bright = 1.0 - (sensors->now - sensor->lit) / FLASH_LASTS;
+		int flash = bright > 0.0 ? (int)(63.0 * bright) : 0;
 		int mark = MARK_SENSOR | (sensor_visited(world, sensor->collidable) ? MARK_VISITED : 0) | flash << 2;
 		uint8_t* old = &sensors->marks[sensor->collidable.index - 1];
 		changed = changed || *old != mark;
@@ -53,7 +55,7 @@ bool sensor_marks_update(SensorMarks* sensors, scree_world* world)
 
 SensorMark* sensor_marks_find(const SensorMarks* sensors, uint32_t index)
 {
-	const SensorMark key = {{index, 0}, 0.0f};
+	const SensorMark key = {.collidable = {index, 0}};
 	return sensors->count > 0
 	           ? bsearch(&key, sensors->list, (size_t)sensors->count, sizeof *sensors->list, compare_sensors)
 	           : NULL;

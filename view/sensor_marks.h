@@ -11,8 +11,10 @@
 typedef struct
 {
 	scree_collidable collidable;
-	float flash; // 1 when a visit began, falling to 0
+	double lit; // s, on the clock of SensorMarks: when a visit began last
 } SensorMark;
+
+#define FLASH_LASTS 0.3 // s of the world
 
 typedef struct
 {
@@ -20,6 +22,7 @@ typedef struct
 	int count;
 	uint8_t* marks; // of the rows up to the last sensor
 	int rows;       // 0 without sensors
+	double now;     // s: time of the world, for what fades
 } SensorMarks;
 
 // Lists the sensors among the sprites of a world. False when memory is short; close also then.

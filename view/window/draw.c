@@ -27,9 +27,13 @@ void draw_frame(Viewer* v)
 {
 	if (!viewer_fetch(v, &v->style))
 		return;
+	bool over = v->hovers && v->pointed && !v->panning && !grab_holds(&v->grab) && !panel_wants_mouse();
+	if (!viewer_inspect(v, over))
+		return;
 	v->style.detail = v->renderer.software && v->share.count > MANY ? COARSE : 1.0f;
 	export_video_frame(v);
 	draw_grab(v);
+	inspect_mark(&v->selected, v->session.world, &v->renderer.strokes, &v->camera);
 	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
 	panel_draw(v);
 	if (v->save_window)

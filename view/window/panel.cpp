@@ -6,6 +6,7 @@ extern "C" {
 #include "view/window/input.h"
 #include "view/window/viewer.h"
 }
+#include "view/window/numbers.h"
 #include "view/window/panel.h"
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -24,7 +25,8 @@ static float sized(float pixels) { return pixels * scale; }
 #define EDGE    sized(MARGIN)
 #define CAPTION sized(BAND)
 #define FIELD   sized(110.0f)
-#define COLUMN  sized(140.0f)
+#define COLUMN  sized(96.0f)
+#define NARROW  sized(700.0f) // a window that is not as wide has no room for two panels side by side
 
 static const struct
 {
@@ -226,23 +228,78 @@ static void draw_style(Viewer* v)
 	ImGui::PopID();
 	for (int k = 0; k < LAYERS; ++k)
 	{
-		if (k % 2 == 1)
-			ImGui::SameLine(COLUMN);
+		if (k % 3 > 0)
+			ImGui::SameLine(COLUMN * static_cast<float>(k % 3));
 		ImGui::Checkbox(layer_names[k], &v->style.layers[k]);
 		if (ImGui::IsItemHovered())
 			ImGui::SetTooltip("%s", layer_helps[k]);
 	}
-	if (LAYERS % 2 == 1)
-		ImGui::SameLine(COLUMN);
+	if (LAYERS % 3 > 0)
+		ImGui::SameLine(COLUMN * static_cast<float>(LAYERS % 3));
 	if (ImGui::Checkbox("graph colors", &v->style.graph) && v->style.graph)
 		v->style.layers[LAYER_contacts] = true;
+}
+
+// How much of what the layers could show is drawn.
+static void draw_shares(const Viewer* v)
+{
+	const Scan* scan = &v->renderer.scan;
+	const Flashes* flashes = &v->renderer.flashes;
+	if (v->style.layers[LAYER_rays] && scan->scene && scan->in_view > scan->count)
+		ImGui::Text("%d of %d rays in view are drawn", scan->count, scan->in_view);
+	else if (v->style.layers[LAYER_rays] && scan->scene)
+		ImGui::Text("%d rays in view", scan->count);
+	if (flashes_shown(&v->style) && flashes->left_out > 0)
+		ImGui::Text("%d of %d events of the step are not drawn", flashes->left_out, flashes->seen);
+	else if (flashes_shown(&v->style))
+		ImGui::Text("%d events of the step in view", flashes->seen);
+}
+
+static void draw_numbers(const Inspected* inspected)
+{
+	Numbers numbers;
+	numbers_write(inspected, &numbers);
+	for (int k = 0; k < numbers.count; ++k)
+		if (k == 0)
+			ImGui::TextColored(ImGui::GetStyle().Colors[ImGuiCol_CheckMark], "%s", numbers.list[k]);
+		else
+			ImGui::Text("%s", numbers.list[k]);
+}
+
+// Beside the cursor, on the side with more room.
+static void draw_hovered(const Viewer* v, const ImVec2& size)
+{
+	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
+	float x = v->x / (factor.x > 0.0f ? factor.x : 1.0f), y = v->y / (factor.y > 0.0f ? factor.y : 1.0f);
+	bool left = x > 0.5f * size.x, above = y > 0.5f * size.y;
+	ImGui::SetNextWindowPos(ImVec2(left ? x - EDGE : x + 1.5f * EDGE, above ? y - EDGE : y + 1.5f * EDGE),
+	                        ImGuiCond_Always, ImVec2(left ? 1.0f : 0.0f, above ? 1.0f : 0.0f));
+	ImGui::SetNextWindowBgAlpha(0.9f);
+	ImGui::Begin("hovered", nullptr,
+	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
+	                 ImGuiWindowFlags_NoFocusOnAppearing);
+	draw_numbers(&v->hovered);
+	ImGui::End();
+}
+
+static void draw_selected(const Viewer* v, const ImVec2& size)
+{
+	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
+	ImGui::Begin("selected", nullptr,
+	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+	                 ImGuiWindowFlags_NoFocusOnAppearing);
+	draw_numbers(&v->selected);
+	ImGui::End();
 }
 
 static void draw_keys(const ImVec2& size)
 {
 	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(size.x - 2.0f * EDGE, size.y - CAPTION - 2.0f * EDGE));
 	ImGui::Begin("keys", nullptr,
-	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+	                 ImGuiWindowFlags_AlwaysAutoResize);
 	for (const auto& key : keys)
 	{
 		ImGui::Text("%s", key.shown);
@@ -250,8 +307,20 @@ static void draw_keys(const ImVec2& size)
 		ImGui::Text("%s", key.help);
 	}
 	ImGui::Separator();
-	ImGui::Text("left button: drag a body, or the picture; right: the picture; wheel: zoom");
+	ImGui::Text("left button: drag a body, or the picture; click: select;");
+	ImGui::Text("right button: the picture; wheel: zoom");
 	ImGui::End();
+}
+
+// Cuts a text to a width, with dots at its end.
+static void shorten(char* text, float room)
+{
+	size_t length = strlen(text);
+	while (length > 3 && ImGui::CalcTextSize(text).x > room)
+	{
+		--length;
+		strcpy(text + length - 3, "...");
+	}
 }
 
 // The caption band of the window: title or message on the left, time and counts on the right.
@@ -267,10 +336,22 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
 	ImGui::PopStyleColor();
 	ImGui::PopStyleVar(2);
-	ImGui::SetCursorPos(ImVec2(EDGE, sized(10.0f)));
-	ImGui::Text("%s", *v->message ? v->message : v->session.scene->title);
-	ImGui::SetCursorPos(ImVec2(size.x - EDGE - ImGui::CalcTextSize(caption).x, sized(10.0f)));
-	ImGui::Text("%s", caption);
+	char text[SENTENCE];
+	float counts = ImGui::CalcTextSize(caption).x, room = size.x - counts - 4.0f * EDGE;
+	bool both = room >= 0.4f * size.x; // else a message, or the counts, alone
+	snprintf(text, sizeof text, "%s", *v->message ? v->message : v->session.scene->title);
+	shorten(text, both ? room : size.x - 2.0f * EDGE);
+	if (both || *v->message)
+	{
+		ImGui::SetCursorPos(ImVec2(EDGE, sized(10.0f)));
+		ImGui::Text("%s", text);
+	}
+	if (both || !*v->message)
+	{
+		shorten(caption, size.x - 2.0f * EDGE);
+		ImGui::SetCursorPos(ImVec2(size.x - EDGE - ImGui::CalcTextSize(caption).x, sized(10.0f)));
+		ImGui::Text("%s", caption);
+	}
 	ImGui::End();
 }
 
@@ -280,14 +361,21 @@ void panel_draw(Viewer* v)
 	ImGui_ImplGlfw_NewFrame();
 	ImGui::NewFrame();
 	ImVec2 size = ImGui::GetIO().DisplaySize;
+	bool narrow = size.x < NARROW;
 	draw_band(v, size);
-	if (v->panel)
+	if (v->panel && !(v->keys && narrow))
 	{
+		float width = WIDTH < size.x - 2.0f * EDGE ? WIDTH : size.x - 2.0f * EDGE;
 		ImGui::SetNextWindowPos(ImVec2(EDGE, EDGE));
-		ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
-		ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - CAPTION - 2.0f * EDGE));
+		ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+		ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, size.y - CAPTION - 2.0f * EDGE));
 		ImGui::Begin("panel", nullptr,
 		             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+		if (narrow && inspect_any(&v->selected))
+		{
+			draw_numbers(&v->selected);
+			ImGui::Separator();
+		}
 		draw_scene(v);
 		ImGui::Separator();
 		draw_device(v);
@@ -295,12 +383,17 @@ void panel_draw(Viewer* v)
 		draw_times(v);
 		ImGui::Separator();
 		draw_style(v);
+		draw_shares(v);
 		ImGui::Separator();
 		ImGui::TextDisabled("F1: keys and mouse; tab: without this panel");
 		ImGui::End();
 	}
 	if (v->keys)
 		draw_keys(size);
+	else if (inspect_any(&v->selected) && !(narrow && v->panel))
+		draw_selected(v, size);
+	if (inspect_any(&v->hovered))
+		draw_hovered(v, size);
 	ImGui::Render();
 	ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -7,6 +7,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#define REACH 3.0f // px: so near to the cursor a shape is under it, so that segments can be pointed at
+
 void viewer_show(Viewer* v, const char* message)
 {
 	if (message != v->message)
@@ -43,6 +45,35 @@ bool viewer_fetch(Viewer* v, const Style* style)
 	return status == SCREE_OK;
 }
 
+// What is under the cursor, within so many pixels.
+static scree_status find_under(Viewer* v, scree_collidable* found)
+{
+	return inspect_find(v->session.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
+}
+
+bool viewer_inspect(Viewer* v, bool over)
+{
+	scree_collidable found = SCREE_NULL_COLLIDABLE;
+	scree_status status = over ? find_under(v, &found) : SCREE_OK;
+	inspect_choose(&v->hovered, v->session.scene, v->session.world, found);
+	if (status == SCREE_OK)
+		status = inspect_read(&v->hovered, v->session.world);
+	if (status == SCREE_OK)
+		status = inspect_read(&v->selected, v->session.world);
+	if (status != SCREE_OK)
+		viewer_fail(v, scree_error());
+	return status == SCREE_OK;
+}
+
+void viewer_select(Viewer* v)
+{
+	scree_collidable found;
+	if (find_under(v, &found) != SCREE_OK)
+		viewer_fail(v, scree_error());
+	else
+		inspect_choose(&v->selected, v->session.scene, v->session.world, found);
+}
+
 void viewer_fit(Viewer* v)
 {
 	camera_fit(&v->camera, render_tables_view(&v->renderer.tables, v->session.scene), v->camera.width,
@@ -61,6 +92,7 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 		return false;
 	}
 	v->grab = (Grab){.world = v->session.world};
+	v->selected = v->hovered = (Inspected){0};
 	v->next_device = -1;
 	if (!viewer_update_world(v))
 		return false;

@@ -58,6 +58,11 @@ static void on_cursor(GLFWwindow* window, double x, double y)
 	v->cursor_time = now;
 }
 
+static void on_enter(GLFWwindow* window, int inside)
+{
+	viewer_of(window)->pointed = inside;
+}
+
 static void on_button(GLFWwindow* window, int button, int event, int modifiers)
 {
 	panel_button(window, button, event, modifiers);
@@ -130,6 +135,7 @@ bool window_open(Viewer* v, char* sentence)
 	glfwSetKeyCallback(v->window, on_key);
 	glfwSetCharCallback(v->window, on_letter);
 	glfwSetCursorPosCallback(v->window, on_cursor);
+	glfwSetCursorEnterCallback(v->window, on_enter);
 	glfwSetMouseButtonCallback(v->window, on_button);
 	glfwSetScrollCallback(v->window, on_wheel);
 	if (panel_open(v->window))
