@@ -2,6 +2,7 @@
 // load.c -- reads a scene file and checks all of it.
 #include "scene/load.h"
 #include "scene/attributes.h"
+#include "scene/controls.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
 #include "scene/fan.h"
@@ -11,9 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const scene_keys[] = {
-    "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world", "steps",
-    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "rays",  NULL};
+static const char* const scene_keys[] = {"$schema",    "name",      "title",       "description", "seed",
+                                         "parameters", "constants", "world",       "steps",       "view",
+                                         "attributes", "bodies",    "collidables", "joints",      "penetration_limit",
+                                         "paths",      "rays",      "keys",        NULL};
 
 static const struct
 {
@@ -241,7 +243,8 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	if (!scene->blocks)
 		return reader_fail(reader, NULL, "out of memory");
 	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
-	    !paths_read(reader, root, scene) || !read_joints(reader, root, scene) || !fans_read(reader, root, scene))
+	    !paths_read(reader, root, scene) || !read_joints(reader, root, scene) || !fans_read(reader, root, scene) ||
+	    !controls_read(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -303,6 +306,7 @@ void scene_free(Scene* scene)
 		joint_block_free(&scene->joint_blocks[k]);
 	free(scene->joint_blocks);
 	free(scene->fans);
+	free(scene->controls);
 	paths_free(scene);
 	free(scene->blocks);
 	free(scene->attributes);

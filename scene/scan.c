@@ -6,15 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Index of the first body of a block among the bodies of the scene.
-static int first_body(const Scene* scene, int block)
-{
-	int64_t first = 0;
-	for (int k = 0; k < block; ++k)
-		first += scene->blocks[k].bodies ? scene->blocks[k].count : 0;
-	return (int)first;
-}
-
 static scree_status read_bodies(Scan* scan, scree_world* world)
 {
 	int count;
@@ -81,7 +72,7 @@ static scree_status read_poses(Scan* scan, scree_world* world, const Fan* fan, i
 	scan->poses[0] = (scree_pose){{0, 0}, {1, 0}};
 	if (fan->block < 0)
 		return SCREE_OK;
-	*bodies = scan->bodies + first_body(scan->scene, fan->block);
+	*bodies = scan->bodies + block_first(scan->scene, fan->block);
 	return scree_bodies_get_poses(world, *bodies, scan->poses, *count);
 }
 

@@ -14,6 +14,7 @@ typedef struct JointBlock JointBlock; // scene/joint_block.h
 typedef struct Attribute Attribute;   // scene/attributes.h
 typedef struct ScenePath ScenePath;   // scene/paths.h
 typedef struct Fan Fan;               // scene/fan.h
+typedef struct Control Control;       // scene/controls.h
 
 typedef struct
 {
@@ -37,6 +38,8 @@ typedef struct
 	int block_count;
 	JointBlock* joint_blocks;
 	int joint_block_count;
+	Control* controls;
+	int control_count;
 	Fan* fans;
 	int fan_count, ray_count; // rays after each step, of all bodies
 } Scene;

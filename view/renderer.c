@@ -120,7 +120,7 @@ scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* styl
 	if (status == SCREE_OK && style->layers[LAYER_joints])
 		status = fetch_joints(r);
 	if (status == SCREE_OK && style->layers[LAYER_rays] && r->scan.scene)
-		status = scan_lines_update(&r->scan, r->tables.world, camera);
+		status = scan_lines_update(&r->scan, r->tables.world, camera, style->rays);
 	if (status == SCREE_OK && style->layers[LAYER_sensors])
 		render_tables_update_sensors(&r->tables);
 	return status;

@@ -3,10 +3,10 @@
 #include "view/scan_lines.h"
 #include "scene/scan_picture.h"
 
-scree_status scan_lines_update(Scan* scan, scree_world* world, const Camera* camera)
+scree_status scan_lines_update(Scan* scan, scree_world* world, const Camera* camera, int most)
 {
 	scree_box box = camera_box(camera);
-	scree_status status = scan_aim(scan, world, &box, RAYS_DRAWN);
+	scree_status status = scan_aim(scan, world, &box, most);
 	return status == SCREE_OK ? scan_cast(scan, world) : status;
 }
 

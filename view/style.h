@@ -38,6 +38,7 @@ typedef struct
 	bool graph; // contact points have the color of the solver's graph
 	float
 	    detail; // px: bodies of less reach are splats, shorter joints are left out; 1 is fine, 4 for a software renderer
+	int rays;   // of the scene, that are drawn at most
 } Style;
 
 // Reads the name of a paint and a list of layers with commas between them; null: the default, which shows joints, sensors and rays.

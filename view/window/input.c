@@ -55,7 +55,8 @@ static void report_all(Viewer* v)
 {
 	bool good = reports_all(v->session.world) == SCREE_OK;
 	v->session.hashed = false;
-	viewer_show(v, good ? "all collidables report touches and hits; the hash changes, the motion does not" : scree_error());
+	viewer_show(v, good ? "all collidables report touches and hits; the hash changes, the motion does not"
+	                    : scree_error());
 }
 
 // Says why a layer of events stays empty.
@@ -174,6 +175,15 @@ static void window_action(Viewer* v, Action action)
 		v->selected = (Inspected){0};
 		break;
 	}
+}
+
+bool input_scene_key(Viewer* v, SceneKey key, bool down)
+{
+	uint32_t bit = 1u << key;
+	if (!(controls_keys(v->session.scene) & bit))
+		return false;
+	v->session.down = down ? v->session.down | bit : v->session.down & ~bit;
+	return true;
 }
 
 void input_action(Viewer* v, Action action)

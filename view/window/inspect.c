@@ -21,8 +21,8 @@ static scree_status get_sensor(scree_world* world, scree_collidable collidable, 
 scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_collidable* found)
 {
 	scree_query_def def = scree_query_def_default();
-	def.kinds = SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE |
-	            SCREE_QUERY_SENSORS;
+	def.kinds =
+	    SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS;
 	const scree_ray here = {.origin = at, .radius = radius};
 	scree_found_list list;
 	bool over = false; // a sensor

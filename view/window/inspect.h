@@ -16,11 +16,11 @@ typedef struct
 	bool enabled;
 	scree_velocity velocity;
 	scree_mass mass;
-	int contacts;   // of the body
-	int shapes;     // collidables of the body
-	scree_pose pose; // of the body, or of the collidable
+	int contacts;           // of the body
+	int shapes;             // collidables of the body
+	scree_pose pose;        // of the body, or of the collidable
 	uint32_t sees, reports; // bits of a sensor, of reports
-	int visits;     // that last, to a sensor
+	int visits;             // that last, to a sensor
 	scree_filter filter;
 	scree_attribute_def attribute;
 } Inspected;

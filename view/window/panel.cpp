@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // panel.cpp -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 extern "C" {
+#include "scene/block.h"
 #include "scene/viewport.h"
 #include "scene/caption.h"
 #include "view/window/input.h"
@@ -293,7 +294,7 @@ static void draw_selected(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-static void draw_keys(const ImVec2& size)
+static void draw_keys(const Viewer* v, const ImVec2& size)
 {
 	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
 	ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(size.x - 2.0f * EDGE, size.y - CAPTION - 2.0f * EDGE));
@@ -307,6 +308,15 @@ static void draw_keys(const ImVec2& size)
 		ImGui::Text("%s", key.help);
 	}
 	ImGui::Separator();
+	for (int k = 0; k < v->session.scene->control_count; ++k)
+	{
+		const Control* control = &v->session.scene->controls[k];
+		ImGui::Text("%s", scene_key_names[control->key]);
+		ImGui::SameLine(sized(60.0f));
+		ImGui::Text("of the scene: pushes %s", v->session.scene->blocks[control->block].name);
+	}
+	if (v->session.scene->control_count > 0)
+		ImGui::Separator();
 	ImGui::Text("left button: drag a body, or the picture; click: select;");
 	ImGui::Text("right button: the picture; wheel: zoom");
 	ImGui::End();
@@ -389,7 +399,7 @@ void panel_draw(Viewer* v)
 		ImGui::End();
 	}
 	if (v->keys)
-		draw_keys(size);
+		draw_keys(v, size);
 	else if (inspect_any(&v->selected) && !(narrow && v->panel))
 		draw_selected(v, size);
 	if (inspect_any(&v->hovered))

@@ -52,6 +52,15 @@ static bool press_key(Viewer* v, const char* shown)
 	return false;
 }
 
+// A key that the scene asked for.
+static bool hold_key(Viewer* v, const char* name, bool down)
+{
+	for (int k = 0; k < SCENE_KEYS; ++k)
+		if (strcmp(scene_key_names[k], name) == 0)
+			return input_scene_key(v, (SceneKey)k, down);
+	return false;
+}
+
 static void print_state(Viewer* v)
 {
 	char sentence[SENTENCE];
@@ -110,6 +119,10 @@ static bool run_line(Script* script, Viewer* v, const char* line)
 	}
 	else if (sscanf(line, "key %255s %c", word, &rest) == 1)
 		return press_key(v, word);
+	else if (sscanf(line, "hold %255s %c", word, &rest) == 1)
+		return hold_key(v, word, true);
+	else if (sscanf(line, "release %255s %c", word, &rest) == 1)
+		return hold_key(v, word, false);
 	else if (sscanf(line, "cursor %f %f %c", &x, &y, &rest) == 2 && isfinite(x) && isfinite(y))
 		input_cursor(v, x, y, 1.0 / 60.0);
 	else if (sscanf(line, "button %255s %c", word, &rest) == 1 &&

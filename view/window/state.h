@@ -24,9 +24,9 @@ typedef struct
 	Session session;
 	Grab grab;
 	Inspected hovered, selected;
-	bool hovers;            // the numbers of what is under the cursor are shown
-	bool pointed;           // the cursor is over the window
-	bool pressed;           // the left button is down, and the cursor is still where it went down
+	bool hovers;  // the numbers of what is under the cursor are shown
+	bool pointed; // the cursor is over the window
+	bool pressed; // the left button is down, and the cursor is still where it went down
 	Capture capture;
 	float x, y;             // px: the cursor
 	float press_x, press_y; // px: where the left button went down

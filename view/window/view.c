@@ -27,7 +27,8 @@ void view_print_keys(FILE* file)
 #define X(name, key, shown, help) fprintf(file, "  %-8s%s\n", shown, help);
 #include "view/window/keys.def"
 #undef X
-	fprintf(file, "  left button: drag a body, or the picture; click: select; right button: the picture; wheel: zoom\n");
+	fprintf(file,
+	        "  left button: drag a body, or the picture; click: select; right button: the picture; wheel: zoom\n");
 }
 
 // Takes the steps that the clock asks for, or one a frame for a script. A failed step ends the viewer.
