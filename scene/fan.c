@@ -15,10 +15,10 @@ int64_t fan_bodies(const Scene* scene, const Fan* fan) { return fan->block < 0 ?
 
 scree_rot fan_direction(const Fan* fan, int k)
 {
-	bool around = (double)fan->spread >= TURN;
-	int gaps = around ? fan->count : fan->count - 1;
-	if (gaps == 0)
+	if (fan->count == 1)
 		return scree_rot_make(fan->angle);
+	bool around = fan->spread >= (float)TURN;
+	int gaps = around ? fan->count : fan->count - 1;
 	return scree_rot_make(fan->angle + fan->spread * ((float)k / (float)gaps - 0.5f));
 }
 

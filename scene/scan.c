@@ -145,7 +145,7 @@ scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int 
 		status = visit(scan, world, box, 0, &total);
 	if (status != SCREE_OK)
 		return status;
-	while (box && total / every > most)
+	while (box && (total + every - 1) / every > most)
 		every *= 2; // so that most rays stay while the number in view changes
 	// of each body one ray more than its share, at most
 	if (!make_room(scan, total < scan->scene->ray_count / every + 1 ? total : scan->scene->ray_count / every + 1))
