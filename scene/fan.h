@@ -13,10 +13,9 @@ struct Fan
 	int count;          // rays of each body
 	scree_vec position; // m: of the eye, in the body's frame
 	float angle;        // rad: of the middle of the fan, in the body's frame
-	float
-	    spread; // rad: from the first ray to the last; 2 pi is all around, where the last is next to the first
-	float length; // m
-	float radius; // m: of the circle that moves along each ray
+	float spread;       // rad: from the first ray to the last; 2 pi is all around, where the last is next to the first
+	float length;       // m
+	float radius;       // m: of the circle that moves along each ray
 	scree_query_def def;
 };
 
