@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // inspect.c -- what lies under the cursor or was selected, in numbers.
 #include "view/window/inspect.h"
+#include "scene/attributes.h"
 #include "scene/block.h"
 #include "view/outline.h"
 #include <stdio.h>
@@ -45,14 +46,42 @@ scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_
 	return status;
 }
 
+static bool same_attribute(const scree_attribute_def* a, const scree_attribute_def* b)
+{
+	bool same = a->shape.kind == b->shape.kind && a->shape.count == b->shape.count &&
+	            a->shape.radius == b->shape.radius && a->density == b->density && a->friction == b->friction &&
+	            a->restitution == b->restitution && a->rolling_resistance == b->rolling_resistance &&
+	            a->tangent_speed == b->tangent_speed;
+	for (int k = 0; same && k < a->shape.count; ++k)
+		same = a->shape.vertices[k].x == b->shape.vertices[k].x && a->shape.vertices[k].y == b->shape.vertices[k].y;
+	return same;
+}
+
+// The name of the collidable's attribute in the scene; empty for none.
+static const char* attribute_name(const Inspected* inspected, const Scene* scene, const scree_world* world)
+{
+	scree_attribute attribute;
+	scree_attribute_def def;
+	if (scree_collidable_get_attribute(world, inspected->collidable, &attribute) != SCREE_OK ||
+	    scree_attribute_get_def(world, attribute, &def) != SCREE_OK)
+		return "";
+	for (int k = 0; k < scene->attribute_count; ++k)
+		if (same_attribute(&scene->attributes[k].def, &def))
+			return scene->attributes[k].name;
+	return "";
+}
+
 // Bodies of a scene have the first indices, in the order of the file.
-static void find_name(Inspected* inspected, const Scene* scene)
+static void find_name(Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	uint32_t index = inspected->body.index;
 	int64_t first = 1;
-	snprintf(inspected->name, sizeof inspected->name, "body %u", index);
+	const char* kind = attribute_name(inspected, scene, world);
 	if (scree_body_is_null(inspected->body))
-		snprintf(inspected->name, sizeof inspected->name, "collidable %u without a body", inspected->collidable.index);
+		snprintf(inspected->name, sizeof inspected->name, "%s%scollidable %u", kind, *kind ? " of " : "",
+		         inspected->collidable.index);
+	else
+		snprintf(inspected->name, sizeof inspected->name, "%s%sbody %u", kind, *kind ? " of " : "", index);
 	for (int k = 0; k < scene->block_count && !scree_body_is_null(inspected->body); ++k)
 	{
 		const Block* block = &scene->blocks[k];
@@ -70,7 +99,7 @@ void inspect_choose(Inspected* inspected, const Scene* scene, const scree_world*
 	if (scree_collidable_is_null(collidable) ||
 	    scree_collidable_get_body(world, collidable, &inspected->body) != SCREE_OK)
 		return;
-	find_name(inspected, scene);
+	find_name(inspected, scene, world);
 }
 
 bool inspect_any(const Inspected* inspected) { return !scree_collidable_is_null(inspected->collidable); }

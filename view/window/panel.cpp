@@ -25,6 +25,7 @@ static float sized(float pixels) { return pixels * scale; }
 #define WIDTH   sized(300.0f)
 #define EDGE    sized(MARGIN)
 #define CAPTION sized(BAND)
+#define ROOM    sized(290.0f) // for the numbers of a body
 #define FIELD   sized(110.0f)
 #define COLUMN  sized(96.0f)
 #define NARROW  sized(700.0f) // a window that is not as wide has no room for two panels side by side
@@ -267,12 +268,12 @@ static void draw_numbers(const Inspected* inspected)
 			ImGui::Text("%s", numbers.list[k]);
 }
 
-// Beside the cursor, on the side with more room.
+// Beside the cursor, on its right if there is room.
 static void draw_hovered(const Viewer* v, const ImVec2& size)
 {
 	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
 	float x = v->x / (factor.x > 0.0f ? factor.x : 1.0f), y = v->y / (factor.y > 0.0f ? factor.y : 1.0f);
-	bool left = x > 0.5f * size.x, above = y > 0.5f * size.y;
+	bool left = x > size.x - ROOM, above = y > 0.5f * size.y;
 	ImGui::SetNextWindowPos(ImVec2(left ? x - EDGE : x + 1.5f * EDGE, above ? y - EDGE : y + 1.5f * EDGE),
 	                        ImGuiCond_Always, ImVec2(left ? 1.0f : 0.0f, above ? 1.0f : 0.0f));
 	ImGui::SetNextWindowBgAlpha(0.9f);
