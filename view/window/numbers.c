@@ -39,9 +39,8 @@ static void add_body(const Inspected* i, Numbers* numbers)
 
 static void add_sensor(const Inspected* i, Numbers* numbers)
 {
-	add(numbers, "sensor of%s%s%s: %d inside", i->sees & SCREE_SENSOR_MOVING ? " what moves" : "",
-	    i->sees & SCREE_SENSOR_STATIC ? " what is static" : "", i->sees & SCREE_SENSOR_SENSORS ? " sensors" : "",
-	    i->visits);
+	add(numbers, "sensor, %d inside; sees%s%s%s", i->visits, i->sees & SCREE_SENSOR_MOVING ? " moving" : "",
+	    i->sees & SCREE_SENSOR_STATIC ? " static" : "", i->sees & SCREE_SENSOR_SENSORS ? " sensors" : "");
 }
 
 static void add_surface(const Inspected* i, Numbers* numbers)

@@ -250,11 +250,11 @@ static void draw_shares(const Viewer* v)
 	if (v->style.layers[LAYER_rays] && scan->scene && scan->in_view > scan->count)
 		ImGui::Text("%d of %d rays in view are drawn", scan->count, scan->in_view);
 	else if (v->style.layers[LAYER_rays] && scan->scene)
-		ImGui::Text("%d rays in view", scan->count);
+		ImGui::Text("rays in view: %d", scan->count);
 	if (flashes_shown(&v->style) && flashes->left_out > 0)
 		ImGui::Text("%d of %d events of the step are not drawn", flashes->left_out, flashes->seen);
 	else if (flashes_shown(&v->style))
-		ImGui::Text("%d events of the step in view", flashes->seen);
+		ImGui::Text("events of the step in view: %d", flashes->seen);
 }
 
 static void draw_numbers(const Inspected* inspected)
