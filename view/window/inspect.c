@@ -163,8 +163,10 @@ void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strok
 {
 	scree_collidable list[SHAPES] = {inspected->collidable};
 	int count = 1;
+	scree_pose placed;
 	bool body = !scree_body_is_null(inspected->body);
 	if (!inspect_any(inspected) || inspected->gone ||
+	    (body && scree_body_get_pose(world, inspected->body, &placed) != SCREE_OK) ||
 	    (body && scree_body_get_collidables(world, inspected->body, list, SHAPES, &count) != SCREE_OK))
 		return;
 	for (int k = 0; k < count && k < SHAPES; ++k)
@@ -175,6 +177,6 @@ void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strok
 		if (scree_collidable_get_attribute(world, list[k], &attribute) == SCREE_OK &&
 		    scree_attribute_get_def(world, attribute, &def) == SCREE_OK &&
 		    scree_collidable_get_local_pose(world, list[k], &pose) == SCREE_OK)
-			outline_mark(strokes, &def.shape, body ? join(inspected->pose, pose) : pose, camera, WIDTH, chosen);
+			outline_mark(strokes, &def.shape, body ? join(placed, pose) : pose, camera, WIDTH, chosen);
 	}
 }

@@ -37,7 +37,7 @@ scree_status inspect_read(Inspected* inspected, scree_world* world);
 
 bool inspect_any(const Inspected* inspected);
 
-// Adds the outlines of all shapes of the body.
+// Adds the outlines of all shapes of the body, where it is now.
 void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strokes, const Camera* camera);
 
 #endif

@@ -33,6 +33,8 @@ typedef struct
 	bool panning;           // the right button is down, or the left one beside all bodies
 	bool panel, keys;       // shown
 	bool save_window;       // after this frame is drawn
+	double look_time;       // s: when what is under the cursor may be looked for again
+	double read_time;       // s: when the numbers of what is selected may be read again
 	double cursor_time;     // s: when the cursor moved last
 	int still;              // frames since then
 	int next_device;        // index of the device that the key moves to; -1: the one after the world's

@@ -7,6 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#define REST  9.0  // so many times as long as it took, what is under the cursor or was selected is not read again
 #define REACH 3.0f // px: so near to the cursor a shape is under it, so that segments can be pointed at
 
 void viewer_show(Viewer* v, const char* message)
@@ -51,15 +52,47 @@ static scree_status find_under(Viewer* v, scree_collidable* found)
 	return inspect_find(v->session.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
 }
 
-bool viewer_inspect(Viewer* v, bool over)
+// The first query after a step computes boxes of all that moves, which for many bodies on a CPU takes as long as a step, and a
+// CPU looks at all contacts for those of one body. Each waits so long that it takes a tenth of the time.
+static void rest(double* next, double begin)
 {
-	scree_collidable found = SCREE_NULL_COLLIDABLE;
-	scree_status status = over ? find_under(v, &found) : SCREE_OK;
+	double end = glfwGetTime();
+	*next = end + REST * (end - begin);
+}
+
+static scree_status look_under(Viewer* v)
+{
+	scree_collidable found;
+	double begin = glfwGetTime();
+	if (begin < v->look_time)
+		return SCREE_OK;
+	scree_status status = find_under(v, &found);
 	inspect_choose(&v->hovered, v->session.scene, v->session.world, found);
 	if (status == SCREE_OK)
 		status = inspect_read(&v->hovered, v->session.world);
+	rest(&v->look_time, begin);
+	return status;
+}
+
+static scree_status read_selected(Viewer* v)
+{
+	double begin = glfwGetTime();
+	if (begin < v->read_time)
+		return SCREE_OK;
+	scree_status status = inspect_read(&v->selected, v->session.world);
+	rest(&v->read_time, begin);
+	return status;
+}
+
+bool viewer_inspect(Viewer* v, bool over)
+{
+	scree_status status = SCREE_OK;
+	if (over)
+		status = look_under(v);
+	else
+		v->hovered = (Inspected){0};
 	if (status == SCREE_OK)
-		status = inspect_read(&v->selected, v->session.world);
+		status = read_selected(v);
 	if (status != SCREE_OK)
 		viewer_fail(v, scree_error());
 	return status == SCREE_OK;
@@ -72,6 +105,7 @@ void viewer_select(Viewer* v)
 		viewer_fail(v, scree_error());
 	else
 		inspect_choose(&v->selected, v->session.scene, v->session.world, found);
+	v->read_time = 0.0;
 }
 
 void viewer_fit(Viewer* v)
