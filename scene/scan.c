@@ -137,11 +137,11 @@ static scree_status visit(Scan* scan, scree_world* world, const scree_box* box, 
 
 scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int most)
 {
-	int64_t total, every = 1;
+	int64_t total = scan->scene->ray_count, every = 1;
 	scan->count = 0;
 	// a scene may replace bodies between steps, each by one of the same index
 	scree_status status = scene_churns(scan->scene) ? read_bodies(scan, world) : SCREE_OK;
-	if (status == SCREE_OK)
+	if (status == SCREE_OK && box)
 		status = visit(scan, world, box, 0, &total);
 	if (status != SCREE_OK)
 		return status;
@@ -150,8 +150,9 @@ scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int 
 	// of each body one ray more than its share, at most
 	if (!make_room(scan, total < scan->scene->ray_count / every + 1 ? total : scan->scene->ray_count / every + 1))
 		return SCREE_ERROR_OUT_OF_MEMORY;
+	status = visit(scan, world, box, every, &total);
 	scan->in_view = (int)total;
-	return visit(scan, world, box, every, &total);
+	return status;
 }
 
 scree_status scan_cast(Scan* scan, scree_world* world)
@@ -160,6 +161,8 @@ scree_status scan_cast(Scan* scan, scree_world* world)
 	for (int k = 0; k < scene->fan_count; ++k)
 	{
 		int first = scan->firsts[k], count = scan->firsts[k + 1] - first;
+		if (count == 0)
+			continue;
 		scree_status status =
 		    scree_world_cast_rays(world, &scene->fans[k].def, scan->rays + first, count, scan->found + first);
 		if (status != SCREE_OK)

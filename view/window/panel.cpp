@@ -28,7 +28,7 @@ static float sized(float pixels) { return pixels * scale; }
 #define ROOM    sized(290.0f) // for the numbers of a body
 #define FIELD   sized(110.0f)
 #define COLUMN  sized(96.0f)
-#define NARROW  sized(700.0f) // a window that is not as wide has no room for two panels side by side
+#define NARROW  sized(780.0f) // a window that is not as wide has no room for two panels side by side
 
 static const struct
 {
@@ -288,6 +288,7 @@ static void draw_selected(const Viewer* v, const ImVec2& size)
 {
 	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
 	ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
+	ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - CAPTION - 2.0f * EDGE));
 	ImGui::Begin("selected", nullptr,
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
