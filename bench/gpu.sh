@@ -4,10 +4,11 @@
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  where parity.csv, programs.txt, bench.csv, queries.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
+#   FOLDER  where parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
 # Hashes are compared after STEPS (300) steps; for the scenes in HEAVY the slowest reference takes HEAVY_STEPS (10) instead.
 # PROGRAMS and SECONDS_EACH are those of bench/programs.sh; PROGRAMS=0 leaves it out.
-# BENCH names the scenes to measure ("none" for none), FRAMES those to draw, QUERIES the one in which a million queries are asked;
+# BENCH names the scenes to measure ("none" for none), FRAMES those to draw, QUERIES the one in which a million queries are asked, RAYS
+# the one whose rays are cast after every step;
 # CURVES=yes runs bench/curves.sh as well, and FIGURES=yes the figures of docs/paper.md. Exit 1 when any hash or picture differs or any row is invalid.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -111,6 +112,15 @@ if [ "$queries" != none ]; then
 	# both have the same answers
 	answers=$(sed 1d "$folder/queries.csv" | awk -F, '{ print $4, $NF }' | sort | uniq -c | grep -c '^ *2 ')
 	[ "$answers" = 5 ] || { echo "queries.csv: answers differ, or are missing"; differ=1; }
+fi
+rays=${RAYS:-lidar}
+if [ "$rays" != none ]; then
+	for where in "opencl:$device" cpu; do
+		timeout "$limit" $scree bench "$rays" --steps 60 --device "$where" || differ=1
+	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/rays.csv"
+	# hash_rays, penetration and hash are the columns before the last one
+	hashes=$(sed 1d "$folder/rays.csv" | rev | cut -d, -f 2-4 | sort | uniq -c | grep -c '^ *2 ')
+	[ "$hashes" = 1 ] || { echo "rays.csv: answers differ, or are missing"; differ=1; }
 fi
 frames=${FRAMES:-million pile pyramids tumbler}
 if [ "$frames" != none ]; then

@@ -30,11 +30,12 @@ typedef struct
 {
 	Record* records; // of the timed steps of all runs
 	int count;
-	int staged;           // records of the last run, which have milliseconds by stage
-	double least, most;   // median step of the fastest and of the slowest repeat, ms
-	float penetration;    // deepest of all steps, m
-	uint64_t hash, other; // of the first run, and of a later run if it differs
-	int nonfinite;        // steps that froze a body
+	int staged;                      // records of the last run, which have milliseconds by stage
+	double least, most;              // median step of the fastest and of the slowest repeat, ms
+	float penetration;               // deepest of all steps, m
+	uint64_t hash, other;            // of the first run, and of a later run if it differs
+	uint64_t answers, other_answers; // the same of the rays of the scene
+	int nonfinite;                   // steps that froze a body
 	char device[160];
 	int threads, lanes;
 } Measurement;
@@ -71,8 +72,13 @@ static int measure_once(Bench* bench, const Scene* scene, int steps, int repeat,
 	if (status == SCREE_OK && bench->bandwidth == 0 && simulation.pipeline->solve >= 0)
 		status = scree_world_measure_bandwidth(simulation.world, &bench->bandwidth);
 	if (repeat == 0)
+	{
 		m->hash = m->other = hash;
+		m->answers = m->other_answers = simulation.answered.hash;
+	}
 	m->other = hash == m->hash ? m->other : hash;
+	if (simulation.answered.hash != m->answers)
+		m->other_answers = simulation.answered.hash;
 	if (timings)
 		m->staged = m->count - before;
 	else
@@ -112,6 +118,14 @@ static bool check_work(const Bench* bench, const Scene* scene, const Measurement
 		        scene->name, m->hash, m->other);
 		valid = false;
 	}
+	if (m->other_answers != m->answers)
+	{
+		fprintf(stderr,
+		        "scree bench: %s is invalid: the hash of its rays was %016" PRIx64 " in one run and %016" PRIx64
+		        " in another\n",
+		        scene->name, m->answers, m->other_answers);
+		valid = false;
+	}
 	if (known_find(&bench->known, scene->name, bench->settings, steps, &known) && known != m->hash)
 	{
 		fprintf(stderr, "scree bench: %s is invalid: its hash is %016" PRIx64 ", but %s has %016" PRIx64 "\n",
@@ -126,7 +140,8 @@ static void print_heading(const Pipeline* f)
 	printf("scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most");
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		printf(",ms_%s", f->stages[k]);
-	printf(",bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,penetration,hash,valid\n");
+	printf(",bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,rays,ray_hits,ms_rays,hash_rays,penetration,hash,"
+	       "valid\n");
 }
 
 static void print_row(const Bench* bench, const Scene* scene, Measurement* m, int steps, bool valid)
@@ -144,6 +159,8 @@ static void print_row(const Bench* bench, const Scene* scene, Measurement* m, in
 	printf(",%.0f,%.3f,%.3f,%.2f,%.2f", last->bodies > 0 ? (double)last->device_bytes / last->bodies : 0.0,
 	       1e-6 * median(m->records, count, constraint_bytes_of, 0), 1e-6 * median(m->records, count, body_bytes_of, 0),
 	       1e-9 * median(staged, m->staged, solve_rate_of, 0), 1e-9 * bench->bandwidth);
+	printf(",%d,%.0f,%.4f,%016" PRIx64, m->records[count - 1].rays, median(m->records, count, hits_of, 0),
+	       median(m->records, count, scan_of, 0), m->answers);
 	printf(",%.5f,%016" PRIx64 ",%d\n", (double)m->penetration, m->hash, valid);
 	fflush(stdout);
 }

@@ -67,7 +67,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	if (code != EXIT_GOOD)
 		return code;
 	bool opened = renderer_open(&renderer, sentence);
-	if (!opened || !renderer_update_world(&renderer, simulation.world))
+	if (!opened || !renderer_update_world(&renderer, NULL, simulation.world))
 	{
 		fprintf(stderr, "scree bench: %s\n", sentence);
 		code = EXIT_FAILED;

@@ -150,7 +150,9 @@ const OptionRow option_rows[] = {
     {"paint", 'a', "NAME", RUN | VIEW, "with gl: color bodies by attribute, speed or graph (colors of the solver)",
      TEXT(paint)},
     {"layers", 'L', "NAME,...", RUN | VIEW,
-     "with gl: boxes, contacts, normals, impulses, velocities, joints, fields over the bodies", TEXT(layers)},
+     "with gl: boxes, contacts, normals, impulses, velocities, sensors, rays, visits, touches, hits, breaks, joints, "
+     "fields",
+     TEXT(layers)},
     {"script", 'x', "FILE", VIEW, "a file of user actions, one a line: docs/view.md", TEXT(script)},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds", TEXT(csv)},
     {"queries", 'Q', "N", QUERIES, "of each kind, a million without it", NUMBER(queries, 16000000)},

@@ -4,6 +4,7 @@
 #include "report.h"
 #include "scene/caption.h"
 #include <errno.h>
+#include <inttypes.h>
 #include <string.h>
 
 static int file_failed(const char* path)
@@ -60,7 +61,7 @@ int outputs_open(Outputs* outputs, Simulation* simulation)
 		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
 			fprintf(outputs->csv, ",ms_%s", simulation->pipeline->stages[k]);
-		fprintf(outputs->csv, "\n");
+		fprintf(outputs->csv, "%s\n", simulation->scene->fan_count > 0 ? ",rays,ray_hits,ms_rays" : "");
 	}
 	return EXIT_GOOD;
 }
@@ -78,13 +79,15 @@ static int draw(Outputs* outputs, Simulation* simulation)
 	return report(status);
 }
 
-static void write_row(FILE* csv, const Record* record)
+static void write_row(FILE* csv, const Record* record, bool scans)
 {
 	const scree_counters* c = &record->counters;
 	fprintf(csv, "%lld,%d,%d,%d,%d,%d,%d,%d,%.6f,%.4f", (long long)c->steps, c->bodies, c->contacts, c->touching,
 	        c->colors, c->spokes, c->moved, c->new_contacts, (double)c->penetration, (double)record->milliseconds);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		fprintf(csv, ",%.4f", (double)record->stages[k]);
+	if (scans)
+		fprintf(csv, ",%d,%" PRId64 ",%.4f", record->rays, record->hits, (double)record->scan);
 	fprintf(csv, "\n");
 }
 
@@ -92,12 +95,13 @@ int outputs_step(Outputs* outputs, Simulation* simulation, const Record* record)
 {
 	if (outputs->csv)
 	{
-		write_row(outputs->csv, record);
+		write_row(outputs->csv, record, simulation->scene->fan_count > 0);
 		if (ferror(outputs->csv))
 			return file_failed(outputs->options->csv);
 	}
-	if (!outputs->video.pipe)
-		return EXIT_GOOD;
+	scree_status status = outputs->renderer ? picture_renderer_step(outputs->renderer, simulation) : SCREE_OK;
+	if (status != SCREE_OK || !outputs->video.pipe)
+		return report(status);
 	double seconds = (double)record->counters.steps * (double)simulation->scene->dt;
 	int due = video_due(&outputs->video, seconds);
 	int code = due > 0 ? draw(outputs, simulation) : EXIT_GOOD;

@@ -117,6 +117,17 @@ bool picture_renderer_set_world(PictureRenderer* renderer, Simulation* simulatio
 	return false;
 }
 
+scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* simulation)
+{
+#ifdef SCREE_HAVE_VIEW
+	if (renderer->gl)
+		return gl_picture_step(renderer->gl, &renderer->style,
+		                       (double)simulation->steps * (double)simulation->scene->dt);
+#endif
+	(void)renderer, (void)simulation;
+	return SCREE_OK;
+}
+
 scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simulation, const char* caption)
 {
 #ifdef SCREE_HAVE_VIEW
@@ -130,7 +141,7 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simula
 	if (status == SCREE_OK)
 		status = simulation->pipeline->poses(simulation, renderer->bodies, renderer->poses, count);
 	if (status == SCREE_OK)
-		picture_draw(renderer->picture, renderer->poses, caption);
+		status = picture_draw(renderer->picture, renderer->poses, caption);
 	return status;
 }
 

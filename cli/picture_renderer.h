@@ -17,6 +17,9 @@ const scree_opengl* picture_renderer_opengl(const PictureRenderer* renderer);
 // Chooses the simulation to draw. False after printing a sentence.
 bool picture_renderer_set_world(PictureRenderer* renderer, Simulation* simulation);
 
+// After every step: remembers the events that the picture shows.
+scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* simulation);
+
 // Draws the simulation as it is now.
 scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simulation, const char* caption);
 

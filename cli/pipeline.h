@@ -3,6 +3,7 @@
 #ifndef PIPELINE_H
 #define PIPELINE_H
 #include "options.h"
+#include "scene/scan.h"
 
 typedef struct Simulation Simulation;
 
@@ -32,6 +33,8 @@ struct Simulation
 	int64_t steps;            // so far
 	void* state;              // of the pipeline
 	const Scene* scene;
+	Scan scan;        // of the rays of the scene
+	ScanSum answered; // by them so far
 };
 
 #endif

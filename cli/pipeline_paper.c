@@ -34,6 +34,11 @@ static int paper_open(const Options* options, Simulation* simulation)
 		fprintf(stderr, "scree: %s has joints, which the pipeline paper does not know\n", simulation->scene->name);
 		return EXIT_BAD;
 	}
+	if (simulation->scene->fan_count > 0)
+	{
+		fprintf(stderr, "scree: %s casts rays, which the pipeline paper cannot\n", simulation->scene->name);
+		return EXIT_BAD;
+	}
 	scree_status status = scree_world_get_bodies(simulation->world, NULL, 0, &count);
 	if (status != SCREE_OK)
 		return report(status);

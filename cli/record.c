@@ -24,6 +24,11 @@ scree_status record_step(Simulation* simulation, Record* record)
 	if (solve >= 0 && record->stages[solve] > 0)
 		record->solve_rate = 1e3 * (double)(record->traffic.constraint_bytes + record->traffic.body_bytes) /
 		                     (double)record->stages[solve];
+	int64_t hits = simulation->answered.hits;
+	if (status == SCREE_OK)
+		status = simulation_scan(simulation, &record->scan);
+	record->rays = simulation->scan.count;
+	record->hits = simulation->answered.hits - hits;
 	return status;
 }
 
@@ -69,6 +74,18 @@ double step_of(const Record* record, int unused)
 }
 
 double stage_of(const Record* record, int stage) { return record->stages[stage]; }
+
+double scan_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->scan;
+}
+
+double hits_of(const Record* record, int unused)
+{
+	(void)unused;
+	return (double)record->hits;
+}
 
 double contacts_of(const Record* record, int unused)
 {

@@ -9,6 +9,9 @@ typedef struct
 	scree_counters counters;
 	float stages[STAGE_COLUMNS]; // milliseconds
 	float milliseconds;          // of the step, by the clock of the host
+	float scan;                  // milliseconds, by the same clock, of the rays of the scene
+	int rays;                    // of this step
+	int64_t hits;
 	scree_traffic traffic;
 	double solve_rate; // bytes/s of the solve stage; 0 if it was not timed
 } Record;
@@ -28,6 +31,8 @@ double median(const Record* records, int count, double (*value)(const Record* re
 // values of a record, for median
 double step_of(const Record* record, int unused);
 double stage_of(const Record* record, int stage);
+double scan_of(const Record* record, int unused);
+double hits_of(const Record* record, int unused);
 double contacts_of(const Record* record, int unused);
 double touching_of(const Record* record, int unused);
 double colors_of(const Record* record, int unused);

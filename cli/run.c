@@ -16,6 +16,7 @@ typedef struct // of all steps
 	Record last;
 	double seconds; // of the steps
 	double stages[STAGE_COLUMNS];
+	double scans; // s: of the rays of the scene
 	float penetration;
 	int nonfinite;
 } Totals;
@@ -35,6 +36,7 @@ static void add_record(Totals* totals, const Record* record)
 {
 	totals->last = *record;
 	totals->seconds += 1e-3 * (double)record->milliseconds;
+	totals->scans += 1e-3 * (double)record->scan;
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		totals->stages[k] += (double)record->stages[k];
 	if (record->counters.penetration > totals->penetration)
@@ -81,6 +83,12 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
 	printf("%-14s %016" PRIx64 "\n", "hash", hash);
+	if (simulation->scene->fan_count == 0)
+		return;
+	const ScanSum* sum = &simulation->answered;
+	printf("%-14s %.0f a step, %.0f hit\n", "rays", (double)sum->rays / steps, (double)sum->hits / steps);
+	printf("%-14s %.4f apart from the step\n", "ms/rays", 1000 * totals->scans / steps);
+	printf("%-14s %016" PRIx64 "\n", "hash of rays", sum->hash);
 }
 
 int run_command(const Options* options)

@@ -44,6 +44,21 @@ scree_status simulation_step(Simulation* simulation)
 	return status == SCREE_OK ? simulation_advance(simulation) : status;
 }
 
+scree_status simulation_scan(Simulation* simulation, float* milliseconds)
+{
+	*milliseconds = 0;
+	if (simulation->scene->fan_count == 0)
+		return SCREE_OK;
+	scree_status status = scan_aim(&simulation->scan, simulation->world, NULL, 0);
+	double start = seconds_now();
+	if (status == SCREE_OK)
+		status = scan_cast(&simulation->scan, simulation->world);
+	*milliseconds = (float)(1000 * (seconds_now() - start));
+	if (status == SCREE_OK)
+		scan_add(&simulation->scan, &simulation->answered);
+	return status;
+}
+
 // Takes the warm-up steps with the soft pipeline, then moves the world to the device of the pipeline that follows. A pipeline
 // with one thread copies what it needs from a world on any device.
 static scree_status warm_up(const Options* options, Simulation* simulation)
@@ -77,6 +92,8 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 	simulation->building = seconds_now() - opened;
 	if (status == SCREE_OK)
 		status = warm_up(options, simulation);
+	if (status == SCREE_OK && scene->fan_count > 0)
+		status = scan_open(&simulation->scan, scene, simulation->world);
 	int code = status == SCREE_OK ? simulation->pipeline->open(options, simulation) : report(status);
 	if (code != EXIT_GOOD)
 		simulation_close(simulation);
@@ -86,6 +103,7 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 void simulation_close(Simulation* simulation)
 {
 	simulation->pipeline->close(simulation);
+	scan_close(&simulation->scan);
 	scree_world_destroy(simulation->world);
 	*simulation = (Simulation){0};
 }

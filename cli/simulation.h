@@ -20,6 +20,10 @@ scree_status simulation_step(Simulation* simulation);
 scree_status simulation_change(Simulation* simulation);
 scree_status simulation_advance(Simulation* simulation);
 
+// Casts the rays of the scene, if it has any, and adds the answers to Simulation.answered. milliseconds: from the call until the
+// answers are on the host.
+scree_status simulation_scan(Simulation* simulation, float* milliseconds);
+
 // Seconds on a clock that only moves forward.
 double seconds_now(void);
 

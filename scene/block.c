@@ -42,6 +42,14 @@ int block_find(const Scene* scene, const char* name)
 	return -1;
 }
 
+int block_first(const Scene* scene, int block)
+{
+	int64_t first = 0;
+	for (int k = 0; k < block; ++k)
+		first += scene->blocks[k].bodies ? scene->blocks[k].count : 0;
+	return (int)first;
+}
+
 static bool read_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene, char* name)
 {
 	const char* text;

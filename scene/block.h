@@ -37,6 +37,9 @@ bool block_read(Reader* reader, const Location* location, const json_t* value, c
 // The position in Scene.blocks of the bodies with a name, -1 when there are none.
 int block_find(const Scene* scene, const char* name);
 
+// The first body of a block among the bodies of the scene, in the order of the file.
+int block_first(const Scene* scene, int block);
+
 void block_free(Block* block);
 
 #endif

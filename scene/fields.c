@@ -214,8 +214,8 @@ static bool read_field(Entry* e, const json_t* value)
 	e->body.block = -1;
 	return read_region(e, value) &&
 	       (!body || joint_end_read(e->reader, KEY(e->location, "body"), body, e->scene, &e->body)) &&
-	       bits_read(e->reader, e->location, value, "category", &e->def.category) &&
-	       bits_read(e->reader, e->location, value, "mask", &e->def.mask) &&
+	       reader_bits(e->reader, e->location, value, "category", &e->def.category) &&
+	       reader_bits(e->reader, e->location, value, "mask", &e->def.mask) &&
 	       reader_boolean(e->reader, KEY(e->location, "disabled"), json_object_get(value, "disabled"),
 	                      &e->def.disabled) &&
 	       (!json_object_get(value, "position") ||
@@ -229,8 +229,8 @@ static bool read_blast(Entry* e, const json_t* value)
 	if (!json_object_get(value, "step"))
 		return reader_fail(e->reader, e->location, "step is missing");
 	return reader_member(e->reader, e->location, value, "step", any_step, 0, &e->step) &&
-	       bits_read(e->reader, e->location, value, "category", &e->blast.category) &&
-	       bits_read(e->reader, e->location, value, "mask", &e->blast.mask) && read_numbers(e, value);
+	       reader_bits(e->reader, e->location, value, "category", &e->blast.category) &&
+	       reader_bits(e->reader, e->location, value, "mask", &e->blast.mask) && read_numbers(e, value);
 }
 
 static bool read_list(Reader* reader, const json_t* root, Scene* scene, bool fields)

@@ -2,8 +2,10 @@
 // load.c -- reads a scene file and checks all of it.
 #include "scene/load.h"
 #include "scene/attributes.h"
+#include "scene/controls.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/fan.h"
 #include "scene/fields.h"
 #include "scene/items.h"
 #include "scene/materials.h"
@@ -12,10 +14,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const scene_keys[] = {"$schema",    "name",      "title",       "description", "seed",
-                                         "parameters", "constants", "world",       "steps",       "view",
-                                         "attributes", "bodies",    "collidables", "joints",      "penetration_limit",
-                                         "paths",      "materials", "fields",      "blasts",      NULL};
+static const char* const scene_keys[] = {
+    "$schema",   "name",   "title",      "description", "seed",        "parameters", "constants",         "world",
+    "steps",     "view",   "attributes", "bodies",      "collidables", "joints",     "penetration_limit", "paths",
+    "materials", "fields", "blasts",     "rays",        "keys",        NULL};
 
 static const struct
 {
@@ -244,7 +246,8 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 		return reader_fail(reader, NULL, "out of memory");
 	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
 	    !paths_read(reader, root, scene) || !materials_read(reader, root, scene) || !read_joints(reader, root, scene) ||
-	    !fields_read(reader, root, scene) || !blasts_read(reader, root, scene))
+	    !fields_read(reader, root, scene) || !blasts_read(reader, root, scene) || !fans_read(reader, root, scene) ||
+	    !controls_read(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -305,6 +308,8 @@ void scene_free(Scene* scene)
 	for (int k = 0; k < scene->joint_block_count; ++k)
 		joint_block_free(&scene->joint_blocks[k]);
 	free(scene->joint_blocks);
+	free(scene->fans);
+	free(scene->controls);
 	paths_free(scene);
 	free(scene->materials);
 	free(scene->fields);

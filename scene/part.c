@@ -9,26 +9,6 @@
 static const char* const part_keys[] = {"attribute", "choose",  "position", "angle",  "category", "mask",
                                         "group",     "reports", "sensor",   "repeat", NULL};
 
-bool bits_read(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
-{
-	const json_t* value = json_object_get(object, key);
-	if (!value)
-		return true;
-	const Location* at = KEY(location, key);
-	if (!json_is_array(value))
-		return reader_fail_value(reader, at, value, "must be a list of bits, 0 to 63");
-	*bits = 0;
-	for (int k = 0; k < (int)json_array_size(value); ++k)
-	{
-		double bit;
-		if (!reader_constant(reader, ELEMENT(at, k), json_array_get(value, (size_t)k), (Range){0, 63, true, false},
-		                     &bit))
-			return false;
-		*bits |= (uint64_t)1 << (int)bit;
-	}
-	return true;
-}
-
 static bool read_filter(Reader* reader, const Location* location, const json_t* object, Part* part)
 {
 	part->filter = scree_filter_default();
@@ -37,8 +17,8 @@ static bool read_filter(Reader* reader, const Location* location, const json_t* 
 	return reader_member(reader, location, object, "group", (Range){-1e9, 1e9, true, false}, 0, &part->group) &&
 	       reader_member(reader, location, object, "reports", bits, 0, &part->reports) &&
 	       reader_member(reader, location, object, "sensor", sees, 0, &part->sensor) &&
-	       bits_read(reader, location, object, "category", &part->filter.category) &&
-	       bits_read(reader, location, object, "mask", &part->filter.mask);
+	       reader_bits(reader, location, object, "category", &part->filter.category) &&
+	       reader_bits(reader, location, object, "mask", &part->filter.mask);
 }
 
 static bool read_attribute_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene,

@@ -37,7 +37,4 @@ bool parts_read(Reader* reader, const Location* location, const json_t* value, c
                 Parts* parts);
 void parts_free(Parts* parts);
 
-// Reads a member that is a list of bit numbers, because a JSON number cannot hold 64 bits. Without it, *bits stays.
-bool bits_read(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits);
-
 #endif

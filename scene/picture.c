@@ -3,6 +3,7 @@
 #include "scene/picture.h"
 #include "scene/links.h"
 #include "scene/regions.h"
+#include "scene/scan_picture.h"
 #include "scene/sprites.h"
 #include "scene/viewport.h"
 
@@ -29,6 +30,8 @@ struct Picture
 	Sprites sprites;
 	Links links;
 	FieldRegions regions;
+	scree_world* world;
+	Scan scan;
 	Canvas canvas;
 	cairo_t* cairo; // of the canvas
 	Viewport viewport;
@@ -41,9 +44,9 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 		return NULL;
 	Picture* p = calloc(1, sizeof(Picture));
 	if (p)
-		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo};
+		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo, .world = world};
 	if (!p || !sprites_list(&p->sprites, world) || !links_list(&p->links, &p->sprites, world) ||
-	    !regions_list(&p->regions, &p->sprites, world))
+	    !regions_list(&p->regions, &p->sprites, world) || scan_open(&p->scan, scene, world) != SCREE_OK)
 	{
 		snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");
 		if (!p)
@@ -65,6 +68,7 @@ void picture_free(Picture* p)
 	sprites_free(&p->sprites);
 	links_free(&p->links);
 	regions_free(&p->regions);
+	scan_close(&p->scan);
 	free(p);
 }
 
@@ -160,6 +164,20 @@ static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Co
 	}
 }
 
+// Draws the path that was made.
+static void draw_sensor(Picture* p, const Sprite* s, double line)
+{
+	const Color c = SENSOR_COLOR;
+	if (sensor_visited(p->world, s->collidable))
+	{
+		cairo_set_source_rgba(p->cairo, c.r / 255.0, c.g / 255.0, c.b / 255.0, (double)SENSOR_TINT);
+		cairo_fill_preserve(p->cairo);
+	}
+	set_color(p->cairo, c, 1);
+	cairo_set_line_width(p->cairo, fmax(2 * line, 1.5));
+	cairo_stroke(p->cairo);
+}
+
 static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 {
 	const scree_shape* shape = &p->sprites.attributes[s->attribute].shape;
@@ -167,6 +185,11 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	double line = fmin(fmax(0.03 * p->viewport.scale, 0.7), 1.4);
 	make_path(p, shape, pose);
 	cairo_set_line_width(p->cairo, line);
+	if (s->sensor)
+	{
+		draw_sensor(p, s, line);
+		return;
+	}
 	if (shape->kind == SCREE_SHAPE_SEGMENT || s->body < 0)
 	{
 		set_color(p->cairo, s->body < 0 ? glass : rim, 1);
@@ -256,15 +279,30 @@ static void draw_rail(Picture* p, const Rail* rail, const scree_pose* poses)
 	cairo_stroke(p->cairo);
 }
 
-void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
+// What the whole picture shows, margins included, m.
+static scree_box shown(const Picture* p)
+{
+	const Viewport* v = &p->viewport;
+	scree_vec lower = {(float)v->left, (float)(v->bottom - BAND / v->scale)};
+	return (scree_box){lower, {lower.x + (float)(p->width / v->scale), lower.y + (float)(p->height / v->scale)}};
+}
+
+scree_status picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 {
 	if (!p->has_view)
 		fit_view(p, poses);
 	p->viewport = viewport_show(p->view, p->width, p->height);
+	scree_box box = shown(p);
+	scree_status status = scan_aim(&p->scan, p->world, &box, RAYS_DRAWN);
+	if (status == SCREE_OK)
+		status = scan_cast(&p->scan, p->world);
+	if (status != SCREE_OK)
+		return status;
 	set_color(p->cairo, BACKGROUND_COLOR, 1);
 	cairo_paint(p->cairo);
 	for (int k = 0; k < p->regions.count; ++k)
 		draw_region(p, &p->regions.list[k], poses);
+	scan_draw_rays(&p->scan, p->cairo, &p->viewport, p->height);
 	for (int small = 0; small < 2; ++small)
 	{
 		cairo_surface_flush(p->canvas.surface);
@@ -275,6 +313,8 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 			bool is_splat = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
 			if (is_splat != small)
 				continue;
+			if (is_splat && s->sensor)
+				continue; // an outline that nobody sees
 			if (is_splat)
 				draw_splat(p, shape, sprite_pose(s, poses), s->color);
 			else
@@ -282,6 +322,7 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 		}
 		cairo_surface_mark_dirty(p->canvas.surface);
 	}
+	scan_draw_hits(&p->scan, p->cairo, &p->viewport, p->height);
 	set_color(p->cairo, ink, 1);
 	for (int k = 0; k < p->links.rail_count; ++k)
 		draw_rail(p, &p->links.rails[k], poses);
@@ -289,6 +330,7 @@ void picture_draw(Picture* p, const scree_pose* poses, const char* caption)
 	for (int k = 0; k < p->links.count; ++k)
 		draw_link(p, &p->links.list[k], poses);
 	canvas_caption(&p->canvas, p->title, caption);
+	return SCREE_OK;
 }
 
 Canvas* picture_canvas(Picture* p) { return &p->canvas; }
@@ -312,9 +354,10 @@ const scree_body* picture_bodies(const Picture* picture, int* count)
 	return NULL;
 }
 
-void picture_draw(Picture* picture, const scree_pose* poses, const char* caption)
+scree_status picture_draw(Picture* picture, const scree_pose* poses, const char* caption)
 {
 	(void)picture, (void)poses, (void)caption;
+	return SCREE_OK;
 }
 
 Canvas* picture_canvas(Picture* picture)

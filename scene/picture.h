@@ -15,8 +15,9 @@ void picture_free(Picture* picture);
 // The bodies whose poses picture_draw needs, in this order.
 const scree_body* picture_bodies(const Picture* picture, int* count);
 
-// Draws the bodies at poses, with the title of the scene and a caption.
-void picture_draw(Picture* picture, const scree_pose* poses, const char* caption);
+// Draws the bodies at poses, sensors and the rays of the scene, with the title of the scene and a caption. Fails where the world
+// cannot answer rays.
+scree_status picture_draw(Picture* picture, const scree_pose* poses, const char* caption);
 
 // The canvas of the pictures.
 Canvas* picture_canvas(Picture* picture);

@@ -196,6 +196,26 @@ bool reader_boolean(Reader* reader, const Location* location, const json_t* valu
 	return json_is_boolean(value) || reader_fail_value(reader, location, value, "must be true or false");
 }
 
+bool reader_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
+{
+	const json_t* value = json_object_get(object, key);
+	if (!value)
+		return true;
+	const Location* at = KEY(location, key);
+	if (!json_is_array(value))
+		return reader_fail_value(reader, at, value, "must be a list of bits, 0 to 63");
+	*bits = 0;
+	for (int k = 0; k < (int)json_array_size(value); ++k)
+	{
+		double bit;
+		if (!reader_constant(reader, ELEMENT(at, k), json_array_get(value, (size_t)k), (Range){0, 63, true, false},
+		                     &bit))
+			return false;
+		*bits |= (uint64_t)1 << (int)bit;
+	}
+	return true;
+}
+
 void number_free(Number* number)
 {
 	free(number->code);

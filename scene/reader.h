@@ -86,6 +86,9 @@ bool reader_member(Reader* reader, const Location* location, const json_t* objec
 bool reader_pair(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                  Number pair[2]);
 
+// Reads a member that is a list of bit numbers, because a JSON number cannot hold 64 bits. Without it bits stay as they are.
+bool reader_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits);
+
 void number_free(Number* number);
 
 #endif

@@ -16,6 +16,8 @@ typedef struct ScenePath ScenePath;           // scene/paths.h
 typedef struct SceneMaterials SceneMaterials; // scene/materials.h
 typedef struct SceneField SceneField;         // scene/fields.h
 typedef struct SceneBlast SceneBlast;
+typedef struct Fan Fan;         // scene/fan.h
+typedef struct Control Control; // scene/controls.h
 
 typedef struct
 {
@@ -45,6 +47,10 @@ typedef struct
 	int block_count;
 	JointBlock* joint_blocks;
 	int joint_block_count;
+	Control* controls;
+	int control_count;
+	Fan* fans;
+	int fan_count, ray_count; // rays after each step, of all bodies
 } Scene;
 
 typedef struct // --set NAME=VALUE

@@ -52,10 +52,11 @@ static Color sprite_color(Sprites* p, int attribute, bool moving, int body)
 static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidable, int body, bool moving)
 {
 	scree_attribute attribute;
-	Sprite sprite = {.body = body};
+	Sprite sprite = {.body = body, .collidable = collidable};
+	uint32_t sees;
 	if (scree_collidable_get_attribute(world, collidable, &attribute) != SCREE_OK ||
 	    scree_collidable_get_local_pose(world, collidable, &sprite.pose) != SCREE_OK ||
-	    !use_attribute(p, world, attribute))
+	    scree_collidable_get_sensor(world, collidable, &sees) != SCREE_OK || !use_attribute(p, world, attribute))
 		return false;
 	if (p->count == p->capacity)
 	{
@@ -66,6 +67,7 @@ static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidab
 		p->list = sprites;
 		p->capacity = capacity;
 	}
+	sprite.sensor = sees != 0;
 	sprite.attribute = (int)attribute.index;
 	sprite.color = sprite_color(p, sprite.attribute, moving, body);
 	p->list[p->count++] = sprite;
@@ -133,6 +135,12 @@ void sprites_free(Sprites* p)
 	free(p->list);
 	free(p->attributes);
 	free(p->color_of);
+}
+
+bool sensor_visited(scree_world* world, scree_collidable sensor)
+{
+	int count;
+	return scree_collidable_get_visits(world, sensor, NULL, 0, &count) == SCREE_OK && count > 0;
 }
 
 scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses)

@@ -13,12 +13,18 @@ typedef struct
 #define BACKGROUND_COLOR ((Color){247, 245, 240})
 #define TEXT_COLOR       ((Color){70, 68, 64})
 
+// Sensors are outlines, tinted while something is inside.
+#define SENSOR_COLOR ((Color){38, 138, 94})
+#define SENSOR_TINT  0.22f // opacity of the tint
+
 typedef struct // one collidable to draw
 {
 	int body;        // index in Sprites.bodies, -1 for none
 	int attribute;   // index in Sprites.attributes
 	scree_pose pose; // in the body's frame; without a body in the world
 	Color color;
+	bool sensor;                 // drawn as an outline
+	scree_collidable collidable; // a scene may have replaced it since
 } Sprite;
 
 typedef struct
@@ -42,6 +48,9 @@ int sprites_find(const Sprites* sprites, scree_body body);
 
 // A color of the palette; -1 is the color of bodies that are not dynamic.
 Color sprite_base(int entry);
+
+// Whether something was inside a sensor at the end of the last step.
+bool sensor_visited(scree_world* world, scree_collidable sensor);
 
 // The pose of a sprite in the world; poses are those of Sprites.bodies.
 scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses);

@@ -29,6 +29,7 @@ static const SmallScene small_scenes[] = {
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
     {"gears", 240, {{"columns", "3"}, {"rows", "2"}}},
+    {"lidar", 240, {{"robots", "60"}, {"rays", "30"}}},
     {"machine", 240, {{"columns", "3"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},

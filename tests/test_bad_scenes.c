@@ -107,6 +107,60 @@ static void test_bad_references(void** state)
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
 
+#define EYE(members)                                                                                     \
+	HEAD GOOD_ATTRIBUTES                                                                                 \
+	    "\"bodies\": [{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": " \
+	    "3000}}, {\"name\": \"wall\", \"type\": \"static\", \"attribute\": \"a\"}], " members "}"
+#define RAYS(text) EYE("\"rays\": [{" text "}]")
+#define KEYS(text) EYE("\"keys\": [{" text "}]")
+
+static void test_bad_rays(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {EYE("\"rays\": {}"), "rays: {} must be a list"},
+	    {EYE("\"rays\": [3]"), "rays[0]: 3 must be an object"},
+	    {RAYS("\"length\": 1"), "rays[0]: count is missing"},
+	    {RAYS("\"count\": 1"), "rays[0]: length is missing"},
+	    {RAYS("\"count\": 0, \"length\": 1"), "rays[0].count: 0 must be at least 1"},
+	    {RAYS("\"count\": 1.5, \"length\": 1"), "rays[0].count: 1.5 must be a whole number"},
+	    {RAYS("\"count\": 1, \"length\": 0"), "rays[0].length: 0 must be positive"},
+	    {RAYS("\"count\": 1, \"length\": 1e6"), "rays[0].length: 1000000.0 must be at most 100000"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"spread\": 7"), "rays[0].spread: 7 must be at most 6.2832"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"radius\": -1"), "rays[0].radius: -1 must not be negative"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"angle\": \"i\""), "rays[0].angle: \"i\": i is no parameter"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"position\": 3"), "rays[0].position: 3 must be a list of 2 numbers"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"from\": \"ear\""), "rays[0].from: \"ear\" is not the name of bodies"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"from\": 3"), "rays[0].from: 3 must be a string"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": \"static\""), "rays[0].sees: \"static\" must be a list of"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": [\"all\"]"), "rays[0].sees[0]: \"all\" must be \"static\""},
+	    {RAYS("\"count\": 1, \"length\": 1, \"mask\": [64]"), "rays[0].mask[0]: 64 must be at most 63"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"skip_inside\": 1"), "rays[0].skip_inside: 1 must be true or false"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"any\": true"), "rays[0]: unknown key \"any\""},
+	    {RAYS("\"count\": 10000, \"length\": 1, \"from\": \"eye\""), "rays[0]: 30000000 rays of all bodies"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
+static void test_bad_controls(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {EYE("\"keys\": 3"), "keys: 3 must be a list"},
+	    {KEYS("\"body\": \"eye\", \"torque\": 1"), "keys[0].key: is missing"},
+	    {KEYS("\"key\": \"q\", \"body\": \"eye\", \"torque\": 1"), "keys[0].key: \"q\" must be one of left, right"},
+	    {KEYS("\"key\": \"up\", \"torque\": 1"), "keys[0].body: is missing"},
+	    {KEYS("\"key\": \"up\", \"body\": \"ear\", \"torque\": 1"), "keys[0].body: \"ear\" is not the name"},
+	    {KEYS("\"key\": \"up\", \"body\": \"wall\", \"torque\": 1"), "keys[0].body: wall is not dynamic"},
+	    {KEYS("\"key\": \"up\", \"body\": \"eye\", \"index\": 3000, \"torque\": 1"),
+	     "keys[0].index: 3000 must be at most 2999"},
+	    {KEYS("\"key\": \"up\", \"body\": \"eye\""), "keys[0]: needs force or torque"},
+	    {KEYS("\"key\": \"up\", \"body\": \"eye\", \"force\": 3"), "keys[0].force: 3 must be a list of 2 numbers"},
+	    {KEYS("\"key\": \"up\", \"body\": \"eye\", \"torque\": 1, \"turns\": 2"), "keys[0].turns: 2 must be true"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
 static void test_bad_names(void** state)
 {
 	(void)state;
@@ -391,6 +445,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(test_bad_syntax),      cmocka_unit_test(test_bad_keys),
 	    cmocka_unit_test(test_bad_references),  cmocka_unit_test(test_bad_names),
+	    cmocka_unit_test(test_bad_rays),        cmocka_unit_test(test_bad_controls),
 	    cmocka_unit_test(test_bad_joints),      cmocka_unit_test(test_bad_ends),
 	    cmocka_unit_test(test_bad_coordinates), cmocka_unit_test(test_bad_values),
 	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),

@@ -127,6 +127,20 @@ refuse 2 'no scene is called "nothing"' bench frames nothing
 cmp -s <(cut -d, -f 4-6,9 one) <(cut -d, -f 4-6,9 two) || fail "bench queries: other answers on two threads"
 refuse 2 'no scene is called "nothing"' bench queries nothing
 
+# rays of a scene: the same answers on one thread and on two; steps as they are without rays
+few=(lidar --set robots=8 --set rays=20 --steps 10 --device cpu)
+expect 0 'rays           180 a step, ' run "${few[@]}" --threads 1 --lanes 1 --csv rows.csv
+head -n 1 rows.csv | grep -q ',rays,ray_hits,ms_rays$' || fail "run --csv: no columns of rays"
+answers=$(sed -n 's/^hash of rays *//p' out)
+grep -qE '^ms/rays +[0-9.]+ apart from the step$' out || fail "run: no time of rays"
+expect 0 "$answers" run "${few[@]}" --threads 2
+expect 0 "$("$scree" hash "${few[@]}")" run "${few[@]}"
+expect 0 ',180,' bench "${few[@]}" --repeats 1
+grep -q ",$answers,0" out || fail "bench: another hash of rays"
+refuse 2 'lidar casts rays, which the pipeline paper cannot' run lidar --pipeline paper --steps 1
+expect 0 'robots=1000 rays=1000' scenes
+"$scree" run pyramid "${small[@]}" | grep -q rays && fail "run: rays of a scene that casts none"
+
 # hash
 expect 0 '' hash pyramid "${small[@]}"
 grep -qxE '[0-9a-f]{16}' out || fail "hash: not 16 digits alone"
@@ -185,7 +199,7 @@ fi
 # bench
 heading=scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most
 heading+=,ms_transform,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
-heading+=,bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,penetration,hash,valid
+heading+=,bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,rays,ray_hits,ms_rays,hash_rays,penetration,hash,valid
 expect 0 "$heading" bench pyramid "${small[@]}" --repeats 2
 row=$(sed -n 2p out)
 [ "$(tr -cd , <<<"$row")" = "$(tr -cd , <<<"$heading")" ] || fail "bench: not a column for each name"

@@ -9,6 +9,7 @@
 
 #include "scene/build.h"
 #include "scene/churn.h"
+#include "scene/controls.h"
 #include "scene/find.h"
 #include "scene/load.h"
 #include "scene_text.h"
@@ -81,6 +82,7 @@ static void test_shipped(void** state)
 	    {"windmill", 863, 905, 21},       {"machine", 184, 216, 224},
 	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
 	    {"pond", 2028, 2048, 0},          {"blast", 730, 730, 0},
+	    {"lidar", 1941, 1951, 0},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
@@ -445,13 +447,52 @@ static void test_fields(void** state)
 	scene_free(scene);
 }
 
+// A key pushes the bodies that it names while it is down, one with a force that turns with it; others are left alone.
+static void test_keys(void** state)
+{
+	(void)state;
+	Scene* scene;
+	scree_world* world =
+	    open_text(HEAD GOOD_ATTRIBUTES
+	              "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [{\"attribute\": \"b\", \"position\": [0, 50]}, "
+	              "{\"name\": \"car\", "
+	              "\"attribute\": \"a\", \"angle\": \"pi / 2\", \"repeat\": {\"index\": \"i\", \"to\": 2}, "
+	              "\"position\": [\"10 * i\", 0]}], "
+	              "\"keys\": [{\"key\": \"up\", \"body\": \"car\", \"index\": 1, \"force\": [6, 0], \"turns\": true}, "
+	              "{\"key\": \"left\", \"body\": \"car\", \"torque\": 3}]}",
+	              &scene);
+	scree_body bodies[3];
+	scree_velocity v[3];
+	int count;
+	assert_int_equal(controls_keys(scene), 1u << SCENE_KEY_up | 1u << SCENE_KEY_left);
+	assert_int_equal(scree_world_get_bodies(world, bodies, 3, &count), SCREE_OK);
+	uint32_t down[] = {0, 1u << SCENE_KEY_up, 1u << SCENE_KEY_left | 1u << SCENE_KEY_space};
+	for (int k = 0; k < 3; ++k)
+	{
+		assert_int_equal(controls_apply(scene, world, down[k]), SCREE_OK);
+		assert_int_equal(scree_world_step(world, 0.1f, 4), SCREE_OK);
+	}
+	assert_int_equal(scree_bodies_get_velocities(world, bodies, v, 3), SCREE_OK);
+	// mass pi, inertia pi / 2
+	assert_true(v[0].linear.x == 0 && v[0].linear.y == 0 && v[0].angular == 0);
+	assert_true(v[1].linear.x == 0 && v[1].linear.y == 0);
+	assert_true(fabsf(v[2].linear.y - 0.6f / 3.14159f) < 1e-4f && fabsf(v[2].linear.x) < 1e-4f);
+	for (int k = 1; k < 3; ++k)
+		assert_true(fabsf(v[k].angular - 0.6f / 3.14159f) < 1e-4f);
+	// without the body that it names a key does nothing
+	assert_int_equal(scree_bodies_destroy(world, bodies + 1, 2), SCREE_OK);
+	assert_int_equal(controls_apply(scene, world, down[1]), SCREE_OK);
+	scree_world_destroy(world);
+	scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(test_joints),  cmocka_unit_test(test_missing_file), cmocka_unit_test(test_settings),
 	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),  cmocka_unit_test(test_build),
 	    cmocka_unit_test(test_churn),   cmocka_unit_test(test_disabled),     cmocka_unit_test(test_contact_details),
-	    cmocka_unit_test(test_fields),
+	    cmocka_unit_test(test_fields),  cmocka_unit_test(test_keys),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -69,7 +69,7 @@ static uint64_t picture_of(const char* device, bool copy)
 	char sentence[SENTENCE];
 	const Style style = {.detail = 1.0f};
 	assert_true(renderer_open(&renderer, sentence));
-	assert_true(renderer_update_world(&renderer, world));
+	assert_true(renderer_update_world(&renderer, NULL, world));
 	camera_fit(&camera, (scree_box){{-5.0f, -5.0f}, {65.0f, 45.0f}}, offscreen.width, offscreen.height);
 	glClear(GL_COLOR_BUFFER_BIT);
 	uint64_t empty = offscreen_hash(&offscreen);

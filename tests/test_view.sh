@@ -105,6 +105,150 @@ if [ -x "$build/tests/difference" ]; then
 	within layers.png window.png 0.1 0 && fail "layers do not show"
 fi
 
+# what lies under the cursor; a click selects, and a drag does not; Escape forgets, then ends. None of it changes a bit
+view 0 "${small[@]}" <<'END'
+cursor 400 342
+frames 2
+print
+button down
+frames 1
+button up
+cursor 400 100
+frames 2
+print
+cursor 400 342
+button down
+frames 1
+cursor 480 300
+frames 1
+button up
+cursor 10 550
+frames 2
+print
+key o
+cursor 400 342
+frames 1
+print
+key esc
+frames 1
+print
+key esc
+frames 5
+print
+END
+sed -n 1p out | grep -q ', hovered crate of body [0-9]*$' || fail "hover: nothing under the cursor"
+sed -n 2p out | grep -q 'frame, selected crate of body [0-9]*$' || fail "click: nothing selected, or something under an empty place"
+[ "$(sed -n 's/.*hovered \(.*\)/\1/p' out | head -n 1)" = "$(nth selected 2)" ] || fail "click: another body than that under the cursor"
+[ "$(nth selected 3)" = "$(nth selected 2)" ] || fail "a drag selects"
+sed -n 4p out | grep -q hovered && fail "o does not switch hovering off"
+sed -n 5p out | grep -q selected && fail "esc does not forget"
+[ "$(wc -l <out)" = 5 ] || fail "the second esc does not end"
+view 0 "${small[@]}" <<'END'
+cursor 400 342
+frames 10
+button down
+button up
+key u
+key i
+key 0
+key b
+frames 20
+print
+END
+[ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "hovering, selecting or looking for events changes the hash"
+
+# the end of a body that was selected is told: churn makes each anew before long
+view 0 churn --set columns=4 --set rows=4 --set moved=0 --set replaced=4 <<'END'
+cursor 445 235
+frames 1
+button down
+button up
+print
+frames 6
+print
+END
+says ' (destroyed)'
+
+# sensors and rays, by OpenGL and by Cairo; events flash, and all may report
+cat >eyes.json <<'END'
+{"name": "eyes", "title": "Sensors and rays", "view": [-6, -1, 6, 6], "attributes": {
+	"floor": {"box": [10, 0.5]}, "ball": {"circle": 0.5}, "zone": {"box": [1, 0.8], "radius": 0.2}},
+"bodies": [
+	{"type": "static", "attribute": "floor", "position": [0, -0.5]},
+	{"name": "ball", "attribute": "ball", "position": [-2, 3]},
+	{"type": "kinematic", "attribute": "zone", "sensor": 1, "position": [0, 3]}],
+"collidables": [{"attribute": "zone", "sensor": 1, "position": [-2, 1]}],
+"rays": [{"position": [3, 5], "count": 40, "length": 8}, {"from": "ball", "count": 9, "length": 2}],
+"keys": [{"key": "right", "body": "ball", "force": [20, 0]}]}
+END
+view 0 ./eyes.json <<'END'
+frames 20
+picture before.png
+frames 22
+picture window.png
+key 8
+key 9
+frames 1
+picture bare.png
+END
+if [ -x "$build/tests/difference" ]; then
+	for renderer in gl cairo; do
+		"$scree" run ./eyes.json --device cpu --steps 42 --size 800x600 --renderer $renderer --picture $renderer.png >out 2>err ||
+			fail "run --renderer $renderer of sensors"
+	done
+	within window.png gl.png 0.5 0.002 || fail "sensors and rays in window and picture are not alike"
+	within window.png cairo.png 1.0 0.01 || fail "sensors and rays of OpenGL and Cairo are not alike"
+	within window.png before.png 1.0 0.002 && fail "a sensor with something inside looks like an empty one"
+	within window.png bare.png 1.0 0.002 && fail "sensors and rays are not hidden"
+fi
+view 0 ./eyes.json <<'END'
+key u
+key i
+key 0
+key 8
+frames 1
+key e
+key 8
+frames 60
+print
+picture many.png
+hold right
+frames 40
+release right
+frames 1
+print
+END
+[ "$(nth rays 1)" = '49 of 49' ] || fail "not all rays are in view"
+[ "$(nth hash 2)" != "$("$scree" hash ./eyes.json --steps 102 --device cpu)" ] || fail "a key of the scene moves nothing"
+view 2 ./eyes.json <<<'hold up'
+says '"hold up" cannot be done'
+view 0 lidar --set robots=400 --set rays=50 <<'END'
+frames 3
+print
+key p
+END
+[ "$(nth rays 1 | cut -d ' ' -f 1)" -le 3000 ] || fail "too many rays for a software renderer"
+says 'of 20050'
+
+# narrow and flat windows: nothing but the size differs
+view 0 "${small[@]}" <<'END'
+cursor 400 342
+frames 2
+button down
+button up
+size 500 300
+frames 3
+key F1
+frames 3
+key w
+frames 1
+size 64 64
+frames 3
+print
+END
+says 'selected crate of body'
+rm -f scree-*
+
 # scenes, restart, devices: the bits stay
 view 0 "${small[@]}" <<'END'
 frames 20
@@ -198,7 +342,9 @@ printed()
 moved() { xdotool mousemove --window "$window" "$@"; }
 printed 1
 xdotool windowfocus "$window"
-moved 400 500 click 4 click 4 click 5 key space
+moved 400 500
+sleep 0.3 # the panel learns in the next frame that the cursor has left it
+xdotool click 4 click 4 click 5 key space
 printed 2
 xdotool key f key space
 moved 400 222 mousedown 1

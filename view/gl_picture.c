@@ -84,7 +84,7 @@ const scree_opengl* gl_picture_opengl(const GlPicture* picture)
 
 bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* world, char* sentence)
 {
-	if (!renderer_update_world(&picture->renderer, world))
+	if (!renderer_update_world(&picture->renderer, scene, world))
 	{
 		snprintf(sentence, SENTENCE, "out of memory for the picture");
 		return false;
@@ -96,6 +96,11 @@ bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* w
 	return true;
 }
 
+scree_status gl_picture_step(GlPicture* picture, const Style* style, double now)
+{
+	return renderer_step(&picture->renderer, &picture->camera, style, now);
+}
+
 scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char* caption)
 {
 	scree_status status = share_update(&picture->share);
@@ -103,7 +108,7 @@ scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char*
 		fprintf(stderr, "scree: the rows are copied: %s\n", picture->share.sentence);
 	*picture->share.sentence = 0;
 	if (status == SCREE_OK)
-		status = renderer_fetch(&picture->renderer, style);
+		status = renderer_fetch(&picture->renderer, &picture->camera, style);
 	if (status != SCREE_OK)
 		return status;
 	renderer_draw(&picture->renderer, &picture->share, &picture->camera, style);

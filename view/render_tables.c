@@ -143,13 +143,23 @@ bool render_tables_build(RenderTables* tables, scree_world* world)
 	tables->attribute_count = sprites.attribute_count;
 	tables->bodies = sprites.bodies;
 	tables->body_count = sprites.body_count;
-	good = good && fill_attributes(tables) && fill_kinds(tables, &sprites) && list_rows(tables);
+	good = good && fill_attributes(tables) && fill_kinds(tables, &sprites) && list_rows(tables) &&
+	       sensor_marks_list(&tables->sensors, &sprites);
 	free(sprites.list);
 	const float still[2] = {0};
 	const uint8_t none[1] = {255};
 	buffer_texture_fill(&tables->velocities, GL_RG32F, still, sizeof still);
 	buffer_texture_fill(&tables->graph, GL_R8UI, none, sizeof none);
+	buffer_texture_fill(&tables->marks, GL_R8UI, none, sizeof none);
+	if (good)
+		render_tables_update_sensors(tables);
 	return good;
+}
+
+void render_tables_update_sensors(RenderTables* tables)
+{
+	if (sensor_marks_update(&tables->sensors, tables->world))
+		buffer_texture_fill(&tables->marks, GL_R8UI, tables->sensors.marks, (size_t)tables->sensors.rows);
 }
 
 scree_status render_tables_update_bodies(RenderTables* tables)
@@ -217,6 +227,8 @@ void render_tables_close(RenderTables* tables)
 	buffer_texture_delete(&tables->kinds);
 	buffer_texture_delete(&tables->velocities);
 	buffer_texture_delete(&tables->graph);
+	buffer_texture_delete(&tables->marks);
+	sensor_marks_close(&tables->sensors);
 	free(tables->attributes);
 	free(tables->color_of);
 	free(tables->row_attributes);

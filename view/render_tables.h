@@ -4,6 +4,7 @@
 #define RENDER_TABLES_H
 #include "scene/scene.h"
 #include "scene/sprites.h"
+#include "view/sensor_marks.h"
 
 typedef struct // an OpenGL texture that a shader reads as an array
 {
@@ -22,7 +23,8 @@ typedef struct
 	int body_count;
 	int body_capacity; // one more than the highest index
 	scree_box box;     // around the bodies that move, m; for scenes without a view
-	BufferTexture attribute_texture, kinds, velocities, graph;
+	SensorMarks sensors;
+	BufferTexture attribute_texture, kinds, velocities, graph, marks;
 } RenderTables;
 
 // Reads a world; to be repeated after bodies were added or removed. False when memory is short; close the tables also then.
@@ -36,6 +38,9 @@ scree_status render_tables_update_velocities(RenderTables* tables);
 
 // Fills the table of graph colors with the lowest color of each body's contacts. False when memory is short.
 bool render_tables_update_graph(RenderTables* tables, const scree_contact* contacts, int count);
+
+// Fills the table of marks with what the sensors of the world see, if it has any.
+void render_tables_update_sensors(RenderTables* tables);
 
 // What a picture of the whole scene shows, m: the view of the scene file, else the bodies that move.
 scree_box render_tables_view(const RenderTables* tables, const Scene* scene);

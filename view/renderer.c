@@ -6,6 +6,7 @@
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
+#include "view/scan_lines.h"
 #include "view/shader.h"
 #include <epoxy/gl.h>
 #include <stdlib.h>
@@ -16,13 +17,14 @@ static bool pass_open(Pass* pass, const char* vertex, const char* fragment, char
 	pass->program = shader_link(glsl_row_glsl, vertex, fragment, sentence);
 	if (!pass->program)
 		return false;
-	const char* names[] = {"view", "scale", "paint", "least", "size", "line", "coarse"};
-	int* places[] = {&pass->view, &pass->scale, &pass->paint, &pass->least, &pass->size, &pass->line, &pass->coarse};
-	for (int k = 0; k < 7; ++k)
+	const char* names[] = {"view", "scale", "paint", "least", "size", "line", "coarse", "first", "marked", "sensors"};
+	int* places[] = {&pass->view, &pass->scale,  &pass->paint, &pass->least,  &pass->size,
+	                 &pass->line, &pass->coarse, &pass->first, &pass->marked, &pass->sensors};
+	for (int k = 0; k < 10; ++k)
 		*places[k] = glGetUniformLocation(pass->program, names[k]);
-	const char* samplers[] = {"table", "kinds", "velocities", "graph"};
+	const char* samplers[] = {"table", "kinds", "velocities", "graph", "marks"};
 	glUseProgram(pass->program);
-	for (int k = 0; k < 4; ++k)
+	for (int k = 0; k < 5; ++k)
 		glUniform1i(glGetUniformLocation(pass->program, samplers[k]), k);
 	float palette[GRAPH_COLORS][3];
 	for (int k = 0; k < GRAPH_COLORS; ++k)
@@ -47,7 +49,7 @@ bool renderer_open(Renderer* r, char* sentence)
 	            pass_open(&r->splat, glsl_splat_vert, glsl_splat_frag, sentence) &&
 	            pass_open(&r->box, glsl_box_vert, glsl_box_frag, sentence) &&
 	            pass_open(&r->velocity, glsl_velocity_vert, glsl_stroke_frag, sentence) &&
-	            strokes_open(&r->strokes, sentence);
+	            strokes_open(&r->strokes, sentence) && strokes_open(&r->under, sentence);
 	if (!good)
 		renderer_close(r);
 	return good;
@@ -61,6 +63,9 @@ void renderer_close(Renderer* r)
 	glDeleteVertexArrays(1, &r->one_each);
 	glDeleteVertexArrays(1, &r->four_each);
 	strokes_close(&r->strokes);
+	strokes_close(&r->under);
+	scan_close(&r->scan);
+	flashes_close(&r->flashes);
 	render_tables_close(&r->tables);
 	joint_lines_close(&r->joint_lines);
 	field_lines_close(&r->field_lines);
@@ -68,10 +73,13 @@ void renderer_close(Renderer* r)
 	*r = (Renderer){0};
 }
 
-bool renderer_update_world(Renderer* r, scree_world* world)
+bool renderer_update_world(Renderer* r, const Scene* scene, scree_world* world)
 {
 	r->contact_count = 0;
 	r->lod = (Lod){0};
+	scan_close(&r->scan);
+	if (scene && scene->fan_count > 0 && scan_open(&r->scan, scene, world) != SCREE_OK)
+		return false;
 	return render_tables_build(&r->tables, world) && joint_lines_build(&r->joint_lines, &r->tables);
 }
 
@@ -99,7 +107,7 @@ static scree_status fetch_joints(Renderer* r)
 	return status == SCREE_OK ? joint_lines_update(&r->joint_lines, &r->tables) : status;
 }
 
-scree_status renderer_fetch(Renderer* r, const Style* style)
+scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* style)
 {
 	scree_status status = SCREE_OK;
 	r->contact_count = 0;
@@ -114,7 +122,17 @@ scree_status renderer_fetch(Renderer* r, const Style* style)
 		status = fetch_joints(r);
 	if (status == SCREE_OK && style->layers[LAYER_fields])
 		status = field_lines_update(&r->field_lines, &r->tables);
+	if (status == SCREE_OK && style->layers[LAYER_rays] && r->scan.scene)
+		status = scan_lines_update(&r->scan, r->tables.world, camera, style->rays);
+	if (status == SCREE_OK && style->layers[LAYER_sensors])
+		render_tables_update_sensors(&r->tables);
 	return status;
+}
+
+scree_status renderer_step(Renderer* r, const Camera* camera, const Style* style, double now)
+{
+	r->tables.sensors.now = now;
+	return flashes_step(&r->flashes, &r->tables, camera, style, now);
 }
 
 // Binds the rows from first on, as vertices (divisor 0) or as instances (divisor 1).
@@ -134,7 +152,7 @@ static void bind_rows(unsigned vertices, const Share* share, int first, GLuint d
 	}
 }
 
-static void use_pass(const Pass* pass, const Camera* camera, const Style* style)
+static void use_pass(const Renderer* r, const Pass* pass, const Camera* camera, const Style* style)
 {
 	float line = 0.03f * camera->scale;
 	glUseProgram(pass->program);
@@ -144,6 +162,9 @@ static void use_pass(const Pass* pass, const Camera* camera, const Style* style)
 	glUniform1i(pass->paint, (int)style->paint);
 	glUniform1f(pass->least, style->detail);
 	glUniform1i(pass->coarse, style->detail > 1.0f);
+	glUniform1i(pass->first, 0);
+	glUniform1i(pass->marked, r->tables.sensors.rows);
+	glUniform1i(pass->sensors, style->layers[LAYER_sensors]);
 	glUniform2f(pass->size, (float)camera->width, (float)camera->height);
 	glUniform1f(pass->line, line < 0.7f ? 0.7f : line > 1.4f ? 1.4f : line);
 }
@@ -151,8 +172,8 @@ static void use_pass(const Pass* pass, const Camera* camera, const Style* style)
 static void bind_tables(const RenderTables* tables)
 {
 	const unsigned textures[] = {tables->attribute_texture.texture, tables->kinds.texture, tables->velocities.texture,
-	                             tables->graph.texture};
-	for (int k = 0; k < 4; ++k)
+	                             tables->graph.texture, tables->marks.texture};
+	for (int k = 0; k < 5; ++k)
 	{
 		glActiveTexture((GLenum)(GL_TEXTURE0 + k));
 		glBindTexture(GL_TEXTURE_BUFFER, textures[k]);
@@ -164,7 +185,7 @@ static void bind_tables(const RenderTables* tables)
 static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
 {
 	bind_rows(r->four_each, share, 0, 1);
-	use_pass(pass, camera, style);
+	use_pass(r, pass, camera, style);
 	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
 }
 
@@ -182,18 +203,22 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	glClearColor((float)background.r / 255.0f, (float)background.g / 255.0f, (float)background.b / 255.0f, 1.0f);
 	glClear(GL_COLOR_BUFFER_BIT);
 
+	if (style->layers[LAYER_rays])
+		scan_lines_mark(&r->scan, &r->under, &r->strokes, camera);
+	strokes_draw(&r->under, camera);
 	bind_tables(&r->tables);
 	lod_update(&r->lod, &r->tables, share->count, camera->scale, style->detail);
-	use_pass(&r->body, camera, style);
+	use_pass(r, &r->body, camera, style);
 	for (int k = 0; k < r->lod.shape_runs; ++k)
 	{
 		bind_rows(r->four_each, share, r->lod.shapes[k].first, 1);
+		glUniform1i(r->body.first, r->lod.shapes[k].first);
 		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, r->lod.shapes[k].count);
 	}
 	if (r->lod.splats)
 	{
 		bind_rows(r->one_each, share, 0, 0);
-		use_pass(&r->splat, camera, style);
+		use_pass(r, &r->splat, camera, style);
 		glDrawArrays(GL_POINTS, 0, share->count);
 	}
 	if (style->layers[LAYER_boxes])
@@ -204,6 +229,7 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 		field_lines_mark(&r->field_lines, &r->strokes);
 	if (style->layers[LAYER_joints])
 		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style->detail);
+	flashes_mark(&r->flashes, &r->strokes, camera, r->tables.sensors.now);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
 	strokes_draw(&r->strokes, camera);
 }

@@ -20,7 +20,8 @@ bool strokes_open(Strokes* strokes, char* sentence)
 	glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Stroke), (void*)offsetof(Stroke, a));
 	glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(Stroke), (void*)offsetof(Stroke, width));
 	glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Stroke), (void*)offsetof(Stroke, color));
-	for (GLuint k = 0; k < 3; ++k)
+	glVertexAttribPointer(3, 2, GL_UNSIGNED_BYTE, GL_FALSE, sizeof(Stroke), (void*)offsetof(Stroke, end));
+	for (GLuint k = 0; k < 4; ++k)
 	{
 		glEnableVertexAttribArray(k);
 		glVertexAttribDivisor(k, 1);
@@ -37,7 +38,7 @@ void strokes_close(Strokes* strokes)
 	*strokes = (Strokes){0};
 }
 
-void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity)
+static void add(Strokes* strokes, const Stroke* stroke)
 {
 	if (strokes->count == strokes->capacity)
 	{
@@ -48,7 +49,24 @@ void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color 
 		strokes->list = list;
 		strokes->capacity = capacity;
 	}
-	strokes->list[strokes->count++] = (Stroke){a, b, width, {color.r, color.g, color.b, (uint8_t)opacity}};
+	strokes->list[strokes->count++] = *stroke;
+}
+
+void strokes_fade(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int begin, int end)
+{
+	add(strokes, &(Stroke){a, b, width, {color.r, color.g, color.b, (uint8_t)begin}, (uint8_t)end, 0, {0}});
+}
+
+void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity)
+{
+	strokes_fade(strokes, a, b, width, color, opacity, opacity);
+}
+
+void strokes_ring(Strokes* strokes, scree_vec at, float diameter, float width, Color color, int opacity)
+{
+	uint8_t line = (uint8_t)(4.0f * width);
+	add(strokes,
+	    &(Stroke){at, at, diameter, {color.r, color.g, color.b, (uint8_t)opacity}, (uint8_t)opacity, line, {0}});
 }
 
 void strokes_draw(Strokes* strokes, const Camera* camera)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // style.c -- how bodies are colored and which layers are drawn over them.
 #include "view/style.h"
+#include "scene/scan_picture.h"
 #include "view/shader.h"
 #include <math.h>
 #include <stdio.h>
@@ -47,8 +48,10 @@ int find_name(const char* const* names, int count, const char* text, size_t leng
 
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence)
 {
-	char names[160];
-	*style = (Style){.detail = 1.0f, .layers[LAYER_joints] = !layers, .layers[LAYER_fields] = !layers};
+	char names[200];
+	*style = (Style){.detail = 1.0f, .rays = RAYS_DRAWN};
+	style->layers[LAYER_joints] = style->layers[LAYER_fields] = style->layers[LAYER_sensors] = !layers;
+	style->layers[LAYER_rays] = !layers;
 	int found = paint ? find_name(paint_names, PAINTS, paint, strlen(paint)) : PAINT_ATTRIBUTE;
 	if (found < 0)
 	{

@@ -38,9 +38,10 @@ typedef struct
 	bool graph; // contact points have the color of the solver's graph
 	float
 	    detail; // px: bodies of less reach are splats, shorter joints are left out; 1 is fine, 4 for a software renderer
+	int rays;   // of the scene, that are drawn at most
 } Style;
 
-// Reads the name of a paint and a list of layers with commas between them; null: the default, which shows the layer joints.
+// Reads the name of a paint and a list of layers with commas between them; null: the default, which shows joints, sensors and rays.
 // False writes a sentence (SENTENCE of shader.h) that begins with the option.
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence);
 

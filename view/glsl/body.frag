@@ -7,6 +7,8 @@ flat in int texel;
 flat in vec3 color;
 flat in float reach;
 flat in int hollow;
+flat in float tint;
+flat in float bold;
 in vec2 local;
 out vec4 pixel;
 
@@ -53,11 +55,11 @@ void main()
 		d = count == 2 ? segment_distance(local, vertex(0), vertex(1)) : hull_distance(local, count);
 	d -= radius;
 
-	float bold = max(2.0 * line, 1.5);
 	if (form == 2 || hollow == 1)
 	{
-		vec3 rim = hollow == 1 ? color : vec3(157, 154, 147) / 255.0;
-		pixel = vec4(rim, clamp(0.5 + 0.5 * bold - abs(d), 0.0, 1.0));
+		float wide = max(2.0 * line, 1.5) * bold;
+		vec3 edge = hollow == 1 ? color : vec3(157, 154, 147) / 255.0;
+		pixel = vec4(edge, max(clamp(0.5 + 0.5 * wide - abs(d), 0.0, 1.0), tint * clamp(0.5 - d, 0.0, 1.0)));
 		return;
 	}
 	float rim = clamp(d + line + 0.5, 0.0, 1.0);

@@ -5,6 +5,8 @@ flat out int texel; // first one of the attribute
 flat out vec3 color;
 flat out float reach; // px
 flat out int hollow;
+flat out float tint; // opacity of what is inside of a hollow shape
+flat out float bold; // its line is so many times as wide
 out vec2 local; // px, in the frame of the shape
 
 void main()
@@ -14,12 +16,22 @@ void main()
 	reach = sizes.z * scale;
 	color = base.rgb;
 	hollow = 0;
+	tint = 0.0;
+	bold = 1.0;
 	local = vec2(0.0);
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-	if (name.x < 0 || (reach < least && sizes.w > 0.0) || unseen(sizes.z))
+	int mark = mark_of(first + gl_InstanceID);
+	if (hidden(mark) || name.x < 0 || (reach < least && sizes.w > 0.0) || unseen(sizes.z))
 		return;
 	color = row_color(base.rgb);
-	hollow = int(name.y < 0);
+	hollow = int(name.y < 0 || mark != 0);
+	if (mark != 0)
+	{
+		float flash = float(mark >> 2) / 63.0;
+		color = mix(sensor, vec3(0.95, 0.65, 0.10), flash);
+		tint = ((mark & 2) != 0 ? 0.22 : 0.0) + 0.3 * flash;
+		bold = 1.0 + 2.0 * flash;
+	}
 	vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
 	vec2 at = around.xy + corner * (around.zw + 2.0 / scale);
 	local = at * scale;

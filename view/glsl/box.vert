@@ -9,7 +9,7 @@ void main()
 	vec4 sizes = texelFetch(table, texel + 1);
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	edges = vec4(0.0);
-	if (name.x < 0 || sizes.z * scale < 2.0 || unseen(sizes.z))
+	if (hidden(mark_of(first + gl_InstanceID)) || name.x < 0 || sizes.z * scale < 2.0 || unseen(sizes.z))
 		return;
 	vec2 low = vec2(1.0e9), high = vec2(-1.0e9);
 	for (int k = 0; k < int(sizes.y); ++k)

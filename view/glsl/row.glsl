@@ -7,18 +7,27 @@ uniform vec4 view;   // middle of the picture (m), clip units a metre
 uniform float scale; // px a metre
 uniform int paint;   // PAINT_* of renderer.h
 uniform vec3 palette[64]; // of graph colors
+uniform int first;        // row that is drawn first
+uniform int marked;       // rows that have a mark
 
 uniform samplerBuffer table;      // attributes, 7 texels each
 uniform usamplerBuffer kinds;     // of bodies
 uniform usamplerBuffer graph;     // lowest color of a body's contacts, 255 for none
 uniform samplerBuffer velocities; // of bodies, m/s
+uniform usamplerBuffer marks;     // of rows: bits of sensor_marks.h
+uniform int sensors;              // whether they are shown
 
 const vec3 stone = vec3(196, 192, 184) / 255.0;
 const vec3 glass = vec3(67, 93, 134) / 255.0;
+const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
 vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
 bool moves() { return name.y >= 0 && texelFetch(kinds, name.y).x == 2u; }
+
+// The mark of a row, 0 where it is no sensor.
+int mark_of(int row) { return row < marked ? int(texelFetch(marks, row).x) : 0; }
+bool hidden(int mark) { return mark != 0 && sensors == 0; }
 
 // Whether a shape of this reach (m) lies outside the picture.
 bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + reach * view.zw)); }

@@ -15,7 +15,7 @@ void main()
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	color = vec3(0.0);
 	square = vec3(0.0);
-	if (name.x < 0 || sizes.z * scale >= least || side == 0.0)
+	if (mark_of(first + gl_VertexID) != 0 || name.x < 0 || sizes.z * scale >= least || side == 0.0)
 		return;
 	vec2 at = clip_of(pose.xy + turned(around.xy));
 	gl_Position = vec4(at, 0.0, 1.0);

@@ -1,11 +1,15 @@
 // stroke.frag -- a stroke by the distance from its middle line.
 flat in vec2 stroke;
+flat in float ring; // px: half the width of a ring's line, 0: filled
 flat in vec4 color;
+flat in float fade;
 in vec2 local;
 out vec4 pixel;
 
 void main()
 {
 	float d = length(vec2(max(abs(local.x) - stroke.x, 0.0), local.y)) - stroke.y;
-	pixel = vec4(color.rgb, color.a * clamp(0.5 - d, 0.0, 1.0));
+	float share = stroke.x > 0.0 ? clamp(0.5 + 0.5 * local.x / stroke.x, 0.0, 1.0) : 0.0;
+	d = ring > 0.0 ? abs(d) - ring : d;
+	pixel = vec4(color.rgb, mix(color.a, fade, share) * clamp(0.5 - d, 0.0, 1.0));
 }

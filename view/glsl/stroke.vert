@@ -1,13 +1,16 @@
-// stroke.vert -- a line of any width with round ends; of no length, a dot.
+// stroke.vert -- a line of any width with round ends; of no length, a dot or a ring.
 layout(location = 0) in vec4 ends;  // m
 layout(location = 1) in float wide; // px
 layout(location = 2) in vec4 tint;
+layout(location = 3) in vec2 extra; // opacity at the end, 0 to 255; width of a ring's line in quarters of a pixel
 
 uniform vec4 view;   // middle of the picture (m), clip units a metre
 uniform float scale; // px a metre
 
 flat out vec2 stroke;
+flat out float ring;
 flat out vec4 color;
+flat out float fade; // opacity at the end
 out vec2 local;
 
 void main()
@@ -17,8 +20,10 @@ void main()
 	vec2 unit = stretch > 0.0 ? along / stretch : vec2(1.0, 0.0);
 	vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
 	stroke = vec2(0.5 * stretch, 0.5 * wide);
+	ring = 0.125 * extra.y;
 	color = tint;
-	local = corner * vec2(0.5 * (stretch + wide) + 1.0, 0.5 * wide + 1.0);
+	fade = extra.x / 255.0;
+	local = corner * (vec2(0.5 * (stretch + wide), 0.5 * wide) + ring + 1.0);
 	vec2 at = 0.5 * (ends.xy + ends.zw) + (unit * local.x + vec2(-unit.y, unit.x) * local.y) / scale;
 	gl_Position = vec4((at - view.xy) * view.zw, 0.0, 1.0);
 }

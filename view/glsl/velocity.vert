@@ -1,13 +1,17 @@
 // velocity.vert -- a line from the center of mass to where it would be after 0.15 s.
 flat out vec2 stroke; // half a length, half a width, px
+flat out float ring;
 flat out vec4 color;
+flat out float fade;
 out vec2 local; // px, along the line from its middle and across
 
 void main()
 {
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	stroke = vec2(0.0);
+	ring = 0.0;
 	color = vec4(0.09, 0.35, 0.30, 0.9);
+	fade = color.a;
 	local = vec2(0.0);
 	if (name.x < 0 || name.y < 0)
 		return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // draw.c -- one frame of the window: the world, what the cursor holds, the panel.
 #include "view/window/draw.h"
+#include "scene/scan_picture.h"
 #include "view/window/export.h"
 #include "view/window/panel.h"
 #include "view/window/viewer.h"
@@ -8,8 +9,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define COARSE 4.0f // px: Style.detail where OpenGL runs on the CPU
-#define MANY   5000 // rows: from here on COARSE is used there
+#define FEW_RAYS 3000 // Style.rays where OpenGL runs on the CPU, which draws them in 25 ms
+#define COARSE   4.0f // px: Style.detail where OpenGL runs on the CPU
+#define MANY     5000 // rows: from here on COARSE is used there
 
 static const Color thread = {187, 53, 44};
 
@@ -27,9 +29,14 @@ void draw_frame(Viewer* v)
 {
 	if (!viewer_fetch(v, &v->style))
 		return;
+	bool over = v->hovers && v->pointed && !v->panning && !grab_holds(&v->grab) && !panel_wants_mouse();
+	if (!viewer_inspect(v, over))
+		return;
 	v->style.detail = v->renderer.software && v->share.count > MANY ? COARSE : 1.0f;
+	v->style.rays = v->renderer.software ? FEW_RAYS : RAYS_DRAWN;
 	export_video_frame(v);
 	draw_grab(v);
+	inspect_mark(&v->selected, v->session.world, &v->renderer.strokes, &v->camera);
 	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
 	panel_draw(v);
 	if (v->save_window)

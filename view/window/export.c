@@ -2,6 +2,7 @@
 // export.c -- the viewer's pictures and videos: drawn without the panel, or the window as it is.
 #include "view/window/export.h"
 #include "scene/caption.h"
+#include "scene/scan_picture.h"
 #include "view/window/viewer.h"
 
 static bool resize_capture(Viewer* v)
@@ -17,10 +18,17 @@ static void draw_picture(Viewer* v, const Style* style)
 	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, style, v->session.scene->title, caption);
 }
 
-bool export_picture(Viewer* v, const char* path)
+static Style fine_style(const Viewer* v)
 {
 	Style fine = v->style;
 	fine.detail = 1.0f;
+	fine.rays = RAYS_DRAWN;
+	return fine;
+}
+
+bool export_picture(Viewer* v, const char* path)
+{
+	Style fine = fine_style(v);
 	bool good = resize_capture(v);
 	if (good && !viewer_fetch(v, &fine))
 		return false;
@@ -58,8 +66,7 @@ void export_video_frame(Viewer* v)
 {
 	if (!v->capture.video.pipe || video_due(&v->capture.video, v->capture.seconds) == 0)
 		return;
-	Style fine = v->style;
-	fine.detail = 1.0f;
+	Style fine = fine_style(v);
 	bool same_size = capture_fits(&v->capture, v->camera.width, v->camera.height);
 	if (same_size)
 		draw_picture(v, &fine);

@@ -2,6 +2,7 @@
 // input.c -- what keys and mouse do, whether the events come from the window, the panel or a script.
 #include "view/window/input.h"
 #include "view/window/export.h"
+#include "view/window/reports.h"
 #include "view/window/viewer.h"
 #include <math.h>
 #include <string.h>
@@ -9,6 +10,7 @@
 #define ZOOM        1.15f          // a step of the wheel
 #define SLOWEST     (1.0f / 64.0f) // s of the world a second of the clock
 #define STILL       6              // frames: a cursor that did not move for a tenth of a second has no velocity
+#define CLICK       4.0f           // px: a button that moved less from down to up was a click
 #define THROWN_SIZE 28.0f          // px: bodies that the user throws in are visible at any scale
 
 // The index of the world's device in the list; the length of the list for "auto".
@@ -49,6 +51,29 @@ static void launch(Viewer* v)
 		viewer_update_world(v);
 }
 
+static void report_all(Viewer* v)
+{
+	bool good = reports_all(v->session.world) == SCREE_OK;
+	v->session.hashed = false;
+	viewer_show(v, good ? "all collidables report touches and hits; the hash changes, the motion does not"
+	                    : scree_error());
+}
+
+// Says why a layer of events stays empty.
+static void explain_layer(Viewer* v, Layer layer)
+{
+	int count = 1;
+	uint32_t bits = layer == LAYER_touches ? SCREE_REPORT_TOUCHES : layer == LAYER_hits ? SCREE_REPORT_HITS : 0;
+	if (!v->style.layers[layer])
+		return;
+	if (bits && reports_count(v->session.world, bits, &count) == SCREE_OK && count == 0)
+		viewer_show(v, "no collidable of this scene reports this: e lets all report, which changes the hash");
+	if (layer == LAYER_visits && v->renderer.tables.sensors.count == 0)
+		viewer_show(v, "this scene has no sensors");
+	if (layer == LAYER_rays && !v->renderer.scan.scene)
+		viewer_show(v, "this scene casts no rays");
+}
+
 static void show_hash(Viewer* v)
 {
 	char sentence[SENTENCE];
@@ -87,6 +112,9 @@ static bool session_action(Viewer* v, Action action)
 	case ACTION_launch:
 		launch(v);
 		return true;
+	case ACTION_report:
+		report_all(v);
+		return true;
 	default:
 		return false;
 	}
@@ -106,6 +134,7 @@ static bool style_action(Viewer* v, Action action)
 #define X(name, help)                                                   \
 	case ACTION_##name:                                                 \
 		v->style.layers[LAYER_##name] = !v->style.layers[LAYER_##name]; \
+		explain_layer(v, LAYER_##name);                                 \
 		return true;
 #include "view/layers.def"
 #undef X
@@ -138,10 +167,23 @@ static void window_action(Viewer* v, Action action)
 	case ACTION_keys:
 		v->keys = !v->keys;
 		break;
+	case ACTION_hover:
+		v->hovers = !v->hovers;
+		break;
 	default: // ACTION_quit
-		v->done = true;
+		v->done = !inspect_any(&v->selected);
+		v->selected = (Inspected){0};
 		break;
 	}
+}
+
+bool input_scene_key(Viewer* v, SceneKey key, bool down)
+{
+	uint32_t bit = 1u << key;
+	if (!(controls_keys(v->session.scene) & bit))
+		return false;
+	v->session.down = down ? v->session.down | bit : v->session.down & ~bit;
+	return true;
 }
 
 void input_action(Viewer* v, Action action)
@@ -156,6 +198,8 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 		camera_pan(&v->camera, x - v->x, y - v->y);
 	v->x = x;
 	v->y = y;
+	v->pointed = true;
+	v->pressed = v->pressed && hypotf(x - v->press_x, y - v->press_y) < CLICK;
 	v->still = 0;
 	grab_move(&v->grab, camera_point(&v->camera, x, y), seconds);
 }
@@ -165,8 +209,15 @@ void input_button(Viewer* v, bool right, bool down)
 	update_cursor(v);
 	RenderTables* tables = &v->renderer.tables;
 	v->panning = down && (right || render_tables_update_bodies(tables) != SCREE_OK || !grab_pick(&v->grab, tables));
-	if (!right && !down)
+	if (right)
+		return;
+	if (!down)
 		grab_release(&v->grab);
+	if (!down && v->pressed)
+		viewer_select(v);
+	v->pressed = down;
+	v->press_x = v->x;
+	v->press_y = v->y;
 }
 
 void input_wheel(Viewer* v, float steps) { camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps)); }

@@ -2,6 +2,7 @@
 // input.h -- what keys and mouse do, whether the events come from the window, the panel or a script.
 #ifndef INPUT_H
 #define INPUT_H
+#include "scene/controls.h"
 #include "view/window/state.h"
 
 typedef enum // a key's action
@@ -11,6 +12,9 @@ typedef enum // a key's action
 #undef X
 	ACTIONS,
 } Action;
+
+// A key that scenes may ask for goes down or up. False if the scene did not ask for it: the viewer may use it.
+bool input_scene_key(Viewer* viewer, SceneKey key, bool down);
 
 void input_action(Viewer* viewer, Action action);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // panel.cpp -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 extern "C" {
-#include "scene/viewport.h"
-#include "scene/caption.h"
 #include "view/window/input.h"
 #include "view/window/viewer.h"
 }
+#include "view/window/overlay.h"
 #include "view/window/panel.h"
+#include "view/window/sizes.h"
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -16,24 +16,7 @@ extern "C" {
 #include <imgui.h>
 #include <unistd.h>
 
-// Sizes are pixels at a font of 14 pixels; high-DPI displays scale them.
-static float scale = 1.0f;
-static float sized(float pixels) { return pixels * scale; }
-
-#define WIDTH   sized(300.0f)
-#define EDGE    sized(MARGIN)
-#define CAPTION sized(BAND)
-#define FIELD   sized(110.0f)
-#define COLUMN  sized(140.0f)
-
-static const struct
-{
-	const char *shown, *help;
-} keys[] = {
-#define X(name, key, shown, help) {shown, help},
-#include "view/window/keys.def"
-#undef X
-};
+float panel_scale = 1.0f;
 
 // tooltips of the layers, in their order
 static const char* const layer_helps[] = {
@@ -93,10 +76,10 @@ bool panel_open(GLFWwindow* window)
 	IMGUI_CHECKVERSION();
 	ImGui::CreateContext();
 	ImGui::GetIO().IniFilename = nullptr; // no file is written to the user's folder
-	scale = find_scale(window);
+	panel_scale = find_scale(window);
 	choose_font();
 	choose_colors();
-	ImGui::GetStyle().ScaleAllSizes(scale);
+	ImGui::GetStyle().ScaleAllSizes(panel_scale);
 	return ImGui_ImplGlfw_InitForOpenGL(window, false) && ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -226,51 +209,57 @@ static void draw_style(Viewer* v)
 	ImGui::PopID();
 	for (int k = 0; k < LAYERS; ++k)
 	{
-		if (k % 2 == 1)
-			ImGui::SameLine(COLUMN);
+		if (k % 3 > 0)
+			ImGui::SameLine(COLUMN * static_cast<float>(k % 3));
 		ImGui::Checkbox(layer_names[k], &v->style.layers[k]);
 		if (ImGui::IsItemHovered())
 			ImGui::SetTooltip("%s", layer_helps[k]);
 	}
-	if (LAYERS % 2 == 1)
-		ImGui::SameLine(COLUMN);
+	if (LAYERS % 3 > 0)
+		ImGui::SameLine(COLUMN * static_cast<float>(LAYERS % 3));
 	if (ImGui::Checkbox("graph colors", &v->style.graph) && v->style.graph)
 		v->style.layers[LAYER_contacts] = true;
 }
 
-static void draw_keys(const ImVec2& size)
+// How much of what the layers could show is drawn.
+static void draw_shares(const Viewer* v)
 {
-	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
-	ImGui::Begin("keys", nullptr,
-	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-	for (const auto& key : keys)
-	{
-		ImGui::Text("%s", key.shown);
-		ImGui::SameLine(sized(60.0f));
-		ImGui::Text("%s", key.help);
-	}
-	ImGui::Separator();
-	ImGui::Text("left button: drag a body, or the picture; right: the picture; wheel: zoom");
-	ImGui::End();
+	const Scan* scan = &v->renderer.scan;
+	const Flashes* flashes = &v->renderer.flashes;
+	if (v->style.layers[LAYER_rays] && scan->scene && scan->in_view > scan->count)
+		ImGui::Text("%d of %d rays in view are drawn", scan->count, scan->in_view);
+	else if (v->style.layers[LAYER_rays] && scan->scene)
+		ImGui::Text("rays in view: %d", scan->count);
+	if (flashes_shown(&v->style) && flashes->left_out > 0)
+		ImGui::Text("%d of %d events of the step are not drawn", flashes->left_out, flashes->seen);
+	else if (flashes_shown(&v->style))
+		ImGui::Text("events of the step in view: %d", flashes->seen);
 }
 
-// The caption band of the window: title or message on the left, time and counts on the right.
-static void draw_band(const Viewer* v, const ImVec2& size)
+// The panel at the left edge.
+static void draw_panel(Viewer* v, const ImVec2& size)
 {
-	char caption[256];
-	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
-	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - CAPTION));
-	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
-	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-	ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
-	ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.94f, 0.932f, 0.913f, 0.96f));
-	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
-	ImGui::PopStyleColor();
-	ImGui::PopStyleVar(2);
-	ImGui::SetCursorPos(ImVec2(EDGE, sized(10.0f)));
-	ImGui::Text("%s", *v->message ? v->message : v->session.scene->title);
-	ImGui::SetCursorPos(ImVec2(size.x - EDGE - ImGui::CalcTextSize(caption).x, sized(10.0f)));
-	ImGui::Text("%s", caption);
+	float width = WIDTH < size.x - 2.0f * EDGE ? WIDTH : size.x - 2.0f * EDGE;
+	ImGui::SetNextWindowPos(ImVec2(EDGE, EDGE));
+	ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+	ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, size.y - CAPTION - 2.0f * EDGE));
+	ImGui::Begin("panel", nullptr,
+	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+	if (overlay_is_narrow(size) && inspect_any(&v->selected))
+	{
+		overlay_numbers(&v->selected);
+		ImGui::Separator();
+	}
+	draw_scene(v);
+	ImGui::Separator();
+	draw_device(v);
+	ImGui::Separator();
+	draw_times(v);
+	ImGui::Separator();
+	draw_style(v);
+	draw_shares(v);
+	ImGui::Separator();
+	ImGui::TextDisabled("F1: keys and mouse; tab: without this panel");
 	ImGui::End();
 }
 
@@ -280,27 +269,9 @@ void panel_draw(Viewer* v)
 	ImGui_ImplGlfw_NewFrame();
 	ImGui::NewFrame();
 	ImVec2 size = ImGui::GetIO().DisplaySize;
-	draw_band(v, size);
-	if (v->panel)
-	{
-		ImGui::SetNextWindowPos(ImVec2(EDGE, EDGE));
-		ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
-		ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - CAPTION - 2.0f * EDGE));
-		ImGui::Begin("panel", nullptr,
-		             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
-		draw_scene(v);
-		ImGui::Separator();
-		draw_device(v);
-		ImGui::Separator();
-		draw_times(v);
-		ImGui::Separator();
-		draw_style(v);
-		ImGui::Separator();
-		ImGui::TextDisabled("F1: keys and mouse; tab: without this panel");
-		ImGui::End();
-	}
-	if (v->keys)
-		draw_keys(size);
+	overlay_draw(v, size);
+	if (v->panel && !(v->keys && overlay_is_narrow(size)))
+		draw_panel(v, size);
 	ImGui::Render();
 	ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

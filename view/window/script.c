@@ -52,16 +52,38 @@ static bool press_key(Viewer* v, const char* shown)
 	return false;
 }
 
+// A key that the scene asked for.
+static bool hold_key(Viewer* v, const char* name, bool down)
+{
+	for (int k = 0; k < SCENE_KEYS; ++k)
+		if (strcmp(scene_key_names[k], name) == 0)
+			return input_scene_key(v, (SceneKey)k, down);
+	return false;
+}
+
+static void print_inspected(const char* how, const Inspected* inspected)
+{
+	if (inspect_any(inspected))
+		printf(", %s %s%s", how, inspected->name, inspected->gone ? " (destroyed)" : "");
+}
+
 static void print_state(Viewer* v)
 {
 	char sentence[SENTENCE];
 	uint64_t hash = session_hash(&v->session, sentence) ? v->session.hash : 0;
 	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64
-	       ", middle %.3f %.3f, scale %.3f, %s, painted by %s, %s rows, %.2f ms a frame\n",
+	       ", middle %.3f %.3f, scale %.3f, %s, painted by %s, %s rows, %.2f ms a frame",
 	       v->session.scene->name, v->session.counters.steps, v->session.counters.bodies,
 	       v->session.paused ? "paused" : "running", hash, (double)v->camera.middle.x, (double)v->camera.middle.y,
 	       (double)v->camera.scale, grab_holds(&v->grab) ? "holding" : "free", paint_names[v->style.paint],
 	       scree_sharing_name(v->share.how), (double)v->frame_ms);
+	print_inspected("hovered", &v->hovered);
+	print_inspected("selected", &v->selected);
+	if (v->renderer.scan.scene)
+		printf(", rays %d of %d", v->renderer.scan.count, v->renderer.scan.in_view);
+	if (flashes_shown(&v->style))
+		printf(", events %d", v->renderer.flashes.seen);
+	printf("\n");
 	fflush(stdout); // the program that sends events waits for the line
 }
 
@@ -110,6 +132,10 @@ static bool run_line(Script* script, Viewer* v, const char* line)
 	}
 	else if (sscanf(line, "key %255s %c", word, &rest) == 1)
 		return press_key(v, word);
+	else if (sscanf(line, "hold %255s %c", word, &rest) == 1)
+		return hold_key(v, word, true);
+	else if (sscanf(line, "release %255s %c", word, &rest) == 1)
+		return hold_key(v, word, false);
 	else if (sscanf(line, "cursor %f %f %c", &x, &y, &rest) == 2 && isfinite(x) && isfinite(y))
 		input_cursor(v, x, y, 1.0 / 60.0);
 	else if (sscanf(line, "button %255s %c", word, &rest) == 1 &&

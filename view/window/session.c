@@ -3,6 +3,7 @@
 #include "view/window/session.h"
 #include "scene/build.h"
 #include "scene/churn.h"
+#include "scene/controls.h"
 #include "scene/find.h"
 #include "scene/load.h"
 #include "view/shader.h"
@@ -119,6 +120,7 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	session->world = world;
 	session->counters = counters;
 	session->accumulator = 0;
+	session->down = 0;
 	session->steps = 0;
 	session->hashed = false;
 	session->step = 0;
@@ -166,6 +168,7 @@ bool session_step(Session* session, char* sentence)
 {
 	scree_timings t;
 	if (scene_churn(session->scene, session->world, session->steps++) != SCREE_OK ||
+	    controls_apply(session->scene, session->world, session->down) != SCREE_OK ||
 	    scree_world_step(session->world, session->scene->dt, session->scene->substeps) != SCREE_OK ||
 	    scree_world_get_counters(session->world, &session->counters) != SCREE_OK ||
 	    scree_world_get_timings(session->world, &t) != SCREE_OK)

@@ -30,6 +30,7 @@ typedef struct
 	float rate;         // seconds of the world a second of the clock, at most 1
 	int64_t steps;      // of the world, so far
 	double accumulator; // s of the world that the steps are behind the clock
+	uint32_t down;      // keys that the scene asked for, and that the user holds down: bits by SceneKey
 	bool hashed;        // hash is of the current state
 	uint64_t hash;      // of the world
 	scree_counters counters;

@@ -7,6 +7,7 @@
 #include "view/share.h"
 #include "view/window/capture.h"
 #include "view/window/grab.h"
+#include "view/window/inspect.h"
 #include "view/window/session.h"
 
 typedef struct GLFWwindow GLFWwindow;
@@ -22,11 +23,18 @@ typedef struct
 	Style style;
 	Session session;
 	Grab grab;
+	Inspected hovered, selected;
+	bool hovers;  // the numbers of what is under the cursor are shown
+	bool pointed; // the cursor is over the window
+	bool pressed; // the left button is down, and the cursor is still where it went down
 	Capture capture;
 	float x, y;             // px: the cursor
+	float press_x, press_y; // px: where the left button went down
 	bool panning;           // the right button is down, or the left one beside all bodies
 	bool panel, keys;       // shown
 	bool save_window;       // after this frame is drawn
+	double look_time;       // s: when what is under the cursor may be looked for again
+	double read_time;       // s: when the numbers of what is selected may be read again
 	double cursor_time;     // s: when the cursor moved last
 	int still;              // frames since then
 	int next_device;        // index of the device that the key moves to; -1: the one after the world's

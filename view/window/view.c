@@ -27,7 +27,8 @@ void view_print_keys(FILE* file)
 #define X(name, key, shown, help) fprintf(file, "  %-8s%s\n", shown, help);
 #include "view/window/keys.def"
 #undef X
-	fprintf(file, "  left button: drag a body, or the picture; right button: the picture; wheel: zoom\n");
+	fprintf(file,
+	        "  left button: drag a body, or the picture; click: select; right button: the picture; wheel: zoom\n");
 }
 
 // Takes the steps that the clock asks for, or one a frame for a script. A failed step ends the viewer.
@@ -47,6 +48,11 @@ static void advance(Viewer* v, bool scripted, double seconds)
 		if (!session_step(session, sentence))
 		{
 			viewer_fail(v, sentence);
+			return;
+		}
+		if (renderer_step(&v->renderer, &v->camera, &v->style, (double)session->steps * dt) != SCREE_OK)
+		{
+			viewer_fail(v, scree_error());
 			return;
 		}
 		if (glfwGetTime() - begin > LONGEST)
@@ -101,7 +107,7 @@ static bool open_viewer(Loop* loop, char* sentence)
 	glfwGetFramebufferSize(v->window, &width, &height);
 	camera_resize(&v->camera, width, height);
 	v->grab.world = v->session.world;
-	v->panel = true;
+	v->panel = v->hovers = true;
 	v->next_device = -1;
 	v->x = 0.5f * (float)width;
 	v->y = 0.5f * (float)height;

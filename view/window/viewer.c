@@ -7,6 +7,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#define REST  9.0  // so many times as long as it took, what is under the cursor or was selected is not read again
+#define REACH 3.0f // px: so near to the cursor a shape is under it, so that segments can be pointed at
+
 void viewer_show(Viewer* v, const char* message)
 {
 	if (message != v->message)
@@ -23,7 +26,7 @@ void viewer_fail(Viewer* v, const char* sentence)
 
 bool viewer_update_world(Viewer* v)
 {
-	bool good = renderer_update_world(&v->renderer, v->session.world);
+	bool good = renderer_update_world(&v->renderer, v->session.scene, v->session.world);
 	if (!good)
 		viewer_fail(v, "the picture of the world cannot be made: memory is short, or its device failed");
 	return good;
@@ -37,10 +40,72 @@ bool viewer_fetch(Viewer* v, const Style* style)
 	if (status == SCREE_OK)
 		*v->share.sentence = 0;
 	if (status == SCREE_OK)
-		status = renderer_fetch(&v->renderer, style);
+		status = renderer_fetch(&v->renderer, &v->camera, style);
 	if (status != SCREE_OK)
 		viewer_fail(v, share_error(&v->share));
 	return status == SCREE_OK;
+}
+
+// What is under the cursor, within so many pixels.
+static scree_status find_under(Viewer* v, scree_collidable* found)
+{
+	return inspect_find(v->session.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
+}
+
+// The first query after a step computes boxes of all that moves, which for many bodies on a CPU takes as long as a step, and a
+// CPU looks at all contacts for those of one body. Each waits so long that it takes a tenth of the time.
+static void rest(double* next, double begin)
+{
+	double end = glfwGetTime();
+	*next = end + REST * (end - begin);
+}
+
+static scree_status look_under(Viewer* v)
+{
+	scree_collidable found;
+	double begin = glfwGetTime();
+	if (begin < v->look_time)
+		return SCREE_OK;
+	scree_status status = find_under(v, &found);
+	inspect_choose(&v->hovered, v->session.scene, v->session.world, found);
+	if (status == SCREE_OK)
+		status = inspect_read(&v->hovered, v->session.world);
+	rest(&v->look_time, begin);
+	return status;
+}
+
+static scree_status read_selected(Viewer* v)
+{
+	double begin = glfwGetTime();
+	if (begin < v->read_time)
+		return SCREE_OK;
+	scree_status status = inspect_read(&v->selected, v->session.world);
+	rest(&v->read_time, begin);
+	return status;
+}
+
+bool viewer_inspect(Viewer* v, bool over)
+{
+	scree_status status = SCREE_OK;
+	if (over)
+		status = look_under(v);
+	else
+		v->hovered = (Inspected){0};
+	if (status == SCREE_OK)
+		status = read_selected(v);
+	if (status != SCREE_OK)
+		viewer_fail(v, scree_error());
+	return status == SCREE_OK;
+}
+
+void viewer_select(Viewer* v)
+{
+	scree_collidable found;
+	if (find_under(v, &found) != SCREE_OK)
+		viewer_fail(v, scree_error());
+	else
+		inspect_choose(&v->selected, v->session.scene, v->session.world, found);
+	v->read_time = 0.0;
 }
 
 void viewer_fit(Viewer* v)
@@ -61,6 +126,7 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 		return false;
 	}
 	v->grab = (Grab){.world = v->session.world};
+	v->selected = v->hovered = (Inspected){0};
 	v->next_device = -1;
 	if (!viewer_update_world(v))
 		return false;

@@ -16,6 +16,12 @@ bool viewer_update_world(Viewer* viewer);
 // Reads everything that a style shows of the world as it is now. False ends the viewer: the world's device failed.
 bool viewer_fetch(Viewer* viewer, const Style* style);
 
+// Reads the numbers of what is under the cursor, if over is true, and of what was selected. False ends the viewer.
+bool viewer_inspect(Viewer* viewer, bool over);
+
+// Selects what is under the cursor; nothing ends the selection.
+void viewer_select(Viewer* viewer);
+
 // Shows the whole scene.
 void viewer_fit(Viewer* viewer);
 

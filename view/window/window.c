@@ -32,7 +32,16 @@ static void on_key(GLFWwindow* window, int key, int code, int event, int modifie
 #include "view/window/keys.def"
 #undef X
 	};
+	static const int scene_keys[SCENE_KEYS] = {
+#define X(name, glfw) GLFW_KEY_##glfw,
+#include "scene/scene_keys.def"
+#undef X
+	};
 	panel_key(window, key, code, event, modifiers);
+	for (int k = 0; k < SCENE_KEYS; ++k)
+		if (scene_keys[k] == key && (event == GLFW_RELEASE || !panel_wants_keys()) &&
+		    input_scene_key(viewer_of(window), (SceneKey)k, event != GLFW_RELEASE))
+			return;
 	if (event == GLFW_RELEASE || panel_wants_keys())
 		return;
 	for (int k = 0; k < ACTIONS; ++k)
@@ -57,6 +66,15 @@ static void on_cursor(GLFWwindow* window, double x, double y)
 		             now - v->cursor_time);
 	v->cursor_time = now;
 }
+
+// Keys that are let go in another window are not told.
+static void on_focus(GLFWwindow* window, int focused)
+{
+	if (!focused)
+		viewer_of(window)->session.down = 0;
+}
+
+static void on_enter(GLFWwindow* window, int inside) { viewer_of(window)->pointed = inside; }
 
 static void on_button(GLFWwindow* window, int button, int event, int modifiers)
 {
@@ -130,6 +148,8 @@ bool window_open(Viewer* v, char* sentence)
 	glfwSetKeyCallback(v->window, on_key);
 	glfwSetCharCallback(v->window, on_letter);
 	glfwSetCursorPosCallback(v->window, on_cursor);
+	glfwSetWindowFocusCallback(v->window, on_focus);
+	glfwSetCursorEnterCallback(v->window, on_enter);
 	glfwSetMouseButtonCallback(v->window, on_button);
 	glfwSetScrollCallback(v->window, on_wheel);
 	if (panel_open(v->window))

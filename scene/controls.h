@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// controls.h -- what bodies of a scene do while the user holds keys down in the viewer.
+#ifndef CONTROLS_H
+#define CONTROLS_H
+#include "scene/reader.h"
+#include "scene/scene.h"
+
+typedef enum
+{
+#define X(name, glfw) SCENE_KEY_##name,
+#include "scene/scene_keys.def"
+#undef X
+	SCENE_KEYS, // at most 32
+} SceneKey;
+
+extern const char* const scene_key_names[SCENE_KEYS];
+
+struct Control
+{
+	SceneKey key;
+	int block;        // position in Scene.blocks
+	int first, count; // bodies of the block
+	scree_vec force;  // N, at the center of mass, in each step that begins with the key down
+	float torque;     // N m
+	bool turns;       // the force turns with the body
+};
+
+// Reads the member "keys" of a scene whose blocks have been read.
+bool controls_read(Reader* reader, const json_t* root, Scene* scene);
+
+// The keys that a scene asks for: bit k for key k.
+uint32_t controls_keys(const Scene* scene);
+
+// Before a step: applies what the keys do that are down. The world must have been built by scene_build. What was destroyed since is
+// left alone.
+scree_status controls_apply(const Scene* scene, scree_world* world, uint32_t down);
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// scan.h -- casts the rays of a scene in its world, all of them after a step, or some for a picture.
+//
+// Rays change no bit of the world. Which rays there are depends on the poses of the bodies alone, so that the answers have the
+// same hash on every device.
+#ifndef SCAN_H
+#define SCAN_H
+#include "scene/fan.h"
+
+typedef struct
+{
+	const Scene* scene;
+	scree_body* bodies; // of the scene, in the order of the file; others may follow
+	int body_count;
+	scree_pose* poses; // of the bodies of one fan
+	scree_vec* ways;   // translations of the rays of all fans, in the frames of their bodies, m
+	scree_ray* rays;   // that are cast, fan by fan
+	scree_found* found;
+	int count, capacity; // rays
+	int* firsts;         // first ray of each fan in rays, and count behind the last
+	int in_view;         // rays among which these were chosen
+} Scan;
+
+// The world must have been built by scene_build. On failure the caller closes the scan also.
+scree_status scan_open(Scan* scan, const Scene* scene, scree_world* world);
+void scan_close(Scan* scan);
+
+// Lays the rays at the poses of the bodies: all rays, or with a box only those of bodies whose rays may meet it, and of them about
+// most or fewer, evenly chosen. A body that is farther out than SCREE_HUGE casts none.
+scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int most);
+
+// Casts them: one call for each fan of the scene.
+scree_status scan_cast(Scan* scan, scree_world* world);
+
+typedef struct // answers of many scans
+{
+	int64_t rays, hits;
+	uint64_t hash; // of all answers in their order; 0 before the first
+} ScanSum;
+
+void scan_add(const Scan* scan, ScanSum* sum);
+
+#endif

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// test_scan.c -- rays of scenes: where they begin and end, what they hit, which are drawn; the same answers on every device.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/scan.h"
+#include "scene_text.h"
+#include "small_scenes.h"
+#include "support.h"
+
+#define SCRATCH "test_scan_scratch.json"
+#define RAYS(bodies, rays) \
+	HEAD GOOD_ATTRIBUTES "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [" bodies "], \"rays\": [" rays "]}"
+
+typedef struct
+{
+	Scene* scene;
+	scree_world* world;
+	Scan scan;
+} Setting;
+
+static Setting open_setting(const char* text)
+{
+	char sentence[SCENE_SENTENCE] = "";
+	Setting s = {.scene = load_text(SCRATCH, text, NULL, 0, sentence)};
+	if (!s.scene)
+		fail_msg("%s", sentence);
+	scree_world_def def = s.scene->world;
+	def.device = "cpu";
+	def.threads = 1;
+	OK(scree_world_create(&def, &s.world));
+	OK(scene_build(s.scene, s.world));
+	OK(scan_open(&s.scan, s.scene, s.world));
+	return s;
+}
+
+static void close_setting(Setting* s)
+{
+	scan_close(&s->scan);
+	scree_world_destroy(s->world);
+	scene_free(s->scene);
+}
+
+static void ask(Setting* s, const scree_box* box, int most)
+{
+	OK(scan_aim(&s->scan, s->world, box, most));
+	OK(scan_cast(&s->scan, s->world));
+}
+
+// Three rays over a quarter of a circle point at -45, 0 and 45 degrees; four all around at 180, 270, 0 and 90.
+static void fans_are_even(void** state)
+{
+	(void)state;
+	const Fan quarter = {.count = 3, .spread = (float)(PI / 2)}, around = {.count = 4, .spread = (float)(2 * PI)},
+	          alone = {.count = 1, .angle = 0.5f, .spread = 1.0f};
+	for (int k = 0; k < 3; ++k)
+		NEAR(scree_rot_get_angle(fan_direction(&quarter, k)), (k - 1) * PI / 4, 1e-5);
+	NEAR(fan_direction(&around, 0).c, -1, 1e-5);
+	NEAR(fan_direction(&around, 1).s, -1, 1e-5);
+	NEAR(fan_direction(&around, 2).c, 1, 1e-5);
+	NEAR(fan_direction(&around, 3).s, 1, 1e-5);
+	NEAR(scree_rot_get_angle(fan_direction(&alone, 0)), 0.5, 1e-5);
+}
+
+// A circle of radius 1 at the origin, turned by a quarter, with its eye 0.5 m to its left; above it the side of a box at y = 4, below
+// it nothing within 6 m. It does not see itself.
+static void rays_begin_at_the_eye(void** state)
+{
+	(void)state;
+	Setting s = open_setting(RAYS("{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, 6]},"
+	                              "{\"name\": \"eye\", \"attribute\": \"a\", \"angle\": \"pi / 2\"}",
+	                              "{\"from\": \"eye\", \"position\": [0, 0.5], \"count\": 2, \"length\": 6}"));
+	ask(&s, NULL, 0);
+	assert_int_equal(s.scan.count, 2);
+	NEAR(s.scan.rays[0].origin.x, -0.5, 1e-6);
+	NEAR(s.scan.rays[0].translation.y, -6, 1e-5);
+	assert_false(s.scan.found[0].hit);
+	assert_true(s.scan.found[1].hit);
+	NEAR(s.scan.found[1].point.x, -0.5, 1e-5);
+	NEAR(s.scan.found[1].point.y, 4, 1e-5);
+	NEAR(s.scan.found[1].fraction, 4.0 / 6.0, 1e-5);
+
+	ScanSum sum = {0};
+	scan_add(&s.scan, &sum);
+	uint64_t once = sum.hash;
+	assert_true(sum.rays == 2 && sum.hits == 1 && once != 0);
+	scan_add(&s.scan, &sum);
+	assert_true(sum.rays == 4 && sum.hits == 2 && sum.hash != once);
+	close_setting(&s);
+}
+
+// Filters, kinds, radius: the nearest circle of those that a fan sees.
+static void fans_see_what_they_say(void** state)
+{
+	(void)state;
+	Setting s = open_setting(RAYS(
+	    "{\"type\": \"static\", \"attribute\": \"a\", \"position\": [10, 0]},"
+	    "{\"attribute\": \"a\", \"position\": [20, 0], \"category\": [3]},"
+	    "{\"type\": \"kinematic\", \"attribute\": \"a\", \"position\": [30, 0]},"
+	    "{\"attribute\": \"a\", \"position\": [40, 0], \"sensor\": 1}, {\"attribute\": \"a\", \"position\": [50, 1.5]}",
+	    "{\"count\": 1, \"length\": 100}, {\"count\": 1, \"length\": 100, \"mask\": [3]},"
+	    "{\"count\": 1, \"length\": 100, \"sees\": [\"kinematic\"]}, {\"count\": 1, \"length\": 100, \"sees\": "
+	    "[\"sensors\"]},"
+	    "{\"count\": 1, \"length\": 100, \"sees\": [\"free\"]},"
+	    "{\"count\": 1, \"position\": [45, 0], \"length\": 10, \"radius\": 1}"));
+	const float nearest[] = {9, 19, 29, 39};
+	ask(&s, NULL, 0);
+	assert_int_equal(s.scan.count, 6);
+	for (int k = 0; k < 4; ++k)
+		NEAR(s.scan.found[k].point.x, nearest[k], 1e-4);
+	assert_false(s.scan.found[4].hit);
+	assert_true(s.scan.found[5].hit);
+	close_setting(&s);
+}
+
+// 20 circles in a row, 10 m apart, with 64 rays of 4 m each.
+static void pictures_take_some_in_view(void** state)
+{
+	(void)state;
+	Setting s =
+	    open_setting(RAYS("{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 20}, "
+	                      "\"position\": [\"10 * i\", 0]}",
+	                      "{\"from\": \"eye\", \"count\": 64, \"length\": 4}"));
+	const scree_box all = {{-1000, -10}, {1000, 10}}, five = {{-3, -1}, {43, 1}}, none = {{5000, 0}, {5001, 1}};
+	ask(&s, NULL, 1);
+	assert_int_equal(s.scan.count, 20 * 64);
+	ask(&s, &all, 20 * 64);
+	assert_int_equal(s.scan.count, 20 * 64);
+	ask(&s, &five, 10000);
+	assert_int_equal(s.scan.count, 5 * 64);
+	ask(&s, &all, 200); // every eighth
+	assert_int_equal(s.scan.count, 160);
+	assert_int_equal(s.scan.in_view, 20 * 64);
+	ask(&s, &five, 200); // every second
+	assert_int_equal(s.scan.count, 160);
+	ask(&s, &all, 1);
+	assert_true(s.scan.count <= 1);
+	ask(&s, &none, 200);
+	assert_int_equal(s.scan.count, 0);
+	close_setting(&s);
+}
+
+// A body that leaves the space of queries casts no rays, and the others go on.
+static void far_bodies_cast_none(void** state)
+{
+	(void)state;
+	Setting s =
+	    open_setting(RAYS("{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, "
+	                      "\"position\": [\"99900 * i\", 0], \"velocity\": [300, 0]}",
+	                      "{\"from\": \"eye\", \"count\": 4, \"length\": 50}"));
+	ask(&s, NULL, 0);
+	assert_int_equal(s.scan.count, 8);
+	run_steps(s.world, 60);
+	ask(&s, NULL, 0);
+	assert_int_equal(s.scan.count, 4);
+	close_setting(&s);
+}
+
+// Bodies that a scene makes anew before every step cast like those before them.
+static void new_bodies_cast(void** state)
+{
+	(void)state;
+	Setting s = open_setting(RAYS("{\"attribute\": \"b\", \"position\": [0, 50]}, {\"name\": \"eye\", \"attribute\": "
+	                              "\"a\", \"repeat\": {\"index\": \"i\", "
+	                              "\"to\": 3}, \"position\": [\"10 * i\", 0], \"churn\": {\"replaced\": 2, "
+	                              "\"position\": [\"random(0, 100)\", -20]}}",
+	                              "{\"from\": \"eye\", \"count\": 5, \"length\": 100}"));
+	for (int step = 0; step < 4; ++step)
+	{
+		OK(scene_churn(s.scene, s.world, step));
+		run_steps(s.world, 1);
+		ask(&s, NULL, 0);
+		assert_int_equal(s.scan.count, 15);
+		for (int k = 0; k < 15; ++k)
+			assert_false(s.scan.found[k].inside); // nobody sees itself
+	}
+	close_setting(&s);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// every device
+// ---------------------------------------------------------------------------------------------------------------
+
+static Scan scan;
+static ScanSum sum;
+
+static void scan_before(scree_world* world, int step, const void* context)
+{
+	if (step == 0)
+	{
+		scan_close(&scan);
+		OK(scan_open(&scan, context, world));
+		sum = (ScanSum){0};
+	}
+	OK(scan_aim(&scan, world, NULL, 0));
+	OK(scan_cast(&scan, world));
+	scan_add(&scan, &sum);
+}
+
+// hash of the answers(device, lanes, threads) = hash of the answers(cpu, 1, 1), and rays leave the hash of the world as it is.
+static void answers_are_equal(void** state)
+{
+	(void)state;
+	static Way ways[MAX_WAYS];
+	static uint64_t hashes[240], plain[240];
+	int count = list_ways(ways);
+	Story story = small_scene("lidar");
+	story.steps = quick() ? 10 : 60;
+	tell(&story, &ways[0], plain, NULL);
+	story.act = scan_before;
+	ScanSum first = {0};
+	for (int k = 0; k < count; ++k)
+	{
+		if (!way_has_turn(ways, count, k, 0))
+			continue;
+		tell(&story, &ways[k], hashes, NULL);
+		first = k == 0 ? sum : first;
+		if (sum.hash != first.hash || sum.hits != first.hits)
+			fail_msg("%s: the answers have another hash than those of %s", ways[k].name, ways[0].name);
+		assert_memory_equal(hashes, plain, (size_t)story.steps * sizeof *hashes);
+	}
+	print_message("%d steps, %d rays each, %d hits: %016llx\n", story.steps, scan.count, (int)first.hits,
+	              (unsigned long long)first.hash);
+	assert_true(first.hits > 0 && first.hits < first.rays);
+	scan_close(&scan);
+	scene_free((Scene*)story.context);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(fans_are_even),          cmocka_unit_test(rays_begin_at_the_eye),
+	    cmocka_unit_test(fans_see_what_they_say), cmocka_unit_test(pictures_take_some_in_view),
+	    cmocka_unit_test(far_bodies_cast_none),   cmocka_unit_test(new_bodies_cast),
+	    cmocka_unit_test(answers_are_equal),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// outline.h -- the outline of a shape, as strokes.
+#ifndef OUTLINE_H
+#define OUTLINE_H
+#include "view/stroke.h"
+
+// Adds the outline of a placed shape; width in px.
+void outline_mark(Strokes* strokes, const scree_shape* shape, scree_pose pose, const Camera* camera, float width,
+                  Color color);
+
+#endif

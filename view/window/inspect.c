@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// inspect.c -- what lies under the cursor or was selected, in numbers.
+#include "view/window/inspect.h"
+#include "scene/attributes.h"
+#include "scene/block.h"
+#include "view/outline.h"
+#include <stdio.h>
+
+#define SHAPES 64   // of a body that get an outline
+#define WIDTH  3.0f // px: of the outline
+
+static const Color chosen = {28, 32, 40};
+
+static scree_status get_sensor(scree_world* world, scree_collidable collidable, bool* sensor)
+{
+	uint32_t sees = 0;
+	scree_status status = scree_collidable_get_sensor(world, collidable, &sees);
+	*sensor = sees != 0;
+	return status;
+}
+
+scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_collidable* found)
+{
+	scree_query_def def = scree_query_def_default();
+	def.kinds =
+	    SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS;
+	const scree_ray here = {.origin = at, .radius = radius};
+	scree_found_list list;
+	bool over = false; // a sensor
+	*found = SCREE_NULL_COLLIDABLE;
+	if (!(at.x >= -SCREE_HUGE && at.x <= SCREE_HUGE && at.y >= -SCREE_HUGE && at.y <= SCREE_HUGE))
+		return SCREE_OK;
+	scree_status status = scree_world_list_rays(world, &def, &here, 1, &list);
+	for (int k = 0; k < list.count && status == SCREE_OK; ++k)
+	{
+		scree_collidable one = list.found[k].collidable;
+		bool sensor;
+		status = get_sensor(world, one, &sensor);
+		bool first = scree_collidable_is_null(*found);
+		if (first || (over && !sensor) || (over == sensor && one.index > found->index))
+		{
+			*found = one;
+			over = sensor;
+		}
+	}
+	return status;
+}
+
+static bool same_attribute(const scree_attribute_def* a, const scree_attribute_def* b)
+{
+	bool same = a->shape.kind == b->shape.kind && a->shape.count == b->shape.count &&
+	            a->shape.radius == b->shape.radius && a->density == b->density && a->friction == b->friction &&
+	            a->restitution == b->restitution && a->rolling_resistance == b->rolling_resistance &&
+	            a->tangent_speed == b->tangent_speed;
+	for (int k = 0; same && k < a->shape.count; ++k)
+		same = a->shape.vertices[k].x == b->shape.vertices[k].x && a->shape.vertices[k].y == b->shape.vertices[k].y;
+	return same;
+}
+
+// The name of the collidable's attribute in the scene; empty for none.
+static const char* attribute_name(const Inspected* inspected, const Scene* scene, const scree_world* world)
+{
+	scree_attribute attribute;
+	scree_attribute_def def;
+	if (scree_collidable_get_attribute(world, inspected->collidable, &attribute) != SCREE_OK ||
+	    scree_attribute_get_def(world, attribute, &def) != SCREE_OK)
+		return "";
+	for (int k = 0; k < scene->attribute_count; ++k)
+		if (same_attribute(&scene->attributes[k].def, &def))
+			return scene->attributes[k].name;
+	return "";
+}
+
+// Bodies of a scene have the first indices, in the order of the file.
+static void find_name(Inspected* inspected, const Scene* scene, const scree_world* world)
+{
+	uint32_t index = inspected->body.index;
+	int64_t first = 1;
+	const char* kind = attribute_name(inspected, scene, world);
+	if (scree_body_is_null(inspected->body))
+		snprintf(inspected->name, sizeof inspected->name, "%s%scollidable %u", kind, *kind ? " of " : "",
+		         inspected->collidable.index);
+	else
+		snprintf(inspected->name, sizeof inspected->name, "%s%sbody %u", kind, *kind ? " of " : "", index);
+	for (int k = 0; k < scene->block_count && !scree_body_is_null(inspected->body); ++k)
+	{
+		const Block* block = &scene->blocks[k];
+		if (!block->bodies)
+			continue;
+		if (*block->name && index >= first && index < first + block->count)
+			snprintf(inspected->name, sizeof inspected->name, "%s %d", block->name, (int)(index - first));
+		first += block->count;
+	}
+}
+
+void inspect_choose(Inspected* inspected, const Scene* scene, const scree_world* world, scree_collidable collidable)
+{
+	*inspected = (Inspected){.collidable = collidable};
+	if (scree_collidable_is_null(collidable) ||
+	    scree_collidable_get_body(world, collidable, &inspected->body) != SCREE_OK)
+		return;
+	find_name(inspected, scene, world);
+}
+
+bool inspect_any(const Inspected* inspected) { return !scree_collidable_is_null(inspected->collidable); }
+
+static scree_status read_collidable(Inspected* i, scree_world* world)
+{
+	scree_attribute attribute;
+	scree_status status = scree_collidable_get_sensor(world, i->collidable, &i->sees);
+	if (status == SCREE_OK)
+		status = scree_collidable_get_reports(world, i->collidable, &i->reports);
+	if (status == SCREE_OK)
+		status = scree_collidable_get_filter(world, i->collidable, &i->filter);
+	if (status == SCREE_OK)
+		status = scree_collidable_get_attribute(world, i->collidable, &attribute);
+	if (status == SCREE_OK)
+		status = scree_attribute_get_def(world, attribute, &i->attribute);
+	if (status == SCREE_OK && i->sees)
+		status = scree_collidable_get_visits(world, i->collidable, NULL, 0, &i->visits);
+	if (status == SCREE_OK && scree_body_is_null(i->body))
+		status = scree_collidable_get_local_pose(world, i->collidable, &i->pose);
+	return status;
+}
+
+static scree_status read_body(Inspected* i, scree_world* world)
+{
+	i->enabled = scree_body_is_enabled(world, i->body);
+	scree_status status = scree_body_get_type(world, i->body, &i->type);
+	if (status == SCREE_OK)
+		status = scree_body_get_pose(world, i->body, &i->pose);
+	if (status == SCREE_OK)
+		status = scree_body_get_velocity(world, i->body, &i->velocity);
+	if (status == SCREE_OK)
+		status = scree_body_get_mass(world, i->body, &i->mass);
+	if (status == SCREE_OK)
+		status = scree_body_get_contacts(world, i->body, NULL, 0, &i->contacts);
+	if (status == SCREE_OK)
+		status = scree_body_get_collidables(world, i->body, NULL, 0, &i->shapes);
+	return status;
+}
+
+scree_status inspect_read(Inspected* i, scree_world* world)
+{
+	if (!inspect_any(i) || i->gone)
+		return SCREE_OK;
+	i->gone = !scree_collidable_is_valid(world, i->collidable);
+	if (i->gone)
+		return SCREE_OK;
+	scree_status status = read_collidable(i, world);
+	return status == SCREE_OK && !scree_body_is_null(i->body) ? read_body(i, world) : status;
+}
+
+static scree_pose join(scree_pose body, scree_pose own)
+{
+	scree_rot q = body.rotation, p = own.rotation;
+	return (scree_pose){{body.position.x + q.c * own.position.x - q.s * own.position.y,
+	                     body.position.y + q.s * own.position.x + q.c * own.position.y},
+	                    {q.c * p.c - q.s * p.s, q.s * p.c + q.c * p.s}};
+}
+
+void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strokes, const Camera* camera)
+{
+	scree_collidable list[SHAPES] = {inspected->collidable};
+	int count = 1;
+	scree_pose placed;
+	bool body = !scree_body_is_null(inspected->body);
+	if (!inspect_any(inspected) || inspected->gone ||
+	    (body && scree_body_get_pose(world, inspected->body, &placed) != SCREE_OK) ||
+	    (body && scree_body_get_collidables(world, inspected->body, list, SHAPES, &count) != SCREE_OK))
+		return;
+	for (int k = 0; k < count && k < SHAPES; ++k)
+	{
+		scree_attribute attribute;
+		scree_attribute_def def;
+		scree_pose pose;
+		if (scree_collidable_get_attribute(world, list[k], &attribute) == SCREE_OK &&
+		    scree_attribute_get_def(world, attribute, &def) == SCREE_OK &&
+		    scree_collidable_get_local_pose(world, list[k], &pose) == SCREE_OK)
+			outline_mark(strokes, &def.shape, body ? join(placed, pose) : pose, camera, WIDTH, chosen);
+	}
+}

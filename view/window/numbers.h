@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// numbers.h -- the numbers of a body as lines of text, for the panel.
+#ifndef NUMBERS_H
+#define NUMBERS_H
+#include "view/window/inspect.h"
+
+#define NUMBER_LINES 16
+#define NUMBER_TEXT  96
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct
+{
+	char list[NUMBER_LINES][NUMBER_TEXT];
+	int count;
+} Numbers;
+
+// The name first. Of what is gone the sentence that says so.
+void numbers_write(const Inspected* inspected, Numbers* numbers);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// overlay.cpp -- what the window shows beside the panel: the band with the caption, the list of keys, numbers of bodies; in C++.
+extern "C" {
+#include "scene/block.h"
+#include "scene/caption.h"
+#include "scene/controls.h"
+#include "view/window/numbers.h"
+#include "view/window/state.h"
+}
+#include "view/window/overlay.h"
+#include "view/window/sizes.h"
+#include <cstring>
+
+static const struct
+{
+	const char *shown, *help;
+} keys[] = {
+#define X(name, key, shown, help) {shown, help},
+#include "view/window/keys.def"
+#undef X
+};
+
+bool overlay_is_narrow(const ImVec2& size) { return size.x < NARROW; }
+
+void overlay_numbers(const Inspected* inspected)
+{
+	Numbers numbers;
+	numbers_write(inspected, &numbers);
+	for (int k = 0; k < numbers.count; ++k)
+		if (k == 0)
+			ImGui::TextColored(ImGui::GetStyle().Colors[ImGuiCol_CheckMark], "%s", numbers.list[k]);
+		else
+			ImGui::Text("%s", numbers.list[k]);
+}
+
+// Beside the cursor, on its right if there is room.
+static void draw_hovered(const Viewer* v, const ImVec2& size)
+{
+	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
+	float x = v->x / (factor.x > 0.0f ? factor.x : 1.0f), y = v->y / (factor.y > 0.0f ? factor.y : 1.0f);
+	bool left = x > size.x - ROOM, above = y > 0.5f * size.y;
+	ImGui::SetNextWindowPos(ImVec2(left ? x - EDGE : x + 1.5f * EDGE, above ? y - EDGE : y + 1.5f * EDGE),
+	                        ImGuiCond_Always, ImVec2(left ? 1.0f : 0.0f, above ? 1.0f : 0.0f));
+	ImGui::SetNextWindowBgAlpha(0.9f);
+	ImGui::Begin("hovered", nullptr,
+	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
+	                 ImGuiWindowFlags_NoFocusOnAppearing);
+	overlay_numbers(&v->hovered);
+	ImGui::End();
+}
+
+static void draw_selected(const Viewer* v, const ImVec2& size)
+{
+	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::SetNextWindowSize(ImVec2(WIDTH, 0.0f));
+	ImGui::SetNextWindowSizeConstraints(ImVec2(WIDTH, 0.0f), ImVec2(WIDTH, size.y - CAPTION - 2.0f * EDGE));
+	ImGui::Begin("selected", nullptr,
+	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+	                 ImGuiWindowFlags_NoFocusOnAppearing);
+	overlay_numbers(&v->selected);
+	ImGui::End();
+}
+
+static void draw_keys(const Viewer* v, const ImVec2& size)
+{
+	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+	ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(size.x - 2.0f * EDGE, size.y - CAPTION - 2.0f * EDGE));
+	ImGui::Begin("keys", nullptr,
+	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+	                 ImGuiWindowFlags_AlwaysAutoResize);
+	for (const auto& key : keys)
+	{
+		ImGui::Text("%s", key.shown);
+		ImGui::SameLine(sized(60.0f));
+		ImGui::Text("%s", key.help);
+	}
+	ImGui::Separator();
+	for (int k = 0; k < v->session.scene->control_count; ++k)
+	{
+		const Control* control = &v->session.scene->controls[k];
+		ImGui::Text("%s", scene_key_names[control->key]);
+		ImGui::SameLine(sized(60.0f));
+		ImGui::Text("of the scene: pushes %s", v->session.scene->blocks[control->block].name);
+	}
+	if (v->session.scene->control_count > 0)
+		ImGui::Separator();
+	ImGui::Text("left button: drag a body, or the picture; click: select;");
+	ImGui::Text("right button: the picture; wheel: zoom");
+	ImGui::End();
+}
+
+// Cuts a text to a width, with dots at its end.
+static void shorten(char* text, float room)
+{
+	size_t length = strlen(text);
+	while (length > 3 && ImGui::CalcTextSize(text).x > room)
+	{
+		--length;
+		strcpy(text + length - 3, "...");
+	}
+}
+
+// The caption band of the window: title or message on the left, time and counts on the right.
+static void draw_band(const Viewer* v, const ImVec2& size)
+{
+	char caption[256];
+	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
+	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - CAPTION));
+	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
+	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+	ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+	ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.94f, 0.932f, 0.913f, 0.96f));
+	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
+	ImGui::PopStyleColor();
+	ImGui::PopStyleVar(2);
+	char text[SENTENCE];
+	float counts = ImGui::CalcTextSize(caption).x, room = size.x - counts - 4.0f * EDGE;
+	bool both = room >= 0.4f * size.x; // else a message, or the counts, alone
+	snprintf(text, sizeof text, "%s", *v->message ? v->message : v->session.scene->title);
+	shorten(text, both ? room : size.x - 2.0f * EDGE);
+	if (both || *v->message)
+	{
+		ImGui::SetCursorPos(ImVec2(EDGE, sized(10.0f)));
+		ImGui::Text("%s", text);
+	}
+	if (both || !*v->message)
+	{
+		shorten(caption, size.x - 2.0f * EDGE);
+		ImGui::SetCursorPos(ImVec2(size.x - EDGE - ImGui::CalcTextSize(caption).x, sized(10.0f)));
+		ImGui::Text("%s", caption);
+	}
+	ImGui::End();
+}
+
+void overlay_draw(const Viewer* v, const ImVec2& size)
+{
+	draw_band(v, size);
+	if (v->keys)
+		draw_keys(v, size);
+	else if (inspect_any(&v->selected) && !(overlay_is_narrow(size) && v->panel))
+		draw_selected(v, size);
+	if (inspect_any(&v->hovered))
+		draw_hovered(v, size);
+}

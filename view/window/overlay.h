@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// overlay.h -- what the window shows beside the panel: the band with the caption, the list of keys, numbers of bodies; in C++.
+#ifndef OVERLAY_H
+#define OVERLAY_H
+#include "view/window/inspect.h"
+#include "view/window/state.h"
+#include <imgui.h>
+
+// Draws all of it in a window of this size.
+void overlay_draw(const Viewer* viewer, const ImVec2& size);
+
+// Writes the numbers of a body into the present ImGui window.
+void overlay_numbers(const Inspected* inspected);
+
+// Whether there is no room for two panels side by side.
+bool overlay_is_narrow(const ImVec2& size);
+
+#endif
