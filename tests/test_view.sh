@@ -363,6 +363,37 @@ wait $viewer || fail "events: exit code $?"
 	fail "events: the hand has moved nothing"
 [ "$(nth middle 5)" != "$(nth middle 4)" ] || fail "events: the picture does not follow the mouse"
 
+# a click of the display selects, Escape forgets, and keys that the scene asked for push while they are down
+cat >script <<'END'
+frames 2
+print
+await selected
+print
+await unselected
+await pushing
+frames 20
+print
+await pushed
+print
+END
+timeout 120 "$scree" view ./eyes.json --device cpu --size 800x600 --script script >out 2>err &
+viewer=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+printed 1
+xdotool windowfocus "$window"
+moved 400 500 # the floor
+sleep 0.3
+xdotool click 1
+printed 2
+xdotool key Escape keydown Right
+printed 3
+xdotool keyup Right
+wait $viewer || fail "keys: exit code $?"
+[ "$(nth selected 2)" = 'floor of body 1' ] || fail "keys: a click selects something else"
+sed -n 3p out | grep -q selected && fail "keys: Escape does not forget"
+[ "$(wc -l <out)" = 4 ] || fail "keys: a key that was let go still pushes"
+[ "$(nth hash 3)" != "$("$scree" hash ./eyes.json --steps "$(nth steps 3)" --device cpu)" ] || fail "keys: nothing was pushed"
+
 # the panel: a parameter and a paint of one name are two
 cat >script <<'END'
 frames 5
