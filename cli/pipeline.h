@@ -4,6 +4,7 @@
 #define PIPELINE_H
 #include "options.h"
 #include "scene/scan.h"
+#include "scene/walk.h"
 
 typedef struct Simulation Simulation;
 
@@ -34,6 +35,7 @@ struct Simulation
 	void* state;              // of the pipeline
 	const Scene* scene;
 	Scan scan;        // of the rays of the scene
+	Walkers walkers;  // its characters
 	ScanSum answered; // by them so far
 };
 

@@ -34,6 +34,12 @@ static int paper_open(const Options* options, Simulation* simulation)
 		fprintf(stderr, "scree: %s has joints, which the pipeline paper does not know\n", simulation->scene->name);
 		return EXIT_BAD;
 	}
+	if (simulation->scene->character_count > 0)
+	{
+		fprintf(stderr, "scree: %s has characters, which need queries; the pipeline paper has none\n",
+		        simulation->scene->name);
+		return EXIT_BAD;
+	}
 	if (simulation->scene->fan_count > 0)
 	{
 		fprintf(stderr, "scree: %s casts rays, which the pipeline paper cannot\n", simulation->scene->name);

@@ -83,6 +83,8 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
 	printf("%-14s %016" PRIx64 "\n", "hash", hash);
+	if (simulation->scene->character_count > 0)
+		printf("%-14s %d bodies by characters\n", "taken", simulation->walkers.taken);
 	if (simulation->scene->fan_count == 0)
 		return;
 	const ScanSum* sum = &simulation->answered;

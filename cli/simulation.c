@@ -28,7 +28,8 @@ Scene* open_scene(const Options* options, const char* name)
 
 scree_status simulation_change(Simulation* simulation)
 {
-	return scene_churn(simulation->scene, simulation->world, simulation->steps);
+	scree_status status = scene_churn(simulation->scene, simulation->world, simulation->steps);
+	return status == SCREE_OK ? walk_step(&simulation->walkers, simulation->world, simulation->steps, 0) : status;
 }
 
 scree_status simulation_advance(Simulation* simulation)
@@ -94,6 +95,8 @@ int simulation_open(const Options* options, const Scene* scene, bool timings, Si
 		status = warm_up(options, simulation);
 	if (status == SCREE_OK && scene->fan_count > 0)
 		status = scan_open(&simulation->scan, scene, simulation->world);
+	if (status == SCREE_OK)
+		status = walk_open(&simulation->walkers, scene, simulation->world);
 	int code = status == SCREE_OK ? simulation->pipeline->open(options, simulation) : report(status);
 	if (code != EXIT_GOOD)
 		simulation_close(simulation);
@@ -104,6 +107,7 @@ void simulation_close(Simulation* simulation)
 {
 	simulation->pipeline->close(simulation);
 	scan_close(&simulation->scan);
+	walk_close(&simulation->walkers);
 	scree_world_destroy(simulation->world);
 	*simulation = (Simulation){0};
 }

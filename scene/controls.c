@@ -2,6 +2,7 @@
 // controls.c -- what bodies of a scene do while the user holds keys down in the viewer.
 #include "scene/controls.h"
 #include "scene/block.h"
+#include "scene/walk.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,7 @@ const char* const scene_key_names[SCENE_KEYS] = {
 static const char* const control_keys[] = {"key", "body", "index", "force", "torque", "turns", "description", NULL};
 static const Range any_push = {-1e15, 1e15, false, false};
 
-static bool read_key(Reader* reader, const Location* location, const json_t* value, SceneKey* key)
+bool scene_key_read(Reader* reader, const Location* location, const json_t* value, SceneKey* key)
 {
 	char known[160] = "must be one of";
 	for (int k = 0; k < SCENE_KEYS; ++k)
@@ -56,7 +57,7 @@ static bool read_control(Reader* reader, const Location* location, const json_t*
 {
 	double torque = 0;
 	if (!reader_object(reader, location, value, control_keys) ||
-	    !read_key(reader, KEY(location, "key"), json_object_get(value, "key"), &control->key) ||
+	    !scene_key_read(reader, KEY(location, "key"), json_object_get(value, "key"), &control->key) ||
 	    !read_bodies(reader, location, value, scene, control))
 		return false;
 	const json_t *force = json_object_get(value, "force"), *turning = json_object_get(value, "torque");
@@ -89,7 +90,7 @@ bool controls_read(Reader* reader, const json_t* root, Scene* scene)
 
 uint32_t controls_keys(const Scene* scene)
 {
-	uint32_t keys = 0;
+	uint32_t keys = walk_keys(scene);
 	for (int k = 0; k < scene->control_count; ++k)
 		keys |= 1u << scene->controls[k].key;
 	return keys;
@@ -110,7 +111,7 @@ static scree_status push(scree_world* world, const Control* control, scree_body 
 
 scree_status controls_apply(const Scene* scene, scree_world* world, uint32_t down)
 {
-	if ((down & controls_keys(scene)) == 0)
+	if (down == 0 || scene->control_count == 0)
 		return SCREE_OK;
 	int count = scene->body_count;
 	scree_body* bodies = malloc(((size_t)count + 1) * sizeof *bodies);

@@ -15,6 +15,9 @@ typedef enum
 
 extern const char* const scene_key_names[SCENE_KEYS];
 
+// Reads the name of a key.
+bool scene_key_read(Reader* reader, const Location* location, const json_t* value, SceneKey* key);
+
 struct Control
 {
 	SceneKey key;

@@ -2,6 +2,7 @@
 // load.c -- reads a scene file and checks all of it.
 #include "scene/load.h"
 #include "scene/attributes.h"
+#include "scene/character.h"
 #include "scene/controls.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
@@ -15,9 +16,9 @@
 #include <string.h>
 
 static const char* const scene_keys[] = {
-    "$schema",   "name",   "title",      "description", "seed",        "parameters", "constants",         "world",
-    "steps",     "view",   "attributes", "bodies",      "collidables", "joints",     "penetration_limit", "paths",
-    "materials", "fields", "blasts",     "rays",        "keys",        NULL};
+    "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world",     "steps",
+    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "materials", "fields",
+    "blasts",  "rays",       "keys",   "characters",  NULL};
 
 static const struct
 {
@@ -247,7 +248,7 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
 	    !paths_read(reader, root, scene) || !materials_read(reader, root, scene) || !read_joints(reader, root, scene) ||
 	    !fields_read(reader, root, scene) || !blasts_read(reader, root, scene) || !fans_read(reader, root, scene) ||
-	    !controls_read(reader, root, scene))
+	    !controls_read(reader, root, scene) || !characters_read(reader, root, scene))
 		return false;
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
@@ -310,6 +311,7 @@ void scene_free(Scene* scene)
 	free(scene->joint_blocks);
 	free(scene->fans);
 	free(scene->controls);
+	characters_free(scene);
 	paths_free(scene);
 	free(scene->materials);
 	free(scene->fields);

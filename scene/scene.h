@@ -16,8 +16,9 @@ typedef struct ScenePath ScenePath;           // scene/paths.h
 typedef struct SceneMaterials SceneMaterials; // scene/materials.h
 typedef struct SceneField SceneField;         // scene/fields.h
 typedef struct SceneBlast SceneBlast;
-typedef struct Fan Fan;         // scene/fan.h
-typedef struct Control Control; // scene/controls.h
+typedef struct Fan Fan;             // scene/fan.h
+typedef struct Control Control;     // scene/controls.h
+typedef struct Character Character; // scene/character.h
 
 typedef struct
 {
@@ -49,6 +50,8 @@ typedef struct
 	int joint_block_count;
 	Control* controls;
 	int control_count;
+	Character* characters;
+	int character_count;
 	Fan* fans;
 	int fan_count, ray_count; // rays after each step, of all bodies
 } Scene;

@@ -6,6 +6,7 @@
 #include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "scene/walk.h"
 #include "support.h"
 #include <stdlib.h>
 #include <string.h>
@@ -33,6 +34,7 @@ static const SmallScene small_scenes[] = {
     {"machine", 240, {{"columns", "3"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
+    {"platformer", 400, {{NULL, NULL}}},
     {"pond", 200, {{"boats", "3"}, {"balls", "36"}, {"crates", "12"}, {"fish", "75"}, {"stones", "100"}}},
     {"pyramid", 120, {{"rows", "24"}}},
     {"pyramids", 120, {{"columns", "4"}, {"rows", "3"}, {"base", "7"}}},
@@ -49,9 +51,17 @@ static const SmallScene small_scenes[] = {
 
 static inline void build_scene(scree_world* world, const void* context) { OK(scene_build(context, world)); }
 
+static Walkers small_walkers; // the characters of the run
+
 static inline void churn_scene(scree_world* world, int step, const void* context)
 {
+	if (step == 0)
+	{
+		walk_close(&small_walkers);
+		OK(walk_open(&small_walkers, context, world));
+	}
 	OK(scene_churn(context, world, step));
+	OK(walk_step(&small_walkers, world, step, 0));
 }
 
 // The story of a scene, which ends with scene_free of its context. A scene that has no size here fails the test.

@@ -161,6 +161,36 @@ static void test_bad_controls(void** state)
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
 
+#define HERO(text)                                                                                                \
+	HEAD GOOD_ATTRIBUTES                                                                                          \
+	    "\"bodies\": [{\"name\": \"wall\", \"attribute\": \"a\"}, {\"name\": \"none\", \"type\": \"kinematic\", " \
+	    "\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 0}}, {\"name\": \"hero\", \"type\": "       \
+	    "\"kinematic\", "                                                                                         \
+	    "\"attribute\": \"a\"}], \"characters\": " text "}"
+
+static void test_bad_characters(void** state)
+{
+	(void)state;
+	const BadScene cases[] = {
+	    {HERO("3"), "characters: 3 must be a list"},
+	    {HERO("[{\"speed\": 1}]"), "characters[0].body: is missing"},
+	    {HERO("[{\"body\": \"him\"}]"), "characters[0].body: \"him\" is not the name of bodies"},
+	    {HERO("[{\"body\": \"wall\"}]"), "characters[0].body: must be the name of kinematic bodies"},
+	    {HERO("[{\"body\": \"none\"}]"), "characters[0].body: has no bodies"},
+	    {HERO("[{\"body\": \"hero\", \"takes\": \"gold\"}]"), "characters[0].takes: \"gold\" is not the name"},
+	    {HERO("[{\"body\": \"hero\", \"radius\": 0}]"), "characters[0].radius: 0 must be positive"},
+	    {HERO("[{\"body\": \"hero\", \"slope\": 2}]"), "characters[0].slope: 2 must be at most 1.57"},
+	    {HERO("[{\"body\": \"hero\", \"hat\": 2}]"), "characters[0]"},
+	    {HERO("[{\"body\": \"hero\", \"script\": 2}]"), "characters[0].script: 2 must be a list"},
+	    {HERO("[{\"body\": \"hero\", \"script\": [{\"step\": 1}]}]"), "characters[0].script[0].hold: must be a list"},
+	    {HERO("[{\"body\": \"hero\", \"script\": [{\"step\": 1, \"hold\": [\"x\"]}]}]"),
+	     "characters[0].script[0].hold[0]: \"x\" must be one of left"},
+	    {HERO("[{\"body\": \"hero\", \"script\": [{\"step\": 5, \"hold\": []}, {\"step\": 5, \"hold\": []}]}]"),
+	     "characters[0].script[1].step: 5 must be at least 6"},
+	};
+	assert_refused(cases, sizeof cases / sizeof cases[0]);
+}
+
 static void test_bad_names(void** state)
 {
 	(void)state;
@@ -443,14 +473,15 @@ static void test_bad_fields(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_bad_syntax),      cmocka_unit_test(test_bad_keys),
-	    cmocka_unit_test(test_bad_references),  cmocka_unit_test(test_bad_names),
-	    cmocka_unit_test(test_bad_rays),        cmocka_unit_test(test_bad_controls),
-	    cmocka_unit_test(test_bad_joints),      cmocka_unit_test(test_bad_ends),
-	    cmocka_unit_test(test_bad_coordinates), cmocka_unit_test(test_bad_values),
-	    cmocka_unit_test(test_bad_attributes),  cmocka_unit_test(test_bad_parameters),
-	    cmocka_unit_test(test_bad_loops),       cmocka_unit_test(test_bad_couplings),
-	    cmocka_unit_test(test_bad_paths),       cmocka_unit_test(test_bad_fields),
+	    cmocka_unit_test(test_bad_syntax),     cmocka_unit_test(test_bad_keys),
+	    cmocka_unit_test(test_bad_characters), cmocka_unit_test(test_bad_references),
+	    cmocka_unit_test(test_bad_names),      cmocka_unit_test(test_bad_rays),
+	    cmocka_unit_test(test_bad_controls),   cmocka_unit_test(test_bad_joints),
+	    cmocka_unit_test(test_bad_ends),       cmocka_unit_test(test_bad_coordinates),
+	    cmocka_unit_test(test_bad_values),     cmocka_unit_test(test_bad_attributes),
+	    cmocka_unit_test(test_bad_parameters), cmocka_unit_test(test_bad_loops),
+	    cmocka_unit_test(test_bad_couplings),  cmocka_unit_test(test_bad_paths),
+	    cmocka_unit_test(test_bad_fields),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -98,6 +98,17 @@ static scree_vec ride(scree_pose from, scree_pose to, scree_vec point)
 	                   (to.position.y - from.position.y) + (turned.y - arm.y)};
 }
 
+// The tangent speed of the ground, m/s, clockwise around it.
+static float belt_speed(const scree_world* world, scree_collidable ground)
+{
+	scree_attribute attribute;
+	scree_attribute_def def;
+	if (!collidable_is_valid(world, ground) || scree_collidable_get_attribute(world, ground, &attribute) != SCREE_OK ||
+	    scree_attribute_get_def(world, attribute, &def) != SCREE_OK)
+		return 0.0f;
+	return def.tangent_speed;
+}
+
 // Where a walker begins, and what its way is. now: the pose of its ground.
 static void begin(const Walk* walk, const scree_mover* mover, scree_pose now, float dt, Walker* w)
 {
@@ -110,6 +121,8 @@ static void begin(const Walk* walk, const scree_mover* mover, scree_pose now, fl
 		scree_vec foot = add_scaled(w->at, -0.5f * walk->def->length - walk->def->radius, up);
 		w->carried = ride(mover->ground_pose, now, foot);
 	}
+	w->carried = add_scaled(w->carried, dt * belt_speed(walk->world, mover->ground),
+	                        (scree_vec){mover->normal.y, -mover->normal.x});
 	w->stood = collidable_is_valid(walk->world, mover->ground) && rise <= 0.0f;
 	// the ground is followed by snap
 	scree_vec velocity = w->stood ? add_scaled(mover->velocity, -rise, up) : mover->velocity;

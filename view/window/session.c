@@ -99,6 +99,7 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	char path[SCENE_PATH];
 	scree_world* world = NULL;
 	scree_counters counters;
+	Walkers walkers = {0};
 	if (name != session->name)
 		snprintf(session->name, sizeof session->name, "%s", name);
 	bool set = strcmp(session->name, session->options->scene) == 0;
@@ -106,16 +107,20 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	            (!fresh || read_parameters(session, path, set, sentence));
 	Scene* scene = good ? load(session, path, fresh, sentence) : NULL;
 	good = scene && build(session, scene, &world, sentence) &&
-	       (scree_world_get_counters(world, &counters) == SCREE_OK || failed(sentence));
+	       ((scree_world_get_counters(world, &counters) == SCREE_OK && walk_open(&walkers, scene, world) == SCREE_OK) ||
+	        failed(sentence));
 	if (!good)
 	{
+		walk_close(&walkers);
 		scree_world_destroy(world);
 		scene_free(scene);
 		*session = old;
 		return false;
 	}
+	walk_close(&session->walkers);
 	scene_free(session->scene);
 	scree_world_destroy(session->world);
+	session->walkers = walkers;
 	session->scene = scene;
 	session->world = world;
 	session->counters = counters;
@@ -143,6 +148,7 @@ bool session_open(Session* session, const ViewOptions* options, const scree_open
 
 void session_close(Session* session)
 {
+	walk_close(&session->walkers);
 	scree_world_destroy(session->world);
 	scene_free(session->scene);
 	for (int k = 0; k < session->scene_count; ++k)
@@ -167,7 +173,9 @@ static void smooth(float* shown, float now) { *shown = *shown == 0.0f ? now : *s
 bool session_step(Session* session, char* sentence)
 {
 	scree_timings t;
-	if (scene_churn(session->scene, session->world, session->steps++) != SCREE_OK ||
+	int64_t number = session->steps++;
+	if (scene_churn(session->scene, session->world, number) != SCREE_OK ||
+	    walk_step(&session->walkers, session->world, number, session->down) != SCREE_OK ||
 	    controls_apply(session->scene, session->world, session->down) != SCREE_OK ||
 	    scree_world_step(session->world, session->scene->dt, session->scene->substeps) != SCREE_OK ||
 	    scree_world_get_counters(session->world, &session->counters) != SCREE_OK ||

@@ -2,6 +2,7 @@
 // session.h -- the scene in the viewer: loaded, stepped, paused, moved to another device.
 #ifndef SESSION_H
 #define SESSION_H
+#include "scene/walk.h"
 #include "view/window/options.h"
 
 #define MAX_PARAMETERS 32
@@ -18,6 +19,7 @@ typedef struct
 	const scree_opengl* opengl; // that worlds may share with, or null
 	Scene* scene;
 	scree_world* world;
+	Walkers walkers;       // characters of the scene
 	char name[SCENE_PATH]; // of the scene
 	char** scenes;         // names of all
 	int scene_count;

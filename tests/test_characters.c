@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// test_characters.c -- characters of scenes: by keys, by a script, what they take, and the whole scene platformer.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/controls.h"
+#include "scene_text.h"
+#include "small_scenes.h"
+#include "support.h"
+
+#define SCRATCH "test_characters_scratch.json"
+#define TOWN(more)                                                                                                    \
+	"{\"name\": \"town\", \"title\": \"t\", \"world\": {\"gravity\": [0, -10]}, \"attributes\": {\"floor\": "         \
+	"{\"box\": [50, 1]}, "                                                                                            \
+	"\"belt\": {\"box\": [50, 1], \"tangent_speed\": 3}, \"hero\": {\"capsule\": [[0, -0.3], [0, 0.3]], \"radius\": " \
+	"0.3}, "                                                                                                          \
+	"\"coin\": {\"circle\": 0.2}}, \"bodies\": [{\"name\": \"hero\", \"type\": \"kinematic\", \"attribute\": "        \
+	"\"hero\", "                                                                                                      \
+	"\"position\": [0, 0.61]}, {\"name\": \"coin\", \"type\": \"static\", \"collidables\": [{\"attribute\": "         \
+	"\"coin\", "                                                                                                      \
+	"\"sensor\": 1}], \"repeat\": {\"index\": \"k\", \"to\": 3}, \"position\": [\"2 * k + 2\", 0.6]}, "               \
+	"{\"type\": \"static\", \"attribute\": \"floor\", \"position\": [0, -1]}, "                                       \
+	"{\"type\": \"static\", \"attribute\": \"belt\", \"position\": [0, 99]}], "                                       \
+	"\"characters\": [{\"body\": \"hero\", \"takes\": \"coin\", \"speed\": 4, \"jump\": 5" more "}]}"
+
+typedef struct
+{
+	Scene* scene;
+	scree_world* world;
+	Walkers walkers;
+	int step;
+} Town;
+
+static Town open_town(const char* text)
+{
+	char sentence[SCENE_SENTENCE] = "";
+	Town t = {.scene = load_text(SCRATCH, text, NULL, 0, sentence)};
+	if (!t.scene)
+		fail_msg("%s", sentence);
+	OK(scree_world_create(&t.scene->world, &t.world));
+	OK(scene_build(t.scene, t.world));
+	OK(walk_open(&t.walkers, t.scene, t.world));
+	return t;
+}
+
+static void close_town(Town* t)
+{
+	walk_close(&t->walkers);
+	scree_world_destroy(t->world);
+	scene_free(t->scene);
+}
+
+static scree_vec after(Town* t, int steps, uint32_t down)
+{
+	for (int k = 0; k < steps; ++k)
+	{
+		OK(walk_step(&t->walkers, t->world, t->step++, down));
+		OK(scree_world_step(t->world, t->scene->dt, t->scene->substeps));
+	}
+	scree_pose pose;
+	OK(scree_body_get_pose(t->world, t->walkers.bodies[0], &pose));
+	return pose.position;
+}
+
+#define KEY_BIT(name) (1u << SCENE_KEY_##name)
+
+static void keys_move_it(void** state)
+{
+	(void)state;
+	Town t = open_town(TOWN(""));
+	assert_int_equal(controls_keys(t.scene), KEY_BIT(left) | KEY_BIT(right) | KEY_BIT(up) | KEY_BIT(down));
+	scree_vec at = after(&t, 60, 0);
+	NEAR(at.x, 0.0, 1e-6);
+	NEAR(at.y, 0.61, 1e-3);
+	at = after(&t, 60, KEY_BIT(right));
+	NEAR(at.x, 4.0, 0.3);
+	assert_int_equal(t.walkers.taken, 2); // at 2 m and at 4
+	at = after(&t, 60, KEY_BIT(right));
+	NEAR(at.x, 8.0, 0.3);
+	assert_int_equal(t.walkers.taken, 3);
+	at = after(&t, 120, KEY_BIT(left));
+	NEAR(at.x, 0.4, 0.4);
+	assert_int_equal(t.walkers.taken, 3);
+
+	// a key that stays down jumps once
+	float highest = 0.0f;
+	for (int k = 0; k < 60; ++k)
+		highest = fmaxf(highest, after(&t, 1, KEY_BIT(up)).y);
+	NEAR(highest, 0.61 + 5.0 * 5.0 / 20.0, 0.1);
+	NEAR(after(&t, 60, KEY_BIT(up)).y, 0.61, 1e-3);
+	close_town(&t);
+}
+
+static void scripts_hold_keys(void** state)
+{
+	(void)state;
+	Town t = open_town(TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}, {\"step\": 70, \"hold\": []}]"));
+	NEAR(after(&t, 10, 0).x, 0.0, 1e-6);
+	NEAR(after(&t, 120, 0).x, 4.0, 0.4);
+	close_town(&t);
+
+	// until the user holds one
+	t = open_town(TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}]"));
+	after(&t, 10, KEY_BIT(left));
+	scree_vec at = after(&t, 60, 0);
+	assert_true(at.x < 0.0f && at.x > -1.0f);
+	close_town(&t);
+}
+
+// A belt carries who stands on it, at its speed, and gives it to who jumps.
+static void belts_carry(void** state)
+{
+	(void)state;
+	Town t = open_town(TOWN(""));
+	OK(scree_body_set_enabled(t.world, t.walkers.bodies[4], false)); // the floor; the belt comes to its place
+	OK(scree_body_set_pose(t.world, t.walkers.bodies[5], (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
+	after(&t, 30, 0);
+	scree_vec from = after(&t, 1, 0), to = after(&t, 60, 0);
+	NEAR(to.x - from.x, 3.0, 0.05);
+	from = after(&t, 1, KEY_BIT(up));
+	to = after(&t, 30, 0);
+	assert_true(to.y > 1.0f && to.x - from.x > 0.5f);
+	close_town(&t);
+}
+
+static void the_scene_is_played(void** state)
+{
+	(void)state;
+	Story story = small_scene("platformer");
+	const Scene* scene = story.context;
+	scree_world* world;
+	OK(scree_world_create(&story.def, &world));
+	story.build(world, scene);
+	for (int step = 0; step < scene->steps; ++step)
+	{
+		story.act(world, step, scene);
+		OK(scree_world_step(world, story.dt, story.substeps));
+	}
+	print_message("%d of 30 coins\n", small_walkers.taken);
+	assert_true(small_walkers.taken >= 15);
+	scree_world_destroy(world);
+	scene_free((Scene*)scene);
+	walk_close(&small_walkers);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(keys_move_it),
+	    cmocka_unit_test(scripts_hold_keys),
+	    cmocka_unit_test(belts_carry),
+	    cmocka_unit_test(the_scene_is_played),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
