@@ -403,6 +403,38 @@ static void all_devices_agree(void** state)
 	}
 }
 
+// A heap at rest, which a field passes over, pressing it down: no contact begins or ends, and the user changes nothing.
+static void build_passing(scree_world* world, const void* context)
+{
+	(void)context;
+	add_floor(world);
+	scree_attribute_def box = surface_of(box_shape(0.25f, 0.25f));
+	scree_attribute attribute = add_attribute(world, &box);
+	for (int k = 0; k < 120; ++k)
+		add_body(world, SCREE_BODY_DYNAMIC, attribute, 0.6f * (float)(k % 30), 0.25f + 0.5f * (float)(k / 30), 0.0f);
+	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	def.body = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -4.0f, 30.0f);
+	def.pose.position.y = -30.0f;
+	def.shape = box_shape(1.0f, 4.0f);
+	def.acceleration = (scree_vec){0.5f, -1.0f};
+	add_field(world, &def);
+	push_off(world, def.body, 12.0f, 0.0f, 0.0f);
+}
+
+static void forms_see_what_comes(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	Story story = {.name = "a field that passes over a heap",
+	               .def = scree_world_def_default(),
+	               .dt = STEP,
+	               .substeps = SUBSTEPS,
+	               .steps = quick() ? 40 : 120,
+	               .build = build_passing};
+	check_parity(&story, ways, count, NULL);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -410,7 +442,7 @@ int main(void)
 	    cmocka_unit_test(fields_move_with_bodies),   cmocka_unit_test(who_is_pushed),
 	    cmocka_unit_test(drag_leaves_weights_alone), cmocka_unit_test(wrong_arguments_are_refused),
 	    cmocka_unit_test(memory_runs_out),           cmocka_unit_test(refused_steps_push_nothing),
-	    cmocka_unit_test(all_devices_agree),
+	    cmocka_unit_test(forms_see_what_comes),      cmocka_unit_test(all_devices_agree),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
