@@ -193,13 +193,9 @@ STAGE(field_shape)
 	float reach = t.shape->reach;
 	Float4 box = make_float4(pose.x - reach, pose.y - reach, pose.x + reach, pose.y + reach);
 	FieldForce sum = field_nothing();
-	for (int first = 0; first < p->argument; first += ARITY)
-	{
-		Word hits = overlaps8(p->field_box + first, box);
-		for (int k = 0; k < ARITY && hits >> k; ++k)
-			if (hits >> k & 1)
-				field_act_shape(p, i, body, first + k, &t, &sum);
-	}
+	FieldWalk walk = field_walk(p->argument, box);
+	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+		field_act_shape(p, i, body, field, &t, &sum);
 	p->field_force[i] = sum;
 }
 
