@@ -49,6 +49,44 @@ static void bodies_float_and_sink(void** state)
 	}
 }
 
+// Bodies of the default density in water of 1,000 times as much, and lighter ones, dive and come up again: they are not thrown out, and lie on
+// the water. One of a twentieth of its density carries fifteen times its weight, at the depth that Archimedes has.
+static void light_bodies_stay(void** state)
+{
+	(void)state;
+	for (float density = 0.02f; density > 1e-7f; density *= 0.1f)
+		for (int k = 0; k < 3; ++k)
+		{
+			scree_world* world = open_world((float)-G);
+			scree_field_def def = water_def(1.0f);
+			add_field(world, &def);
+			scree_shape shape = k == 0 ? circle_shape(0.3f) : box_shape(k == 1 ? 0.3f : 1.0f, k == 1 ? 0.3f : 0.1f);
+			scree_attribute_def attribute = surface_of(shape);
+			attribute.density = density < 1e-6f ? 1e-6f : density;
+			scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &attribute), 0.0f, 2.0f, 0.3f);
+			scree_body ball = add_dense(world, circle_shape(0.3f), attribute.density, 5.0f, -8.0f);
+			float most = 0.0f;
+			for (int step = 0; step < 1800; ++step)
+			{
+				run_steps(world, 1);
+				most = fmaxf(most, position_of(world, ball).y);
+			}
+			assert_true(most < 3.0f);
+			NEAR(position_of(world, body).y, k == 2 ? 0.1 : 0.3, 0.08);
+			NEAR(position_of(world, ball).y, 0.3, 0.08);
+			scree_world_destroy(world);
+		}
+	scree_world* world = open_world((float)-G);
+	scree_field_def def = water_def(1.0f);
+	add_field(world, &def);
+	scree_body raft = add_dense(world, box_shape(1.0f, 0.5f), 0.05f, 0.0f, 0.0f);
+	add_dense(world, box_shape(0.9f, 0.1f), 15.0f * 0.1f / 0.36f, 0.0f, 0.6f);
+	OK(scree_body_set_locks(world, raft, SCREE_LOCK_ROTATION));
+	run_steps(world, 1200);
+	NEAR(position_of(world, raft).y, 0.5 - 16.0 * 0.1 / 2.0, 0.01);
+	scree_world_destroy(world);
+}
+
 // Compounds work by their parts: a narrow boat with a heavy keel that lies on its side, or almost on its head, rights itself.
 static void boats_right_themselves(void** state)
 {
@@ -403,13 +441,51 @@ static void all_devices_agree(void** state)
 	}
 }
 
+// A heap at rest, which a field passes over, pressing it down: no contact begins or ends, and the user changes nothing.
+static void build_passing(scree_world* world, const void* context)
+{
+	(void)context;
+	add_floor(world);
+	scree_attribute_def box = surface_of(box_shape(0.25f, 0.25f));
+	scree_attribute attribute = add_attribute(world, &box);
+	for (int k = 0; k < 120; ++k)
+		add_body(world, SCREE_BODY_DYNAMIC, attribute, 0.6f * (float)(k % 30), 0.25f + 0.5f * (float)(k / 30), 0.0f);
+	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	def.body = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -4.0f, 30.0f);
+	def.pose.position.y = -30.0f;
+	def.shape = box_shape(1.0f, 4.0f);
+	def.acceleration = (scree_vec){0.5f, -1.0f};
+	add_field(world, &def);
+	push_off(world, def.body, 12.0f, 0.0f, 0.0f);
+}
+
+static void forms_see_what_comes(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	Story story = {.name = "a field that passes over a heap",
+	               .def = scree_world_def_default(),
+	               .dt = STEP,
+	               .substeps = SUBSTEPS,
+	               .steps = quick() ? 40 : 120,
+	               .build = build_passing};
+	check_parity(&story, ways, count, NULL);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(bodies_float_and_sink),     cmocka_unit_test(boats_right_themselves),
-	    cmocka_unit_test(fields_move_with_bodies),   cmocka_unit_test(who_is_pushed),
-	    cmocka_unit_test(drag_leaves_weights_alone), cmocka_unit_test(wrong_arguments_are_refused),
-	    cmocka_unit_test(memory_runs_out),           cmocka_unit_test(refused_steps_push_nothing),
+	    cmocka_unit_test(bodies_float_and_sink),
+	    cmocka_unit_test(light_bodies_stay),
+	    cmocka_unit_test(boats_right_themselves),
+	    cmocka_unit_test(fields_move_with_bodies),
+	    cmocka_unit_test(who_is_pushed),
+	    cmocka_unit_test(drag_leaves_weights_alone),
+	    cmocka_unit_test(wrong_arguments_are_refused),
+	    cmocka_unit_test(memory_runs_out),
+	    cmocka_unit_test(refused_steps_push_nothing),
+	    cmocka_unit_test(forms_see_what_comes),
 	    cmocka_unit_test(all_devices_agree),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1461,8 +1461,7 @@ typedef struct scree_field_def
 
 static inline scree_field_def scree_field_def_default(scree_field_type type);
 
-// Creates a field and writes its handle to *field (may be null). Fields act in the order of their indices. Strengths, drags and
-// densities are limited to 1e12.
+// Creates a field and writes its handle to *field (may be null). Strengths, drags and densities are limited to 1e12.
 SCREE_API scree_status scree_field_create(scree_world* world, const scree_field_def* def, scree_field* field);
 SCREE_API scree_status scree_field_destroy(scree_world* world, scree_field field);
 SCREE_API bool scree_field_is_valid(const scree_world* world, scree_field field);

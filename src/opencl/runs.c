@@ -19,7 +19,10 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 	step_set(d, step);
 	// commands may change the mass of a body; after a new order of the leaves, new tiles are better
 	for (int i = 0; i < count; ++i)
+	{
 		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
+		d->tiles.pushed |= runs[i].stage == STAGE_field_body;
+	}
 	for (int i = 0; i < count;)
 	{
 		int length = persistent_length(d, runs + i, count - i);

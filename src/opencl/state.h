@@ -133,8 +133,9 @@ typedef struct
 	Kernel kernels[TILE_KERNELS];
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
-	bool stale; // constraints or motion constants may have changed since the tiles were built
-	int rows;   // tiles at the last build
+	bool stale;                 // constraints or motion constants may have changed since the tiles were built
+	bool pushed, pushed_before; // fields have changed forces since the last solve; so they had before the last build
+	int rows;                   // tiles at the last build
 
 	// number of border constraints at the last build; the host reads it asynchronously
 	cl_event edges_event; // null unless the read is in flight

@@ -421,6 +421,9 @@ typedef struct // 16 bytes: the velocity of a disabled body
 #define FIELD_WIND     4 // this one and the next act on shapes, the others on bodies
 #define FIELD_BUOYANCY 5
 
+// Of more fields, boxes around ARITY boxes are tested first.
+#define FIELD_FEW (ARITY * ARITY)
+
 // how a radial field and a vortex fall off, as scree_field_falloff
 #define FALLOFF_CONSTANT       0
 #define FALLOFF_LINEAR         1

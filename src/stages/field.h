@@ -33,6 +33,15 @@ STAGE(field_place)
 	p->field_box[i] = box;
 }
 
+// Boxes around ARITY boxes each. argument is the number of boxes; items beyond them are padding.
+STAGE(field_gather)
+{
+	Float4 box = box_empty();
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < p->argument; ++k)
+		box = box_union(box, p->field_box[k]);
+	p->field_group[i] = box;
+}
+
 // The acceleration towards a center at some way, over that way, 1/s^2. Within a step it may not carry a body past the center: so a field
 // that is too strong for the step has a soft middle, and throws nothing out.
 INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
@@ -97,19 +106,14 @@ STAGE(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)
 		return;
-	int count = p->argument >> 1;
 	FieldForce sum = field_nothing();
 	for (int k = p->argument & 1 ? p->guarded[i].first : 0; k > 0; k = p->next_collidable[k - 1])
 		if (p->collidable_kind[k - 1] == KIND_DYNAMIC)
 			field_add(&sum, p->field_force[k - 1]);
 	Float4 pose = field_body_pose(p, i);
-	for (int first = 0; first < count; first += ARITY)
-	{
-		Word hits = overlaps8(p->field_box + first, make_float4(pose.x, pose.y, pose.x, pose.y));
-		for (int k = 0; k < ARITY && hits >> k; ++k)
-			if (hits >> k & 1)
-				field_act_body(p, i, first + k, vec(pose.x, pose.y), &sum);
-	}
+	FieldWalk walk = field_walk(p->argument >> 1, make_float4(pose.x, pose.y, pose.x, pose.y));
+	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+		field_act_body(p, i, field, vec(pose.x, pose.y), &sum);
 	field_soften(p, i, &sum);
 	command_force(p, i, vec(field_limited(sum.fx + sum.drag_x), field_limited(sum.fy + sum.drag_y)),
 	              field_limited(sum.torque + sum.drag_torque));

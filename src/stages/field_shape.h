@@ -49,7 +49,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSpot* spot, const F
 		Vec arm = vec_add(vec_add(t->arm, vec_turn(t->turn, own)), vec_scale(shape->radius, normal));
 		Vec e = field_passing(field, spot, t, arm);
 		float speed = square_root(vec_dot(e, e)), facing = -vec_dot(normal, e);
-		if (!(facing > 0.0f))
+		if (!(facing > 0.0f && speed > 0.0f)) // the square of a small speed may be 0
 			continue;
 		float rate = pressure * facing * square_root(vec_dot(edge, edge));
 		float side = field->lift * rate * (vec_cross(normal, e) / speed);
@@ -90,10 +90,11 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// The part of a shape in a fluid.
-INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t)
+// The part of a shape in a fluid. depth gets the shortest way on which all of it leaves the fluid, m.
+INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
+	*depth = MOST_FLOAT;
 	FieldEdge edges[MAX_CORNERS], line;
 	int cuts = 0, count = field->shape.count > 0 ? field->shape.count : 1;
 	line.normal = vec(0.0f, 1.0f);
@@ -103,7 +104,8 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot
 	{
 		FieldEdge edge = field_edge(field, spot, k, t);
 		edges[k] = edge;
-		if (!(field_height(t, edge, -1.0f) > 0.0f))
+		*depth = minimum(*depth, field_height(t, edge, -1.0f));
+		if (!(*depth > 0.0f))
 			return none;
 		if (!(field_height(t, edge, 1.0f) > 0.0f))
 			continue;
@@ -115,21 +117,38 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot
 	return field_area_below(t->shape, t->turn, line);
 }
 
+// A limit of the force of a fluid on a point of a body, N. A body that is much lighter than the fluid would be thrown out of it: the force
+// of a step may not give the point more speed than takes it out in a step, nor more than twice sqrt(g width), about that of a ball that is
+// let go under water. What holds it down may still weigh dozens of times as much.
+INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
+{
+	BodyState state = p->body[body];
+	float dt = p->step.dt, lever = vec_cross(arm, gravity) / weight;
+	float easy = state.inv_mass + lever * lever * state.inv_inertia;
+	float most = minimum(depth / (dt * dt), 2.0f * square_root(weight * width) / dt);
+	return (weight + most) / easy;
+}
+
 // The weight of the fluid that a shape displaces, at the centroid of that; and the drag of the fluid there: by the area, and by the
 // square of the speed as of a disc of the same area.
-INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t,
-                        FieldForce* sum)
+INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSpot* spot, int body,
+                        const FieldTarget* t, FieldForce* sum)
 {
 	if (t->shape->count < 3 && !(t->shape->radius > 0.0f))
 		return;
-	FieldArea part = field_immersed(field, spot, t);
+	float depth;
+	FieldArea part = field_immersed(field, spot, t, &depth);
 	if (!(part.area > 0.0f))
 		return;
 	Vec arm = vec_add(t->arm, vec(part.x / part.area, part.y / part.area));
-	float displaced = field->density * part.area;
-	field_push(sum, arm, vec(-displaced * p->step.gravity_x, -displaced * p->step.gravity_y));
+	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
+	float weight = square_root(vec_dot(gravity, gravity)), width = 2.0f * square_root(part.area * 0.318309886f);
+	if (weight > 0.0f && weight < MOST_FLOAT)
+	{
+		float most = field_most_lift(p, body, arm, gravity, weight, depth, width);
+		field_push(sum, arm, vec_scale(-minimum(field->density * part.area, most / weight), gravity));
+	}
 	Vec e = field_passing(field, spot, t, arm);
-	float width = 2.0f * square_root(part.area * 0.318309886f);
 	float rate =
 	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
 	field_brake(sum, arm, rate, vec_scale(rate, e));
@@ -155,7 +174,7 @@ INLINE void field_act_shape(const Pools* p, int collidable, int body, int index,
 	if (field->kind == FIELD_WIND)
 		field_blow(field, &spot, t, sum);
 	else
-		field_float(p, field, &spot, t, sum);
+		field_float(p, field, &spot, body, t, sum);
 }
 
 // Items are collidables. argument is the number of fields; their boxes are padded to a multiple of ARITY.
@@ -174,13 +193,9 @@ STAGE(field_shape)
 	float reach = t.shape->reach;
 	Float4 box = make_float4(pose.x - reach, pose.y - reach, pose.x + reach, pose.y + reach);
 	FieldForce sum = field_nothing();
-	for (int first = 0; first < p->argument; first += ARITY)
-	{
-		Word hits = overlaps8(p->field_box + first, box);
-		for (int k = 0; k < ARITY && hits >> k; ++k)
-			if (hits >> k & 1)
-				field_act_shape(p, i, body, first + k, &t, &sum);
-	}
+	FieldWalk walk = field_walk(p->argument, box);
+	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+		field_act_shape(p, i, body, field, &t, &sum);
 	p->field_force[i] = sum;
 }
 

@@ -95,6 +95,52 @@ INLINE int field_sees(const GLOBAL Field* field, const GLOBAL Filter* filter)
 	return (field->mask & filter->category) != 0 && (filter->mask & field->category) != 0;
 }
 
+typedef struct // a walk over the fields whose boxes overlap one, in rising order
+{
+	Float4 box;
+	int count;        // fields
+	int next;         // item behind those that were looked at: a block of boxes, or a block of groups
+	int group, first; // of the present hits: blocks of boxes, boxes
+	Word groups, hits;
+} FieldWalk;
+
+INLINE FieldWalk field_walk(int count, Float4 box)
+{
+	FieldWalk walk = {box, count, 0, 0, 0, 0u, 0u};
+	return walk;
+}
+
+// Takes the lowest bit of a set that is not empty.
+INLINE int field_take(Word* bits)
+{
+	int k = 0;
+	while (!(*bits >> k & 1))
+		++k;
+	*bits = *bits & ~(1u << k);
+	return k;
+}
+
+// The next field, -1 at the end.
+INLINE int field_next(const Pools* p, FieldWalk* w)
+{
+	int few = w->count <= FIELD_FEW, step = few ? ARITY : ARITY * ARITY;
+	while (!w->hits)
+	{
+		if (!w->groups)
+		{
+			if (w->next * step >= w->count)
+				return -1;
+			w->group = few ? w->next : ARITY * w->next;
+			w->groups = few ? 1u : overlaps8(p->field_group + w->group, w->box);
+			++w->next;
+			continue;
+		}
+		w->first = ARITY * (w->group + field_take(&w->groups));
+		w->hits = overlaps8(p->field_box + w->first, w->box);
+	}
+	return w->first + field_take(&w->hits);
+}
+
 INLINE FieldForce field_nothing(void)
 {
 	FieldForce sum = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {0.0f, 0.0f}};

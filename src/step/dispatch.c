@@ -38,6 +38,8 @@ static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest
 	RunList* list = &pipeline->list;
 	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
 	runs_add(list, STAGE_field_place, 0, padded, bound, fields);
+	if (fields > FIELD_FEW)
+		runs_add(list, STAGE_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
 	if (request->field_shapes)
 		runs_add(list, STAGE_field_shape, 0, request->collidables, bound, fields);
 	runs_add(list, STAGE_field_body, 0, request->bodies, bound, 2 * fields + request->field_shapes);

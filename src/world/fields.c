@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // fields.c -- slots of fields, and those that act, as the device has them.
 //
-// Fields are few and change seldom, so all that act are sent when one changed, without gaps, in the order of their slots.
+// Fields are few and change seldom, so all that act are sent when one changed, without gaps, in the order of their slots. Where they are
+// many, neighbors lie side by side, so that a box around some of them is small: those everywhere first, then those in the world along
+// the curve of Morton, A Computer Oriented Geodetic Data Base, 1966, then those on bodies. The order follows from the calls alone.
 #include "world/fields.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
 #include "step/room.h"
 #include "world/memory.h"
 #include "world/rows.h"
+#include <stdlib.h>
 #include <string.h>
 
 scree_status fields_reserve(scree_world* world, const char* function)
@@ -105,6 +108,39 @@ int fields_acting(const scree_world* world, bool* shapes)
 	return world->fields.acting;
 }
 
+typedef struct // a field that acts, and its place among them
+{
+	uint64_t key;
+	int slot;
+} Acting;
+
+static uint64_t spread(uint32_t x)
+{
+	uint64_t bits = x;
+	bits = (bits | bits << 16) & 0x0000ffff0000ffffu;
+	bits = (bits | bits << 8) & 0x00ff00ff00ff00ffu;
+	bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0fu;
+	bits = (bits | bits << 2) & 0x3333333333333333u;
+	return (bits | bits << 1) & 0x5555555555555555u;
+}
+
+// 30 bits of a coordinate, in steps of 0.2 mm
+static uint32_t fixed(float x) { return (uint32_t)(((double)x + (double)SCREE_HUGE) * 5000.0); }
+
+static uint64_t key_of(const HostField* host)
+{
+	scree_vec at = host->def.pose.position;
+	if (host->def.shape.count == 0)
+		return 0;
+	return host->body >= 0 ? UINT64_MAX : 1 + (spread(fixed(at.x)) | spread(fixed(at.y)) << 1);
+}
+
+static int compare(const void* a, const void* b)
+{
+	const Acting *x = a, *y = b;
+	return x->key != y->key ? (x->key > y->key) - (x->key < y->key) : (x->slot > y->slot) - (x->slot < y->slot);
+}
+
 scree_status upload_fields(scree_world* world)
 {
 	Fields* f = &world->fields;
@@ -118,15 +154,20 @@ scree_status upload_fields(scree_world* world)
 	if (count > 0)
 	{
 		TRY(pipeline_reserve(&world->pipeline, PER_FIELD, (count + ARITY - 1) / ARITY * ARITY));
-		Field* rows = world_scratch(world, (size_t)count * sizeof *rows);
+		Field* rows = world_scratch(world, (size_t)count * (sizeof *rows + sizeof(Acting)));
 		if (!rows)
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to upload %d fields", count);
+		Acting* acting = (Acting*)(rows + count);
 		for (int k = 0, row = 0; k < f->slots.used; ++k)
+			if (acts(world, k))
+				acting[row++] = (Acting){count > FIELD_FEW ? key_of(f->host + k) : 0, k};
+		if (count > FIELD_FEW)
+			qsort(acting, (size_t)count, sizeof *acting, compare);
+		for (int row = 0; row < count; ++row)
 		{
-			if (!acts(world, k))
-				continue;
-			shapes |= f->host[k].def.type >= SCREE_FIELD_WIND;
-			rows[row++] = field_row(f->host + k);
+			const HostField* host = f->host + acting[row].slot;
+			shapes |= host->def.type >= SCREE_FIELD_WIND;
+			rows[row] = field_row(host);
 		}
 		TRY(b->f->write(b, POOL_field, 0, count, rows));
 	}

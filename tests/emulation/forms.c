@@ -32,7 +32,8 @@ static Task task;
 static Kept mailboxes, parts;
 static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
 static Task laid_out;
-static bool stale; // tiles must be laid out anew
+static bool stale;  // tiles must be laid out anew
+static bool pushed; // fields have changed forces since the last solve
 
 void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
 
@@ -180,10 +181,12 @@ static bool tiles_solve(const Solve* solve)
 	bool joints = pools.step.joints;
 	stale |= pools.counters->changed || !pools.counters->kept || tile_buffers.count == 0;
 	bool well = true;
-	if (stale)
+	task.pushed = pushed;
+	if (stale || pushed != laid_out.pushed)
 		well = lay_out(solve);
 	else
 		take_layout();
+	pushed = false;
 	task.stream = buffer(&solve_buffers, task.stride * stream_float4s, sizeof(Float4));
 	int border = well ? task.total[task.tile_rows + 1] - task.total[task.tile_rows] : 0;
 	note_most(&form_counts.tiles, task.tile_rows);
@@ -237,7 +240,10 @@ static scree_status solve_emulated(const Solve* solve)
 static scree_status form_run(Backend* b, const Step* step, const Run* runs, int count)
 {
 	for (const Run* run = runs; run < runs + count; ++run)
+	{
 		stale |= run->stage == STAGE_command || run->stage == STAGE_tree_order;
+		pushed |= run->stage == STAGE_field_body;
+	}
 	return cpu->run(b, step, runs, count);
 }
 

@@ -32,7 +32,7 @@ RELAY_HUBS(relay_hubs)
 RELAY_HUBS(relay_hubs_joints)
 CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
 CALL(tile_settle, t->place, t->border, t->places, t->bound)
-CALL(tile_list, t->place, t->resident, t->places, t->bound)
+CALL(tile_list, t->place, t->resident, t->places, t->bound, t->pushed)
 CALL(tile_count, t->place, t->border, t->table, t->rank, t->tile_rows, t->bound, t->begin, t->end)
 CALL(tile_order, t->place, t->border, t->table, t->rank, t->tile_rows, t->bound, t->order, t->constraints)
 #define TILE_PREPARE(name) \

@@ -14,6 +14,7 @@ typedef struct // of all kernels that work on pools; each takes what it needs
 	// tiles
 	int *place, *border, *resident, *table, *total, *rank, *order;
 	int stride, tile_rows, places, q, begin, end;
+	int pushed; // fields have changed forces since the last solve
 } Task;
 
 typedef enum

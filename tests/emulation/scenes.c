@@ -27,6 +27,21 @@ static void build_three(scree_world* world)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.1f * (float)k, 0.6f + 1.05f * (float)k);
 }
 
+// a field that passes over a row of columns at rest
+static void build_field(scree_world* world)
+{
+	add_floor(world);
+	for (int k = 0; k < 24; ++k)
+		add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 0.6f * (float)(k % 8), 0.25f + 0.5f * (float)(k / 8));
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
+	def.body = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -4.0f, 30.0f);
+	def.pose.position.y = -30.0f;
+	def.shape = box_shape(1.0f, 4.0f);
+	def.acceleration = (scree_vec){0.5f, -1.0f};
+	OK(scree_field_create(world, &def, NULL));
+	OK(scree_body_set_velocity(world, def.body, (scree_velocity){{12.0f, 0.0f}, 0.0f}));
+}
+
 #define ROWS 10
 
 static void build_pyramid(scree_world* world)
@@ -290,17 +305,12 @@ static void build_joint_hubs(scree_world* world)
 }
 
 const FormScene form_scenes[] = {
-    {"one", 30, false, build_one, NULL},
-    {"three", 40, false, build_three, NULL},
-    {"pyramid", 50, false, build_pyramid, NULL},
-    {"heap", 60, false, build_heap, act_heap},
-    {"towers", 30, false, build_towers, NULL},
-    {"hub", 15, true, build_hub, NULL},
-    {"raft", 8, true, build_raft, NULL},
-    {"hubs", 10, true, build_hubs, NULL},
-    {"joints", 40, false, build_joints, act_joints},
-    {"paths", 40, false, build_paths, NULL},
-    {"joint hubs", 12, true, build_joint_hubs, NULL},
+    {"one", 30, false, build_one, NULL},         {"three", 40, false, build_three, NULL},
+    {"pyramid", 50, false, build_pyramid, NULL}, {"heap", 60, false, build_heap, act_heap},
+    {"towers", 30, false, build_towers, NULL},   {"field", 40, false, build_field, NULL},
+    {"hub", 15, true, build_hub, NULL},          {"raft", 8, true, build_raft, NULL},
+    {"hubs", 10, true, build_hubs, NULL},        {"joints", 40, false, build_joints, act_joints},
+    {"paths", 40, false, build_paths, NULL},     {"joint hubs", 12, true, build_joint_hubs, NULL},
 };
 const int form_scene_count = (int)(sizeof form_scenes / sizeof *form_scenes);
 

@@ -146,12 +146,14 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	       total = t->buffers[TILE_TOTAL_BUFFER].buffer;
 	cl_mem rank = t->buffers[TILE_RANK_BUFFER].buffer, order = t->buffers[TILE_ORDER_BUFFER].buffer;
 	const cl_int zero = 0, none = -1;
+	cl_int pushed = t->pushed;
 	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->buffers[TILE_TABLE_BUFFER].bytes, 0, NULL,
 	         NULL));
 	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->buffers[TILE_ORDER_BUFFER].bytes, 0, NULL,
 	         NULL));
 	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places), VALUE(solve->bound))));
-	TRY(tile_run(d, TILE_LIST, places, VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound))));
+	TRY(tile_run(d, TILE_LIST, places,
+	             VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound), VALUE(pushed))));
 	for (int color = 0; color < COLORS; ++color)
 	{
 		cl_int first = solve_first(solve, color), end = solve_first(solve, color + 1);
@@ -168,6 +170,7 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
 	                    VALUE(order), VALUE(constraints))));
 	t->stale = false;
+	t->pushed_before = t->pushed;
 	t->rows = rows;
 	t->age = 0;
 	if (t->edges_event)
@@ -203,8 +206,9 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 {
 	TileState* t = &d->tiles;
 	cl_int rows = row_count(d), places = rows * TILE_BODIES, stride = place_count(solve), spins = RELAY_MAX_SPINS;
-	if (t->stale)
+	if (t->stale || t->pushed != t->pushed_before)
 		TRY(lay_out(d, solve, rows, places));
+	t->pushed = false;
 
 	cl_mem place = t->buffers[TILE_PLACE_BUFFER].buffer, edge = t->buffers[TILE_EDGE_BUFFER].buffer;
 	cl_mem resident = t->buffers[TILE_RESIDENT_BUFFER].buffer, table = t->buffers[TILE_TABLE_BUFFER].buffer,

@@ -40,7 +40,7 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 }
 
 // TILE_PLAIN if a body has no force, damping or lock, and the world's gravity; such constants are not read in the
-// passes. They cannot change before the tiles are rebuilt, because changes by the user rebuild them.
+// passes. They cannot change before the tiles are rebuilt, because changes by the user rebuild them; but for the forces of fields.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -61,14 +61,14 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place: resident has an item per place, -1 for none.
+// Lists the bodies by place: resident has an item per place, -1 for none. With fields, pushed is 1: they change forces in every step.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
-                        int bound)
+                        int bound, int pushed)
 {
 	Pools pools = {POOL_NAMES step, 0};
 	int i = (int)get_global_id(0), body = i < places ? tile_body_of(&pools, i) : -1;
 	if (i < places && tile_wanted(&pools, bound))
-		resident[i] = tile_holds(&pools, body) && place[body] == i ? body | tile_plain(&pools, body) : -1;
+		resident[i] = tile_holds(&pools, body) && place[body] == i ? body | (pushed ? 0 : tile_plain(&pools, body)) : -1;
 }
 
 INLINE bool tile_still(const float row[8])
