@@ -105,6 +105,14 @@ static void act(scree_world* world, int step, const void* context)
 	case 4:
 		OK(scree_body_set_enabled(world, trial.bodies[k], random_below(seed, 2)));
 		break;
+	case 6:
+	{
+		int other = random_below(seed, BODIES);
+		bool excluded = random_below(seed, 3);
+		if (other != k)
+			OK(scree_body_set_excluded(world, trial.bodies[k], trial.bodies[other], excluded));
+		break;
+	}
 	case 5:
 	{
 		scree_material_pair pair = scree_material_pair_default();

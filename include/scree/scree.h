@@ -663,6 +663,17 @@ SCREE_API scree_status scree_bodies_set_enabled(scree_world* world, const scree_
 SCREE_API scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled);
 SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body); // false for one that is not there
 
+// Pairs of bodies that never touch each other, whatever their filters; the order of the two makes no difference. A pair that touches
+// now ends its touch in the next step, with its event; one that is admitted again begins anew. Joints that keep two bodies apart do so
+// beside it. Destroying a body removes its pairs. A world holds up to 16,777,216.
+SCREE_API scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
+                                                 const bool* excluded, int count); // all or none
+SCREE_API scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded);
+SCREE_API bool scree_body_is_excluded(const scree_world* world, scree_body body, scree_body other);
+// Writes up to capacity of the bodies that a body never touches, in ascending index order, and sets count to their number.
+SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity,
+                                               int* count);
+
 typedef struct scree_mass
 {
 	float mass;       // kg, 0 for static and kinematic bodies

@@ -69,6 +69,8 @@
 #define EMPTY_LOW  1.0e30f
 #define EMPTY_HIGH (-1.0e30f)
 
+#define NO_PAIR (~(Word64)0) // behind all pairs of bodies
+
 // separation of a missing point: so large that no impulse ever arises
 #define NO_POINT 1.0e6f
 
@@ -490,6 +492,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int reports;          // some collidable reports touches or hits
 	int rules;            // some pair may be subject to a rule
 	int material_pairs;   // rows of the pool material_pair
+	int excluded;         // rows of the pool excluded
 	float hit_speed;      // m/s: slower approaches are no hits
 	float hit_impulse;    // N s: nor are smaller impulses
 	int bounces;          // some attribute has restitution
@@ -568,7 +571,7 @@ typedef struct
 	int joint_moved;               // 1 if some joint got another place among the chains, until joint_update
 	int joint_stir;                // INT_MAX if some joint was made, changed or broke since the last step, else 0
 	int overflow_first, overflow;  // among the sorted keys of joints those without a color and a chain begin; how many
-	int joined;                    // pairs of bodies that joints keep from touching
+	int joined;                    // pairs of bodies that joints or the user keep from touching
 	int joint_events;              // joints whose force exceeded a threshold in the step
 	int touches_began, touches_ended, hits; // of the step
 	int told;                               // bodies at other poses than the user was told

@@ -13,6 +13,8 @@ typedef enum // what a pool has an item for
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	PER_EDGE,        // of any kind
+	PER_JOINED,      // pair of bodies that never touch
+	PER_EXCLUDED,    // of those, pair that the user set
 	PER_JOINT_EDIT,  // joint that the user made or changed
 	PER_PATH_SAMPLE, // sample of a path
 	PER_CHAIN,       // joints that are solved together

@@ -5,8 +5,8 @@
 // before the narrow phase, by what it was in the last step and by the poses now.
 #ifndef RULE_H
 #define RULE_H
+#include "stages/joint.h"
 #include "stages/one_way.h"
-#include "stages/touch.h"
 
 // What the materials of a pair do.
 INLINE MaterialPair rule_materials(const Pools* p, int i, int j)
@@ -95,6 +95,8 @@ STAGE(contact_rule)
 // Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
 INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
 {
+	if (p->step.excluded > 0 && joint_parts(p, make_int2(p->collidable_body[a], p->collidable_body[b])))
+		return 1;
 	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||
 	       (one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST));
 }

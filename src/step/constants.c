@@ -52,6 +52,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .reports = request->reports,
 	    .rules = pipeline->rules,
 	    .material_pairs = pipeline->material_pairs,
+	    .excluded = pipeline->excluded,
 	    .hit_speed = request->hit_speed,
 	    .hit_impulse = request->hit_impulse,
 	    .bounces = pipeline->bounces,

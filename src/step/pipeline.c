@@ -131,6 +131,12 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_upload(pipeline));
 	TRY(events_reserve(pipeline, request));
+	int pairs = pipeline->counters.joints + pipeline->excluded;
+	if (pairs > 0)
+	{
+		TRY(pipeline_reserve(pipeline, PER_JOINED, pairs));
+		TRY(pipeline_reserve(pipeline, PER_KEY, pairs));
+	}
 	Step step = step_constants(pipeline, request);
 	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
 	if (!status)

@@ -18,9 +18,10 @@ typedef struct // host data of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
-	int first_joint; // 1 + end (joints.h) of its first joint, 0 for none
-	int target;      // 1 + its place among the targets, 0 for none
-	bool disabled;   // not simulated: its collidables are KIND_DEAD on the device
+	int first_joint;                 // 1 + end (joints.h) of its first joint, 0 for none
+	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; how many
+	int target;                      // 1 + its place among the targets, 0 for none
+	bool disabled;                   // not simulated: its collidables are KIND_DEAD on the device
 	Waiting waiting;
 	bool marked; // within one call: already seen in the batch
 } HostBody;
@@ -144,6 +145,19 @@ typedef struct // pairs of materials
 	bool waiting; // for the next upload
 } Materials;
 
+typedef struct // a pair of bodies that never touch
+{
+	int bodies[2], next[2], previous[2]; // 1 + end of the next one of each body, 0 for none
+} HostExclusion;
+
+typedef struct
+{
+	Slots slots;
+	HostExclusion* rows; // of each slot
+	int capacity;
+	bool waiting; // for the next upload
+} Exclusions;
+
 typedef struct // the shape of the last queries, checked; the answers of the last call that listed all
 {
 	scree_shape shape;
@@ -186,6 +200,7 @@ struct scree_world
 	Queries queries;
 	Sensors sensors;
 	Materials materials;
+	Exclusions exclusions;
 	char* moved; // what scree_world_get_moved returned last
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];

@@ -310,6 +310,8 @@ static void put_motion(Maker* m)
 static void put_setting(Maker* m)
 {
 	Call call = call_make((CallKind)(CALL_type + below(m, CALL_mass - CALL_type + 1)));
+	if (call.kind == CALL_exclude && !m->rules)
+		call = call_make(CALL_enabled);
 	call_set(&call, "body", any_body(m));
 	switch (call.kind)
 	{
@@ -326,6 +328,12 @@ static void put_setting(Maker* m)
 		break;
 	case CALL_locks:
 		call_set(&call, "locks", (float)below(m, 8));
+		break;
+	case CALL_exclude:
+		call_set(&call, "other", any_body(m));
+		call_set(&call, "excluded", (float)chance(m, 0.7));
+		if (chance(m, 0.2))
+			call_set(&call, "count", (float)(1 + below(m, 8)));
 		break;
 	case CALL_enabled:
 		call_set(&call, "enabled", (float)chance(m, 0.6));
