@@ -508,6 +508,7 @@ enum // bits of scree_collidable_def.reports: which events list a collidable. On
 {
 	SCREE_REPORT_TOUCHES = 1, // scree_events.touches_began, touches_ended
 	SCREE_REPORT_HITS = 2,    // scree_events.hits
+	SCREE_REPORT_ASKS = 4,    // scree_events.asked: what it begins to touch waits for scree_world_answer_asked
 };
 
 // Bits of scree_body_def.sensor and scree_collidable_def.sensor: what a sensor sees. A sensor touches nothing, and nothing stops at
@@ -1185,11 +1186,22 @@ typedef struct scree_events
 	uint32_t joint_size; // set by scree_world_get_events
 	int joint_count;
 	const scree_joint_event* joints;
+
+	// Contacts of which one side has SCREE_REPORT_ASKS, and which touch, or will in this step, for the first time since the two
+	// were apart: scree_world_answer_asked. Their impulses are 0. In the order of scree_world_get_contacts.
+	int asked_count;
+	const scree_contact* asked;
 } scree_events;
 
 // The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
 // scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
+
+// Answers for the contacts in scree_events.asked of the last step; count is asked_count, or it is refused. true: the contact acts from
+// the next step on until the two are farther apart than 0.02 m. false, or no answer before the next step: the two pass through each
+// other until then. After that they are asked about again. In the step in which a contact is asked about, its bodies move no further
+// than to where they meet, and keep their velocities. A second call before the next step replaces the answers of the first.
+SCREE_API scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count);
 
 typedef struct scree_moved // a body at another pose than before
 {

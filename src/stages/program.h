@@ -27,6 +27,7 @@
 #include "stages/hub.h"
 #include "stages/guard.h"
 #include "stages/finalize.h"
+#include "stages/ask.h"
 #include "stages/listed.h"
 #include "stages/event.h"
 #include "stages/query.h"

@@ -68,6 +68,29 @@ INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
 	return 0;
 }
 
+INLINE Word64 ask_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }
+
+INLINE int ask_finds(const GLOBAL Word64* keys, int count, Word64 key)
+{
+	int at = key_bound(keys, 0, count, key);
+	return at < count && keys[at] == key;
+}
+
+// The CONTACT_ANSWERS bits of a contact with these flags.
+INLINE Word rule_answer(const Pools* p, Int2 pair, Word flags)
+{
+	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_ASKS))
+		return 0;
+	if (flags & CONTACT_FRESH)
+		return CONTACT_ASKS;
+	if (flags & CONTACT_WAITS)
+		return ask_finds(p->allowed, p->step.allowed, ask_key(pair)) ? CONTACT_GRANTED : CONTACT_ASKS | CONTACT_REFUSED;
+	// without points the two have parted; what touched before it asked goes on
+	if (!(flags & CONTACT_COUNT))
+		return CONTACT_ASKS;
+	return flags & CONTACT_ANSWERS ? flags & CONTACT_ANSWERS : CONTACT_GRANTED;
+}
+
 // Contact i: whether it acts in this step.
 STAGE(contact_rule)
 {
@@ -88,13 +111,19 @@ STAGE(contact_rule)
 	}
 	if (!apart && rule_passes(p, pair, flags))
 		apart = CONTACT_PASSES;
-	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart)
-		contact_anew(p, i, flags, apart | (flags & CONTACT_REPORTS));
+	Word answer = p->step.asks ? rule_answer(p, pair, flags) : 0u;
+	int acts = flags & CONTACT_ASKS && !(answer & CONTACT_ASKS);
+	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart || acts)
+		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
+	else if ((flags & CONTACT_ANSWERS) != answer)
+		p->contact_flags[i] = (flags & ~CONTACT_ANSWERS) | answer;
 }
 
 // Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
 INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
 {
+	if (p->step.asks && ask_finds(p->refused, p->counters->refused, ask_key(make_int2(b, a))))
+		return 1;
 	if (p->step.excluded > 0 && joint_parts(p, make_int2(p->collidable_body[a], p->collidable_body[b])))
 		return 1;
 	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||

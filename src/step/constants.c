@@ -53,6 +53,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .rules = pipeline->rules,
 	    .material_pairs = pipeline->material_pairs,
 	    .excluded = pipeline->excluded,
+	    .asks = pipeline->asks,
+	    .allowed = request->allowed_count,
 	    .hit_speed = request->hit_speed,
 	    .hit_impulse = request->hit_impulse,
 	    .bounces = pipeline->bounces,

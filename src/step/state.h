@@ -42,6 +42,8 @@ typedef struct // what a step is asked for
 	bool details;                 // contacts tell what they did in the step
 	bool reports;                 // some collidable reports touches or hits
 	float hit_speed, hit_impulse; // as in Step
+	const Word64* allowed;        // pairs of collidables to which the user said yes, sorted
+	int allowed_count;
 } StepRequest;
 
 typedef struct
@@ -62,6 +64,7 @@ typedef struct
 	bool reports; // some collidable has ever reported touches or hits
 	bool rules;   // some attribute is a one-way platform, or some pair of materials or bodies was set
 	int material_pairs, excluded; // rows of these pools
+	bool asks;                    // some collidable has ever asked
 	bool begun;                   // the current step has changed something on the device
 	bool undone;                  // the last step was refused: boxes are older than the poses that it found
 	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed

@@ -106,8 +106,10 @@ typedef struct // events of the last step
 	int departed_capacity;
 	bool fetched; // the lists below are those of the last step
 	int counts[EVENT_LISTS], capacity[EVENT_LISTS];
-	Listed *began, *hits;
+	Listed *began, *hits, *asked;
 	Word64* ended;
+	Word64* allowed; // pairs of collidables to which the user said yes since the last step, sorted
+	int allowed_count, allowed_capacity;
 	char* rows; // what scree_world_get_events returned last
 	int rows_capacity;
 } Reports;

@@ -25,7 +25,7 @@ typedef struct
 	bool reports;  // some collidables report events
 	bool asks;     // queries
 	bool senses;   // some collidables are sensors
-	bool rules;    // one-way platforms, materials, excluded pairs
+	bool rules;    // one-way platforms, materials, excluded pairs, contacts that ask
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
