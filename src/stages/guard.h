@@ -46,8 +46,8 @@ INLINE GuardStop guard_stop(float share, Vec normal, int index)
 
 // The share of the step after which b is too deep in a: deeper than before by so much, and deeper than deepest, m. normal gets the
 // direction from a to b there.
-INLINE float guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper,
-                        float deepest, Vec* normal)
+RARE float guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper, float deepest,
+                      Vec* normal)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;

@@ -9,7 +9,7 @@
 #include "stages/one_way.h"
 
 // What the materials of a pair do.
-INLINE MaterialPair rule_materials(const Pools* p, int i, int j)
+RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 {
 	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
 	int a = p->rule[p->collidable_attribute[i]].material, b = p->rule[p->collidable_attribute[j]].material;
@@ -52,7 +52,7 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 }
 
 // Whether contact i passes because a side of it is a one-way platform.
-INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
+RARE int rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED) ? ONE_WAY_NEW
 	            : flags & CONTACT_PASSES                  ? ONE_WAY_PAST
@@ -77,7 +77,7 @@ INLINE int ask_finds(const GLOBAL Word64* keys, int count, Word64 key)
 }
 
 // The CONTACT_ANSWERS bits of a contact with these flags.
-INLINE Word rule_answer(const Pools* p, Int2 pair, Word flags)
+RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 {
 	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_ASKS))
 		return 0;
@@ -120,7 +120,7 @@ STAGE(contact_rule)
 }
 
 // Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
-INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
+RARE int rule_lets(const Pools* p, int a, int b, Vec way)
 {
 	if (p->step.asks && ask_finds(p->refused, p->counters->refused, ask_key(make_int2(b, a))))
 		return 1;
