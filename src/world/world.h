@@ -176,6 +176,7 @@ struct scree_world
 	scree_opengl opengl; // copy that def.opengl points to; unused when def.opengl is null
 	Backend* backend;
 	scree_status broken;       // sticky error, SCREE_OK while healthy; a broken world can only be destroyed
+	bool ruled;                // some attribute was ever a one-way platform, or had another material than 0
 	Slots bodies, collidables; // body slot 0 is the ground: static, has no handle
 	HostBody* host_bodies;     // of each slot
 	HostCollidable* host_collidables;
