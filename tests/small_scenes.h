@@ -31,6 +31,7 @@ static const SmallScene small_scenes[] = {
     {"machine", 240, {{"columns", "3"}}},
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
+    {"platforms", 240, {{"columns", "3"}, {"rows", "4"}, {"jumpers", "20"}}},
     {"pyramid", 120, {{"rows", "24"}}},
     {"pyramids", 120, {{"columns", "4"}, {"rows", "3"}, {"base", "7"}}},
     {"ragdolls", 240, {{"columns", "5"}, {"rows", "3"}}},

@@ -80,6 +80,7 @@ static void test_shipped(void** state)
 	    {"cloth", 1801, 1801, 3521},      {"chains", 648, 648, 648},
 	    {"windmill", 863, 905, 21},       {"machine", 184, 216, 224},
 	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
+	    {"platforms", 279, 279, 0},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
