@@ -98,10 +98,7 @@ STAGE(contact_rule)
 	Int2 pair = p->pair[i];
 	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_DETECTED | CONTACT_JOINED))
 		return;
-	// a contact that parted is released by the narrow phase, but not one that is fresh
-	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
-		return;
-	Word apart = 0;
+	Word apart = 0, answer = p->step.asks ? rule_answer(p, pair, flags) : 0u;
 	if (p->step.material_pairs > 0)
 	{
 		MaterialPair materials = rule_materials(p, pair.x, pair.y);
@@ -109,13 +106,19 @@ STAGE(contact_rule)
 			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
 		apart = materials.sets & MATERIAL_IGNORED ? CONTACT_IGNORED : 0u;
 	}
-	if (!apart && rule_passes(p, pair, flags))
+	// most contacts stay as they are
+	int platform = !apart && (one_way_is(p, pair.x) || one_way_is(p, pair.y));
+	if (!platform && (flags & (CONTACT_PASSES | CONTACT_IGNORED | CONTACT_ANSWERS)) == (apart | answer))
+		return;
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
+		return;
+	if (platform && rule_passes(p, pair, flags))
 		apart = CONTACT_PASSES;
-	Word answer = p->step.asks ? rule_answer(p, pair, flags) : 0u;
 	int acts = flags & CONTACT_ASKS && !(answer & CONTACT_ASKS);
 	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart || acts)
 		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
-	else if ((flags & CONTACT_ANSWERS) != answer)
+	else
 		p->contact_flags[i] = (flags & ~CONTACT_ANSWERS) | answer;
 }
 
