@@ -35,6 +35,7 @@ static const SmallScene small_scenes[] = {
     {"million", 120, {{"columns", "2"}, {"rows", "2"}, {"across", "12"}, {"high", "8"}}},
     {"pile", 200, {{"count", "300"}}},
     {"platformer", 400, {{NULL, NULL}}},
+    {"platforms", 240, {{"columns", "3"}, {"rows", "4"}, {"jumpers", "20"}}},
     {"pond", 200, {{"boats", "3"}, {"balls", "36"}, {"crates", "12"}, {"fish", "75"}, {"stones", "100"}}},
     {"pyramid", 120, {{"rows", "24"}}},
     {"pyramids", 120, {{"columns", "4"}, {"rows", "3"}, {"base", "7"}}},

@@ -32,7 +32,7 @@ static void collidable_definitions(void** state)
 	DEF(SCREE_ERROR_STALE, body = stale, ".body (index 4");
 	DEF(SCREE_ERROR_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
 	DEF(SCREE_ERROR_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 0)");
-	DEF(SCREE_ERROR_INVALID, reports = 4, ".reports is 4, must be bits of SCREE_REPORT_TOUCHES");
+	DEF(SCREE_ERROR_INVALID, reports = 8, ".reports is 8, must be bits of SCREE_REPORT_TOUCHES");
 	DEF(SCREE_ERROR_INVALID, sensor = 8, ".sensor is 8, must be bits of SCREE_SENSOR_MOVING");
 #undef DEF
 }

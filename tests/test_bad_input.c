@@ -236,7 +236,8 @@ static void body_functions(void** state)
 	DEF(SCREE_ERROR_INVALID, velocity.linear.y = -1e30f, ".velocity.linear.y is");
 	DEF(SCREE_ERROR_INVALID, velocity.angular = INFINITY, ".velocity.angular is inf");
 	DEF(SCREE_ERROR_INVALID, locks = 8, ".locks is 8");
-	DEF(SCREE_ERROR_INVALID, reports = 4, ".reports is 4, must be bits of SCREE_REPORT_TOUCHES and SCREE_REPORT_HITS");
+	DEF(SCREE_ERROR_INVALID, reports = 8,
+	    ".reports is 8, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_ASKS");
 	DEF(SCREE_ERROR_STALE, attribute = foreign, ".attribute (index 0) is not an attribute of this world");
 #undef DEF
 	assert_ok(scree_bodies_create(world, NULL, 0, NULL));

@@ -48,7 +48,7 @@ static scree_body any_body(scree_world* world)
 	                        scree_rot_make(random_between(seed, -3.0f, 3.0f))};
 	def.velocity.linear = (scree_vec){random_between(seed, -10.0f, 10.0f), random_between(seed, -60.0f, 60.0f)};
 	def.velocity.angular = random_between(seed, -9.0f, 9.0f);
-	def.reports = (uint32_t)random_below(seed, 2);
+	def.reports = (uint32_t)random_below(seed, 8);
 	scree_body body;
 	OK(scree_body_create(world, &def, &body));
 	return body;
@@ -85,6 +85,13 @@ static void act(scree_world* world, int step, const void* context)
 	int k = random_below(seed, BODIES);
 	scree_collidable part;
 	int count;
+	scree_events events;
+	bool answers[1000];
+	OK(scree_world_get_events(world, &events));
+	for (int i = 0; i < events.asked_count; ++i)
+		answers[i] = random_below(seed, 2);
+	if (random_below(seed, 4))
+		OK(scree_world_answer_asked(world, answers, events.asked_count));
 	OK(scree_body_get_collidables(world, trial.bodies[k], &part, 1, &count));
 	switch (random_below(seed, 8))
 	{
@@ -105,6 +112,14 @@ static void act(scree_world* world, int step, const void* context)
 	case 4:
 		OK(scree_body_set_enabled(world, trial.bodies[k], random_below(seed, 2)));
 		break;
+	case 6:
+	{
+		int other = random_below(seed, BODIES);
+		bool excluded = random_below(seed, 3);
+		if (other != k)
+			OK(scree_body_set_excluded(world, trial.bodies[k], trial.bodies[other], excluded));
+		break;
+	}
 	case 5:
 	{
 		scree_material_pair pair = scree_material_pair_default();

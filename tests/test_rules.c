@@ -377,6 +377,71 @@ static void struck(void** state)
 	}
 }
 
+// A stack lies still on a platform for a minute, at the origin and 50 km away.
+static void rest(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 2; ++k)
+	{
+		float x = k ? 50000.0f : 0.0f;
+		scree_world* world = open_world(-10.0f);
+		add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), x, -0.1f, 0.0f);
+		scree_body bodies[10];
+		for (int n = 0; n < 10; ++n)
+			bodies[n] = add_thrown(world, box_shape(0.3f, 0.3f), x, 0.3f + 0.6f * (float)n, 0.0f, 0.0f);
+		run_steps(world, quick() ? 600 : 3600);
+		for (int n = 0; n < 10; ++n)
+		{
+			NEAR(pose_of(world, bodies[n]).position.x, x, 0.01);
+			NEAR(pose_of(world, bodies[n]).position.y, 0.3 + 0.6 * n, 0.02);
+		}
+		scree_world_destroy(world);
+	}
+}
+
+// A platform that is destroyed and made anew before each step goes on holding what lies on it, and letting through what rises.
+static void made_anew(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_body platform = add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), 0.0f, -0.1f, 0.0f);
+	scree_body lies = add_thrown(world, box_shape(0.3f, 0.3f), -1.0f, 0.3f, 0.0f, 0.0f);
+	scree_body rises = add_thrown(world, box_shape(0.3f, 0.3f), 1.0f, -2.0f, 0.0f, 12.0f);
+	for (int step = 0; step < 240; ++step)
+	{
+		OK(scree_body_destroy(world, platform));
+		platform = add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), 0.0f, -0.1f, 0.0f);
+		run_steps(world, 1);
+	}
+	NEAR(pose_of(world, lies).position.y, 0.3, 0.02);
+	NEAR(pose_of(world, rises).position.y, 0.3, 0.02);
+	scree_world_destroy(world);
+}
+
+// A platform that sinks faster than bodies fall, and one that rises through bodies at rest in the air: these pass, and are carried later.
+static void fast_platforms(void** state)
+{
+	(void)state;
+	static const float speeds[] = {0.5f, 5.0f, 60.0f, 200.0f};
+	for (int k = 0; k < 8; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		float speed = speeds[k / 2], side = k % 2 ? 1.0f : -1.0f;
+		scree_body platform = add_platform(world, SCREE_BODY_KINEMATIC, box_shape(4.0f, 0.1f), 0.0f, side * 3.0f, 0.0f);
+		scree_body body = add_thrown(world, circle_shape(0.2f), 0.0f, 0.0f, 0.0f, 0.0f);
+		OK(scree_body_set_linear_velocity(world, platform, (scree_vec){0.0f, -side * speed}));
+		run_steps(world, (int)(6.0f / speed / STEP) + 4);
+		scree_velocity velocity;
+		OK(scree_body_get_velocity(world, body, &velocity));
+		// one that comes from below pushes with its top, one that comes from above does not touch
+		if (side < 0.0f)
+			assert_true(pose_of(world, body).position.y > pose_of(world, platform).position.y + 0.28f);
+		else
+			assert_true(pose_of(world, body).position.y == 0.0f && velocity.linear.y == 0.0f);
+		scree_world_destroy(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -391,6 +456,9 @@ int main(void)
 	    cmocka_unit_test(touches),
 	    cmocka_unit_test(changed_in_mid_run),
 	    cmocka_unit_test(struck),
+	    cmocka_unit_test(rest),
+	    cmocka_unit_test(made_anew),
+	    cmocka_unit_test(fast_platforms),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

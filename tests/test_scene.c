@@ -83,6 +83,7 @@ static void test_shipped(void** state)
 	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
 	    {"pond", 2028, 2048, 0},          {"blast", 730, 730, 0},
 	    {"lidar", 1941, 1951, 0},         {"platformer", 58, 58, 4},
+	    {"platforms", 279, 279, 0},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);

@@ -158,12 +158,38 @@ static void newer_structs(void** state)
 	scree_world_destroy(twin);
 }
 
+// An attribute of a program that knows no rules has none; such a program gets events without what is asked.
+static void older_than_rules(void** state)
+{
+	(void)state;
+	scree_world* world = open_world();
+	scree_attribute_def def = scree_attribute_def_default(), known;
+	scree_attribute attribute;
+	def.size = offsetof(scree_attribute_def, one_way);
+	def.one_way.x = 1.0f;
+	def.material = 999;
+	OK(scree_attribute_create(world, &def, &attribute));
+	OK(scree_attribute_get_def(world, attribute, &known));
+	assert_true(known.one_way.x == 0.0f && known.material == 0);
+	scree_events events;
+	memset(&events, 0x5a, sizeof events);
+	events.size = offsetof(scree_events, asked_count);
+	events.contact_size = sizeof(scree_contact);
+	events.hit_size = sizeof(scree_hit);
+	events.visit_size = sizeof(scree_visit);
+	events.joint_size = sizeof(scree_joint_event);
+	OK(scree_world_get_events_sized(world, &events));
+	assert_true(events.joint_count == 0 && events.asked_count == 0x5a5a5a5a);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(older_results),
 	    cmocka_unit_test(older_definitions),
 	    cmocka_unit_test(newer_structs),
+	    cmocka_unit_test(older_than_rules),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

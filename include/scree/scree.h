@@ -508,6 +508,7 @@ enum // bits of scree_collidable_def.reports: which events list a collidable. On
 {
 	SCREE_REPORT_TOUCHES = 1, // scree_events.touches_began, touches_ended
 	SCREE_REPORT_HITS = 2,    // scree_events.hits
+	SCREE_REPORT_ASKS = 4,    // scree_events.asked: what it begins to touch waits for scree_world_answer_asked
 };
 
 // Bits of scree_body_def.sensor and scree_collidable_def.sensor: what a sensor sees. A sensor touches nothing, and nothing stops at
@@ -662,6 +663,17 @@ SCREE_API scree_status scree_bodies_set_enabled(scree_world* world, const scree_
                                                 int count); // all or none
 SCREE_API scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled);
 SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body); // false for one that is not there
+
+// Pairs of bodies that never touch each other, whatever their filters; the order of the two makes no difference. A pair that touches
+// now ends its touch in the next step, with its event; one that is admitted again begins anew. Joints that keep two bodies apart do so
+// beside it. Destroying a body removes its pairs. A world holds up to 16,777,216.
+SCREE_API scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
+                                                 const bool* excluded, int count); // all or none
+SCREE_API scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded);
+SCREE_API bool scree_body_is_excluded(const scree_world* world, scree_body body, scree_body other);
+// Writes up to capacity of the bodies that a body never touches, in ascending index order, and sets count to their number.
+SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity,
+                                               int* count);
 
 typedef struct scree_mass
 {
@@ -1174,11 +1186,22 @@ typedef struct scree_events
 	uint32_t joint_size; // set by scree_world_get_events
 	int joint_count;
 	const scree_joint_event* joints;
+
+	// Contacts of which one side has SCREE_REPORT_ASKS, and which touch, or will in this step, for the first time since the two
+	// were apart: scree_world_answer_asked. Their impulses are 0. In the order of scree_world_get_contacts.
+	int asked_count;
+	const scree_contact* asked;
 } scree_events;
 
 // The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
 // scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
+
+// Answers for the contacts in scree_events.asked of the last step; count is asked_count, or it is refused. true: the contact acts from
+// the next step on until the two are farther apart than 0.02 m. false, or no answer before the next step: the two pass through each
+// other until then. After that they are asked about again. In the step in which a contact is asked about, its bodies move no further
+// than to where they meet, and keep their velocities. A second call before the next step replaces the answers of the first.
+SCREE_API scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count);
 
 typedef struct scree_moved // a body at another pose than before
 {

@@ -4,6 +4,7 @@
 #include "world/collidables.h"
 #include "world/definition.h"
 #include "world/edits.h"
+#include "world/exclusions.h"
 #include "world/failure.h"
 #include "world/fields.h"
 #include "world/handles.h"
@@ -235,6 +236,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		target_drop(world, index);
 		body_joints_remove(world, index);
 		fields_body_gone(world, index);
+		body_exclusions_remove(world, index);
 		slots_free(&world->bodies, index);
 		edits_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
 	}

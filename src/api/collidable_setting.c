@@ -6,6 +6,7 @@
 #include "world/failure.h"
 #include "world/handles.h"
 #include "world/mass.h"
+#include "world/reports.h"
 #include "world/rows.h"
 #include "world/sensors.h"
 #include <string.h>
@@ -150,6 +151,7 @@ static scree_status set_reports(scree_world* world, const char* function, const 
 			continue;
 		world->reports.reporters += (reports[k] != 0) - (host->reports != 0);
 		host->reports = reports[k];
+		reports_note(world, host->reports);
 		edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)report_bits(host));
 		world->pipeline.mixed = true;
 	}

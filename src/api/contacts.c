@@ -60,7 +60,7 @@ static bool both_were_there(const scree_world* world, Int2 pair)
 
 static bool is_wanted(const scree_world* world, const Rows* rows, int k, Word detected)
 {
-	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED);
+	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS);
 	return flags == (CONTACT_TOUCHING | detected) && both_were_there(world, rows->pair[k]);
 }
 

@@ -9,8 +9,10 @@
 #include "world/memory.h"
 #include "world/reports.h"
 #include <stddef.h>
+#include <stdlib.h>
 
 // of structs from versions that know visits and joints
+#define LEAST_WITH_ASKED  (offsetof(scree_events, asked) + sizeof(const scree_contact*))
 #define LEAST_WITH_VISITS (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 
 // The names of both sides of a contact or a hit.
@@ -87,6 +89,8 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	if (joint > 0)
 		TRY(joint_events_find(world, function, &joint_rows, &joints));
 	bytes += joint * (size_t)joints;
+	int asked = events->size >= LEAST_WITH_ASKED ? counts[EVENT_ASKED] : 0;
+	bytes += (size_t)asked * contact;
 	if (bytes > INT32_MAX)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
 	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
@@ -101,7 +105,8 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	                       .visits_began_count = sensors->began_count,
 	                       .visits_ended_count = sensors->ended_count,
 	                       .joint_size = (uint32_t)joint,
-	                       .joint_count = joints};
+	                       .joint_count = joints,
+	                       .asked_count = asked};
 	char* to = r->rows;
 	result.touches_began = (const scree_contact*)to;
 	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
@@ -131,7 +136,39 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 		scree_joint_event row = joint_event_result(world, joint_rows + k);
 		write_result(to, joint, &row, sizeof row);
 	}
+	result.asked = (const scree_contact*)to;
+	for (int k = 0; k < asked; ++k, to += contact)
+	{
+		scree_contact row = began_at(world, r->asked + k);
+		write_result(to, contact, &row, sizeof row);
+	}
 	write_result(events, result.size, &result, sizeof result);
+	return SCREE_OK;
+}
+
+static int compare_pairs(const void* a, const void* b)
+{
+	Word64 first = *(const Word64*)a, second = *(const Word64*)b;
+	return first < second ? -1 : first > second;
+}
+
+scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count)
+{
+	const char* function = "scree_world_answer_asked";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "answers", answers, count));
+	TRY(reports_fetch(world));
+	Reports* r = &world->reports;
+	if (count != r->counts[EVENT_ASKED])
+		return fail(SCREE_ERROR_INVALID, "%s: count is %d, and %d contacts wait for an answer", function, count,
+		            r->counts[EVENT_ASKED]);
+	TRY(GROW(function, r->allowed, r->allowed_capacity, count));
+	r->allowed_count = 0;
+	for (int k = 0; k < count; ++k)
+		if (answers[k])
+			r->allowed[r->allowed_count++] = (Word64)r->asked[k].pair.x << 32 | (Word64)r->asked[k].pair.y;
+	if (r->allowed_count > 1)
+		qsort(r->allowed, (size_t)r->allowed_count, sizeof *r->allowed, compare_pairs);
 	return SCREE_OK;
 }
 

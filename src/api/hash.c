@@ -3,9 +3,11 @@
 #include "pools/hash_types.h"
 #include "world/auto.h"
 #include "world/check.h"
+#include "world/exclusions.h"
 #include "world/failure.h"
 #include "world/fields.h"
 #include "world/materials.h"
+#include "world/reports.h"
 #include "world/rows.h"
 #include "world/upload.h"
 #include "world/world.h"
@@ -27,7 +29,8 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// The hash of the targets, the disabled bodies, the paths, the visits, the materials and the fields, which only the host knows.
+// The hash of the targets, the disabled bodies, the paths, the visits, the materials, the exclusions, the answers and the fields, which only
+// the host knows.
 static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
@@ -42,7 +45,7 @@ static uint64_t hidden_hash(const scree_world* world)
 	for (int k = 0; k < world->sensors.visit_count; ++k)
 		sum += hash_mix(
 		    hash_int(hash_begin(HASH_VISIT, world->sensors.visits[k].sensor), world->sensors.visits[k].visitor));
-	return sum + materials_hash(world) + fields_hash(world);
+	return sum + materials_hash(world) + exclusions_hash(world) + allowed_hash(world) + fields_hash(world);
 }
 
 scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)

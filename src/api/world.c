@@ -111,6 +111,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .timings = world->def.timings,
 	                       .details = world->def.contact_details,
 	                       .reports = world->reports.reporters > 0,
+	                       .allowed = world->reports.allowed,
+	                       .allowed_count = world->reports.allowed_count,
 	                       .hit_speed = world->def.hit_speed,
 	                       .hit_impulse = world->def.hit_impulse};
 	request.fields = fields_acting(world, &request.field_shapes);
@@ -118,6 +120,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		TRY(targets_commands(world, &request.commands));
 	idle_begin(world);
 	scree_status status = pipeline_step(&world->pipeline, &request);
+	if (status == SCREE_OK)
+		world->reports.allowed_count = 0;
 	if (status == SCREE_OK && dt > 0.0f)
 	{
 		targets_arrived(world);

@@ -69,12 +69,15 @@
 #define EMPTY_LOW  1.0e30f
 #define EMPTY_HIGH (-1.0e30f)
 
+#define NO_PAIR (~(Word64)0) // behind all pairs of bodies
+
 // separation of a missing point: so large that no impulse ever arises
 #define NO_POINT 1.0e6f
 
 // of a collidable: what happens to it is listed for the user
 #define REPORT_TOUCHES 1u // its touches begin and end
 #define REPORT_HITS    2u // it hits something, or is hit
+#define REPORT_ASKS    4u // what it begins to touch waits for an answer
 
 // of a collidable that is a sensor: what it sees; in the same word
 #define SENSOR_MOVING  0x100u // what belongs to dynamic and kinematic bodies
@@ -107,8 +110,15 @@
 #define CONTACT_TOUCHED  65536u  // its touch began, and will end
 #define CONTACT_PASSES   131072u // a side of it is a one-way platform, which lets the other one through
 #define CONTACT_IGNORED  262144u // its materials ignore each other
-#define CONTACT_APART    (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED)    // has no points, whatever the poses
-#define CONTACT_LASTS    (CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED) // what narrow_phase leaves alone
+// of a contact about which the user is asked first
+#define CONTACT_ASKS    524288u  // gets no impulses yet
+#define CONTACT_WAITS   1048576u // the user was asked in the last step
+#define CONTACT_REFUSED 2097152u // the answer was no, or none
+#define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
+#define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
+#define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
+#define CONTACT_LASTS \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -507,7 +517,8 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define EVENT_TOUCH_BEGAN 0
 #define EVENT_TOUCH_ENDED 1
 #define EVENT_HIT         2
-#define EVENT_LISTS       3
+#define EVENT_ASKED       3
+#define EVENT_LISTS       4
 
 typedef struct // one tree of the broad phase, as the host sees it
 {
@@ -547,6 +558,9 @@ typedef struct // constants of one step, passed by value to every stage
 	int reports;          // some collidable reports touches or hits
 	int rules;            // some pair may be subject to a rule
 	int material_pairs;   // rows of the pool material_pair
+	int excluded;         // rows of the pool excluded
+	int asks;             // some collidable asks
+	int allowed;          // rows of the pool allowed
 	float hit_speed;      // m/s: slower approaches are no hits
 	float hit_impulse;    // N s: nor are smaller impulses
 	int bounces;          // some attribute has restitution
@@ -625,9 +639,11 @@ typedef struct
 	int joint_moved;               // 1 if some joint got another place among the chains, until joint_update
 	int joint_stir;                // INT_MAX if some joint was made, changed or broke since the last step, else 0
 	int overflow_first, overflow;  // among the sorted keys of joints those without a color and a chain begin; how many
-	int joined;                    // pairs of bodies that joints keep from touching
+	int joined;                    // pairs of bodies that joints or the user keep from touching
 	int joint_events;              // joints whose force exceeded a threshold in the step
 	int touches_began, touches_ended, hits; // of the step
+	int waiting, refused, asked;            // contacts that wait, that were refused, that are listed
+	int holds;                              // INT_MAX if some wait, else 0
 	int told;                               // bodies at other poses than the user was told
 	int fault; // set by a device that failed during a run; its backend reads it with the other counters
 } Counters;

@@ -13,6 +13,8 @@ typedef enum // what a pool has an item for
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	PER_EDGE,        // of any kind
+	PER_JOINED,      // pair of bodies that never touch
+	PER_EXCLUDED,    // of those, pair that the user set
 	PER_JOINT_EDIT,  // joint that the user made or changed
 	PER_PATH_SAMPLE, // sample of a path
 	PER_CHAIN,       // joints that are solved together
@@ -22,6 +24,9 @@ typedef enum // what a pool has an item for
 	PER_RENDER_ROW,  // collidable, as a renderer sees it
 	PER_LISTED,      // contact of a body that the user asks for
 	PER_EVENT,       // contact of a world in which some collidable reports
+	PER_ASKED,       // contact of a world in which some collidable asks
+	PER_ALLOWED,     // pair of collidables that may touch
+	PER_HELD,        // body of a world in which some collidable asks
 	PER_SEEN,        // leaf, as queries see it
 	PER_SEEN_NODE,   // node, as queries see it
 	PER_QUERY,

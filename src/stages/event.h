@@ -9,6 +9,7 @@ STAGE(event_key)
 {
 	p->key[i] = p->argument == EVENT_TOUCH_ENDED   ? p->touch_ended[i]
 	            : p->argument == EVENT_TOUCH_BEGAN ? (Word64)p->touch_began[i]
+	            : p->argument == EVENT_ASKED       ? (Word64)p->asked[i]
 	                                               : (Word64)p->hit[i];
 }
 

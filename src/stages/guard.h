@@ -44,17 +44,14 @@ INLINE GuardStop guard_stop(float share, Vec normal, int index)
 	return stop;
 }
 
-// The share of its path that b moves until it is too deep in a, which is static. normal gets the direction from a to b there.
-INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, float thickness, Vec* normal)
+// The share of the step after which b is too deep in a: deeper than before by so much, and deeper than deepest, m. normal gets the
+// direction from a to b there.
+RARE float guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper, float deepest,
+                      Vec* normal)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Sweep rests;
-	rests.path = vec(0.0f, 0.0f);
-	rests.center = vec(0.0f, 0.0f);
-	rests.turn = 0.0f;
-	rests.reach = shape_a->reach - shape_a->radius;
-	Closing closing = sweep_between(a, rests, b, way);
+	Closing closing = sweep_between(a, way_a, b, way_b);
 	Vec axes = vec(a.c, a.s);
 	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 	float time = 0.0f, target = 0.0f;
@@ -64,8 +61,8 @@ INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, f
 		float gap = minimum(m.separation[0], m.separation[1]);
 		if (round == 0)
 		{
-			target = minimum(gap, 0.0f) - GUARD_DEPTH * thickness;
-			target = maximum(target, -GUARD_DEEPEST * thickness);
+			target = minimum(gap, 0.0f) - deeper;
+			target = maximum(target, -deepest);
 			target = minimum(target, gap - GUARD_TOLERANCE);
 		}
 		*normal = vec_turn(axes, m.normal);
@@ -78,6 +75,17 @@ INLINE float guard_time(const Pools* p, WorldShape a, WorldShape b, Sweep way, f
 		sweep_frame(a, b, closing, time, &f);
 	}
 	return time;
+}
+
+// Of what does not move.
+INLINE Sweep guard_rest(const GLOBAL Attribute* shape)
+{
+	Sweep rests;
+	rests.path = vec(0.0f, 0.0f);
+	rests.center = vec(0.0f, 0.0f);
+	rests.turn = 0.0f;
+	rests.reach = shape->reach - shape->radius;
+	return rests;
 }
 
 // The share of its path that collidable i moves, with its body's displacement. Leaves are not in the same order everywhere: of
@@ -112,7 +120,9 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 			if (p->step.rules && rule_lets(p, j, i, path))
 				continue;
 			Vec normal = vec(0.0f, 0.0f);
-			float share = guard_time(p, p->world_shape[j], world_shape, way, thickness, &normal);
+			WorldShape stands = p->world_shape[j];
+			float share = guard_time(p, stands, guard_rest(p->attribute + stands.attribute), world_shape, way,
+			                         GUARD_DEPTH * thickness, GUARD_DEEPEST * thickness, &normal);
 			if (share < least.share || (share == least.share && share < 1.0f && j < least.index))
 				least = guard_stop(share, normal, j);
 		}

@@ -113,10 +113,8 @@ STAGE(joint_updated)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// pairs of bodies that joints keep from touching
+// pairs of bodies that joints or the user keep from touching
 // ---------------------------------------------------------------------------------------------------------------
-
-#define JOINT_NO_PAIR (~(Word64)0)
 
 INLINE Word64 joint_pair_of(int a, int b)
 {
@@ -128,22 +126,31 @@ INLINE Word64 joint_pair_of(int a, int b)
 STAGE(joint_pair_key)
 {
 	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
-	p->key[i] = (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b)
-	                                           : JOINT_NO_PAIR;
+	p->key[i] =
+	    (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b) : NO_PAIR;
 }
 
-// The sorted pairs. argument is the number of joints.
+// A pair that the user set, behind those of the joints, of which there are argument.
+STAGE(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
+
+STAGE(excluded_changed)
+{
+	raise_int(&p->counters->joint_stir, 0x7fffffff);
+	(void)i;
+}
+
+// The sorted pairs. argument is their number, with those that are none.
 STAGE(joint_pair)
 {
 	Word64 key = p->key[i];
 	p->joined[i] = key;
-	if (key != JOINT_NO_PAIR && (i + 1 == p->argument || p->key[i + 1] == JOINT_NO_PAIR))
+	if (key != NO_PAIR && (i + 1 == p->argument || p->key[i + 1] == NO_PAIR))
 		p->counters->joined = i + 1;
-	if (i == 0 && key == JOINT_NO_PAIR)
+	if (i == 0 && key == NO_PAIR)
 		p->counters->joined = 0;
 }
 
-// Whether a joint keeps two bodies from touching.
+// Whether a joint or the user keeps two bodies from touching.
 INLINE int joint_parts(const Pools* p, Int2 bodies)
 {
 	Word64 key = joint_pair_of(bodies.x, bodies.y);

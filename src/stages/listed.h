@@ -42,7 +42,7 @@ STAGE(contact_mark)
 	if (i < p->counters->contacts && p->pair[i].x >= 0)
 	{
 		Int2 bodies = p->contact_bodies[i];
-		wanted = (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED)) == CONTACT_TOUCHING &&
+		wanted = (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)) == CONTACT_TOUCHING &&
 		         (bodies.x == p->argument || bodies.y == p->argument);
 	}
 	p->scan[i] = wanted;

@@ -202,7 +202,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute);
 	if (!touching)
 		contact_end(p, i);
-	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED)))
+	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))
 		narrow_phase_began(p, i);
 }
 

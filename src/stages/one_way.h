@@ -32,7 +32,7 @@ typedef struct // of a shape along a direction, and across it, m
 	float low, high, left, right;
 } OneWaySpan;
 
-INLINE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
+RARE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
 {
 	OneWaySpan span = {0.0f, 0.0f, 0.0f, 0.0f};
 	for (int k = 0; k < shape->count; ++k)
@@ -54,7 +54,7 @@ INLINE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
 INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right && b.left <= a.right; }
 
 // Whether a visitor is over a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
-INLINE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, float slop)
+RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, float slop)
 {
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
 	if (!(gap >= -slop))
@@ -95,7 +95,7 @@ typedef struct // a visitor, as its platform sees it
 } OneWayPlace;
 
 // Where visitor b is of platform a, by their poses now. way: as above, in the world. known: ONE_WAY_*
-INLINE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, int known)
+RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;

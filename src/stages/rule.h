@@ -5,11 +5,11 @@
 // before the narrow phase, by what it was in the last step and by the poses now.
 #ifndef RULE_H
 #define RULE_H
+#include "stages/joint.h"
 #include "stages/one_way.h"
-#include "stages/touch.h"
 
 // What the materials of a pair do.
-INLINE MaterialPair rule_materials(const Pools* p, int i, int j)
+RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 {
 	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
 	int a = p->rule[p->collidable_attribute[i]].material, b = p->rule[p->collidable_attribute[j]].material;
@@ -52,7 +52,7 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 }
 
 // Whether contact i passes because a side of it is a one-way platform.
-INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
+RARE int rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED) ? ONE_WAY_NEW
 	            : flags & CONTACT_PASSES                  ? ONE_WAY_PAST
@@ -68,6 +68,29 @@ INLINE int rule_passes(const Pools* p, Int2 pair, Word flags)
 	return 0;
 }
 
+INLINE Word64 ask_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }
+
+INLINE int ask_finds(const GLOBAL Word64* keys, int count, Word64 key)
+{
+	int at = key_bound(keys, 0, count, key);
+	return at < count && keys[at] == key;
+}
+
+// The CONTACT_ANSWERS bits of a contact with these flags.
+RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
+{
+	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_ASKS))
+		return 0;
+	if (flags & CONTACT_FRESH)
+		return CONTACT_ASKS;
+	if (flags & CONTACT_WAITS)
+		return ask_finds(p->allowed, p->step.allowed, ask_key(pair)) ? CONTACT_GRANTED : CONTACT_ASKS | CONTACT_REFUSED;
+	// without points the two have parted; what touched before it asked goes on
+	if (!(flags & CONTACT_COUNT))
+		return CONTACT_ASKS;
+	return flags & CONTACT_ANSWERS ? flags & CONTACT_ANSWERS : CONTACT_GRANTED;
+}
+
 // Contact i: whether it acts in this step.
 STAGE(contact_rule)
 {
@@ -75,10 +98,7 @@ STAGE(contact_rule)
 	Int2 pair = p->pair[i];
 	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_DETECTED | CONTACT_JOINED))
 		return;
-	// a contact that parted is released by the narrow phase, but not one that is fresh
-	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
-		return;
-	Word apart = 0;
+	Word apart = 0, answer = p->step.asks ? rule_answer(p, pair, flags) : 0u;
 	if (p->step.material_pairs > 0)
 	{
 		MaterialPair materials = rule_materials(p, pair.x, pair.y);
@@ -86,15 +106,29 @@ STAGE(contact_rule)
 			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
 		apart = materials.sets & MATERIAL_IGNORED ? CONTACT_IGNORED : 0u;
 	}
-	if (!apart && rule_passes(p, pair, flags))
+	// most contacts stay as they are
+	int platform = !apart && (one_way_is(p, pair.x) || one_way_is(p, pair.y));
+	if (!platform && (flags & (CONTACT_PASSES | CONTACT_IGNORED | CONTACT_ANSWERS)) == (apart | answer))
+		return;
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
+		return;
+	if (platform && rule_passes(p, pair, flags))
 		apart = CONTACT_PASSES;
-	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart)
-		contact_anew(p, i, flags, apart | (flags & CONTACT_REPORTS));
+	int acts = flags & CONTACT_ASKS && !(answer & CONTACT_ASKS);
+	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart || acts)
+		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
+	else
+		p->contact_flags[i] = (flags & ~CONTACT_ANSWERS) | answer;
 }
 
 // Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
-INLINE int rule_lets(const Pools* p, int a, int b, Vec way)
+RARE int rule_lets(const Pools* p, int a, int b, Vec way)
 {
+	if (p->step.asks && ask_finds(p->refused, p->counters->refused, ask_key(make_int2(b, a))))
+		return 1;
+	if (p->step.excluded > 0 && joint_parts(p, make_int2(p->collidable_body[a], p->collidable_body[b])))
+		return 1;
 	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||
 	       (one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST));
 }

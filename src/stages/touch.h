@@ -26,7 +26,7 @@ INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 }
 
 // Ends contact i, as if its boxes met for the first time. flags: those that it had; kept: those that it has from now on.
-INLINE void contact_anew(const Pools* p, int i, Word flags, Word kept)
+RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);
 	touch_end(p, p->pair[i], flags);

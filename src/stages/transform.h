@@ -44,6 +44,10 @@ STAGE(step_begin)
 	c->penetration = 0;
 	c->joint_events = 0;
 	c->touches_began = 0;
+	c->waiting = 0;
+	c->refused = 0;
+	c->asked = 0;
+	c->holds = 0;
 	c->touches_ended = 0;
 	c->hits = 0;
 	for (int k = 0; k <= MAX_ROUNDS; ++k)

@@ -99,14 +99,26 @@ static void broad_phase(RunList* list, const Step* step)
 	runs_add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
 }
 
-// The pairs of bodies that joints keep apart, sorted by two indices of bodies.
-static void join(RunList* list, int joints, int bodies)
+// The pairs of bodies that joints or the user keep apart, sorted by two indices of bodies.
+static void join(RunList* list, int joints, int excluded, int bodies)
 {
-	int bits = index_bits(bodies), count = COUNT(joint_stir);
+	int bits = index_bits(bodies), count = COUNT(joint_stir), pairs = joints + excluded;
 	runs_add(list, STAGE_joint_pair_key, 0, joints, count, 0);
-	runs_add_sort(list, joints, count, 0, bits);
-	runs_add_sort(list, joints, count, 32, 32 + bits);
-	runs_add(list, STAGE_joint_pair, 0, joints, count, joints);
+	runs_add(list, STAGE_excluded_key, 0, excluded, count, joints);
+	runs_add_sort(list, pairs, count, 0, bits);
+	runs_add_sort(list, pairs, count, 32, 32 + bits);
+	runs_add(list, STAGE_joint_pair, 0, pairs, count, pairs);
+}
+
+// The user is asked about contacts that begin. What they refused is sorted for guard.
+static void ask(RunList* list, const Step* step, int bodies)
+{
+	int contacts = step->contact_capacity, bits = index_bits(step->collidables);
+	runs_add(list, STAGE_contact_ask, 0, contacts, COUNT(live), 0);
+	runs_add_sort(list, contacts, COUNT(refused), 0, bits);
+	runs_add_sort(list, contacts, COUNT(refused), 32, 32 + bits);
+	runs_add(list, STAGE_refused_pair, 0, contacts, COUNT(refused), 0);
+	runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
 }
 
 static void narrow_phase(RunList* list, const Step* step, bool reports)
@@ -240,13 +252,15 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	bool ahead = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
-		bool joints = c->joints > 0 && (pipeline->stirred || pipeline->breaks);
+		bool joints = c->joints + pipeline->excluded > 0 && (pipeline->stirred || pipeline->breaks);
 		if (joints)
-			join(list, c->joints, request->bodies);
+			join(list, c->joints, pipeline->excluded, request->bodies);
 		broad_phase(list, step);
 		if (joints)
 			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
 		narrow_phase(list, step, pipeline->reports);
+		if (step->asks)
+			ask(list, step, request->bodies);
 		if (joints)
 			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));

@@ -10,7 +10,16 @@ scree_status events_reserve(Pipeline* pipeline, const StepRequest* request)
 	pipeline->reports = pipeline->reports || request->reports;
 	if (!pipeline->reports)
 		return SCREE_OK;
-	return pipeline_reserve(pipeline, PER_EVENT, pipeline->backend->capacity[PER_CONTACT]);
+	Backend* b = pipeline->backend;
+	TRY(pipeline_reserve(pipeline, PER_EVENT, b->capacity[PER_CONTACT]));
+	if (!pipeline->asks)
+		return SCREE_OK;
+	TRY(pipeline_reserve(pipeline, PER_ASKED, b->capacity[PER_CONTACT]));
+	TRY(pipeline_reserve(pipeline, PER_HELD, request->bodies));
+	if (request->allowed_count == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(pipeline, PER_ALLOWED, request->allowed_count));
+	return b->f->write(b, POOL_allowed, 0, request->allowed_count, request->allowed);
 }
 
 scree_status events_list(Pipeline* pipeline, const Step* step)
@@ -18,6 +27,8 @@ scree_status events_list(Pipeline* pipeline, const Step* step)
 	if (!pipeline->reports || pipeline->counters.contacts == 0)
 		return SCREE_OK;
 	runs_add(&pipeline->list, STAGE_touch, 0, pipeline->counters.contacts, NO_COUNT, 0);
+	if (pipeline->asks)
+		runs_add(&pipeline->list, STAGE_contact_asked, 0, pipeline->counters.contacts, NO_COUNT, 0);
 	return pipeline_run(pipeline, step);
 }
 
@@ -29,6 +40,7 @@ scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS])
 	counts[EVENT_TOUCH_BEGAN] = c->touches_began;
 	counts[EVENT_TOUCH_ENDED] = c->touches_ended;
 	counts[EVENT_HIT] = c->hits;
+	counts[EVENT_ASKED] = c->asked;
 	return SCREE_OK;
 }
 

@@ -101,6 +101,14 @@ static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 	return pipeline_run(pipeline, step);
 }
 
+// Bodies that wait for an answer go back to where they met.
+static scree_status hold(Pipeline* pipeline, const Step* step, int bodies)
+{
+	runs_add(&pipeline->list, STAGE_hold_find, 0, step->contact_capacity, COUNT(waiting), 0);
+	runs_add(&pipeline->list, STAGE_hold, 0, bodies, COUNT(holds), 0);
+	return pipeline_run(pipeline, step);
+}
+
 // From the boxes to the final poses.
 static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* request)
 {
@@ -112,6 +120,8 @@ static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* requ
 		TRY(look(pipeline, step, request->bodies));
 	else if (!solved)
 		TRY(pipeline_solve(pipeline, step, request, NO_COUNT));
+	if (moves && pipeline->asks)
+		TRY(hold(pipeline, step, request->bodies));
 	if (moves)
 		TRY(command(pipeline, step, &request->commands, request->commands.end));
 	if (moves && pipeline_sparse(pipeline))
@@ -133,6 +143,12 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	TRY(events_reserve(pipeline, request));
 	if (request->field_shapes)
 		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));
+	int pairs = pipeline->counters.joints + pipeline->excluded;
+	if (pairs > 0)
+	{
+		TRY(pipeline_reserve(pipeline, PER_JOINED, pairs));
+		TRY(pipeline_reserve(pipeline, PER_KEY, pairs));
+	}
 	Step step = step_constants(pipeline, request);
 	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
 	if (!status)

@@ -85,6 +85,8 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	}
 	if (!status && per == PER_CONTACT && pipeline->reports)
 		status = resize(pipeline, PER_EVENT, wanted);
+	if (!status && per == PER_CONTACT && pipeline->asks)
+		status = resize(pipeline, PER_ASKED, wanted);
 	if (!status)
 		status = resize(pipeline, per, wanted);
 	if (!status && per == PER_COLLIDABLE)

@@ -44,6 +44,8 @@ typedef struct // what a step is asked for
 	float hit_speed, hit_impulse; // as in Step
 	int fields;                   // that act
 	bool field_shapes;            // some of them on shapes
+	const Word64* allowed;        // pairs of collidables to which the user said yes, sorted
+	int allowed_count;
 } StepRequest;
 
 typedef struct
@@ -62,18 +64,19 @@ typedef struct
 	bool jumps;          // the user placed or created something since the last step: boxes may jump
 	bool mixed;   // some collidable got another attribute of its shape, or reports other events, since the last step
 	bool reports; // some collidable has ever reported touches or hits
-	bool rules;   // some attribute is a one-way platform, or some pair of materials was set
-	int material_pairs; // rows of the pool
-	bool begun;         // the current step has changed something on the device
-	bool undone;        // the last step was refused: boxes are older than the poses that it found
-	bool rolls;         // some attribute has restitution, rolling resistance or tangent speed
-	bool bounces;       // some attribute has restitution
-	bool round;         // some attribute has a radius
-	bool drives;        // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
-	bool couplings;     // some joint is a gear or a pulley
-	bool paths;         // some joint follows a path
-	bool bare;          // some body with joints may have no collidables
-	bool breaks;        // some joint may break
+	bool rules;   // some attribute is a one-way platform, or some pair of materials or bodies was set
+	int material_pairs, excluded; // rows of these pools
+	bool asks;                    // some collidable has ever asked
+	bool begun;                   // the current step has changed something on the device
+	bool undone;                  // the last step was refused: boxes are older than the poses that it found
+	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
+	bool bounces;                 // some attribute has restitution
+	bool round;                   // some attribute has a radius
+	bool drives;    // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	bool couplings; // some joint is a gear or a pulley
+	bool paths;     // some joint follows a path
+	bool bare;      // some body with joints may have no collidables
+	bool breaks;    // some joint may break
 	int chains, chain_ranges;     // items of a pass over rows of joints that are solved together; these rows
 	int chain_places;             // joints in them, with padding
 	bool stirred;                 // joints were made, changed or destroyed since the last step

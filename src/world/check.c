@@ -146,8 +146,8 @@ scree_status check_sensor(Where at, const char* member, uint32_t sensor)
 
 scree_status check_reports(Where at, const char* member, uint32_t reports)
 {
-	if (reports <= (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS))
+	if (reports <= (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_ASKS))
 		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, at, member, "is %u, must be bits of SCREE_REPORT_TOUCHES and SCREE_REPORT_HITS",
-	              reports);
+	return refuse(SCREE_ERROR_INVALID, at, member,
+	              "is %u, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_ASKS", reports);
 }

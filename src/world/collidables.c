@@ -82,6 +82,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 	host->waiting = waiting;
 	++world->host_attributes[host->attribute].collidables;
 	world->reports.reporters += host->reports != 0;
+	reports_note(world, host->reports);
 	sensors_note(world, 0, host->sensor);
 	host->made = host->born = world->pipeline.steps;
 	host->next = host->previous = -1;

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "world/auto.h"
 #include "world/edits.h"
+#include "world/exclusions.h"
 #include "world/fields.h"
 #include "world/idle.h"
 #include "world/materials.h"
@@ -41,6 +42,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->host_collidables);
 	reports_close(world);
 	materials_close(world);
+	exclusions_close(world);
 	sensors_close(world);
 	scree_release(world->moved);
 	scree_release(world->queries.found);

@@ -39,6 +39,10 @@ static int lasting_items(const scree_world* world, Per per)
 		return (c->layout[CONSTRAINT_##KIND].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+	case PER_JOINED:
+		return smaller(c->joints + world->pipeline.excluded, b->capacity[per]);
+	case PER_EXCLUDED:
+		return world->pipeline.excluded;
 	case PER_MATERIAL_PAIR:
 		return smaller(world->pipeline.material_pairs, b->capacity[per]);
 	case PER_PATH_SAMPLE:

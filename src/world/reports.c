@@ -5,6 +5,7 @@
 // the contacts of the old collidable ended in the step. So a slot keeps two names, of the collidables that left it after an even and
 // after an odd number of steps. Those that never took part in a step have no events.
 #include "world/reports.h"
+#include "dialect/hash_word.h"
 #include "platform/error.h"
 #include "step/events.h"
 #include "world/failure.h"
@@ -44,6 +45,20 @@ void reports_depart(scree_world* world, int index)
 	r->departed[2 * index + (steps & 1)] = name_of(world, index);
 }
 
+void reports_note(scree_world* world, uint32_t reports)
+{
+	if (reports & SCREE_REPORT_ASKS)
+		world->pipeline.asks = world->pipeline.rules = true;
+}
+
+uint64_t allowed_hash(const scree_world* world)
+{
+	Word64 sum = 0;
+	for (int k = 0; k < world->reports.allowed_count; ++k)
+		sum += hash_mix(hash_begin(HASH_ALLOWED, 0) + world->reports.allowed[k]);
+	return sum;
+}
+
 void reports_forget(scree_world* world)
 {
 	world->reports.fetched = true;
@@ -60,6 +75,9 @@ static scree_status fetch(scree_world* world)
 	TRY(GROW(function, r->began, r->capacity[EVENT_TOUCH_BEGAN], counts[EVENT_TOUCH_BEGAN]));
 	TRY(GROW(function, r->ended, r->capacity[EVENT_TOUCH_ENDED], counts[EVENT_TOUCH_ENDED]));
 	TRY(GROW(function, r->hits, r->capacity[EVENT_HIT], counts[EVENT_HIT]));
+	TRY(GROW(function, r->asked, r->capacity[EVENT_ASKED], counts[EVENT_ASKED]));
+	if (counts[EVENT_ASKED] > 0)
+		TRY(events_contacts(pipeline, EVENT_ASKED, counts[EVENT_ASKED], r->asked));
 	if (counts[EVENT_TOUCH_BEGAN] > 0)
 		TRY(events_contacts(pipeline, EVENT_TOUCH_BEGAN, counts[EVENT_TOUCH_BEGAN], r->began));
 	if (counts[EVENT_TOUCH_ENDED] > 0)
@@ -98,5 +116,7 @@ void reports_close(scree_world* world)
 	scree_release(r->began);
 	scree_release(r->ended);
 	scree_release(r->hits);
+	scree_release(r->asked);
+	scree_release(r->allowed);
 	scree_release(r->rows);
 }

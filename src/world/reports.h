@@ -10,6 +10,12 @@ scree_status reports_reserve(scree_world* world, const char* function);
 // A collidable is about to be destroyed.
 void reports_depart(scree_world* world, int index);
 
+// A collidable reports such things from now on.
+void reports_note(scree_world* world, uint32_t reports);
+
+// Of the answers that wait for the next step.
+uint64_t allowed_hash(const scree_world* world);
+
 // The next step begins: the events of the last one are void.
 void reports_forget(scree_world* world);
 

@@ -6,6 +6,7 @@
 #include "world/auto.h"
 #include "world/chains.h"
 #include "world/edit_order.h"
+#include "world/exclusions.h"
 #include "world/failure.h"
 #include "world/fields.h"
 #include "world/idle.h"
@@ -132,6 +133,7 @@ static scree_status upload_all(scree_world* world)
 	TRY(upload_fields(world));
 	TRY(chains_update(world)); // joints whose place changed are edits
 	TRY(upload_materials(world));
+	TRY(upload_exclusions(world));
 	if (no_edits(&world->edits))
 		return SCREE_OK;
 	idle_note(world);
@@ -151,7 +153,8 @@ static scree_status upload_all(scree_world* world)
 
 scree_status world_upload(scree_world* world)
 {
-	if (no_edits(&world->edits) && !world->chains_stale && !world->materials.waiting && !world->fields.stale)
+	if (no_edits(&world->edits) && !world->chains_stale && !world->materials.waiting && !world->exclusions.waiting &&
+	    !world->fields.stale)
 		return SCREE_OK;
 	TRY(reports_fetch(world)); // an upload may change what they refer to
 	world->pipeline.trees[0].seen = false;

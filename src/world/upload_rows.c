@@ -131,6 +131,8 @@ static scree_status write_attributes(scree_world* world, int first, int count, c
 	for (int k = 0; k < count; ++k)
 		((float*)stage)[k] = attribute_thickness(world, first + k);
 	TRY(b->f->write(b, POOL_thickness, first, count, stage));
+	if (!world->ruled)
+		return SCREE_OK; // new rows are zero
 	for (int k = 0; k < count; ++k)
 		((Rule*)stage)[k] = attribute_rule(world, first + k);
 	return b->f->write(b, POOL_rule, first, count, stage);

@@ -18,10 +18,11 @@ typedef struct // host data of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
-	int first_joint; // 1 + end (joints.h) of its first joint, 0 for none
-	int fields;      // that lie on it
-	int target;      // 1 + its place among the targets, 0 for none
-	bool disabled;   // not simulated: its collidables are KIND_DEAD on the device
+	int first_joint;                 // 1 + end (joints.h) of its first joint, 0 for none
+	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; how many
+	int fields;                      // that lie on it
+	int target;                      // 1 + its place among the targets, 0 for none
+	bool disabled;                   // not simulated: its collidables are KIND_DEAD on the device
 	Waiting waiting;
 	bool marked; // within one call: already seen in the batch
 } HostBody;
@@ -122,8 +123,10 @@ typedef struct // events of the last step
 	int departed_capacity;
 	bool fetched; // the lists below are those of the last step
 	int counts[EVENT_LISTS], capacity[EVENT_LISTS];
-	Listed *began, *hits;
+	Listed *began, *hits, *asked;
 	Word64* ended;
+	Word64* allowed; // pairs of collidables to which the user said yes since the last step, sorted
+	int allowed_count, allowed_capacity;
 	char* rows; // what scree_world_get_events returned last
 	int rows_capacity;
 } Reports;
@@ -161,6 +164,19 @@ typedef struct // pairs of materials
 	bool waiting; // for the next upload
 } Materials;
 
+typedef struct // a pair of bodies that never touch
+{
+	int bodies[2], next[2], previous[2]; // 1 + end of the next one of each body, 0 for none
+} HostExclusion;
+
+typedef struct
+{
+	Slots slots;
+	HostExclusion* rows; // of each slot
+	int capacity;
+	bool waiting; // for the next upload
+} Exclusions;
+
 typedef struct // the shape of the last queries, checked; the answers of the last call that listed all
 {
 	scree_shape shape;
@@ -177,6 +193,7 @@ struct scree_world
 	scree_opengl opengl; // copy that def.opengl points to; unused when def.opengl is null
 	Backend* backend;
 	scree_status broken;       // sticky error, SCREE_OK while healthy; a broken world can only be destroyed
+	bool ruled;                // some attribute was ever a one-way platform, or had another material than 0
 	Slots bodies, collidables; // body slot 0 is the ground: static, has no handle
 	HostBody* host_bodies;     // of each slot
 	HostCollidable* host_collidables;
@@ -204,6 +221,7 @@ struct scree_world
 	Sensors sensors;
 	Materials materials;
 	Fields fields;
+	Exclusions exclusions;
 	char* moved; // what scree_world_get_moved returned last
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];

@@ -21,7 +21,7 @@ static void set_filter(Maker* m, Call* call)
 static void set_reports(Maker* m, Call* call)
 {
 	if (m->reports && (call->kind == CALL_reports || chance(m, 0.3)))
-		call_set(call, "reports", (float)below(m, 4));
+		call_set(call, "reports", (float)below(m, m->rules ? 8 : 4));
 }
 
 // In a third of the programs there are sensors.
@@ -310,6 +310,8 @@ static void put_motion(Maker* m)
 static void put_setting(Maker* m)
 {
 	Call call = call_make((CallKind)(CALL_type + below(m, CALL_mass - CALL_type + 1)));
+	if (call.kind == CALL_exclude && !m->rules)
+		call = call_make(CALL_enabled);
 	call_set(&call, "body", any_body(m));
 	switch (call.kind)
 	{
@@ -326,6 +328,12 @@ static void put_setting(Maker* m)
 		break;
 	case CALL_locks:
 		call_set(&call, "locks", (float)below(m, 8));
+		break;
+	case CALL_exclude:
+		call_set(&call, "other", any_body(m));
+		call_set(&call, "excluded", (float)chance(m, 0.7));
+		if (chance(m, 0.2))
+			call_set(&call, "count", (float)(1 + below(m, 8)));
 		break;
 	case CALL_enabled:
 		call_set(&call, "enabled", (float)chance(m, 0.6));
@@ -492,7 +500,11 @@ static void put_any(Maker* m)
 	// a step costs a GPU as much as dozens of other calls
 	int k = below(m, 100);
 	if (k < 12)
+	{
 		put_step(m);
+		if (m->rules && m->reports && chance(m, 0.7))
+			put_alone(m, CALL_answer, "bits", (float)below(m, 256));
+	}
 	else if (k < 44)
 		m->jointed&& k >= 32 ? chance(m, 0.4) ? put_joint(m) : put_joint_change(m) : put_motion(m);
 	else if (k < 46 && m->railed)
@@ -513,6 +525,8 @@ static void put_any(Maker* m)
 		chance(m, 0.5) ? put_attribute(m) : chance(m, 0.5) ? put_like(m) : put_drop(m);
 	else if (k < 95 && m->rules && chance(m, 0.5))
 		put_material(m);
+	else if (k < 96 && m->rules && m->reports)
+		put_alone(m, CALL_answer, "bits", (float)below(m, 256));
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
 	else if (k < 96 && m->asks)

@@ -25,8 +25,8 @@ typedef struct
 	bool reports;  // some collidables report events
 	bool asks;     // queries
 	bool senses;   // some collidables are sensors
-	bool rules;    // one-way platforms, materials
 	bool fields;   // has fields
+	bool rules;    // one-way platforms, materials, excluded pairs, contacts that ask
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------

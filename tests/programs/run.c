@@ -129,6 +129,43 @@ static scree_status make_shape(const Turn* t, scree_shape* shape)
 	}
 }
 
+static scree_status run_exclude(const Turn* t)
+{
+	enum
+	{
+		MOST = 64
+	};
+	scree_body first[MOST], second[MOST], other = call_body(t, call_whole(t, "other"));
+	bool excluded[MOST];
+	int count = call_whole(t, "count"), body = call_whole(t, "body");
+	if (count == 0)
+		return scree_body_set_excluded(t->world, call_body(t, body), other, call_whole(t, "excluded") != 0);
+	count = count < MOST ? count : MOST;
+	for (int k = 0; k < count; ++k)
+	{
+		first[k] = call_body(t, body + k);
+		second[k] = other;
+		excluded[k] = call_whole(t, "excluded") != 0;
+	}
+	return scree_bodies_set_excluded(t->world, first, second, excluded, count);
+}
+
+static scree_status run_answer(const Turn* t)
+{
+	enum
+	{
+		MOST = 4096
+	};
+	bool answers[MOST];
+	scree_events events;
+	scree_status status = scree_world_get_events(t->world, &events);
+	if (status != SCREE_OK)
+		return status;
+	for (int k = 0; k < events.asked_count && k < MOST; ++k)
+		answers[k] = call_whole(t, "bits") >> k % 8 & 1;
+	return scree_world_answer_asked(t->world, answers, events.asked_count < MOST ? events.asked_count : MOST);
+}
+
 static scree_status run_material(const Turn* t)
 {
 	scree_material_pair pair = scree_material_pair_default();
@@ -522,6 +559,10 @@ scree_status run_call(const Turn* t)
 		return scree_collidable_set_filter(t->world, collidable_of(t), filter_of(t));
 	case CALL_material:
 		return run_material(t);
+	case CALL_exclude:
+		return run_exclude(t);
+	case CALL_answer:
+		return run_answer(t);
 	case CALL_reports:
 		return scree_collidable_set_reports(t->world, collidable_of(t), (uint32_t)call_whole(t, "reports"));
 	case CALL_sensor:

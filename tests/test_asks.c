@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// test_asks.c -- contacts about which the user is asked first: yes, no, no answer; nothing slips through while it waits.
+#include "world_support.h"
+
+static scree_events events_of(scree_world* world)
+{
+	scree_events events;
+	assert_ok(scree_world_get_events(world, &events));
+	return events;
+}
+
+static scree_body put(scree_world* world, scree_body_type type, float x, float y, float vx, float vy, uint32_t reports)
+{
+	scree_body_def def = box_def(world, type, x, y);
+	def.velocity.linear = (scree_vec){vx, vy};
+	def.reports = reports;
+	scree_body body;
+	assert_ok(scree_body_create(world, &def, &body));
+	return body;
+}
+
+// Steps, and gives the same answer to all that is asked; returns how many.
+static int step_answering(scree_world* world, int steps, bool answer)
+{
+	int asked = 0;
+	for (int k = 0; k < steps; ++k)
+	{
+		step(world, 1);
+		scree_events events = events_of(world);
+		bool answers[64];
+		assert_true(events.asked_count <= 64);
+		for (int i = 0; i < events.asked_count; ++i)
+			answers[i] = answer;
+		assert_ok(scree_world_answer_asked(world, answers, events.asked_count));
+		asked += events.asked_count;
+	}
+	return asked;
+}
+
+// A box falls on a floor that asks: with yes it lies there and its touch begins once, with no it falls through and keeps its speed.
+static void yes_and_no(void** state)
+{
+	(void)state;
+	for (int answer = 0; answer < 2; ++answer)
+	{
+		scree_world* world = make_world(-10.0f);
+		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+		scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.2f, 2.0f, 0.0f, 0.0f, SCREE_REPORT_TOUCHES);
+		int began = 0, ended = 0, asked = 0;
+		for (int k = 0; k < 120; ++k)
+		{
+			asked += step_answering(world, 1, answer);
+			scree_events events = events_of(world);
+			began += events.touches_began_count;
+			ended += events.touches_ended_count;
+			if (events.asked_count)
+			{
+				assert_true(events.asked[0].body_a.index == box.index && events.asked[0].count > 0);
+				assert_int_equal(contacts_of(world), 0);
+			}
+		}
+		assert_int_equal(asked, 1);
+		assert_int_equal(began, answer);
+		assert_int_equal(ended, 0);
+		if (answer)
+			assert_near(pose_of(world, box).position.y, 1.0, 0.01);
+		else
+			assert_near(velocity_of(world, box).linear.y, -20.0, 0.02);
+		scree_world_destroy(world);
+	}
+}
+
+// No answer is a no, until the two have parted; then it is asked again. A yes lasts until then as well.
+static void asked_again(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, 0);
+	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.5f, 0.0f, -3.0f, SCREE_REPORT_ASKS);
+	int asked = 0;
+	for (int k = 0; k < 60; ++k)
+	{
+		step(world, 1);
+		asked += events_of(world).asked_count;
+	}
+	assert_int_equal(asked, 1);
+	assert_true(pose_of(world, box).position.y < -1.2f);
+	assert_ok(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, 3.0f}));
+	assert_int_equal(step_answering(world, 60, true), 1);
+	assert_true(pose_of(world, box).position.y < -0.9f);
+	assert_ok(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, -1.0f}));
+	step_answering(world, 10, true);
+	assert_ok(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, 1.0f}));
+	assert_int_equal(step_answering(world, 60, true), 1);
+	scree_world_destroy(world);
+}
+
+// At 5 to 400 m/s against what is static, kinematic or dynamic, nothing gets through while it waits; after a yes it is stopped, after a
+// no it goes on as fast as before.
+static void fast(void** state)
+{
+	(void)state;
+	static const float speeds[] = {5.0f, 60.0f, 200.0f, 399.0f};
+	for (int k = 0; k < 4 * 3 * 2 * 5; ++k)
+	{
+		bool answer = k % 2;
+		scree_body_type type = (scree_body_type)(k / 2 % 3);
+		float speed = speeds[k / 6 % 4], start = -3.0f - 0.37f * (float)(k / 24);
+		scree_world* world = make_world(0.0f);
+		scree_body wall = put(world, type, 0.0f, 0.0f, 0.0f, 0.0f, k % 3 ? SCREE_REPORT_ASKS : 0);
+		scree_body bullet = put(world, SCREE_BODY_DYNAMIC, start, 0.0f, speed, 0.0f, k % 3 ? 0 : SCREE_REPORT_ASKS);
+		int asked = 0;
+		for (int n = 0; n < 200 && !asked; ++n)
+		{
+			asked = step_answering(world, 1, answer);
+			if (asked)
+			{
+				assert_near(pose_of(world, bullet).position.x, -1.0, 0.021);
+				assert_true(velocity_of(world, bullet).linear.x == speed);
+			}
+		}
+		assert_int_equal(asked, 1);
+		assert_int_equal(step_answering(world, 60, answer), 0);
+		float apart = pose_of(world, bullet).position.x - pose_of(world, wall).position.x;
+		if (answer)
+			assert_true(apart < -0.98f);
+		else
+		{
+			assert_true(apart > 1.0f && velocity_of(world, bullet).linear.x == speed);
+			assert_true(velocity_of(world, wall).linear.x == 0.0f);
+		}
+		scree_world_destroy(world);
+	}
+}
+
+// What touches when the bit is set goes on until it parts; without the bit, what was refused touches again.
+static void marked_in_mid_run(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(-10.0f);
+	add_ground(world);
+	scree_body low = put(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.0f, 0);
+	step(world, 30);
+	assert_ok(scree_collidable_set_reports(world, part_of(world, low), SCREE_REPORT_ASKS));
+	assert_int_equal(step_answering(world, 60, false), 0);
+	assert_near(pose_of(world, low).position.y, 0.5, 0.01);
+	scree_body high = put(world, SCREE_BODY_DYNAMIC, 0.1f, 1.6f, 0.0f, 0.0f, 0);
+	assert_int_equal(step_answering(world, 60, false), 1);
+	assert_near(pose_of(world, high).position.y, 0.5, 0.01);
+	assert_ok(scree_collidable_set_reports(world, part_of(world, low), 0));
+	step(world, 120);
+	assert_true(fabsf(pose_of(world, low).position.x - pose_of(world, high).position.x) > 0.9f ||
+	            fabsf(pose_of(world, low).position.y - pose_of(world, high).position.y) > 0.9f);
+	scree_world_destroy(world);
+}
+
+// Between the question and the step: bodies are destroyed, made in the same slots, the world is moved, steps of no time.
+static void between(void** state)
+{
+	(void)state;
+	scree_world* world = make_world(0.0f);
+	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, 0.0f, 0);
+	bool yes[2] = {true, true};
+	uint64_t before;
+	assert_ok(scree_world_step(world, 0.0f, 4));
+	assert_int_equal(events_of(world).asked_count, 1);
+	before = hash_of(world);
+	assert_ok(scree_world_answer_asked(world, yes, 1));
+	assert_true(hash_of(world) != before);
+	assert_ok(scree_body_destroy(world, box));
+	scree_body again = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, -1.0f, 0);
+	assert_int_equal(again.index, box.index);
+	step(world, 1);
+	assert_int_equal(events_of(world).asked_count, 1); // the answer was about the other one
+	assert_ok(scree_world_answer_asked(world, yes, 1));
+	assert_ok(scree_world_move(world, "cpu"));
+	step(world, 30);
+	assert_true(pose_of(world, again).position.y > 0.98f);
+	assert_int_equal(events_of(world).asked_count, 0);
+	assert_int_equal(scree_world_answer_asked(world, yes, 2), SCREE_ERROR_INVALID);
+	assert_non_null(strstr(scree_error(), "count is 2, and 0 contacts wait for an answer"));
+	assert_int_equal(scree_world_answer_asked(world, NULL, 1), SCREE_ERROR_INVALID);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(yes_and_no),        cmocka_unit_test(asked_again), cmocka_unit_test(fast),
+	    cmocka_unit_test(marked_in_mid_run), cmocka_unit_test(between),
+	};
+	return RUN_ON_DEVICES(tests);
+}
