@@ -2,33 +2,11 @@
 // controls.c -- what bodies of a scene do while the user holds keys down in the viewer.
 #include "scene/controls.h"
 #include "scene/block.h"
-#include "scene/walk.h"
 #include <stdlib.h>
 #include <string.h>
 
-const char* const scene_key_names[SCENE_KEYS] = {
-#define X(name, glfw) #name,
-#include "scene/scene_keys.def"
-#undef X
-};
-
 static const char* const control_keys[] = {"key", "body", "index", "force", "torque", "turns", "description", NULL};
 static const Range any_push = {-1e15, 1e15, false, false};
-
-bool scene_key_read(Reader* reader, const Location* location, const json_t* value, SceneKey* key)
-{
-	char known[160] = "must be one of";
-	for (int k = 0; k < SCENE_KEYS; ++k)
-	{
-		if (json_is_string(value) && strcmp(json_string_value(value), scene_key_names[k]) == 0)
-		{
-			*key = (SceneKey)k;
-			return true;
-		}
-		snprintf(known + strlen(known), sizeof known - strlen(known), "%s %s", k ? "," : "", scene_key_names[k]);
-	}
-	return value ? reader_fail_value(reader, location, value, known) : reader_fail(reader, location, "is missing");
-}
 
 static bool read_bodies(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                         Control* control)
@@ -90,7 +68,7 @@ bool controls_read(Reader* reader, const json_t* root, Scene* scene)
 
 uint32_t controls_keys(const Scene* scene)
 {
-	uint32_t keys = walk_keys(scene);
+	uint32_t keys = 0;
 	for (int k = 0; k < scene->control_count; ++k)
 		keys |= 1u << scene->controls[k].key;
 	return keys;

@@ -2,21 +2,8 @@
 // controls.h -- what bodies of a scene do while the user holds keys down in the viewer.
 #ifndef CONTROLS_H
 #define CONTROLS_H
-#include "scene/reader.h"
+#include "scene/keys.h"
 #include "scene/scene.h"
-
-typedef enum
-{
-#define X(name, glfw) SCENE_KEY_##name,
-#include "scene/scene_keys.def"
-#undef X
-	SCENE_KEYS, // at most 32
-} SceneKey;
-
-extern const char* const scene_key_names[SCENE_KEYS];
-
-// Reads the name of a key.
-bool scene_key_read(Reader* reader, const Location* location, const json_t* value, SceneKey* key);
 
 struct Control
 {

@@ -2,7 +2,7 @@
 // walk.c -- moves the characters of a scene before each step, by their scripts or by the keys of the user.
 #include "scene/walk.h"
 #include "scene/block.h"
-#include "scene/controls.h"
+#include "scene/keys.h"
 #include <math.h>
 #include <stdlib.h>
 

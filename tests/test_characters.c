@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "scene/controls.h"
+#include "scene/keys.h"
 #include "scene_text.h"
 #include "small_scenes.h"
 #include "support.h"
@@ -73,7 +73,7 @@ static void keys_move_it(void** state)
 {
 	(void)state;
 	Town t = open_town(TOWN(""));
-	assert_int_equal(controls_keys(t.scene), KEY_BIT(left) | KEY_BIT(right) | KEY_BIT(up) | KEY_BIT(down));
+	assert_int_equal(walk_keys(t.scene), KEY_BIT(left) | KEY_BIT(right) | KEY_BIT(up) | KEY_BIT(down));
 	scree_vec at = after(&t, 60, 0);
 	NEAR(at.x, 0.0, 1e-6);
 	NEAR(at.y, 0.61, 1e-3);

@@ -180,7 +180,7 @@ static void window_action(Viewer* v, Action action)
 bool input_scene_key(Viewer* v, SceneKey key, bool down)
 {
 	uint32_t bit = 1u << key;
-	if (!(controls_keys(v->session.scene) & bit))
+	if (!((controls_keys(v->session.scene) | walk_keys(v->session.scene)) & bit))
 		return false;
 	v->session.down = down ? v->session.down | bit : v->session.down & ~bit;
 	return true;

@@ -82,7 +82,13 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 		ImGui::SameLine(sized(60.0f));
 		ImGui::Text("of the scene: pushes %s", v->session.scene->blocks[control->block].name);
 	}
-	if (v->session.scene->control_count > 0)
+	if (v->session.scene->character_count > 0)
+	{
+		ImGui::Text("arrows");
+		ImGui::SameLine(sized(60.0f));
+		ImGui::Text("of the scene: walk, jump up, drop down");
+	}
+	if (v->session.scene->control_count + v->session.scene->character_count > 0)
 		ImGui::Separator();
 	ImGui::Text("left button: drag a body, or the picture; click: select;");
 	ImGui::Text("right button: the picture; wheel: zoom");
