@@ -18,8 +18,8 @@ typedef struct // one file that is being read
 	bool redraws;   // expressions are evaluated again and again, so that random() is no constant
 } Reader;
 
-typedef struct
-    Location // of a value in the file, linked to the location of its parent: attributes . crate . polygon [2]
+// Of a value in the file, linked to the location of its parent: attributes . crate . polygon [2].
+typedef struct Location
 {
 	const struct Location* up; // null at the top
 	const char* key;           // null for an element of a list

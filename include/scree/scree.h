@@ -218,11 +218,11 @@ typedef struct scree_world_def
 	int contact_capacity;       // the same for contacts
 	int contact_limit;          // maximum number of contacts, 300 bytes each; a step that finds more fails with
 	                            // SCREE_ERROR_CROWDED. 0 (default): 32 per collidable, but at least 2 million
-	bool
-	    contact_details; // contacts report what they did in the last step: scree_contact.details. Costs up to 5 % of the
-	                     // solve and 36 bytes per contact; changes no motion. Default false
-	float hit_speed;     // slower approaches are no scree_hit, m/s, >= 0, default 1
-	float hit_impulse;   // nor are smaller impulses, N s, >= 0, default 0
+	// Contacts report what they did in the last step: scree_contact.details. Costs up to 5 % of the solve and 36 bytes per
+	// contact; changes no motion. Default false.
+	bool contact_details;
+	float hit_speed;   // slower approaches are no scree_hit, m/s, >= 0, default 1
+	float hit_impulse; // nor are smaller impulses, N s, >= 0, default 0
 } scree_world_def;
 
 static inline scree_world_def scree_world_def_default(void);
@@ -449,10 +449,10 @@ typedef struct scree_material_pair // what a pair of materials does instead of w
 	uint32_t size;     // set by scree_material_pair_default
 	float friction;    // 0 to 1e6, at most 1000 counts; NaN (default): as ever
 	float restitution; // 0 to 1; NaN (default): as ever
-	float
-	    tangent_speed; // m/s, within SCREE_HUGE: how fast the two surfaces run past each other, clockwise around each of the two
-	                   // shapes if positive; NaN (default): the sum of both, as ever
-	bool ignored; // they pass through each other, as if their filters kept them apart; default false
+	bool ignored;      // they pass through each other, as if their filters kept them apart; default false
+	// m/s, within SCREE_HUGE: how fast the two surfaces run past each other, clockwise around each of the two shapes if
+	// positive; NaN (default): the sum of both, as ever
+	float tangent_speed;
 } scree_material_pair;
 
 static inline scree_material_pair scree_material_pair_default(void);
@@ -951,18 +951,18 @@ typedef struct scree_joint_def
 	bool collide_connected; // whether the two bodies may touch each other; default false
 	bool breaks;            // ends when a threshold is exceeded; default false
 	bool disabled;          // starts disabled, see scree_joint_set_enabled; default false
-	bool
-	    elliptic; // spring_max and motor_max of along and across are half axes of an ellipse, so that equal ones bound the
-	              // force in any direction; else each bounds its own coordinate. Default true for MOTOR and TARGET
+	// spring_max and motor_max of along and across are half axes of an ellipse, so that equal ones bound the force in any
+	// direction; else each bounds its own coordinate. Default true for MOTOR and TARGET.
+	bool elliptic;
 	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
 	float torque_threshold;    // N m, likewise
 	uint64_t user;             // user data, not simulated; default 0
 	float ratio;               // of types GEAR and PULLEY: of a's measure, -1e6 to 1e6, default 1
 	scree_joint_side sides[2]; // of types GEAR and PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
 	scree_path path;           // of type PATH
-	float
-	    path_near; // of type PATH, m: where the search begins; its lap counts. Only another part of the path that is less
-	               // than half as far from anchor B is taken instead. Default 0
+	// Of type PATH, m: where the search begins; its lap counts. Only another part of the path that is less than half as far
+	// from anchor B is taken instead. Default 0.
+	float path_near;
 } scree_joint_def;
 
 // A definition with the defaults of a type, between the world and the world: set bodies and frames. An unknown type gives
@@ -1262,8 +1262,7 @@ typedef struct scree_query_def // what the queries of a call see
 	uint64_t mask;     // and if this has a bit of its category; default all
 	bool any;          // only scree_found.hit is wanted, which is faster: the rest is zero; default false
 	bool skip_inside;  // what a ray or shape begins inside of is not seen; default false
-	bool
-	    one_way; // one-way platforms are seen by what comes from the side from which they are solid only; default false
+	bool one_way;      // one-way platforms are seen from the side from which they are solid only; default false
 } scree_query_def;
 
 static inline scree_query_def scree_query_def_default(void);
@@ -1454,32 +1453,28 @@ typedef struct scree_field_def
 {
 	uint32_t size; // set by scree_field_def_default
 	scree_field_type type;
-	scree_body
-	    body; // on which the region lies and with which it moves, null (default) for the world; destroyed with it
-	scree_pose pose; // of the field's frame in the frame of the body, or in the world; default the origin
-	scree_shape
-	    shape; // the region, in the field's frame; count 0 (default): everywhere. BUOYANCY: a polygon without rounding
-	bool disabled; // does nothing; default false
-	uint64_t
-	    category;  // acts on collidables of the bits of mask whose masks have a bit of category; bodies: on those that
-	uint64_t mask; // have such a collidable. Default all bits: then it acts on all, whatever their filters
+	scree_body body;   // on which the region lies, and with which it is destroyed; null (default) for the world
+	scree_pose pose;   // of the field's frame in the frame of the body, or in the world; default the origin
+	scree_shape shape; // the region, in that frame; count 0 (default): everywhere. BUOYANCY: a polygon, not rounded
+	bool disabled;     // does nothing; default false
+	// Acts on collidables of the bits of mask whose masks have a bit of category; bodies: on those that have such a
+	// collidable. Default all bits: then it acts on all, whatever their filters.
+	uint64_t category, mask;
 	scree_vec acceleration;      // UNIFORM, m/s^2, in the field's frame; default 0
 	scree_vec force;             // UNIFORM, N, the same; default 0
 	float strength;              // RADIAL, VORTEX, m/s^2; default 10
 	scree_field_falloff falloff; // the same; default inverse square
 	float radius;                // the same: of the falloff, m, 1e-3 to SCREE_HUGE; default 1
-	float softening; // the same: r is the root of the sum of the squares of the distance and this, m, >= 0; default 0.1
-	scree_vec
-	    velocity;  // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, beside that of the body; default 0
-	float density; // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
-	float drag;    // WIND, BUOYANCY: coefficient: the force is drag density / 2 width speed^2, >= 0; default 1
-	float lift;    // WIND: the same across the wind, >= 0; default 0
-	float
-	    linear_drag; // DRAG: force by the speed, kg/s. BUOYANCY: the same for 1 m^2 of a shape. >= 0; default 0, 2 for a fluid
-	float quadratic_drag;      // DRAG: force by the square of the speed, kg/m, >= 0; default 0
-	float spin_drag;           // DRAG: torque by the spin, N m s, >= 0; default 0
-	float spin_drag_quadratic; // DRAG: torque by the square of the spin, N m s^2, >= 0; default 0
-	uint64_t user;             // user data, not simulated; default 0
+	float softening;             // the same, m, >= 0: r^2 is the squared distance plus the square of this; default 0.1
+	scree_vec velocity;          // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, on top of the body's
+	float density;               // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
+	float drag;                  // the same, a coefficient: force = drag density / 2 width speed^2, >= 0; default 1
+	float lift;                  // WIND: the same across the wind, >= 0; default 0
+	float linear_drag;           // DRAG: force by the speed, kg/s; default 0. BUOYANCY: of 1 m^2; default 2. >= 0
+	float quadratic_drag;        // DRAG: force by the square of the speed, kg/m, >= 0; default 0
+	float spin_drag;             // DRAG: torque by the spin, N m s, >= 0; default 0
+	float spin_drag_quadratic;   // DRAG: torque by the square of the spin, N m s^2, >= 0; default 0
+	uint64_t user;               // user data, not simulated; default 0
 } scree_field_def;
 
 static inline scree_field_def scree_field_def_default(scree_field_type type);

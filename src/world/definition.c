@@ -27,7 +27,7 @@ const DefinitionType blast_definition = {sizeof(scree_blast_def), END_OF(scree_b
                                          "scree_blast_def_default"};
 const DefinitionType mover_definition = {sizeof(scree_mover_def), END_OF(scree_mover_def, mask),
                                          "scree_mover_def_default"};
-const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(scree_material_pair, ignored),
+const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(scree_material_pair, tangent_speed),
                                             "scree_material_pair_default"};
 
 const DefinitionType field_definition = {sizeof(scree_field_def), END_OF(scree_field_def, user),
