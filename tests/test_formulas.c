@@ -15,6 +15,7 @@
 
 #include "stages/finalize.h"
 #include "stages/integrate.h"
+#include "stages/query.h"
 #include "stages/solve.h"
 #include "stages/transform.h"
 
@@ -221,12 +222,42 @@ static void warm_start_equals_plain(void** state)
 	close_pools(&plain);
 }
 
+// ---------------------------------------------------------------------------------------------------------------
+// lists of answers
+// ---------------------------------------------------------------------------------------------------------------
+
+// The counter of answers goes up to QUERY_MOST and one call beyond. After that it stays, whoever adds: so it never runs over, and tells
+// the host that there are too many.
+static void answers_are_counted_up_to_a_limit(void** state)
+{
+	(void)state;
+	Pools p = {0};
+	open_pools(&p);
+	Found held[2] = {{.collidable = 1}, {.collidable = 2}};
+	*p.query_plan = (QueryPlan){.room = 3};
+	assert_int_equal(query_append(&p, 5, held, 2), 1);
+	assert_int_equal(query_append(&p, 6, held, 2), 1);
+	assert_int_equal(p.query_plan->found, 4);
+	for (int k = 0; k < 3; ++k)
+	{
+		assert_int_equal(p.found[k].collidable, 1 + k % 2);
+		assert_int_equal(p.found_query[k], 5 + k / 2);
+	}
+	p.query_plan->found = QUERY_MOST;
+	assert_int_equal(query_append(&p, 7, held, 2), 1);
+	for (int k = 0; k < 3; ++k)
+		assert_int_equal(query_append(&p, 8, held, 1 + k % 2), 0);
+	assert_int_equal(p.query_plan->found, QUERY_MOST + 2);
+	close_pools(&p);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(boxes_follow_bodies),
 	    cmocka_unit_test(rotations_are_exact_enough),
 	    cmocka_unit_test(warm_start_equals_plain),
+	    cmocka_unit_test(answers_are_counted_up_to_a_limit),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,6 +14,9 @@
 #define QUERY_ANY     1 // only whether there is one
 #define QUERY_ALL     2
 
+// the most answers that a list may have. Work-items add to their counter before they see that it is beyond: it must not exceed an int
+#define QUERY_MOST 1000000000
+
 #define QUERY_BY_COLLIDABLE 0
 #define QUERY_BY_FRACTION   1
 #define QUERY_BY_QUERY      2

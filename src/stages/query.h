@@ -182,16 +182,23 @@ INLINE int query_before(Found a, Found b)
 // A GPU combines what neighbors add.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Lists so many answers of query i.
-INLINE void query_append(const Pools* p, int i, const Found* held, int count)
+// Lists so many answers of query i. Returns 0 once there are more than QUERY_MOST: then what is listed is of no use, and the counter, which
+// would run over, stays above that.
+INLINE int query_append(const Pools* p, int i, const Found* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
 	int place = atomic_add_int(&plan->found, count);
+	if (place > QUERY_MOST)
+	{
+		atomic_add_int(&plan->found, -count);
+		return 0;
+	}
 	for (int k = 0; k < count && place + k < plan->room; ++k)
 	{
 		p->found[place + k] = held[k];
 		p->found_query[place + k] = i;
 	}
+	return 1;
 }
 
 // mode is QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
@@ -235,8 +242,11 @@ INLINE void query_run(const Pools* p, int i, int form, int mode)
 				held[holds] = found;
 				if (++holds < QUERY_HELD)
 					continue;
-				query_append(p, i, held, holds);
 				holds = 0;
+				if (query_append(p, i, held, QUERY_HELD))
+					continue;
+				walk.count = 0;
+				break;
 			}
 			else if (mode == QUERY_ANY)
 			{

@@ -155,6 +155,9 @@ scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
 		TRY(search(pipeline, q, QUERY_ALL, room));
 		TRY(b->f->read(b, POOL_query_plan, 0, 1, &plan));
 		*count = plan.found;
+		if (plan.found > QUERY_MOST)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%d queries have more than %d answers: ask fewer at once", q->count,
+			            QUERY_MOST);
 		if (plan.found <= room)
 			break;
 		TRY(pipeline_reserve(pipeline, PER_FOUND, plan.found));
