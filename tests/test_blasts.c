@@ -118,12 +118,48 @@ static void all_devices_agree(void** state)
 	}
 }
 
+// A chain of explosions goes through the list that a query returned: it stays, though each of them asks who is near.
+static void lists_stay(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	for (int k = 0; k < 900; ++k)
+		add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.2f, (float)(k % 30), (float)(k / 30));
+	scree_found_list list;
+	OK(scree_world_overlap_box(world, (scree_box){{-0.5f, -0.5f}, {2.5f, 2.5f}}, &list));
+	assert_int_equal(list.count, 9);
+	const scree_found* found = list.found;
+	scree_found kept[9];
+	memcpy(kept, found, sizeof kept);
+	for (int k = 0; k < list.count; ++k)
+		assert_int_equal(blast(world, found[k].point.x, found[k].point.y, 60.0f, 1.0f, 1.0f), 900);
+	assert_memory_equal(kept, found, sizeof kept);
+	assert_int_equal(list.first[1], 9);
+	scree_world_destroy(world);
+}
+
+// What flew out of the world is left alone, and what is near it is pushed.
+static void beyond_the_world(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body lost = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 99998.0f, 0.0f),
+	           near = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 99990.0f, 0.0f);
+	OK(scree_body_set_linear_velocity(world, lost, (scree_vec){300.0f, 0.0f}));
+	run_steps(world, 2);
+	assert_true(position_of(world, lost).x > SCREE_HUGE);
+	assert_int_equal(blast(world, 99999.0f, 0.0f, 50.0f, 1.0f, 1.0f), 1);
+	NEAR(velocity_of(world, lost).linear.x, 300.0, 1e-3);
+	assert_true(velocity_of(world, near).linear.x < -0.5f);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(impulses_follow_the_width),
-	    cmocka_unit_test(who_is_pushed),
-	    cmocka_unit_test(all_devices_agree),
+	    cmocka_unit_test(impulses_follow_the_width), cmocka_unit_test(who_is_pushed),
+	    cmocka_unit_test(all_devices_agree),         cmocka_unit_test(lists_stay),
+	    cmocka_unit_test(beyond_the_world),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

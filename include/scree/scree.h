@@ -1362,8 +1362,9 @@ static inline scree_blast_def scree_blast_def_default(void);
 
 // Pushes the dynamic bodies around a position, and sets count (may be null) to the number of collidables that were pushed. Each gets
 // an impulse at the point of it that is nearest to the position, away from it; one that the position is inside of at its centroid.
-// Sensors and disabled bodies are left alone. The impulses are applied as those of scree_bodies_apply_impulses_at, in the order of the
-// collidables. Walls do not shield: ask scree_world_cast_rays, and push yourself.
+// Sensors, disabled bodies and what is beyond SCREE_HUGE are left alone. The impulses are applied as those of
+// scree_bodies_apply_impulses_at, in the order of the collidables. Walls do not shield: ask scree_world_cast_rays, and push yourself. A list
+// that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
 typedef struct scree_mover_def // characters of one kind: upright capsules that are moved by queries

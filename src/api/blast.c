@@ -60,22 +60,41 @@ static scree_status push_one(const scree_world* world, const scree_blast_def* de
 	return SCREE_OK;
 }
 
+static bool in_world(scree_vec v) { return fabsf(v.x) <= SCREE_HUGE && fabsf(v.y) <= SCREE_HUGE; }
+
 static scree_status push(scree_world* world, const char* function, const scree_blast_def* def,
-                         const scree_found_list* list, Push* p)
+                         const scree_found_list* list, Push* p, int* count)
 {
+	int pushed = 0;
 	for (int k = 0; k < list->count; ++k)
 		p->bodies[k] = owner_handle(world, (int)list->found[k].collidable.index - 1);
 	TRY(scree_bodies_get_poses(world, p->bodies, p->poses, list->count));
 	for (int k = 0; k < list->count; ++k)
 	{
 		int collidable = (int)list->found[k].collidable.index - 1;
-		TRY(push_one(world, def, collidable, p->poses[k], p->impulses + k, p->points + k));
-		if (!(fabsf(p->impulses[k].x) <= FLT_MAX && fabsf(p->impulses[k].y) <= FLT_MAX))
+		scree_vec* impulse = p->impulses + pushed;
+		if (!in_world(pose_product(p->poses[k], world->host_collidables[collidable].pose).position))
+			continue;
+		TRY(push_one(world, def, collidable, p->poses[k], impulse, p->points + pushed));
+		if (!(fabsf(impulse->x) <= FLT_MAX && fabsf(impulse->y) <= FLT_MAX))
 			return refuse(SCREE_ERROR_INVALID, (Where){function, "def", ALONE}, ".impulse",
 			              "is %s: an impulse on collidable %u would not be finite", decimal(def->impulse).text,
 			              list->found[k].collidable.index);
+		p->bodies[pushed] = p->bodies[k];
+		pushed += in_world(p->points[pushed]);
 	}
-	return scree_bodies_apply_impulses_at(world, p->bodies, p->impulses, p->points, list->count);
+	TRY(scree_bodies_apply_impulses_at(world, p->bodies, p->impulses, p->points, pushed));
+	if (count)
+		*count = pushed;
+	return SCREE_OK;
+}
+
+// A list that a program has got stays as it is: blasts have one of their own.
+static void swap_lists(scree_world* world)
+{
+	Queries queries = world->queries;
+	world->queries = world->blast_queries;
+	world->blast_queries = queries;
 }
 
 scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count)
@@ -98,11 +117,16 @@ scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, i
 	query.mask = def->mask;
 	float reach = def->radius + def->falloff;
 	scree_ray circle = {.origin = def->position, .radius = reach < SCREE_HUGE ? reach : SCREE_HUGE};
-	TRY(scree_world_list_rays(world, &query, &circle, 1, &list));
-	if (count)
-		*count = list.count;
+	swap_lists(world);
+	scree_status status = scree_world_list_rays(world, &query, &circle, 1, &list);
+	swap_lists(world);
+	TRY(status);
 	if (list.count == 0)
+	{
+		if (count)
+			*count = 0;
 		return SCREE_OK;
+	}
 	size_t bytes = (sizeof(scree_body) + sizeof(scree_pose) + 2 * sizeof(scree_vec)) * (size_t)list.count;
 	Push p = {.poses = scree_allocate(bytes)};
 	if (!p.poses)
@@ -110,7 +134,7 @@ scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, i
 	p.impulses = (scree_vec*)(p.poses + list.count);
 	p.points = p.impulses + list.count;
 	p.bodies = (scree_body*)(p.points + list.count);
-	scree_status status = push(world, function, def, &list, &p);
+	status = push(world, function, def, &list, &p, count);
 	scree_release(p.poses);
 	return status;
 }

@@ -28,6 +28,13 @@ static scree_status add_ground(scree_world* world, const char* function)
 	return SCREE_OK;
 }
 
+static void close_queries(const Queries* queries)
+{
+	scree_release(queries->found);
+	scree_release(queries->query);
+	scree_release(queries->first);
+}
+
 void world_destroy(scree_world* world)
 {
 	auto_close(world);
@@ -45,9 +52,8 @@ void world_destroy(scree_world* world)
 	exclusions_close(world);
 	sensors_close(world);
 	scree_release(world->moved);
-	scree_release(world->queries.found);
-	scree_release(world->queries.query);
-	scree_release(world->queries.first);
+	close_queries(&world->queries);
+	close_queries(&world->blast_queries);
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);

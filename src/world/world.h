@@ -217,7 +217,7 @@ struct scree_world
 	int target_count, target_capacity;
 	Edits edits;
 	Reports reports;
-	Queries queries;
+	Queries queries, blast_queries; // the second: of explosions, so that the user's list stays
 	Sensors sensors;
 	Materials materials;
 	Fields fields;
