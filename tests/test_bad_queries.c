@@ -53,7 +53,8 @@ static void rays(void** state)
 	def.any = true;
 	INVALID(scree_world_list_rays, (world, &def, list, 1, &all), "def.any is true, but a list has all");
 	INVALID(scree_world_list_rays, (world, NULL, list, 1, NULL), "list is null");
-	INVALID(scree_world_cast_ray, (world, (scree_vec){0, NAN}, (scree_vec){1, 0}, found), "rays[0].origin.y is nan");
+	INVALID(scree_world_cast_ray, (world, (scree_vec){0, NAN}, (scree_vec){1, 0}, found), "origin.y is nan");
+	INVALID(scree_world_cast_ray, (world, (scree_vec){0, 0}, (scree_vec){3e5f, 0}, found), "translation.x is 300000");
 }
 
 static void shapes(void** state)
@@ -84,6 +85,10 @@ static void shapes(void** state)
 	probes[1] = probes[0];
 	probes[1].translation.x = 1;
 	INVALID(scree_world_find_nearest, (world, NULL, &shape, probes, 2, 1, found), "probes[1].translation.x is 1");
+	scree_pose lost = good_pose;
+	lost.position.y = INFINITY;
+	INVALID(scree_world_cast_shape, (world, &shape, lost, (scree_vec){1, 0}, found), "pose.position.y is inf");
+	INVALID(scree_world_cast_shape, (world, &shape, good_pose, (scree_vec){0, NAN}, found), "translation.y is nan");
 	probes[1] = probes[0];
 	INVALID(scree_world_find_nearest, (world, NULL, &shape, probes, 2, NAN, found), "distance is nan");
 	INVALID(scree_world_find_nearest, (world, NULL, &shape, probes, 2, -1, found), "distance is -1");
@@ -92,7 +97,10 @@ static void shapes(void** state)
 	        "def.any is true, but the nearest cannot be any");
 	scree_box flat = {{1, 1}, {1, 2}};
 	assert_refused(scree_world_overlap_box(world, flat, &all), SCREE_ERROR_INVALID,
-	               "scree_world_overlap_box: ", "box has no area: lower is (1, 1), upper (1, 2)");
+	               "scree_world_overlap_box: ", "box from (1, 1) to (1, 2) is not 0.002 m wide and high");
+	flat.upper.x = 1.001f;
+	assert_refused(scree_world_overlap_box(world, flat, &all), SCREE_ERROR_INVALID,
+	               "scree_world_overlap_box: ", "box from (1, 1) to (1.001, 2) is not");
 	flat.lower.y = NAN;
 	assert_refused(scree_world_overlap_box(world, flat, &all), SCREE_ERROR_INVALID,
 	               "scree_world_overlap_box: ", "box.lower.y is nan");
@@ -156,7 +164,7 @@ static void shapes_without_a_world(void** state)
 	INVALID(scree_shapes_cast, (&shape, good_pose, &shape, good_pose, (scree_vec){NAN, 0}, &found),
 	        "translation.x is nan");
 	INVALID(scree_shape_cast_ray, (&shape, good_pose, (scree_vec){NAN, 0}, (scree_vec){1, 0}, &found),
-	        "origin.position.x is nan");
+	        "origin.x is nan");
 	INVALID(scree_shape_contains, (&shape, good_pose, (scree_vec){NAN, 0}, &contains), "point.x is nan");
 	INVALID(scree_shape_contains, (NULL, good_pose, (scree_vec){1, 0}, &contains), "shape is null");
 	INVALID(scree_shapes_get_impact, (&shape, good_pose, bad, &shape, good_pose, good_pose, &found),

@@ -1341,7 +1341,7 @@ static inline scree_status scree_world_list_shapes(scree_world* world, const scr
                                                    const scree_shape* shape, const scree_probe* probes, int count,
                                                    scree_found_list* list);
 
-// All collidables that overlap a box, a shape at a pose, or a point, with the default definition.
+// All collidables that overlap a box, at least 2 mm wide and high, a shape at a pose, or a point, with the default definition.
 static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_found_list* list);
 static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
                                                      scree_found_list* list);

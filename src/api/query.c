@@ -48,8 +48,11 @@ scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* de
 
 scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation, scree_found* found)
 {
+	const char* function = "scree_world_cast_ray";
 	scree_ray ray = {.origin = origin, .translation = translation};
-	return cast_rays(world, "scree_world_cast_ray", "ray", NULL, &ray, 1, found);
+	TRY(check_vec((Where){function, "origin", ALONE}, "", origin, SCREE_HUGE));
+	TRY(check_vec((Where){function, "translation", ALONE}, "", translation, 2.0f * SCREE_HUGE));
+	return cast_rays(world, function, "ray", NULL, &ray, 1, found);
 }
 
 static scree_status cast_shapes(scree_world* world, const char* function, const char* name, const scree_query_def* def,
@@ -71,8 +74,11 @@ scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* 
 scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
                                     scree_vec translation, scree_found* found)
 {
+	const char* function = "scree_world_cast_shape";
 	scree_probe probe = {.pose = pose, .translation = translation};
-	return cast_shapes(world, "scree_world_cast_shape", "probe", NULL, shape, &probe, 1, found);
+	TRY(check_pose((Where){function, "pose", ALONE}, "", &pose));
+	TRY(check_vec((Where){function, "translation", ALONE}, "", translation, 2.0f * SCREE_HUGE));
+	return cast_shapes(world, function, "probe", NULL, shape, &probe, 1, found);
 }
 
 scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def, const scree_shape* shape,

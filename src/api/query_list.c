@@ -4,6 +4,7 @@
 #include "world/auto.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/geometry.h"
 #include "world/memory.h"
 #include "world/upload.h"
 #include <string.h>
@@ -112,10 +113,10 @@ scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, sc
 	TRY(check_vec((Where){function, "box", ALONE}, ".upper", box.upper, SCREE_HUGE));
 	float half_x = 0.5f * (box.upper.x - box.lower.x), half_y = 0.5f * (box.upper.y - box.lower.y);
 	scree_shape shape;
-	if (!(half_x > 0.0f) || !(half_y > 0.0f))
-		return fail(SCREE_ERROR_INVALID, "%s: box has no area: lower is (%s, %s), upper (%s, %s)", function,
+	if (!(half_x >= SMALLEST_SIZE) || !(half_y >= SMALLEST_SIZE))
+		return fail(SCREE_ERROR_INVALID, "%s: box from (%s, %s) to (%s, %s) is not %s m wide and high", function,
 		            decimal(box.lower.x).text, decimal(box.lower.y).text, decimal(box.upper.x).text,
-		            decimal(box.upper.y).text);
+		            decimal(box.upper.y).text, decimal(2.0f * SMALLEST_SIZE).text);
 	TRY(scree_shape_make_box(half_x, half_y, &shape));
 	scree_probe probe = {.pose = {{box.lower.x + half_x, box.lower.y + half_y}, {1.0f, 0.0f}}};
 	Asking asking;

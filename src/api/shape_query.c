@@ -113,9 +113,10 @@ scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const sc
 scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin, scree_vec translation,
                                   scree_found* found)
 {
+	const char* function = "scree_shape_cast_ray";
 	const char* names[] = {"shape", "pose", "", "origin"};
-	return cast("scree_shape_cast_ray", names, shape, pose, NULL, (scree_pose){origin, {1.0f, 0.0f}}, translation,
-	            found);
+	TRY(check_vec((Where){function, "origin", ALONE}, "", origin, SCREE_HUGE));
+	return cast(function, names, shape, pose, NULL, (scree_pose){origin, {1.0f, 0.0f}}, translation, found);
 }
 
 scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains)
