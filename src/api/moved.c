@@ -29,12 +29,13 @@ scree_status scree_world_get_moved_sized(scree_world* world, scree_moved_list* l
 		              "is %u, and that of a row %u: they were not set by %s", list->size, list->moved_size, function);
 	TRY(world_upload(world));
 	int found = 0, count = 0;
-	TRY(world_note(world, told_list(&world->pipeline, world->bodies.used, &found)));
+	TRY(world_note(world, told_count(&world->pipeline, world->bodies.used, &found)));
 	Told* rows = world_scratch(world, (size_t)found * sizeof *rows);
 	size_t bytes = (size_t)found * list->moved_size;
 	if (bytes > INT32_MAX || (found > 0 && !rows))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies", function, found);
 	TRY(GROW(function, world->moved, world->moved_capacity, (int)bytes));
+	TRY(world_note(world, told_list(&world->pipeline, world->bodies.used, found)));
 	if (found > 0)
 		TRY(world_read(world, POOL_told_row, 0, found, rows));
 	for (int k = 0; k < found; ++k)

@@ -175,23 +175,30 @@ scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* quer
 	return b->f->read(b, few ? POOL_found : POOL_found_row, 0, count, found);
 }
 
-scree_status told_list(Pipeline* pipeline, int bodies, int* count)
+scree_status told_count(Pipeline* pipeline, int bodies, int* count)
 {
 	Backend* b = pipeline->backend;
 	RunList* list = &pipeline->list;
 	pipeline->tells = true;
-	TRY(runs_reserve(list, 3));
+	TRY(runs_reserve(list, 2));
 	runs_add_single(list, STAGE_told_begin);
 	runs_add(list, STAGE_told_mark, 1, bodies, NO_COUNT, 0); // the first one is the ground
 	TRY(pipeline_run(pipeline, &pipeline->step));
 	TRY(b->f->read(b, POOL_counters, 0, 1, &pipeline->counters));
 	*count = pipeline->counters.told;
-	if (*count == 0)
+	return SCREE_OK;
+}
+
+scree_status told_list(Pipeline* pipeline, int bodies, int count)
+{
+	RunList* list = &pipeline->list;
+	if (count == 0)
 		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, PER_KEY, *count));
-	TRY(pipeline_reserve(pipeline, PER_FOUND, *count));
-	runs_add(list, STAGE_told_key, 0, *count, NO_COUNT, 0);
-	runs_add_sort(list, *count, NO_COUNT, 0, index_bits(bodies));
-	runs_add(list, STAGE_told_list, 0, *count, NO_COUNT, 0);
+	TRY(runs_reserve(list, 3));
+	TRY(pipeline_reserve(pipeline, PER_KEY, count));
+	TRY(pipeline_reserve(pipeline, PER_FOUND, count));
+	runs_add(list, STAGE_told_key, 0, count, NO_COUNT, 0);
+	runs_add_sort(list, count, NO_COUNT, 0, index_bits(bodies));
+	runs_add(list, STAGE_told_list, 0, count, NO_COUNT, 0);
 	return pipeline_run(pipeline, &pipeline->step);
 }

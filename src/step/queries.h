@@ -32,8 +32,10 @@ scree_status queries_list(Pipeline* pipeline, const Questions* questions, int* c
 // Reads so many answers from there, and the query of each.
 scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* queries);
 
-// The bodies, of so many slots, at other poses than the user was told last: sets *count to their number, and lists them in the pool
-// told_row, by index.
-scree_status told_list(Pipeline* pipeline, int bodies, int* count);
+// Counts the bodies, of so many slots, at other poses than the user was told last.
+scree_status told_count(Pipeline* pipeline, int bodies, int* count);
+
+// Lists those that were just counted in the pool told_row, by index. From then on the user has been told.
+scree_status told_list(Pipeline* pipeline, int bodies, int count);
 
 #endif

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// test_answer_faults.c -- memory that runs out while a program asks for events, bodies that moved, and queries.
+//
+// A run of a world with sensors, reports, rules and a field is told once without a fault, then again and again with one allocation that
+// fails, each time a later one. The call that failed says so and is tried again: then all answers are those of the first run, so no
+// event and no body that moved is lost. The visits of a step are the exception: a world that has no memory for them is broken.
+#include "support.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define ROUNDS 8
+#define GROUP  24 // bodies that a round adds
+#define MOVERS 4
+
+typedef struct
+{
+	scree_world* world;
+	scree_attribute box, ball;
+	scree_body last;
+	scree_mover movers[MOVERS];
+	int round, asked;
+	uint64_t answers; // all that was told so far
+} Tale;
+
+// Rows of some size, of which the first bytes count: behind them is padding.
+static void hear_rows(Tale* t, const void* rows, int count, size_t size, size_t bytes)
+{
+	for (int k = 0; k < count; ++k)
+		t->answers = hash_more(t->answers, (const char*)rows + size * (size_t)k, bytes);
+}
+#define HEAR(t, rows, count, last) \
+	hear_rows(t, rows, count, sizeof *(rows), (size_t)((const char*)(&(rows)->last + 1) - (const char*)(rows)))
+
+static scree_status make_world(Tale* t)
+{
+	scree_world_def def = scree_world_def_default();
+	def.device = "cpu";
+	def.threads = 1;
+	return scree_world_create(&def, &t->world);
+}
+
+static scree_status make_box(Tale* t)
+{
+	scree_attribute_def def = surface_of(box_shape(0.4f, 0.4f));
+	def.material = 3;
+	return scree_attribute_create(t->world, &def, &t->box);
+}
+
+static scree_status make_ball(Tale* t)
+{
+	scree_attribute_def def = surface_of(circle_shape(0.4f));
+	return scree_attribute_create(t->world, &def, &t->ball);
+}
+
+static scree_status make_floor(Tale* t)
+{
+	scree_attribute_def surface = surface_of(box_shape(20.0f, 1.0f));
+	scree_body_def def = scree_body_def_default();
+	scree_status status = scree_attribute_create(t->world, &surface, &def.attribute);
+	def.type = SCREE_BODY_STATIC;
+	def.pose.position.y = -1.0f;
+	def.reports = SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_ASKS;
+	return status ? status : scree_body_create(t->world, &def, &t->last);
+}
+
+static scree_status make_sensor(Tale* t)
+{
+	scree_collidable_def def = scree_collidable_def_default();
+	def.attribute = t->box;
+	def.pose.position.y = 1.0f;
+	def.sensor = SCREE_SENSOR_MOVING;
+	return scree_collidable_create(t->world, &def, NULL);
+}
+
+static scree_status make_field(Tale* t)
+{
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_BUOYANCY);
+	return scree_field_create(t->world, &def, NULL);
+}
+
+static scree_status set_material(Tale* t)
+{
+	scree_material_pair pair = scree_material_pair_default();
+	pair.friction = 0.1f;
+	return scree_world_set_material_pair(t->world, 3, 3, &pair);
+}
+
+static scree_status add_group(Tale* t)
+{
+	static scree_body_def defs[GROUP];
+	scree_body made[GROUP];
+	for (int k = 0; k < GROUP; ++k)
+	{
+		defs[k] = scree_body_def_default();
+		defs[k].attribute = k % 2 ? t->box : t->ball;
+		defs[k].pose.position = (scree_vec){0.7f * (float)(k % 12) - 4.0f, 0.3f + 0.9f * (float)(k / 12 + t->round)};
+		defs[k].reports = (uint32_t)(k % 8);
+	}
+	scree_status status = scree_bodies_create(t->world, defs, GROUP, made);
+	if (status == SCREE_OK)
+		t->last = made[GROUP - 1];
+	return status;
+}
+
+static scree_status exclude(Tale* t)
+{
+	scree_body bodies[2];
+	int count;
+	scree_status status = scree_world_get_bodies(t->world, bodies, 2, &count);
+	return status ? status : scree_body_set_excluded(t->world, t->last, bodies[1], true);
+}
+
+static scree_status take_step(Tale* t) { return scree_world_step(t->world, STEP, SUBSTEPS); }
+
+static scree_status get_events(Tale* t)
+{
+	scree_events events;
+	scree_status status = scree_world_get_events(t->world, &events);
+	if (status)
+		return status;
+	t->asked = events.asked_count;
+	HEAR(t, events.touches_began, events.touches_began_count, destroyed_b);
+	HEAR(t, events.touches_ended, events.touches_ended_count, destroyed_b);
+	HEAR(t, events.hits, events.hit_count, destroyed_b);
+	HEAR(t, events.visits_began, events.visits_began_count, destroyed_visitor);
+	HEAR(t, events.visits_ended, events.visits_ended_count, destroyed_visitor);
+	HEAR(t, events.asked, events.asked_count, destroyed_b);
+	return SCREE_OK;
+}
+
+static scree_status answer(Tale* t)
+{
+	static bool answers[ROUNDS * GROUP * 32];
+	for (int k = 0; k < t->asked; ++k)
+		answers[k] = k % 3 != 0;
+	return scree_world_answer_asked(t->world, answers, t->asked);
+}
+
+static scree_status get_moved(Tale* t)
+{
+	scree_moved_list list;
+	scree_status status = scree_world_get_moved(t->world, &list);
+	if (status == SCREE_OK)
+		HEAR(t, list.moved, list.count, velocity);
+	return status;
+}
+
+static scree_status list_box(Tale* t)
+{
+	scree_found_list list;
+	scree_status status = scree_world_overlap_box(t->world, (scree_box){{-9.0f, -3.0f}, {9.0f, 9.0f}}, &list);
+	if (status == SCREE_OK)
+		HEAR(t, list.found, list.count, reserved);
+	return status;
+}
+
+static scree_status cast_rays(Tale* t)
+{
+	scree_ray rays[ROUNDS * GROUP] = {0};
+	scree_found found[ROUNDS * GROUP];
+	int count = (t->round + 1) * GROUP;
+	for (int k = 0; k < count; ++k)
+		rays[k] = (scree_ray){.origin = {0.05f * (float)k - 5.0f, 9.0f}, .translation = {0.0f, -20.0f}};
+	scree_status status = scree_world_cast_rays(t->world, NULL, rays, count, found);
+	if (status == SCREE_OK)
+		HEAR(t, found, count, reserved);
+	return status;
+}
+
+static scree_status move(Tale* t)
+{
+	scree_status status = scree_movers_move(t->world, NULL, t->movers, MOVERS, STEP);
+	if (status == SCREE_OK)
+		HEAR(t, t->movers, MOVERS, wall_normal);
+	return status;
+}
+
+static scree_status blast(Tale* t)
+{
+	scree_blast_def def = scree_blast_def_default();
+	int count;
+	def.radius = 3.0f;
+	scree_status status = scree_world_blast(t->world, &def, &count);
+	if (status == SCREE_OK)
+		t->answers = hash_more(t->answers, &count, sizeof count);
+	return status;
+}
+
+static scree_status destroy_last(Tale* t) { return scree_body_destroy(t->world, t->last); }
+
+typedef scree_status (*Act)(Tale* t);
+static const Act first[] = {make_world, make_box, make_ball, make_floor, make_sensor, make_field, set_material};
+static const Act acts[] = {add_group, exclude,   take_step, get_events, answer,      get_moved,
+                           list_box,  cast_rays, move,      blast,      destroy_last};
+
+// Tells the tale with one allocation that fails; -1: none. Returns whether one did.
+static bool tell_once(int allocations, uint64_t* answers, bool* broken)
+{
+	Tale t = {.answers = HASH_BEGIN};
+	bool failed = false;
+	*broken = false;
+	for (int k = 0; k < MOVERS; ++k)
+		t.movers[k] = (scree_mover){.position = {(float)k, 6.0f}, .velocity = {1.0f, -2.0f}};
+	allocations_left = allocations;
+	int begins = (int)(sizeof first / sizeof *first), each = (int)(sizeof acts / sizeof *acts);
+	for (int k = 0; k < begins + ROUNDS * each && !*broken; ++k)
+	{
+		Act act = k < begins ? first[k] : acts[(k - begins) % each];
+		t.round = k < begins ? 0 : (k - begins) / each;
+		scree_status status = act(&t);
+		if (status == SCREE_OK)
+			continue;
+		assert_false(failed);
+		assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
+		assert_non_null(strstr(scree_error(), "memory"));
+		failed = true;
+		allocations_left = -1;
+		*broken = t.world && scree_world_wait(t.world) != SCREE_OK;
+		--k;
+	}
+	allocations_left = -1;
+	if (!*broken)
+	{
+		uint64_t hash = hash_of(t.world);
+		t.answers = hash_more(t.answers, &hash, sizeof hash);
+	}
+	scree_world_destroy(t.world);
+	assert_int_equal(scree_memory(), 0);
+	*answers = t.answers;
+	return failed;
+}
+
+static void no_answer_is_lost(void** state)
+{
+	(void)state;
+	uint64_t expected, answers;
+	bool broken;
+	int faults = 0, worlds = 0;
+	count_allocations();
+	assert_false(tell_once(-1, &expected, &broken));
+	for (; tell_once(faults, &answers, &broken); ++faults)
+	{
+		worlds += broken;
+		if (!broken && answers != expected)
+			fail_msg("after allocation %d failed, the answers are others", faults);
+	}
+	print_message("memory ran out in %d places; %d worlds broke\n", faults, worlds);
+	assert_true(faults > 100 && worlds < faults / 4);
+	OK(scree_hooks_set(NULL));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(no_answer_is_lost),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
