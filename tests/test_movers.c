@@ -399,6 +399,24 @@ static void jumps_through_platforms(void** state)
 	scree_world_destroy(world);
 }
 
+// A step whose corner is the last centimetre of the world: what lies beside it is looked for within the world.
+static void at_the_end_of_the_world(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	add_box(world, SCREE_BODY_STATIC, 10.0f, 1.0f, 99995.0f, -1.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.01f, 0.1f, SCREE_HUGE, 0.1f);
+	scree_mover mover = {.position = {99999.0f, 0.61f}};
+	for (int k = 0; k < 90; ++k)
+	{
+		mover.velocity = (scree_vec){2.0f, mover.velocity.y - 0.16f};
+		OK(scree_movers_move(world, NULL, &mover, 1, STEP));
+		assert_true(mover.position.x <= SCREE_HUGE && mover.position.y > 0.5f);
+	}
+	assert_true(mover.position.x > 99999.6f);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -412,6 +430,7 @@ int main(void)
 	    cmocka_unit_test(hostile_movers),
 	    cmocka_unit_test(jumps_through_platforms),
 	    cmocka_unit_test(follows_the_ground_down),
+	    cmocka_unit_test(at_the_end_of_the_world),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -167,7 +167,7 @@ static scree_status find_ground(Walk* walk)
 		if (!found->hit)
 			continue;
 		float out = dot(found->normal, walk->along) > 0.0f ? -BESIDE : BESIDE;
-		scree_vec from = add_scaled(add_scaled(found->point, out, walk->along), BESIDE, def->up);
+		scree_vec from = within_world(add_scaled(add_scaled(found->point, out, walk->along), BESIDE, def->up));
 		walk->rays[rays++] = (scree_ray){.origin = from,
 		                                 .translation = add_scaled((scree_vec){0}, -3.0f * BESIDE, def->up),
 		                                 .ignored = walk->movers[walk->of[k]].ignored};
