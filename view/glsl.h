@@ -3,7 +3,7 @@
 #ifndef GLSL_H
 #define GLSL_H
 
-extern const char glsl_row_glsl[];
+extern const char glsl_common_glsl[], glsl_row_glsl[];
 extern const char glsl_body_vert[], glsl_body_frag[];
 extern const char glsl_splat_vert[], glsl_splat_frag[];
 extern const char glsl_box_vert[], glsl_box_frag[];

@@ -2,31 +2,69 @@
 // render_tables.c -- tables that shaders read besides the rows: shapes and colors of attributes, kinds of bodies.
 #include "view/render_tables.h"
 #include "scene/viewport.h"
-#include <epoxy/gl.h>
+#include "view/opengl.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define TEXELS 7 // of an attribute, as row.glsl and body.frag have it
 
-static void buffer_texture_fill(BufferTexture* t, GLenum format, const void* data, size_t bytes)
+#define WIDTH 2048 // texels of a row, as row.glsl has it; every WebGL 2 has as many
+
+typedef enum // of texels
+{
+	FORMAT_BYTE, // R8UI
+	FORMAT_TWO,  // RG32F
+	FORMAT_FOUR, // RGBA32F
+} TexelFormat;
+
+static const struct
+{
+	GLint internal;
+	GLenum format, type;
+	size_t bytes; // of a texel
+} formats[] = {
+    {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1},
+    {GL_RG32F, GL_RG, GL_FLOAT, 8},
+    {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},
+};
+
+// Makes a texture of more rows than are needed now, so that worlds may grow for a while.
+static void texel_array_make(TexelArray* t, TexelFormat format, int rows)
 {
 	if (!t->texture)
-	{
-		glGenBuffers(1, &t->buffer);
 		glGenTextures(1, &t->texture);
-	}
-	glBindBuffer(GL_TEXTURE_BUFFER, t->buffer);
-	glBufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)bytes, data, GL_DYNAMIC_DRAW);
-	glBindTexture(GL_TEXTURE_BUFFER, t->texture);
-	glTexBuffer(GL_TEXTURE_BUFFER, format, t->buffer);
+	t->format = (int)format;
+	t->rows = rows + rows / 2;
+	glBindTexture(GL_TEXTURE_2D, t->texture);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	glTexImage2D(GL_TEXTURE_2D, 0, formats[format].internal, WIDTH, t->rows, 0, formats[format].format,
+	             formats[format].type, NULL);
 }
 
-static void buffer_texture_delete(BufferTexture* t)
+static void texel_array_fill(TexelArray* t, TexelFormat format, const void* data, int count)
+{
+	const GLenum layout = formats[format].format, type = formats[format].type;
+	const int full = count / WIDTH, rest = count % WIDTH, rows = full + (rest > 0);
+	if (!t->texture || t->format != (int)format || t->rows < rows)
+		texel_array_make(t, format, rows);
+	glBindTexture(GL_TEXTURE_2D, t->texture);
+	glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+	if (full > 0)
+		glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, full, layout, type, data);
+	if (rest > 0)
+		glTexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, layout, type,
+		                (const char*)data + formats[format].bytes * WIDTH * (size_t)full);
+	glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+static void texel_array_delete(TexelArray* t)
 {
 	glDeleteTextures(1, &t->texture);
-	glDeleteBuffers(1, &t->buffer);
-	*t = (BufferTexture){0};
+	*t = (TexelArray){0};
 }
 
 // Whether a shape is a rectangle along the axes, whose distance costs less.
@@ -70,14 +108,14 @@ static void describe(const scree_shape* shape, Color color, float texels[4 * TEX
 
 static bool fill_attributes(RenderTables* tables)
 {
-	size_t bytes = ((size_t)tables->attribute_count + 1) * 4 * TEXELS * sizeof(float);
-	float* texels = calloc(1, bytes);
+	const int count = (tables->attribute_count + 1) * TEXELS;
+	float* texels = calloc((size_t)count, 4 * sizeof *texels);
 	if (!texels)
 		return false;
 	for (int k = 0; k < tables->attribute_count; ++k)
 		describe(&tables->attributes[k].shape, sprite_base(tables->color_of[k]),
 		         texels + (size_t)(4 * TEXELS) * (size_t)k);
-	buffer_texture_fill(&tables->attribute_texture, GL_RGBA32F, texels, bytes);
+	texel_array_fill(&tables->attribute_texture, FORMAT_FOUR, texels, count);
 	free(texels);
 	return true;
 }
@@ -108,7 +146,7 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 	if (good)
 	{
 		viewport_fit(points, count, reach, &tables->box);
-		buffer_texture_fill(&tables->kinds, GL_R8UI, kinds, (size_t)tables->body_capacity + 1);
+		texel_array_fill(&tables->kinds, FORMAT_BYTE, kinds, tables->body_capacity + 1);
 	}
 	free(poses);
 	free(points);
@@ -148,9 +186,9 @@ bool render_tables_build(RenderTables* tables, scree_world* world)
 	free(sprites.list);
 	const float still[2] = {0};
 	const uint8_t none[1] = {255};
-	buffer_texture_fill(&tables->velocities, GL_RG32F, still, sizeof still);
-	buffer_texture_fill(&tables->graph, GL_R8UI, none, sizeof none);
-	buffer_texture_fill(&tables->marks, GL_R8UI, none, sizeof none);
+	texel_array_fill(&tables->velocities, FORMAT_TWO, still, 1);
+	texel_array_fill(&tables->graph, FORMAT_BYTE, none, 1);
+	texel_array_fill(&tables->marks, FORMAT_BYTE, none, 1);
 	if (good)
 		render_tables_update_sensors(tables);
 	return good;
@@ -159,7 +197,7 @@ bool render_tables_build(RenderTables* tables, scree_world* world)
 void render_tables_update_sensors(RenderTables* tables)
 {
 	if (sensor_marks_update(&tables->sensors, tables->world))
-		buffer_texture_fill(&tables->marks, GL_R8UI, tables->sensors.marks, (size_t)tables->sensors.rows);
+		texel_array_fill(&tables->marks, FORMAT_BYTE, tables->sensors.marks, tables->sensors.rows);
 }
 
 scree_status render_tables_update_bodies(RenderTables* tables)
@@ -182,7 +220,7 @@ scree_status render_tables_update_velocities(RenderTables* tables)
 	{
 		for (int k = 0; k < tables->body_count; ++k)
 			linear[tables->bodies[k].index] = velocities[k].linear;
-		buffer_texture_fill(&tables->velocities, GL_RG32F, linear, size * sizeof *linear);
+		texel_array_fill(&tables->velocities, FORMAT_TWO, linear, (int)size);
 	}
 	free(linear);
 	free(velocities);
@@ -211,7 +249,7 @@ bool render_tables_update_graph(RenderTables* tables, const scree_contact* conta
 			if (bodies[side] >= 0 && contacts[k].color >= 0 && contacts[k].color < lowest[bodies[side]])
 				lowest[bodies[side]] = (uint8_t)contacts[k].color;
 	}
-	buffer_texture_fill(&tables->graph, GL_R8UI, lowest, size);
+	texel_array_fill(&tables->graph, FORMAT_BYTE, lowest, (int)size);
 	free(lowest);
 	return true;
 }
@@ -223,11 +261,11 @@ scree_box render_tables_view(const RenderTables* tables, const Scene* scene)
 
 void render_tables_close(RenderTables* tables)
 {
-	buffer_texture_delete(&tables->attribute_texture);
-	buffer_texture_delete(&tables->kinds);
-	buffer_texture_delete(&tables->velocities);
-	buffer_texture_delete(&tables->graph);
-	buffer_texture_delete(&tables->marks);
+	texel_array_delete(&tables->attribute_texture);
+	texel_array_delete(&tables->kinds);
+	texel_array_delete(&tables->velocities);
+	texel_array_delete(&tables->graph);
+	texel_array_delete(&tables->marks);
 	sensor_marks_close(&tables->sensors);
 	free(tables->attributes);
 	free(tables->color_of);

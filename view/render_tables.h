@@ -6,10 +6,11 @@
 #include "scene/sprites.h"
 #include "view/sensor_marks.h"
 
-typedef struct // an OpenGL texture that a shader reads as an array
+typedef struct // an OpenGL texture that a shader reads as an array: texel k is in row k / 2048. WebGL has no buffer textures
 {
-	unsigned texture, buffer;
-} BufferTexture;
+	unsigned texture;
+	int format, rows; // that it was made for
+} TexelArray;
 
 typedef struct
 {
@@ -24,7 +25,7 @@ typedef struct
 	int body_capacity; // one more than the highest index
 	scree_box box;     // around the bodies that move, m; for scenes without a view
 	SensorMarks sensors;
-	BufferTexture attribute_texture, kinds, velocities, graph, marks;
+	TexelArray attribute_texture, kinds, velocities, graph, marks;
 } RenderTables;
 
 // Reads a world; to be repeated after bodies were added or removed. False when memory is short; close the tables also then.

@@ -6,9 +6,9 @@
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
+#include "view/opengl.h"
 #include "view/scan_lines.h"
 #include "view/shader.h"
-#include <epoxy/gl.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -176,7 +176,7 @@ static void bind_tables(const RenderTables* tables)
 	for (int k = 0; k < 5; ++k)
 	{
 		glActiveTexture((GLenum)(GL_TEXTURE0 + k));
-		glBindTexture(GL_TEXTURE_BUFFER, textures[k]);
+		glBindTexture(GL_TEXTURE_2D, textures[k]);
 	}
 	glActiveTexture(GL_TEXTURE0);
 }
@@ -199,7 +199,7 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	glEnable(GL_BLEND);
 	glBlendEquation(GL_FUNC_ADD);
 	glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-	glEnable(GL_PROGRAM_POINT_SIZE);
+	OPENGL_SHADERS_SIZE_POINTS();
 	glClearColor((float)background.r / 255.0f, (float)background.g / 255.0f, (float)background.b / 255.0f, 1.0f);
 	glClear(GL_COLOR_BUFFER_BIT);
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // shader.c -- compiles and links OpenGL programs from the texts of glsl.h.
 #include "view/shader.h"
-#include <epoxy/gl.h>
+#include "view/glsl.h"
+#include "view/opengl.h"
 #include <stdio.h>
 
 static bool attach(GLuint program, GLenum kind, const char* head, const char* text, char* sentence)
 {
 	GLuint shader = glCreateShader(kind);
-	const char* texts[] = {"#version 330 core\n", head, text};
-	glShaderSource(shader, 3, texts, NULL);
+	const char* texts[] = {GLSL_VERSION, glsl_common_glsl, head, text};
+	glShaderSource(shader, 4, texts, NULL);
 	glCompileShader(shader);
 	GLint good = 0;
 	glGetShaderiv(shader, GL_COMPILE_STATUS, &good);

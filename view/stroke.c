@@ -2,8 +2,8 @@
 // stroke.c -- lines and dots over a picture, collected and drawn with one call.
 #include "view/stroke.h"
 #include "view/glsl.h"
+#include "view/opengl.h"
 #include "view/shader.h"
-#include <epoxy/gl.h>
 #include <stdlib.h>
 
 bool strokes_open(Strokes* strokes, char* sentence)

@@ -1,5 +1,5 @@
 // body.frag -- a shape by its signed distance: filled, with a thin darker rim, and a spoke in circles.
-uniform samplerBuffer table;
+uniform sampler2D table;
 uniform float scale; // px a metre
 uniform float line;  // px: width of rims
 
@@ -14,7 +14,7 @@ out vec4 pixel;
 
 vec2 vertex(int k)
 {
-	vec4 two = texelFetch(table, texel + 3 + k / 2) * scale;
+	vec4 two = texelFetch(table, cell(texel + 3 + k / 2), 0) * scale;
 	return (k & 1) == 0 ? two.xy : two.zw;
 }
 
@@ -41,9 +41,9 @@ float hull_distance(vec2 p, int count)
 
 void main()
 {
-	vec4 around = texelFetch(table, texel) * scale, sizes = texelFetch(table, texel + 1);
+	vec4 around = texelFetch(table, cell(texel), 0) * scale, sizes = texelFetch(table, cell(texel + 1), 0);
 	float radius = sizes.x * scale, d;
-	int form = int(texelFetch(table, texel + 2).w), count = int(sizes.y);
+	int form = int(texelFetch(table, cell(texel + 2), 0).w), count = int(sizes.y);
 	if (form == 1) // a rectangle along the axes
 	{
 		vec2 q = abs(local - around.xy) - around.zw + radius;

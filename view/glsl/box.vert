@@ -6,7 +6,7 @@ flat out vec4 edges; // px: lower and upper corner
 void main()
 {
 	int texel = 7 * max(name.x, 0);
-	vec4 sizes = texelFetch(table, texel + 1);
+	vec4 sizes = texelFetch(table, cell(texel + 1), 0);
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	edges = vec4(0.0);
 	if (hidden(mark_of(first + gl_InstanceID)) || name.x < 0 || sizes.z * scale < 2.0 || unseen(sizes.z))
@@ -14,7 +14,7 @@ void main()
 	vec2 low = vec2(1.0e9), high = vec2(-1.0e9);
 	for (int k = 0; k < int(sizes.y); ++k)
 	{
-		vec4 two = texelFetch(table, texel + 3 + k / 2);
+		vec4 two = texelFetch(table, cell(texel + 3 + k / 2), 0);
 		vec2 at = turned((k & 1) == 0 ? two.xy : two.zw);
 		low = min(low, at);
 		high = max(high, at);

@@ -10,11 +10,11 @@ uniform vec3 palette[64]; // of graph colors
 uniform int first;        // row that is drawn first
 uniform int marked;       // rows that have a mark
 
-uniform samplerBuffer table;      // attributes, 7 texels each
-uniform usamplerBuffer kinds;     // of bodies
-uniform usamplerBuffer graph;     // lowest color of a body's contacts, 255 for none
-uniform samplerBuffer velocities; // of bodies, m/s
-uniform usamplerBuffer marks;     // of rows: bits of sensor_marks.h
+uniform sampler2D table;      // attributes, 7 texels each
+uniform usampler2D kinds;     // of bodies
+uniform usampler2D graph;     // lowest color of a body's contacts, 255 for none
+uniform sampler2D velocities; // of bodies, m/s
+uniform usampler2D marks;     // of rows: bits of sensor_marks.h
 uniform int sensors;              // whether they are shown
 
 const vec3 stone = vec3(196, 192, 184) / 255.0;
@@ -23,10 +23,10 @@ const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
 vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
-bool moves() { return name.y >= 0 && texelFetch(kinds, name.y).x == 2u; }
+bool moves() { return name.y >= 0 && texelFetch(kinds, cell(name.y), 0).x == 2u; }
 
 // The mark of a row, 0 where it is no sensor.
-int mark_of(int row) { return row < marked ? int(texelFetch(marks, row).x) : 0; }
+int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
 bool hidden(int mark) { return mark != 0 && sensors == 0; }
 
 // Whether a shape of this reach (m) lies outside the picture.
@@ -49,9 +49,9 @@ vec3 row_color(vec3 base)
 	if (!moves())
 		return stone;
 	if (paint == 1)
-		return speed_color(length(texelFetch(velocities, name.y).xy));
+		return speed_color(length(texelFetch(velocities, cell(name.y), 0).xy));
 	if (paint == 2)
-		return graph_color(texelFetch(graph, name.y).x);
+		return graph_color(texelFetch(graph, cell(name.y), 0).x);
 	// a little lighter or darker from body to body
 	uint mixed = uint(name.y) * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;

@@ -9,7 +9,7 @@ flat out vec3 square; // middle and half a side, px
 void main()
 {
 	int texel = 7 * max(name.x, 0);
-	vec4 around = texelFetch(table, texel), sizes = texelFetch(table, texel + 1);
+	vec4 around = texelFetch(table, cell(texel), 0), sizes = texelFetch(table, cell(texel + 1), 0);
 	float side = sizes.w * scale;
 	gl_PointSize = coarse ? max(side, 1.0) : ceil(side) + 2.0;
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -20,5 +20,5 @@ void main()
 	vec2 at = clip_of(pose.xy + turned(around.xy));
 	gl_Position = vec4(at, 0.0, 1.0);
 	square = vec3((at * 0.5 + 0.5) * size, 0.5 * side);
-	color = row_color(texelFetch(table, texel + 2).rgb);
+	color = row_color(texelFetch(table, cell(texel + 2), 0).rgb);
 }

@@ -15,7 +15,7 @@ void main()
 	local = vec2(0.0);
 	if (name.x < 0 || name.y < 0)
 		return;
-	vec2 a = pose.xy + center, along = texelFetch(velocities, name.y).xy * 0.15;
+	vec2 a = pose.xy + center, along = texelFetch(velocities, cell(name.y), 0).xy * 0.15;
 	float stretch = length(along) * scale;
 	if (stretch < 1.0)
 		return;

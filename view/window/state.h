@@ -6,7 +6,7 @@
 #include "view/shader.h"
 #include "view/share.h"
 #include "view/window/capture.h"
-#include "view/window/grab.h"
+#include "view/grab.h"
 #include "view/window/inspect.h"
 #include "view/window/session.h"
 

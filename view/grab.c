@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // grab.c -- what the cursor does to bodies: picks one, drags it, throws new bodies in.
-#include "view/window/grab.h"
+#include "view/grab.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
