@@ -1,6 +1,6 @@
 # view.cmake -- drawing with OpenGL: needs libepoxy; shares memory through Vulkan where its headers are found.
 file(GLOB view_sources CONFIGURE_DEPENDS view/*.c)
-file(GLOB view_shaders CONFIGURE_DEPENDS view/glsl/*)
+include(cmake/glsl.cmake)
 
 find_package(PkgConfig)
 if(PkgConfig_FOUND)
@@ -13,13 +13,8 @@ if(NOT EPOXY_FOUND)
 elseif(NOT TARGET scree_scene)
 	message(NOTICE "scree: drawing with OpenGL is left out, because scenes need Jansson")
 elseif(view_sources)
-	set(glsl ${PROJECT_BINARY_DIR}/glsl.c)
-	string(REPLACE ";" " " files "${view_shaders}")
-	add_custom_command(OUTPUT ${glsl}
-		COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" -DOUT=${glsl} -P ${PROJECT_SOURCE_DIR}/cmake/texts.cmake
-		DEPENDS ${view_shaders} ${PROJECT_SOURCE_DIR}/cmake/texts.cmake
-		COMMENT "Embedding view/glsl" VERBATIM)
-	add_library(scree_view STATIC ${view_sources} ${glsl})
+	add_library(scree_view STATIC ${view_sources})
+	scree_glsl(scree_view)
 	scree_flags(scree_view)
 	target_include_directories(scree_view PUBLIC ${PROJECT_SOURCE_DIR})
 	target_link_libraries(scree_view PUBLIC scree_scene scree_static PkgConfig::EPOXY PRIVATE m ${CMAKE_DL_LIBS})

@@ -18,7 +18,8 @@ typedef struct
 	unsigned buffer; // OpenGL buffer of scree_render_row; replaced when the world grows
 	unsigned memory; // OpenGL memory object of the buffer, 0 for none
 	ExportedMemory exported;
-	int capacity, count; // rows: that fit into the buffer, that are drawn
+	int capacity, count;    // rows: that fit into the buffer, that are drawn
+	scree_render_row* rows; // copied by way of these in a page; null where OpenGL maps its buffers
 } Share;
 
 // Gets the current context for scree_world_def.opengl; false when it is not an EGL context.

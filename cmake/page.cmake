@@ -1,0 +1,28 @@
+# page.cmake -- the WebAssembly of the page: scenes, and the renderer of view/ for WebGL 2. docs/web_page.md tells of the page.
+include(cmake/glsl.cmake)
+
+# what opens OpenGL, shares memory with it or reads pictures back has no counterpart in a page
+file(GLOB page_view CONFIGURE_DEPENDS view/*.c)
+list(FILTER page_view EXCLUDE REGEX "/(share|exported_memory|offscreen|framebuffer|gl_picture)\\.c$")
+
+if(CMAKE_C_FLAGS MATCHES "-pthread")
+	set(form threads)
+elseif(CMAKE_C_FLAGS MATCHES "-msimd128")
+	set(form simd)
+else()
+	set(form scalar)
+endif()
+
+add_executable(scree_page web/page.c web/rows.c ${page_view})
+scree_flags(scree_page)
+scree_glsl(scree_page)
+set_target_properties(scree_page PROPERTIES OUTPUT_NAME scree-${form} SUFFIX .js)
+target_link_libraries(scree_page PRIVATE scree_scene scree_static m)
+target_link_options(scree_page PRIVATE -sMODULARIZE -sEXPORT_ES6 -sEXPORT_NAME=scree -sENVIRONMENT=web,worker
+	-sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=64MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
+	-sFORCE_FILESYSTEM -sINCOMING_MODULE_JS_API=locateFile,print,printErr,threads
+	-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8 -sEXPORTED_FUNCTIONS=_malloc,_free -sABORTING_MALLOC=0)
+if(form STREQUAL threads)
+	# all workers are there before the first world, because a page cannot wait for one to start
+	target_link_options(scree_page PRIVATE -pthread -sPTHREAD_POOL_SIZE=Module.threads -Wno-pthreads-mem-growth)
+endif()

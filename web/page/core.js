@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// core.js -- the functions of web/page.c as JavaScript: numbers, texts, and errors that are thrown as sentences.
+
+const NUMBERS = [ // in the order of page_numbers
+	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
+	'transform', 'broadPhase', 'narrowPhase', 'color', 'solve', 'finalize', 'taken', 'nonfinite', 'memory',
+];
+
+export class Core {
+	constructor(module) {
+		this.module = module;
+	}
+	text(pointer) {
+		return this.module.UTF8ToString(pointer);
+	}
+	check(good) {
+		if (!good) throw new Error(this.text(this.module._page_error()));
+	}
+	numbersAt(pointer, count) {
+		return this.module.HEAPF64.subarray(pointer / 8, pointer / 8 + count);
+	}
+	// All names of a list that the C code has.
+	names(get) {
+		const names = [];
+		for (let k = 0; this.text(get(k)); ++k) names.push(this.text(get(k)));
+		return names;
+	}
+	lists() {
+		const m = this.module;
+		const layers = this.names(m._page_layer);
+		return {
+			layers: layers.map((name, k) => ({ name, help: this.text(m._page_layer_help(k)) })),
+			paints: this.names(m._page_paint),
+			keys: this.names(m._page_key),
+			version: this.text(m._page_version()),
+		};
+	}
+	// settings: [[name, value], ...]
+	load(name, text, settings, threads) {
+		const m = this.module;
+		const path = `/${name}.json`;
+		m.FS.writeFile(path, text);
+		const file = m.allocateUTF8(path);
+		const lines = m.allocateUTF8(settings.map(([key, value]) => `${key}=${value}`).join('\n'));
+		const good = m._page_load(file, lines, threads);
+		m._free(lines);
+		m._free(file);
+		this.check(good);
+	}
+	numbers() {
+		const pointer = this.module._page_numbers();
+		this.check(pointer);
+		const values = this.numbersAt(pointer, NUMBERS.length);
+		return Object.fromEntries(NUMBERS.map((name, k) => [name, values[k]]));
+	}
+	hash() {
+		const hash = this.text(this.module._page_hash());
+		this.check(hash);
+		return hash;
+	}
+	point(x, y) {
+		return Array.from(this.numbersAt(this.module._page_point(x, y), 2));
+	}
+	places(capacity = 256) {
+		const pointer = this.module._malloc(8 * capacity);
+		const count = this.module._page_places(pointer, capacity);
+		const places = Array.from(this.module.HEAPF32.subarray(pointer / 4, pointer / 4 + 2 * count));
+		this.module._free(pointer);
+		return places;
+	}
+}

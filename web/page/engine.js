@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// engine.js -- the scene behind the page: steps it by the clock, draws it, applies and records what the visitor does.
+//
+// It runs in a worker, or in the page itself where a worker cannot draw. It hears and says messages, {type, ...}.
+import { Core } from './core.js';
+import { Picture } from './picture.js';
+import { Player } from './player.js';
+import { Pointer } from './pointer.js';
+import { loadForm } from './wasm.js';
+
+const LONGEST = 30; // ms of steps in a frame: a world that takes longer falls behind the clock
+const REPORT = 100; // ms between two reports to the page
+const COSTLY = 8; // ms: a hash that takes longer is computed only while nothing moves
+
+const nextFrame = globalThis.requestAnimationFrame
+	? (turn) => globalThis.requestAnimationFrame(turn)
+	: (turn) => setTimeout(() => turn(performance.now()), 16);
+
+export class Engine {
+	constructor(say) {
+		this.say = say;
+		this.paused = false;
+		this.rate = 1;
+		this.behind = 0; // s of the world that the steps are behind the clock
+		this.history = []; // ms of the steps since the last report
+		this.changed = true; // something differs from the picture
+		this.reported = 0;
+		this.frames = 0;
+		this.drawing = 0; // ms of the last frame's drawing
+		this.hashCost = 0;
+	}
+
+	async open({ form, threads, canvas, width, height }) {
+		this.threads = threads;
+		this.core = new Core(await loadForm(form, threads));
+		this.player = new Player(this.core.module);
+		this.picture = new Picture(this.core, canvas, width, height, (sentence) => this.say({ type: 'picture', sentence }));
+		this.pointer = new Pointer(this.core, this.picture, (name, values) => this.act(name, values));
+		this.say({ type: 'ready', form, threads, drawn: this.picture.drawn, ...this.core.lists() });
+	}
+
+	// Answers a message; what fails is said as a sentence.
+	async hear(message) {
+		try {
+			this.changed = true;
+			const answer = await this[message.type](message);
+			if (message.id !== undefined) this.say({ type: 'answer', id: message.id, answer });
+		} catch (error) {
+			this.say({ type: 'error', sentence: error.message, id: message.id, of: message.type });
+		}
+	}
+
+	// A scene from its start; script: actions to play, until: {step, hash} of the one who recorded them.
+	load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
+		this.pointer.cancel();
+		this.core.load(name, text, settings, this.threads);
+		this.source = { name, text, settings };
+		this.player.start(script, until);
+		this.behind = 0;
+		this.history = [];
+		this.failed = false;
+		this.paused = paused;
+		if (!keepView) this.picture.fit();
+		this.say({ type: 'loaded', name, settings, keys: this.core.module._page_keys() >>> 0 });
+		this.report();
+		if (!this.running) {
+			this.running = true;
+			this.time = performance.now();
+			nextFrame((now) => this.frame(now));
+		}
+	}
+
+	restart({ replay = false }) {
+		const { name, text, settings } = this.source;
+		const script = replay ? this.player.done : [];
+		const until = replay ? { step: this.step, hash: this.core.hash() } : null;
+		this.load({ name, text, settings, script, until, keepView: true, paused: replay ? false : this.paused });
+	}
+
+	get step() {
+		return this.core.module._page_steps();
+	}
+
+	pause({ paused }) {
+		this.paused = paused;
+		this.behind = 0;
+		this.report();
+	}
+	steps({ count }) {
+		this.paused = true;
+		for (let k = 0; k < count && !this.failed; ++k) this.advance();
+		this.report();
+	}
+	speed({ rate }) {
+		this.rate = rate;
+	}
+	style({ paint, layers, slow }) {
+		this.picture.style(paint, layers, slow);
+	}
+	resize({ width, height }) {
+		this.picture.resize(width, height);
+	}
+	fit() {
+		this.picture.fit();
+	}
+	pan({ x, y }) {
+		this.core.module._page_pan(x, y);
+	}
+	zoom({ x, y, factor }) {
+		this.core.module._page_zoom(x, y, factor);
+	}
+	press(message) {
+		this.pointer.press(message);
+	}
+	move(message) {
+		this.pointer.move(message);
+	}
+	lift(message) {
+		this.pointer.lift(message);
+	}
+	cancel() {
+		this.pointer.cancel();
+	}
+	keys({ down }) {
+		if (down !== this.player.keys) this.act('keys', [down]);
+	}
+
+	// For links and tests.
+	record() {
+		return { actions: this.player.done, step: this.step, hash: this.core.hash() };
+	}
+	look() {
+		return this.picture.look();
+	}
+	places() {
+		return this.core.places().map((value) => value);
+	}
+	project({ x, y }) {
+		return this.picture.project(x, y);
+	}
+	lose({ restore }) {
+		this.picture.lose(restore);
+	}
+
+	// What the visitor does. It ends a replay.
+	act(name, values) {
+		return this.player.act(this.step, name, values);
+	}
+
+	advance() {
+		try {
+			this.player.play(this.step);
+			this.pointer.beforeStep();
+			this.core.check(this.core.module._page_step(this.player.keys));
+		} catch (error) {
+			this.failed = this.paused = true;
+			this.say({ type: 'error', sentence: error.message, of: 'step' });
+			return;
+		}
+		this.history.push(this.core.module._page_milliseconds());
+		this.changed = true;
+		if (this.player.until?.step === this.step) this.verdict();
+	}
+
+	// The world is where it was when the link was made.
+	verdict() {
+		const hash = this.core.hash();
+		const expected = this.player.until.hash;
+		this.player.until = null;
+		this.paused = true;
+		this.behind = 0;
+		this.say({ type: 'replayed', step: this.step, hash, expected, equal: hash === expected });
+	}
+
+	frame(now) {
+		const seconds = Math.max(0, now - this.time) / 1000;
+		this.time = now;
+		const begin = performance.now();
+		const dt = this.core.numbers().dt;
+		if (!this.paused) this.behind += Math.min(seconds, 0.1) * this.rate;
+		while (!this.paused && this.behind >= dt * 0.999) {
+			this.behind -= dt;
+			this.advance();
+			if (performance.now() - begin > LONGEST) this.behind = 0;
+		}
+		if (this.changed || this.picture.moving) this.draw();
+		++this.frames;
+		if (now - this.reported >= REPORT) this.report();
+		nextFrame((next) => this.frame(next));
+	}
+
+	draw() {
+		const begin = performance.now();
+		try {
+			this.picture.draw();
+		} catch (error) {
+			this.say({ type: 'error', sentence: error.message, of: 'draw' });
+		}
+		this.drawing = performance.now() - begin;
+		this.changed = false;
+	}
+
+	report() {
+		const now = performance.now();
+		const message = { type: 'state', ...this.core.numbers(), paused: this.paused, rate: this.rate };
+		message.times = this.history;
+		message.drawing = this.drawing;
+		message.frames = this.frames;
+		message.elapsed = now - this.reported;
+		message.touched = this.player.touched;
+		message.replaying = this.player.replaying;
+		message.holding = this.pointer.holds;
+		if (this.paused || this.hashCost < COSTLY) {
+			message.hash = this.core.hash();
+			this.hashCost = performance.now() - now;
+		}
+		this.history = [];
+		this.frames = 0;
+		this.reported = now;
+		this.say(message);
+	}
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// picture.js -- the picture of the scene: a WebGL 2 context, lost and restored, with what the visitor sees of his tools.
+
+const FLASH = 350; // ms that the ring of a blast is seen
+
+export class Picture {
+	constructor(core, canvas, width, height, tell) {
+		this.core = core;
+		this.module = core.module;
+		this.canvas = canvas;
+		this.tell = tell; // a sentence about the picture; empty: all is well
+		this.density = 1; // px of the picture a px of the page
+		this.arrow = null; // m: x, y, x, y
+		this.rings = []; // {at, radius, born}
+		this.styled = [0, 0, false];
+		this.resize(width, height);
+		this.open();
+		canvas.addEventListener('webglcontextlost', (event) => {
+			event.preventDefault(); // the browser may restore it
+			this.drawn = false;
+			this.module._page_close_picture();
+			this.tell('The browser took the graphics away from this page. The scene goes on; the picture comes back when it can.');
+		});
+		canvas.addEventListener('webglcontextrestored', () => {
+			this.connect();
+			if (this.drawn) this.tell('');
+		});
+	}
+
+	get moving() {
+		return this.rings.length > 0;
+	}
+
+	open() {
+		const wishes = { alpha: false, antialias: false, depth: false, powerPreference: 'high-performance' };
+		this.gl = this.canvas.getContext('webgl2', wishes);
+		if (this.gl) this.connect();
+		else this.tell('This browser has no WebGL 2, so there is no picture. The steps and their hash work without it.');
+	}
+
+	connect() {
+		const { GL } = this.module;
+		if (this.handle) GL.deleteContext?.(this.handle);
+		this.handle = GL.registerContext(this.gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: false });
+		GL.makeContextCurrent(this.handle);
+		this.drawn = Boolean(this.module._page_open_picture());
+		if (!this.drawn) this.tell(this.core.text(this.module._page_error()));
+		this.style(...this.styled);
+	}
+
+	resize(width, height, density = this.density) {
+		this.width = this.canvas.width = Math.max(1, Math.round(width));
+		this.height = this.canvas.height = Math.max(1, Math.round(height));
+		this.density = density;
+		this.module._page_resize(this.width, this.height);
+	}
+	fit() {
+		if (this.drawn) this.module._page_fit();
+	}
+	style(paint, layers, slow) {
+		this.styled = [paint, layers, slow];
+		this.module._page_style(paint, layers, slow);
+	}
+
+	flash(at, radius) {
+		this.rings.push({ at, radius, born: performance.now() });
+	}
+
+	draw() {
+		if (!this.drawn) return;
+		const now = performance.now();
+		this.rings = this.rings.filter((ring) => now - ring.born < FLASH);
+		for (const { at, radius, born } of this.rings) {
+			const age = (now - born) / FLASH;
+			this.module._page_mark_ring(...at, 2 * radius * (0.4 + 0.6 * age), Math.round(220 * (1 - age)));
+		}
+		if (this.arrow) this.module._page_mark_arrow(...this.arrow);
+		this.core.check(this.module._page_draw());
+	}
+
+	// The pixels as they are now, rows from the top, four bytes each.
+	look() {
+		this.draw();
+		const { gl, width, height } = this;
+		const rows = new Uint8Array(4 * width * height);
+		gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rows);
+		const pixels = new Uint8Array(rows.length);
+		for (let y = 0; y < height; ++y)
+			pixels.set(rows.subarray(4 * width * (height - 1 - y), 4 * width * (height - y)), 4 * width * y);
+		return { width, height, pixels };
+	}
+
+	// The pixel over a point of the world.
+	project(x, y) {
+		const [left, top] = this.core.point(0, 0);
+		const scale = this.module._page_scale();
+		return [(x - left) * scale, (top - y) * scale];
+	}
+
+	// For tests: as if the browser took the context away, and gave it back.
+	lose(restore) {
+		this.loss ??= this.gl.getExtension('WEBGL_lose_context');
+		if (restore) this.loss.restoreContext();
+		else this.loss.loseContext();
+	}
+}

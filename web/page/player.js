@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// player.js -- applies what the visitor does to the world and remembers it; plays what another one did.
+import { makeAction } from './record.js';
+
+export class Player {
+	constructor(module) {
+		this.module = module;
+		this.start([], null);
+	}
+
+	start(script, until) {
+		this.script = script;
+		this.until = until; // {step, hash}: where the script ends
+		this.next = 0; // action of the script
+		this.done = []; // actions that were applied
+		this.keys = 0; // that are down
+	}
+
+	get replaying() {
+		return this.next < this.script.length || this.until !== null;
+	}
+	get touched() {
+		return this.done.length > 0;
+	}
+
+	// Whether it did something; what did nothing is not remembered.
+	apply(action) {
+		const m = this.module;
+		const v = action.values;
+		switch (action.kind) {
+			case 'pick':
+				return m._page_pick(v[0], v[1]);
+			case 'pull':
+				m._page_pull(v[0], v[1]);
+				return true;
+			case 'release':
+				m._page_release();
+				return true;
+			case 'throw':
+				return m._page_throw(v[0], v[1], v[2], v[3], v[4]);
+			case 'blast':
+				return m._page_blast(v[0], v[1], v[2], v[3]);
+			default: // keys
+				this.keys = v[0];
+				return true;
+		}
+	}
+
+	// The visitor does something before a step. It ends what is left of a script.
+	act(step, name, values) {
+		this.script = [];
+		this.next = 0;
+		this.until = null;
+		const action = makeAction(step, name, values);
+		const good = Boolean(this.apply(action));
+		if (good) this.done.push(action);
+		return good;
+	}
+
+	// Does what the script says for this step.
+	play(step) {
+		while (this.next < this.script.length && this.script[this.next].step <= step) {
+			const action = this.script[this.next++];
+			this.apply(action);
+			this.done.push(action);
+		}
+	}
+}

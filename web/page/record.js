@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// record.js -- what a visitor did, by step number, and the same as a short text for links.
+//
+// An action is {step, kind, values}: it happened before that step, the first of which is number 0. Values are whole numbers of
+// a unit, which is a power of two, so that they come out of the text as the floats that went into the world. Positions are
+// stored as the difference from the position before.
+
+const LENGTH = 1 / 4096; // m
+const SPEED = 1 / 256; // m/s
+const position = [LENGTH, LENGTH];
+
+// units of the values; the first two are a position except for keys
+export const KINDS = [
+	{ name: 'pick', units: position },
+	{ name: 'pull', units: position },
+	{ name: 'release', units: [] },
+	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // velocity, size
+	{ name: 'blast', units: [...position, LENGTH, SPEED] }, // radius, speed
+	{ name: 'keys', units: [1] }, // bits by the keys of scene_keys.def
+];
+const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
+
+// The action with its values rounded to units.
+export function makeAction(step, name, values = []) {
+	const { units } = KINDS[kindOf.get(name)];
+	return { step, kind: name, values: units.map((unit, k) => Math.fround(Math.round(values[k] / unit) * unit)) };
+}
+
+// A number below 2^53 in bytes of seven bits, the lowest first.
+function writeNumber(bytes, number) {
+	while (number > 127) {
+		bytes.push((number % 128) + 128);
+		number = Math.floor(number / 128);
+	}
+	bytes.push(number);
+}
+
+const writeSigned = (bytes, number) => writeNumber(bytes, number < 0 ? -2 * number - 1 : 2 * number);
+
+class Reader {
+	constructor(bytes) {
+		this.bytes = bytes;
+		this.at = 0;
+	}
+	get done() {
+		return this.at >= this.bytes.length;
+	}
+	number() {
+		let number = 0;
+		for (let scale = 1; ; scale *= 128) {
+			if (this.done || scale > 2 ** 49) throw new Error('the link is cut off or damaged');
+			const byte = this.bytes[this.at++];
+			number += (byte % 128) * scale;
+			if (byte < 128) return number;
+		}
+	}
+	signed() {
+		const number = this.number();
+		return number % 2 ? -(number + 1) / 2 : number / 2;
+	}
+}
+
+const toText = (bytes) => {
+	let text = '';
+	for (let k = 0; k < bytes.length; k += 8192) text += String.fromCharCode(...bytes.slice(k, k + 8192));
+	return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+};
+
+const toBytes = (text) => {
+	if (!/^[\w-]*$/.test(text)) throw new Error('the link is damaged: it has characters that no link of this page has');
+	return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+};
+
+// The actions as letters, digits, - and _.
+export function encodeActions(actions) {
+	const bytes = [];
+	let step = 0;
+	let last = [0, 0];
+	for (const action of actions) {
+		const index = kindOf.get(action.kind);
+		const units = KINDS[index].units;
+		const whole = action.values.map((value, k) => Math.round(value / units[k]));
+		writeNumber(bytes, (action.step - step) * 8 + index);
+		step = action.step;
+		whole.forEach((value, k) => {
+			const relative = units.length > 1 && k < 2;
+			writeSigned(bytes, relative ? value - last[k] : value);
+		});
+		if (units.length > 1) last = whole;
+	}
+	return toText(bytes);
+}
+
+// What encodeActions wrote. Throws an error with a sentence where it did not write the text.
+export function decodeActions(text) {
+	const reader = new Reader(toBytes(text));
+	const actions = [];
+	let step = 0;
+	let last = [0, 0];
+	while (!reader.done) {
+		const head = reader.number();
+		const kind = KINDS[head % 8];
+		if (!kind) throw new Error('the link is damaged, or was made by a newer page');
+		step += Math.floor(head / 8);
+		const { units } = kind;
+		const whole = units.map((_, k) => reader.signed() + (units.length > 1 && k < 2 ? last[k] : 0));
+		if (units.length > 1) last = whole;
+		actions.push({ step, kind: kind.name, values: whole.map((value, k) => Math.fround(value * units[k])) });
+	}
+	return actions;
+}

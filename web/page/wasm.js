@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// wasm.js -- chooses and loads a form of Scree's WebAssembly: threads, simd or scalar.
+
+// A function of one vector instruction: whether it is valid tells whether the browser has vectors.
+const VECTOR = [
+	0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+];
+
+export const FORMS = ['threads', 'simd', 'scalar'];
+
+// The fastest form that this page can run. apart: the engine is in a worker, which may wait for threads.
+export function bestForm(apart) {
+	if (!WebAssembly.validate(new Uint8Array(VECTOR))) return 'scalar';
+	return apart && globalThis.crossOriginIsolated ? 'threads' : 'simd';
+}
+
+// How many threads pay: one a core but one, which the page itself needs.
+export function bestThreads(form) {
+	const cores = globalThis.navigator?.hardwareConcurrency ?? 2;
+	return form === 'threads' ? Math.max(1, Math.min(8, cores - 1)) : 1;
+}
+
+export async function loadForm(form, threads) {
+	const { default: open } = await import(`./scree-${form}.js`);
+	return open({
+		locateFile: (name) => new URL(name, import.meta.url).href,
+		threads: threads - 1, // workers that Emscripten starts beforehand
+	});
+}
