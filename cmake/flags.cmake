@@ -11,17 +11,17 @@ endif()
 
 function(scree_flags target)
 	set_target_properties(${target} PROPERTIES C_STANDARD 17 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
-		POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
+		POSITION_INDEPENDENT_CODE $<NOT:$<BOOL:${EMSCRIPTEN}>> C_VISIBILITY_PRESET hidden)
 	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src
 		${PROJECT_SOURCE_DIR})
 	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
 		$<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
 	# vectors are passed only between functions of one file
 	target_compile_options(${target} PRIVATE -Wno-psabi)
-	if(NOT WIN32)
+	if(NOT WIN32 AND NOT EMSCRIPTEN)
 		target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 	endif()
-	if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+	if(CMAKE_SYSTEM_NAME MATCHES "^(Linux|Emscripten)$")
 		# empty, so that a file may still say it itself; C17 alone hides popen, clock_gettime and the like; C++ says it
 		target_compile_definitions(${target} PRIVATE $<$<COMPILE_LANGUAGE:C>:_GNU_SOURCE=>)
 	endif()

@@ -1,0 +1,15 @@
+# jansson.cmake -- Jansson from its sources, as a target: for WebAssembly, for which no system builds it.
+set(SCREE_JANSSON_SOURCE ${PROJECT_SOURCE_DIR}/build/sources/jansson CACHE PATH
+	"Folder of Jansson's sources; tools/source.sh jansson FOLDER fetches them")
+file(GLOB jansson_sources ${SCREE_JANSSON_SOURCE}/src/*.c)
+if(jansson_sources)
+	# android/ has the configuration of a system without locales; what is private comes as definitions
+	set(made ${PROJECT_BINARY_DIR}/jansson)
+	file(WRITE ${made}/jansson_private_config.h "")
+	add_library(scree_jansson STATIC ${jansson_sources})
+	target_include_directories(scree_jansson SYSTEM PUBLIC ${SCREE_JANSSON_SOURCE}/src ${SCREE_JANSSON_SOURCE}/android
+		PRIVATE ${made})
+	target_compile_definitions(scree_jansson PRIVATE HAVE_STDINT_H)
+	set(jansson scree_jansson)
+	set(JANSSON_FOUND ON)
+endif()

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// golden.c -- golden LANES THREADS PART: prints the hash of every scene after its steps, or a part of them, as in tests/golden.txt.
+//
+// It needs no test framework, so that it can be built for WebAssembly.
+#include "../small_sizes.h"
+#include "scene/build.h"
+#include "scene/churn.h"
+#include "scene/find.h"
+#include "scene/load.h"
+#include "scene/walk.h"
+#include <inttypes.h>
+#include <stdlib.h>
+
+static void check(bool good, const char* sentence)
+{
+	if (good)
+		return;
+	fprintf(stderr, "golden: %s\n", sentence);
+	exit(1);
+}
+
+static void run(const SmallScene* small, int lanes, int threads, int part)
+{
+	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
+	int settings = 0;
+	while (settings < 5 && small->settings[settings].name)
+		++settings;
+	check(scene_find(small->name, NULL, path, sentence), sentence);
+	Scene* scene = scene_load(path, small->settings, settings, sentence);
+	check(scene, sentence);
+	scene->world.device = "cpu";
+	scene->world.lanes = lanes;
+	scene->world.threads = threads;
+
+	scree_world* world;
+	Walkers walkers;
+	uint64_t hash;
+	int steps = small->steps / part;
+	check(scree_world_create(&scene->world, &world) == SCREE_OK && scene_build(scene, world) == SCREE_OK &&
+	          walk_open(&walkers, scene, world) == SCREE_OK,
+	      scree_error());
+	for (int k = 0; k < steps; ++k)
+		check(scene_churn(scene, world, k) == SCREE_OK && walk_step(&walkers, world, k, 0) == SCREE_OK &&
+		          scree_world_step(world, scene->dt, scene->substeps) == SCREE_OK,
+		      scree_error());
+	check(scree_world_get_hash(world, &hash) == SCREE_OK, scree_error());
+	printf("%s %d %016" PRIx64 "\n", small->name, steps, hash);
+	walk_close(&walkers);
+	scree_world_destroy(world);
+	scene_free(scene);
+}
+
+int main(int count, char** arguments)
+{
+	check(count == 4, "usage: golden LANES THREADS PART");
+	for (size_t k = 0; k < sizeof small_scenes / sizeof *small_scenes; ++k)
+		run(small_scenes + k, atoi(arguments[1]), atoi(arguments[2]), atoi(arguments[3]));
+	return 0;
+}

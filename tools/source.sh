@@ -1,0 +1,38 @@
+#!/bin/sh
+# source.sh -- source.sh PACKAGE FOLDER: unpacks the upstream sources of a Debian source package into a folder that does not exist.
+#
+# What is not built for WebAssembly by Debian is compiled from there. apt fetches and checks it, with lists of its own, so
+# that the system's stay as they are and no root is needed.
+set -eu
+package=$1 folder=$2
+[ ! -d "$folder" ] || exit 0
+if ! command -v apt-get >/dev/null 2>&1; then
+	echo "scree: this is not Debian, so unpack the sources of $package into $folder, then try again" >&2
+	exit 1
+fi
+
+echo "scree: fetching the sources of $package"
+mkdir -p "$(dirname "$folder")"
+work=$(mktemp -d "$(dirname "$(realpath "$folder")")/fetch.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/parts" "$work/lists" "$work/cache"
+# the places of the system's packages are those of its sources too
+for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+	[ ! -f "$list" ] || sed -n 's/^deb\(-src\)\{0,1\}[[:space:]]/deb-src /p' "$list" >>"$work/parts/system.list"
+done
+for list in /etc/apt/sources.list.d/*.sources; do
+	[ ! -f "$list" ] || sed 's/^Types:.*/Types: deb-src/' "$list" >"$work/parts/$(basename "$list")"
+done
+fetch()
+{
+	(cd "$work" && apt-get -q -o Dir::Etc::SourceList="$work/none" -o Dir::Etc::SourceParts="$work/parts" \
+		-o Dir::State::Lists="$work/lists" -o Dir::Cache="$work/cache" "$@") >"$work/log" 2>&1 </dev/null
+}
+if ! fetch update || ! fetch source --download-only "$package"; then
+	tail -n 5 "$work/log" >&2
+	echo "scree: apt-get could not fetch the sources of $package (no network?)" >&2
+	exit 1
+fi
+mkdir "$work/unpacked"
+tar -xf "$work/$package"_*.orig.tar.* -C "$work/unpacked" --strip-components=1
+mv "$work/unpacked" "$folder"
