@@ -276,10 +276,12 @@ EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
 
 EMSCRIPTEN_KEEPALIVE void page_resize(int width, int height) { camera_resize(&page.camera, width, height); }
 
+// Shows the whole scene.
 EMSCRIPTEN_KEEPALIVE void page_fit(void)
 {
-	camera_fit(&page.camera, render_tables_view(&page.renderer.tables, page.scene), page.camera.width,
-	           page.camera.height);
+	if (page.scene && page.drawn)
+		camera_fit(&page.camera, render_tables_view(&page.renderer.tables, page.scene), page.camera.width,
+		           page.camera.height);
 }
 
 EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y) { camera_pan(&page.camera, x, y); }

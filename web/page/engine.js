@@ -30,11 +30,13 @@ export class Engine {
 		this.hashCost = 0;
 	}
 
-	async open({ form, threads, canvas, width, height }) {
+	async open({ form, threads, canvas, width, height, density }) {
 		this.threads = threads;
 		this.core = new Core(await loadForm(form, threads));
 		this.player = new Player(this.core.module);
-		this.picture = new Picture(this.core, canvas, width, height, (sentence) => this.say({ type: 'picture', sentence }));
+		this.picture = new Picture(this.core, canvas, (sentence) => this.say({ type: 'picture', sentence }));
+		this.picture.resize(width, height, density);
+		this.picture.open();
 		this.pointer = new Pointer(this.core, this.picture, (name, values) => this.act(name, values));
 		this.say({ type: 'ready', form, threads, drawn: this.picture.drawn, ...this.core.lists() });
 	}
@@ -97,17 +99,17 @@ export class Engine {
 	style({ paint, layers, slow }) {
 		this.picture.style(paint, layers, slow);
 	}
-	resize({ width, height }) {
-		this.picture.resize(width, height);
+	resize({ width, height, density }) {
+		this.picture.resize(width, height, density);
 	}
 	fit() {
 		this.picture.fit();
 	}
 	pan({ x, y }) {
-		this.core.module._page_pan(x, y);
+		this.picture.pan(x, y);
 	}
 	zoom({ x, y, factor }) {
-		this.core.module._page_zoom(x, y, factor);
+		this.picture.zoom(x, y, factor);
 	}
 	press(message) {
 		this.pointer.press(message);
@@ -133,7 +135,7 @@ export class Engine {
 		return this.picture.look();
 	}
 	places() {
-		return this.core.places().map((value) => value);
+		return this.core.places();
 	}
 	project({ x, y }) {
 		return this.picture.project(x, y);

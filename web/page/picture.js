@@ -4,7 +4,7 @@
 const FLASH = 350; // ms that the ring of a blast is seen
 
 export class Picture {
-	constructor(core, canvas, width, height, tell) {
+	constructor(core, canvas, tell) {
 		this.core = core;
 		this.module = core.module;
 		this.canvas = canvas;
@@ -13,8 +13,7 @@ export class Picture {
 		this.arrow = null; // m: x, y, x, y
 		this.rings = []; // {at, radius, born}
 		this.styled = [0, 0, false];
-		this.resize(width, height);
-		this.open();
+		this.fitted = true; // shows the whole scene, whatever its size
 		canvas.addEventListener('webglcontextlost', (event) => {
 			event.preventDefault(); // the browser may restore it
 			this.drawn = false;
@@ -53,9 +52,19 @@ export class Picture {
 		this.height = this.canvas.height = Math.max(1, Math.round(height));
 		this.density = density;
 		this.module._page_resize(this.width, this.height);
+		if (this.fitted) this.fit();
 	}
 	fit() {
-		if (this.drawn) this.module._page_fit();
+		this.fitted = true;
+		this.module._page_fit();
+	}
+	pan(x, y) {
+		this.fitted = false;
+		this.module._page_pan(x, y);
+	}
+	zoom(x, y, factor) {
+		this.fitted = false;
+		this.module._page_zoom(x, y, factor);
 	}
 	style(paint, layers, slow) {
 		this.styled = [paint, layers, slow];

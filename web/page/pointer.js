@@ -35,7 +35,7 @@ export class Pointer {
 	}
 
 	move({ x, y }) {
-		if (this.mode === 'pan') this.module._page_pan(x - this.x, y - this.y);
+		if (this.mode === 'pan') this.picture.pan(x - this.x, y - this.y);
 		if (this.mode === 'hold') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		this.x = x;

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+// app.js -- the page from start to end: opens the engine, and ties its parts to it.
+import { Compare } from './compare.js';
+import { $, dress, element, segments } from './dom.js';
+import { Host } from './host.js';
+import { Input } from './input.js';
+import { Keys } from './keys.js';
+import { readLink, writeLink } from './link.js';
+import { note } from './notes.js';
+import { Numbers } from './numbers.js';
+import { showParameters } from './parameters.js';
+import { fetchScene, fetchScenes, listScenes, markScene } from './scenes.js';
+import { Share } from './share.js';
+
+const DENSEST = 2; // px of the picture a px of the page, at most: more cost a phone its frames
+const SLOW_FRAMES = 20; // a second: below this the picture is drawn more coarsely
+const FIRST = 'pile';
+const TOOLS = [
+	{ value: 'drag', label: 'Drag', title: 'Drag bodies, or the picture', icon: 'drag' },
+	{ value: 'throw', label: 'Throw', title: 'Press where a new body begins, pull, let go', icon: 'throw' },
+	{ value: 'blast', label: 'Blast', title: 'Blow up bodies around a point', icon: 'blast' },
+	{ value: 'move', label: 'Move', title: 'Move the picture only', icon: 'move' },
+];
+// layers that are on as in the viewer, and a key for each as there
+const SHOWN = ['joints', 'fields', 'sensors', 'rays'];
+const LAYER_KEYS = {
+	boxes: '1', contacts: '2', normals: '3', impulses: '4', velocities: '5', joints: '7', fields: 'g', sensors: '8',
+	rays: '9', visits: '0', touches: 'u', hits: 'i', breaks: 'b',
+};
+
+class App {
+	constructor(scenes) {
+		this.scenes = new Map(scenes.map((scene) => [scene.name, scene]));
+		this.names = scenes.map(({ name }) => name);
+		this.view = { density: 1 };
+		this.tool = 'drag';
+		this.paint = 0;
+		this.layers = 0;
+		this.slow = false;
+		this.state = { paused: false, step: 0, touched: false };
+		this.canvas = $('picture');
+		this.host = new Host(this.canvas, (message) => this.hear(message));
+		this.say = (message) => this.host.say(message);
+	}
+
+	// The size of the picture, px of it.
+	measure() {
+		const box = $('stage').getBoundingClientRect();
+		this.view.density = Math.min(DENSEST, devicePixelRatio || 1);
+		return {
+			width: Math.max(1, Math.round(box.width * this.view.density)),
+			height: Math.max(1, Math.round(box.height * this.view.density)),
+			density: this.view.density,
+		};
+	}
+
+	async open() {
+		const wish = new URLSearchParams(location.search); // for tests: ?form=scalar&threads=1&apart=0
+		await this.host.open(
+			{
+				form: wish.get('form'),
+				threads: wish.has('threads') ? Number(wish.get('threads')) : undefined,
+				apart: wish.has('apart') ? wish.get('apart') === '1' : undefined,
+			},
+			this.measure(),
+		);
+	}
+
+	hear(message) {
+		this[`on_${message.type}`](message);
+	}
+
+	on_ready({ form, threads, drawn, layers, paints, keys, version }) {
+		this.version = version;
+		this.drawn = drawn;
+		this.layerNames = layers.map(({ name }) => name);
+		SHOWN.forEach((name) => this.setLayer(name, true));
+		$('form').textContent = form === 'threads' ? `${threads} threads` : form === 'simd' ? 'SIMD, 1 thread' : 'no SIMD, 1 thread';
+		$('form').title = 'the form of WebAssembly that this browser runs';
+		$('form').hidden = false;
+		this.buildTransport();
+		this.buildLook(layers, paints);
+		this.keys = new Keys(this.actions(), keys, (down) => this.say({ type: 'keys', down }));
+		this.numbers = new Numbers();
+		this.compare = new Compare(this.say);
+		this.share = new Share(
+			() => this.source,
+			() => this.host.ask({ type: 'record' }),
+			() => this.say({ type: 'restart', replay: true }),
+		);
+		this.input = new Input(this.canvas, this.view, this.say, () => this.tool);
+		new ResizeObserver(() => this.say({ type: 'resize', ...this.measure() })).observe($('stage'));
+		addEventListener('hashchange', () => this.openLink());
+		this.openLink();
+	}
+
+	on_loaded({ name, settings, keys }) {
+		const scene = this.scenes.get(name);
+		this.source = { name, settings };
+		$('title').textContent = scene.title;
+		document.title = `${scene.title} – Scree`;
+		this.numbers.clear();
+		this.keys.use(keys);
+		markScene(name);
+		document.body.dataset.ready = String(Number(document.body.dataset.ready ?? 0) + 1);
+	}
+
+	on_state(state) {
+		this.state = state;
+		dress($('pause'), state.paused ? 'play' : 'pause', state.paused ? 'Go on' : 'Pause');
+		$('sign').hidden = !state.paused && !state.replaying;
+		$('sign').textContent = state.paused ? 'paused' : 'replay';
+		document.body.classList.toggle('paused', state.paused);
+		this.canvas.classList.toggle('holding', state.holding);
+		this.numbers.show(state);
+		this.compare.show(state, this.scenes.get(this.source.name), this.source.settings, this.version);
+		this.share.show(state);
+		this.watch(state);
+	}
+
+	on_replayed({ step, hash, expected, equal }) {
+		note(
+			equal
+				? `Played again until step ${step}: the same hash, ${hash}. Press play to go on from here.`
+				: `Played again until step ${step}, but the hash is ${hash} instead of ${expected}: another version made the link.`,
+			{ kind: equal ? 'good' : 'bad', name: 'replayed', lasting: true },
+		);
+	}
+	on_error({ sentence }) {
+		note(sentence, { kind: 'bad', name: 'error', lasting: true });
+	}
+	on_picture({ sentence }) {
+		note(sentence, { kind: 'bad', name: 'picture', lasting: true });
+	}
+
+	// Where drawing is slow, as without a graphics card, many bodies are drawn more coarsely.
+	watch({ paused, frames, elapsed, bodies, times }) {
+		const busy = times.reduce((sum, ms) => sum + ms, 0);
+		const late = !paused && elapsed > 0 && (1000 * frames) / elapsed < SLOW_FRAMES && busy < elapsed / 2;
+		this.late = late && bodies > 4000 ? (this.late ?? 0) + 1 : 0;
+		if (this.late < 20 || this.slow) return;
+		this.slow = true;
+		this.restyle();
+	}
+
+	// The scene and what else the address says.
+	async openLink() {
+		let link = { name: FIRST, settings: [], script: [], until: null };
+		try {
+			if (location.hash.length > 1) link = readLink(location.hash);
+			if (!this.scenes.has(link.name)) throw new Error(`there is no scene ${link.name}; this is ${FIRST}`);
+		} catch (error) {
+			note(`The address was not understood: ${error.message}`, { kind: 'bad', name: 'address' });
+			link = { name: this.scenes.has(link.name) ? link.name : FIRST, settings: [], script: [], until: null };
+		}
+		await this.load(link);
+		if (link.script.length > 0) note('A replay of what somebody did. Touch a body to take over.', { name: 'replay' });
+	}
+
+	// Settings that the address does not name are those that the page begins a scene with.
+	async load({ name, settings = [], script = [], until = null, keepView = false }) {
+		const scene = this.scenes.get(name);
+		const given = new Map(settings);
+		const own = scene.parameters.map((p) => [p.name, String(given.get(p.name) ?? p.start)]);
+		for (const key of given.keys())
+			if (!scene.parameters.some((p) => p.name === key)) note(`${name} has no parameter ${key}.`, { kind: 'bad' });
+		try {
+			const text = await fetchScene(name);
+			this.say({ type: 'load', name, text, settings: own, script, until, keepView, paused: script.length > 0 ? false : undefined });
+		} catch (error) {
+			note(error.message, { kind: 'bad', name: 'error' });
+			return;
+		}
+		showParameters(scene, own, (changed) => this.change(name, changed));
+	}
+
+	choose(name) {
+		history.pushState(null, '', `#${name}`);
+		note('', { name: 'replayed' });
+		this.load({ name });
+	}
+
+	change(name, settings) {
+		const scene = this.scenes.get(name);
+		const differing = settings.filter(([key, value]) => Number(value) !== scene.parameters.find((p) => p.name === key).start);
+		history.replaceState(null, '', writeLink({ name, settings: differing }));
+		this.load({ name, settings, keepView: false });
+	}
+
+	restyle() {
+		this.say({ type: 'style', paint: this.paint, layers: this.layers, slow: this.slow });
+	}
+	setLayer(name, on) {
+		const bit = 1 << this.layerNames.indexOf(name);
+		this.layers = on ? this.layers | bit : this.layers & ~bit;
+	}
+	pause(paused = !this.state.paused) {
+		this.say({ type: 'pause', paused });
+	}
+	speed(step) {
+		const menu = $('speed');
+		menu.selectedIndex = Math.max(0, Math.min(menu.length - 1, menu.selectedIndex + step));
+		menu.dispatchEvent(new Event('change'));
+	}
+	// Uses a tool once at the cursor.
+	useTool(tool) {
+		const at = this.input.cursor;
+		if (!at) return;
+		this.say({ type: 'press', ...at, tool });
+		this.say({ type: 'lift', ...at });
+	}
+
+	actions() {
+		const click = (id) => () => $(id).click();
+		return [
+			{ key: ' ', shown: 'space', help: 'pause, or go on', run: () => this.pause() },
+			{ key: 'n', shown: 'n', help: 'one step', run: click('once'), repeats: true },
+			{ key: 'r', shown: 'r', help: 'from the start', run: click('restart') },
+			{ key: '-', shown: '-', help: 'slower', run: () => this.speed(-1) },
+			{ key: '=', shown: '=', help: 'faster', run: () => this.speed(1) },
+			{ key: '+', run: () => this.speed(1) },
+			{ key: 'f', shown: 'f', help: 'show the whole scene', run: click('fit') },
+			{ key: 't', shown: 't', help: 'a new body at the cursor', run: () => this.useTool('throw'), repeats: true },
+			{ key: 'x', shown: 'x', help: 'a blast at the cursor', run: () => this.useTool('blast') },
+			{ key: 'c', shown: 'c', help: 'color bodies by attribute, speed, graph', run: () => this.nextPaint() },
+			...Object.entries(LAYER_KEYS).map(([name, key]) => ({ key, shown: key, help: name, run: click(`layer-${name}`) })),
+			{ key: '?', shown: '?', help: 'this list', run: click('help') },
+		];
+	}
+
+	nextPaint() {
+		const inputs = [...document.querySelectorAll('#paints input')];
+		inputs[(inputs.findIndex((input) => input.checked) + 1) % inputs.length].click();
+	}
+
+	buildTransport() {
+		dress($('pause'), 'pause', 'Pause');
+		dress($('once'), 'once', 'One step');
+		dress($('restart'), 'restart', 'From the start');
+		dress($('fit'), 'fit', 'Show the whole scene');
+		dress($('full'), 'full', 'Full screen');
+		$('pause').onclick = () => this.pause();
+		$('once').onclick = () => this.say({ type: 'steps', count: 1 });
+		$('restart').onclick = () => this.say({ type: 'restart' });
+		$('fit').onclick = () => this.say({ type: 'fit' });
+		$('full').hidden = !document.fullscreenEnabled;
+		$('full').onclick = () => (document.fullscreenElement ? document.exitFullscreen() : document.querySelector('main').requestFullscreen());
+		$('speed').onchange = () => this.say({ type: 'speed', rate: Number($('speed').value) });
+		$('help').onclick = () => $('keys').showModal();
+		$('defaults').onclick = () => this.choose(this.source.name);
+		segments($('tools'), TOOLS, this.tool, (tool) => (this.tool = tool));
+		for (const tab of document.querySelectorAll('#tabs button')) tab.onclick = () => this.openTab(tab.dataset.tab);
+		this.openTab(document.body.dataset.tab);
+		// a button that a mouse pressed does not keep the keys
+		addEventListener('pointerup', () => document.activeElement?.closest?.('#transport button, #tools input')?.blur());
+	}
+
+	openTab(name) {
+		document.body.dataset.tab = name;
+		for (const tab of document.querySelectorAll('#tabs button'))
+			tab.setAttribute('aria-selected', String(tab.dataset.tab === name));
+	}
+
+	buildLook(layers, paints) {
+		const choices = paints.map((name, k) => ({ value: String(k), label: name, title: `Color bodies by ${name}` }));
+		segments($('paints'), choices, '0', (value) => {
+			this.paint = Number(value);
+			this.restyle();
+		});
+		$('layers').replaceChildren(
+			...layers.map(({ name, help }) => {
+				const box = element('input', {
+					type: 'checkbox',
+					id: `layer-${name}`,
+					checked: SHOWN.includes(name),
+					onchange: () => {
+						this.setLayer(name, box.checked);
+						this.restyle();
+					},
+				});
+				return element('label', { title: help }, box, element('span', {}, name));
+			}),
+		);
+		this.restyle();
+	}
+}
+
+async function begin() {
+	if (!globalThis.WebAssembly) return note('This browser has no WebAssembly, which the page needs.', { kind: 'bad', lasting: true });
+	try {
+		const scenes = await fetchScenes();
+		const app = new App(scenes);
+		listScenes(scenes, (name) => app.choose(name));
+		globalThis.scree = app; // for tests, and for the curious
+		await app.open();
+	} catch (error) {
+		note(`The page cannot start: ${error.message}`, { kind: 'bad', lasting: true });
+	}
+}
+
+begin();

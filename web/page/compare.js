@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// compare.js -- the hash of this page beside that of the visitor's machine: the line to type, a field to paste into, a verdict.
+import { $, copyButton, element } from './dom.js';
+
+const HASH = /\b[0-9a-f]{16}\b/;
+
+// The line that repeats a scene: only what differs from the file is given.
+export function commandLine({ name, parameters }, settings, step) {
+	const values = new Map(settings);
+	const sets = parameters
+		.filter((p) => values.has(p.name) && Number(values.get(p.name)) !== p.default)
+		.map((p) => ` --set ${p.name}=${values.get(p.name)}`)
+		.join('');
+	return `build/scree hash ${name}${sets} --steps ${step}`;
+}
+
+// What to say of a pasted text, and whether it is good news: true, false, or null for neither.
+export function verdict(text, hash, step) {
+	const found = text.toLowerCase().match(HASH);
+	if (text.trim() === '') return [null, ''];
+	if (!found) return [null, 'This is no hash: it has 16 digits and letters from a to f.'];
+	return found[0] === hash
+		? [true, `Equal. After ${step} steps your machine and this page have the same bits in every body.`]
+		: [false, `Different: ${found[0]} there, ${hash} here. Are the steps, the parameters and the version the same?`];
+}
+
+export class Compare {
+	constructor(say) {
+		this.say = say;
+		this.key = '';
+		this.box = $('compare');
+	}
+
+	// state: the last report; scene and settings: what it is of.
+	show(state, scene, settings, version) {
+		const kind = !state.paused ? 'running' : state.touched ? 'touched' : state.step === 0 ? 'start' : 'ready';
+		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.step} ${state.hash}` : kind;
+		if (key === this.key) return;
+		this.key = key;
+		if (kind === 'ready') this.offer(state, commandLine(scene, settings, state.step), version);
+		else this.explain(kind);
+	}
+
+	explain(kind) {
+		const pause = element('button', { type: 'button', onclick: () => this.say({ type: 'pause', paused: true }) }, 'Pause and compare');
+		const again = element(
+			'button',
+			{ type: 'button', onclick: () => this.say({ type: 'restart' }) },
+			'From the start, without my hand',
+		);
+		const parts = {
+			running: [
+				element('p', {}, 'The CPU, a GPU and this page leave the same bits. Pause at a step, and compare its hash with that of your own machine.'),
+				pause,
+			],
+			touched: [
+				element('p', {}, 'You moved bodies, which no command line can repeat. A link can: see Share. To compare, begin again and leave the bodies alone.'),
+				again,
+			],
+			start: [element('p', {}, 'Take some steps first, then pause.')],
+		};
+		this.box.replaceChildren(...parts[kind]);
+	}
+
+	offer({ step, hash }, command, version) {
+		const result = element('p', { id: 'verdict', role: 'status', 'aria-live': 'polite' });
+		const field = element('input', {
+			id: 'paste',
+			type: 'text',
+			placeholder: 'paste what it prints',
+			spellcheck: 'false',
+			autocomplete: 'off',
+			'aria-label': 'Hash from your machine',
+			oninput: () => {
+				const [good, sentence] = verdict(field.value, hash, step);
+				result.textContent = sentence;
+				result.className = good === null ? '' : good ? 'good' : 'bad';
+			},
+		});
+		this.box.replaceChildren(
+			element('p', {}, `Here, after ${step} steps:`),
+			element('code', { id: 'here', class: 'hash' }, hash),
+			element('p', {}, `In a clone of Scree ${version}, after make, on CPU or GPU:`),
+			element('div', { class: 'line' }, element('code', { id: 'command' }, command), copyButton('copy', () => command)),
+			field,
+			result,
+		);
+	}
+}

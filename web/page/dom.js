@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// dom.js -- short words for what every part of the page does with elements.
+
+export const $ = (id) => document.getElementById(id);
+
+// element('button', {class: 'text', onclick: f}, 'words', child)
+export function element(name, attributes = {}, ...children) {
+	const made = document.createElement(name);
+	for (const [key, value] of Object.entries(attributes)) {
+		if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
+		else if (value === true) made.setAttribute(key, '');
+		else if (value !== false && value !== undefined && value !== null) made.setAttribute(key, value);
+	}
+	made.append(...children);
+	return made;
+}
+
+const PATHS = {
+	play: 'M7 4.5v15l12-7.5z',
+	pause: 'M6.5 5h4v14h-4zM13.5 5h4v14h-4z',
+	once: 'M6 5v14l9-7zM16 5h3v14h-3z',
+	restart: 'M12 5a7 7 0 1 1-6.6 4.7l2 .7A5 5 0 1 0 12 7v3.5L7 6l5-4.5z',
+	fit: 'M4 4h6v2H6v4H4zM14 4h6v6h-2V6h-4zM4 14h2v4h4v2H4zM18 14h2v6h-6v-2h4z',
+	full: 'M13 4h7v7l-2.6-2.6-4 4-1.4-1.4 4-4zM11 20H4v-7l2.6 2.6 4-4 1.4 1.4-4 4z',
+	drag: 'M11 3.5a1.4 1.4 0 0 1 2.800V11h.6V6a1.300 1.300 0 0 1 2.600 0v6h.5V8.500a1.200 1.200 0 0 1 2.400 0V15c0 4-2.600 6.500-6.400 6.500-3.300 0-4.700-1.600-6.300-4.500l-2.300-4.200c-.7-1.300 1-2.400 2-1.200L11 13.500z',
+	throw: 'M4 20l9.500-9.500L10 7h10v10l-3.500-3.500L7 23z',
+	blast: 'M12 2l2 6 5-4-2.500 5.500L22 12l-5.500 2L19 20l-5-3-2 5-2-5-5 3 2.500-6L2 12l5.500-2.500L5 4l5 4z',
+	move: 'M12 2l4 4h-3v5h5V8l4 4-4 4v-3h-5v5h3l-4 4-4-4h3v-5H6v3l-4-4 4-4v3h5V6H8z',
+	left: 'M15.500 4.500v15L6 12z',
+	right: 'M8.500 4.500v15L18 12z',
+	up: 'M4.500 15.500h15L12 6z',
+	down: 'M4.500 8.500h15L12 18z',
+};
+
+export function icon(name) {
+	const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+	svg.setAttribute('viewBox', '0 0 24 24');
+	svg.setAttribute('aria-hidden', 'true');
+	const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+	path.setAttribute('d', PATHS[name]);
+	svg.append(path);
+	return svg;
+}
+
+// Fills a button with an icon, and names it.
+export function dress(button, name, label) {
+	if (button.dataset.icon === name && button.getAttribute('aria-label') === label) return;
+	button.dataset.icon = name;
+	button.setAttribute('aria-label', label);
+	button.replaceChildren(icon(name));
+}
+
+// Radio buttons that look like one bar. choices: [{value, label, title, icon}].
+export function segments(box, choices, chosen, change) {
+	const name = box.id;
+	box.replaceChildren(
+		...choices.map(({ value, label, title, icon: picture }) =>
+			element(
+				'label',
+				{ title },
+				element('input', {
+					type: 'radio',
+					name,
+					value,
+					checked: value === chosen,
+					onchange: () => change(value),
+				}),
+				element('span', {}, ...(picture ? [icon(picture)] : []), label),
+			),
+		),
+	);
+}
+
+// A button that copies a text, and says so for a moment.
+export function copyButton(label, text) {
+	const button = element('button', { type: 'button', class: 'copy' }, label);
+	button.addEventListener('click', async () => {
+		try {
+			await navigator.clipboard.writeText(await text());
+			button.textContent = 'copied';
+		} catch (error) {
+			button.textContent = error.name === 'NotAllowedError' || !navigator.clipboard ? 'select and copy it' : error.message;
+		}
+		setTimeout(() => (button.textContent = label), 1800);
+	});
+	return button;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// graph.js -- milliseconds of the last steps as a line, with another at 16.7: what a step may take at 60 a second.
+
+const KEPT = 240; // steps
+const FRAME = 1000 / 60; // ms
+
+export class Graph {
+	constructor(canvas) {
+		this.canvas = canvas;
+		this.times = [];
+		this.colors = {};
+		matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.colors = {}));
+	}
+
+	clear() {
+		this.times = [];
+	}
+
+	// The median of what is shown, ms.
+	get median() {
+		const sorted = this.times.slice(-60).sort((a, b) => a - b);
+		return sorted.length > 0 ? sorted[Math.floor(sorted.length / 2)] : null;
+	}
+
+	add(times) {
+		this.times = this.times.concat(times).slice(-KEPT);
+		this.draw();
+	}
+
+	color(name) {
+		this.colors[name] ??= getComputedStyle(this.canvas).getPropertyValue(`--${name}`).trim();
+		return this.colors[name];
+	}
+
+	draw() {
+		const density = Math.min(2, devicePixelRatio);
+		const { clientWidth: width, clientHeight: height } = this.canvas;
+		if (width === 0) return;
+		this.canvas.width = width * density;
+		this.canvas.height = height * density;
+		const pen = this.canvas.getContext('2d');
+		pen.scale(density, density);
+		const most = Math.max(FRAME * 1.25, ...this.times.map((t) => t * 1.1));
+		const y = (ms) => height - 1 - (ms / most) * (height - 2);
+		const x = (k) => ((k + KEPT - this.times.length) / (KEPT - 1)) * width;
+		pen.setLineDash([3, 3]);
+		pen.strokeStyle = this.color('faint');
+		pen.beginPath();
+		pen.moveTo(0, Math.round(y(FRAME)) + 0.5);
+		pen.lineTo(width, Math.round(y(FRAME)) + 0.5);
+		pen.stroke();
+		pen.setLineDash([]);
+		pen.font = '11px system-ui, sans-serif';
+		pen.fillStyle = this.color('quiet');
+		pen.fillText('16.7', 2, y(FRAME) - 4);
+		if (this.times.length < 2) return;
+		pen.beginPath();
+		this.times.forEach((ms, k) => (k ? pen.lineTo(x(k), y(ms)) : pen.moveTo(x(k), y(ms))));
+		pen.strokeStyle = this.color('accent');
+		pen.lineWidth = 1.5;
+		pen.lineJoin = 'round';
+		pen.stroke();
+		pen.lineTo(width, height);
+		pen.lineTo(x(0), height);
+		pen.globalAlpha = 0.12;
+		pen.fillStyle = this.color('accent');
+		pen.fill();
+		pen.globalAlpha = 1;
+	}
+}

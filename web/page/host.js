@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// host.js -- where the engine runs: in a worker that draws into the canvas, else in the page itself.
+import { bestForm, bestThreads, FORMS } from './wasm.js';
+
+// Whether a worker can draw with WebGL 2.
+function workersDraw() {
+	if (!globalThis.Worker || !HTMLCanvasElement.prototype.transferControlToOffscreen) return false;
+	try {
+		return Boolean(new OffscreenCanvas(1, 1).getContext('webgl2'));
+	} catch {
+		return false;
+	}
+}
+
+// Whether modules can be workers.
+function workersAreModules() {
+	let asked = false;
+	try {
+		const options = {
+			get type() {
+				asked = true;
+				return 'module';
+			},
+		};
+		new Worker('data:,', options).terminate();
+	} catch {
+		return false;
+	}
+	return asked;
+}
+
+export class Host {
+	constructor(canvas, hear) {
+		this.hear = hear;
+		this.canvas = canvas;
+		this.waiting = new Map();
+		this.number = 0;
+	}
+
+	// wish: {form, threads, apart} from the address; what is missing is chosen.
+	async open(wish, { width, height, density }) {
+		this.apart = wish.apart ?? (workersDraw() && workersAreModules());
+		const form = FORMS.includes(wish.form) ? wish.form : bestForm(this.apart);
+		const threads = wish.threads ?? bestThreads(form);
+		const canvas = this.apart ? this.canvas.transferControlToOffscreen() : this.canvas;
+		const message = { type: 'open', form, threads, canvas, width, height, density };
+		if (this.apart) {
+			this.worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+			this.worker.addEventListener('message', ({ data }) => this.receive(data));
+			this.worker.addEventListener('error', (event) =>
+				this.hear({ type: 'error', sentence: `the worker failed: ${event.message ?? 'it could not be loaded'}` }),
+			);
+			this.worker.postMessage(message, [canvas]);
+			return;
+		}
+		const { Engine } = await import('./engine.js');
+		this.engine = new Engine((answer) => this.receive(answer));
+		this.turn = this.engine.hear(message);
+	}
+
+	receive(message) {
+		const resolve = message.id === undefined ? null : this.waiting.get(message.id);
+		if (resolve) this.waiting.delete(message.id);
+		if (message.type === 'answer') resolve?.(message.answer);
+		else this.hear(message);
+	}
+
+	say(message) {
+		if (this.worker) this.worker.postMessage(message);
+		else this.turn = this.turn.then(() => this.engine.hear(message));
+	}
+
+	// A message that is answered.
+	ask(message) {
+		const id = ++this.number;
+		return new Promise((resolve) => {
+			this.waiting.set(id, resolve);
+			this.say({ ...message, id });
+		});
+	}
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// input.js -- mouse, pen and fingers in the picture: one drags or uses a tool, two move and zoom, the wheel zooms.
+
+const WHEEL = 0.0016; // zoom a px of the wheel
+const LINE = 33; // px: a line of the wheel, where the browser counts in lines
+
+export class Input {
+	// view: {density}: px of the picture a px of the page
+	constructor(canvas, view, say, tool) {
+		this.canvas = canvas;
+		this.view = view;
+		this.say = say;
+		this.tool = tool;
+		this.pointers = new Map();
+		this.single = null; // the pointer that drags
+		this.cursor = null; // px of the picture: the mouse
+		canvas.addEventListener('pointerdown', (event) => this.down(event));
+		canvas.addEventListener('pointermove', (event) => this.move(event));
+		canvas.addEventListener('pointerup', (event) => this.up(event));
+		canvas.addEventListener('pointercancel', (event) => this.up(event));
+		canvas.addEventListener('lostpointercapture', (event) => this.up(event));
+		canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+		canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+		addEventListener('blur', () => this.cancel());
+	}
+
+	place(event) {
+		const box = this.canvas.getBoundingClientRect();
+		return { x: (event.clientX - box.left) * this.view.density, y: (event.clientY - box.top) * this.view.density };
+	}
+
+	down(event) {
+		const at = this.place(event);
+		this.canvas.focus({ preventScroll: true });
+		this.canvas.setPointerCapture(event.pointerId);
+		this.pointers.set(event.pointerId, at);
+		if (this.pointers.size === 1) {
+			this.single = event.pointerId;
+			this.say({ type: 'press', ...at, tool: event.button > 0 ? 'move' : this.tool() });
+		} else {
+			if (this.single !== null) this.say({ type: 'cancel' });
+			this.single = null;
+		}
+	}
+
+	move(event) {
+		const at = this.place(event);
+		this.cursor = at;
+		const before = this.pointers.get(event.pointerId);
+		if (!before) return;
+		if (event.pointerId === this.single) this.say({ type: 'move', ...at });
+		else if (this.single === null && this.pointers.size === 2) this.pinch(event.pointerId, before, at);
+		this.pointers.set(event.pointerId, at);
+	}
+
+	// One of two fingers moved: the picture follows their middle, and their distance.
+	pinch(id, before, at) {
+		const [other] = [...this.pointers].filter(([key]) => key !== id).map(([, value]) => value);
+		const middle = (a) => ({ x: (a.x + other.x) / 2, y: (a.y + other.y) / 2 });
+		const apart = (a) => Math.max(20, Math.hypot(a.x - other.x, a.y - other.y));
+		const from = middle(before);
+		const to = middle(at);
+		this.say({ type: 'pan', x: to.x - from.x, y: to.y - from.y });
+		this.say({ type: 'zoom', ...to, factor: apart(at) / apart(before) });
+	}
+
+	up(event) {
+		if (!this.pointers.delete(event.pointerId)) return;
+		if (event.pointerId !== this.single) return;
+		this.single = null;
+		this.say(event.type === 'pointerup' ? { type: 'lift', ...this.place(event) } : { type: 'cancel' });
+	}
+
+	cancel() {
+		if (this.single !== null) this.say({ type: 'cancel' });
+		this.single = null;
+		this.pointers.clear();
+	}
+
+	wheel(event) {
+		event.preventDefault();
+		const pixels = event.deltaY * (event.deltaMode === 1 ? LINE : event.deltaMode === 2 ? 10 * LINE : 1);
+		const factor = Math.exp(-Math.max(-400, Math.min(400, pixels)) * WHEEL);
+		this.say({ type: 'zoom', ...this.place(event), factor });
+	}
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// keys.js -- the keyboard: what its keys do in the page, those that a scene obeys, and those as buttons on a screen.
+import { $, dress, element } from './dom.js';
+
+// keys of scenes as browsers name them
+const CODES = {
+	left: 'ArrowLeft', right: 'ArrowRight', up: 'ArrowUp', down: 'ArrowDown', space: 'Space', shift: 'ShiftLeft',
+	enter: 'Enter', a: 'KeyA', d: 'KeyD', s: 'KeyS', w: 'KeyW',
+};
+const ARROWS = ['left', 'up', 'down', 'right'];
+
+export class Keys {
+	// actions: [{key, shown, help, run}]; names: of the keys of scenes; hold(bits): those that are down
+	constructor(actions, names, hold) {
+		this.actions = new Map(actions.map((action) => [action.key, action]));
+		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
+		this.names = names;
+		this.hold = hold;
+		this.wanted = 0; // keys of the scene
+		this.down = 0;
+		addEventListener('keydown', (event) => this.press(event));
+		addEventListener('keyup', (event) => this.lift(event));
+		addEventListener('blur', () => this.set(0));
+		this.describe(actions);
+	}
+
+	set(down) {
+		if (down === this.down) return;
+		this.down = down;
+		this.hold(down);
+	}
+	bit(event) {
+		const bit = this.codes.get(event.code);
+		return bit !== undefined && this.wanted & (1 << bit) ? 1 << bit : 0;
+	}
+
+	press(event) {
+		if (event.ctrlKey || event.metaKey || event.altKey || $('keys').open) return;
+		if (event.target.closest('input:not([type=radio], [type=checkbox], [type=range]), textarea, select')) return;
+		if (event.target.closest('button, a, [type=range], [type=radio]') && /^(Enter|Space|Arrow)/.test(event.code)) return;
+		const bit = this.bit(event);
+		if (bit) {
+			event.preventDefault();
+			this.set(this.down | bit);
+			return;
+		}
+		const action = this.actions.get(event.key);
+		if (!action || (event.repeat && !action.repeats)) return;
+		event.preventDefault();
+		action.run();
+	}
+
+	lift(event) {
+		const bit = this.bit(event);
+		if (bit) this.set(this.down & ~bit);
+	}
+
+	// The keys of another scene: bits.
+	use(wanted) {
+		this.set(0);
+		this.wanted = wanted;
+		const names = this.names.filter((_, bit) => wanted & (1 << bit));
+		const arrows = ARROWS.filter((name) => names.includes(name));
+		const others = names.filter((name) => !ARROWS.includes(name));
+		$('keypad').hidden = names.length === 0;
+		$('keypad').replaceChildren(...[...arrows, ...others].map((name) => this.button(name)));
+		$('hint').hidden = names.length === 0;
+		$('hint').textContent = arrows.length > 0 ? 'The arrow keys play this scene.' : `Keys of this scene: ${others.join(', ')}.`;
+	}
+
+	button(name) {
+		const bit = 1 << this.names.indexOf(name);
+		const change = (down) => (event) => {
+			event.preventDefault();
+			if (down) button.setPointerCapture(event.pointerId);
+			this.set(down ? this.down | bit : this.down & ~bit);
+		};
+		const button = element('button', {
+			type: 'button',
+			class: `key-${name}`,
+			onpointerdown: change(true),
+			onpointerup: change(false),
+			onpointercancel: change(false),
+			oncontextmenu: (event) => event.preventDefault(),
+		});
+		if (ARROWS.includes(name)) dress(button, name, name);
+		else button.append(name);
+		return button;
+	}
+
+	describe(actions) {
+		const close = element('button', { type: 'button', class: 'text', onclick: () => $('keys').close() }, 'close');
+		const rows = actions
+			.filter(({ shown }) => shown)
+			.map(({ shown, help }) => element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, help)));
+		const fingers = [
+			['mouse', 'drag a body, or the picture beside all bodies; the right button always moves the picture'],
+			['wheel', 'zoom'],
+			['one finger', 'the same as the mouse'],
+			['two fingers', 'move and zoom'],
+		].map(([shown, help]) => element('div', {}, element('dt', {}, shown), element('dd', {}, help)));
+		$('keys').replaceChildren(
+			element('h2', { id: 'keys-title' }, 'Keys and fingers', close),
+			element('dl', {}, ...rows, ...fingers),
+		);
+		$('keys').addEventListener('click', (event) => event.target === $('keys') && $('keys').close());
+	}
+}

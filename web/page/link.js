@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// link.js -- the part of the address after #: scene, parameters, what the visitor did, and the hash that he saw.
+//
+// #pile?count=500&do=...&at=321&hash=0123456789abcdef
+import { decodeActions, encodeActions } from './record.js';
+
+export const LONGEST = 16000; // characters: longer addresses are cut off by what people send them with
+const RESERVED = ['do', 'at', 'hash'];
+
+export function writeLink({ name, settings, record }) {
+	const query = new URLSearchParams(settings);
+	if (record && record.actions.length > 0) {
+		query.set('do', encodeActions(record.actions));
+		query.set('at', record.step);
+		query.set('hash', record.hash);
+	}
+	const text = query.toString();
+	return `#${name}${text ? `?${text}` : ''}`;
+}
+
+// {name, settings, script, until}; throws an error with a sentence.
+export function readLink(fragment) {
+	const [name, query = ''] = fragment.replace(/^#/, '').split('?');
+	const values = new URLSearchParams(query);
+	const settings = [...values].filter(([key]) => !RESERVED.includes(key));
+	const until = { step: Number(values.get('at')), hash: values.get('hash') ?? '' };
+	if (!values.has('do')) return { name: decodeURIComponent(name), settings, script: [], until: null };
+	if (!Number.isSafeInteger(until.step) || !/^[0-9a-f]{16}$/.test(until.hash))
+		throw new Error('the link is damaged: it has no step and hash of the one who made it');
+	return { name: decodeURIComponent(name), settings, script: decodeActions(values.get('do')), until };
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// numbers.js -- the numbers of the world, a few times a second.
+import { $, element } from './dom.js';
+import { Graph } from './graph.js';
+
+const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+const milliseconds = (value) => value.toFixed(value < 10 ? 2 : 1);
+
+const ROWS = [
+	['bodies', 'bodies', (s) => whole.format(s.bodies)],
+	['contacts', 'contacts', (s) => whole.format(s.contacts)],
+	['touching', 'of them touching', (s) => whole.format(s.touching)],
+	['frames', 'frames a second', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–')],
+	['drawing', 'drawing, ms', (s) => milliseconds(s.drawing)],
+	['solve', 'solve, ms', (s) => milliseconds(s.solve)],
+	['memory', 'memory, MB', (s) => (s.memory / 1e6).toFixed(1)],
+	['deepest', 'deepest overlap, m', (s) => s.penetration.toFixed(3)],
+];
+
+export class Numbers {
+	constructor() {
+		this.graph = new Graph($('graph'));
+		this.cells = new Map(ROWS.map(([key]) => [key, element('dd', { id: `count-${key}` })]));
+		const rows = ROWS.map(([key, label]) => element('div', {}, element('dt', {}, label), this.cells.get(key)));
+		this.hash = element('dd', { id: 'hash' });
+		rows.push(element('div', { class: 'wide' }, element('dt', {}, 'hash of the world'), this.hash));
+		$('counts').replaceChildren(...rows);
+		this.shown = 0;
+	}
+
+	clear() {
+		this.graph.clear();
+	}
+
+	show(state) {
+		this.graph.add(state.times);
+		$('clock').textContent = `step ${whole.format(state.step)}`;
+		if (state.hash) this.hash.textContent = state.hash;
+		const now = performance.now();
+		if (!state.paused && now - this.shown < 250) return; // digits that change faster cannot be read
+		this.shown = now;
+		const median = this.graph.median;
+		$('ms').textContent = median === null ? '–' : milliseconds(median);
+		for (const [key, , text] of ROWS) this.cells.get(key).textContent = text(state);
+	}
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// share.js -- links to the scene as it is: its parameters, and what the visitor did, to be played again.
+import { $, copyButton, element } from './dom.js';
+import { LONGEST, writeLink } from './link.js';
+
+export class Share {
+	// source(): {name, settings}; record(): what the visitor did, from the engine
+	constructor(source, record, replay) {
+		this.source = source;
+		this.record = record;
+		this.note = element('p', { id: 'link-note', role: 'status', 'aria-live': 'polite' });
+		this.field = element('input', { id: 'link', type: 'text', readonly: true, 'aria-label': 'Link', hidden: true });
+		this.replay = element('button', { id: 'replay', type: 'button', disabled: true, onclick: replay }, 'Play it again');
+		this.words = element('p', {}, '');
+		$('share').replaceChildren(
+			this.words,
+			element('div', { class: 'row' }, copyButton('Copy link', () => this.make()), this.replay),
+			this.field,
+			this.note,
+		);
+		this.show({ touched: false });
+	}
+
+	show({ touched, replaying }) {
+		this.replay.disabled = !touched || replaying;
+		this.words.textContent = touched
+			? 'The link has the parameters and all that you did, by step. Whoever opens it sees the same, to the last bit.'
+			: 'The link has the scene and its parameters. What you do to bodies goes into it too.';
+	}
+
+	// The address to send. Of what the visitor did too much is left out, which a sentence says.
+	async make() {
+		const record = await this.record();
+		const base = location.href.split('#')[0];
+		let link = writeLink({ ...this.source(), record });
+		this.note.textContent = '';
+		if (link.length > LONGEST) {
+			this.note.textContent = `What you did takes ${link.length} characters, and a link has room for ${LONGEST}: this one has the scene and its parameters only.`;
+			link = writeLink(this.source());
+		} else if (record.actions.length > 0)
+			this.note.textContent = `${link.length} characters: ${record.actions.length} actions until step ${record.step}.`;
+		this.field.hidden = false;
+		this.field.value = base + link;
+		this.field.select();
+		return this.field.value;
+	}
+}
