@@ -40,8 +40,10 @@ export class Graph {
 		this.canvas.height = height * density;
 		const pen = this.canvas.getContext('2d');
 		pen.scale(density, density);
-		const most = Math.max(FRAME * 1.25, ...this.times.map((t) => t * 1.1));
-		const y = (ms) => height - 1 - (ms / most) * (height - 2);
+		// a single slow step, such as the first, does not flatten all others
+		const sorted = [...this.times].sort((a, b) => a - b);
+		const most = Math.max(FRAME * 1.35, 1.2 * (sorted[Math.floor(0.98 * sorted.length)] ?? 0));
+		const y = (ms) => Math.max(0, height - 1 - (ms / most) * (height - 2));
 		const x = (k) => ((k + KEPT - this.times.length) / (KEPT - 1)) * width;
 		pen.setLineDash([3, 3]);
 		pen.strokeStyle = this.color('faint');

@@ -8,20 +8,20 @@ const milliseconds = (value) => value.toFixed(value < 10 ? 2 : 1);
 
 const ROWS = [
 	['bodies', 'bodies', (s) => whole.format(s.bodies)],
-	['contacts', 'contacts', (s) => whole.format(s.contacts)],
-	['touching', 'of them touching', (s) => whole.format(s.touching)],
-	['frames', 'frames a second', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–')],
-	['drawing', 'drawing, ms', (s) => milliseconds(s.drawing)],
-	['solve', 'solve, ms', (s) => milliseconds(s.solve)],
-	['memory', 'memory, MB', (s) => (s.memory / 1e6).toFixed(1)],
-	['deepest', 'deepest overlap, m', (s) => s.penetration.toFixed(3)],
+	['contacts', 'contacts', (s) => whole.format(s.contacts), 'pairs whose boxes overlap'],
+	['touching', 'touching', (s) => whole.format(s.touching)],
+	['frames', 'frames/s', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–'), 'pictures a second'],
+	['drawing', 'draw, ms', (s) => milliseconds(s.drawing), 'time of drawing in the worker, without the graphics card'],
+	['solve', 'solve, ms', (s) => milliseconds(s.solve), 'part of the step'],
+	['memory', 'memory, MB', (s) => (s.memory / 1e6).toFixed(1), 'of the engine'],
+	['deepest', 'overlap, m', (s) => s.penetration.toFixed(3), 'deepest overlap of two bodies'],
 ];
 
 export class Numbers {
 	constructor() {
 		this.graph = new Graph($('graph'));
 		this.cells = new Map(ROWS.map(([key]) => [key, element('dd', { id: `count-${key}` })]));
-		const rows = ROWS.map(([key, label]) => element('div', {}, element('dt', {}, label), this.cells.get(key)));
+		const rows = ROWS.map(([key, label, , help]) => element('div', {}, element('dt', { title: help ?? label }, label), this.cells.get(key)));
 		this.hash = element('dd', { id: 'hash' });
 		rows.push(element('div', { class: 'wide' }, element('dt', {}, 'hash of the world'), this.hash));
 		$('counts').replaceChildren(...rows);

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// hands.mjs -- what mouse, fingers and keys do in the page: drag, throw, blast, pause, step, begin anew, play again, compare.
+import { commandLine, verdict } from '../../web/page/compare.js';
+import { decodeActions, encodeActions, makeAction } from '../../web/page/record.js';
+import { sleep } from './browser.mjs';
+
+const SMALL = [['count', '40']];
+
+// One scene, paused after some steps, with the picture of this window.
+async function begin(browser, name, settings, steps) {
+	await browser.run(
+		`const [name, settings, steps] = args;
+		await scree.load({ name, settings });
+		scree.say({ type: 'pause', paused: true });
+		scree.say({ type: 'resize', ...scree.measure() });
+		scree.say({ type: 'restart' });
+		scree.say({ type: 'fit' });
+		await scree.host.ask({ type: 'steps', count: steps });`,
+		name, settings, steps,
+	);
+}
+
+// px of the window over a body: the one that is the highest, so that nothing lies on it.
+async function overBody(browser) {
+	return browser.run(
+		`const places = await scree.host.ask({ type: 'places' });
+		let best = 0;
+		for (let k = 2; k < places.length; k += 2) if (places[k + 1] > places[best + 1]) best = k;
+		const at = await scree.host.ask({ type: 'project', x: places[best], y: places[best + 1] });
+		const box = document.getElementById('picture').getBoundingClientRect();
+		return { x: box.left + at[0] / scree.view.density, y: box.top + at[1] / scree.view.density, body: best };`,
+	);
+}
+const places = (browser) => browser.run(`return scree.host.ask({ type: 'places' })`);
+const record = (browser) => browser.run(`return scree.host.ask({ type: 'record' })`);
+// chromedriver sorts the members of objects
+const plain = (actions) => actions.map(({ step: at, kind, values }) => `${at} ${kind} ${values}`).join('\n');
+const step = (browser, count) => browser.run(`await scree.host.ask({ type: 'steps', count: args[0] })`, count);
+
+async function checkDrag(browser, pointer, check) {
+	await begin(browser, 'pile', SMALL, 150);
+	const at = await overBody(browser);
+	const before = await places(browser);
+	await browser.point(pointer, 'down', at.x, at.y);
+	for (let k = 0; k <= 4; ++k) {
+		await browser.point(pointer, 'move', at.x + 10 * k, at.y - 30 - 20 * k);
+		await step(browser, 8);
+	}
+	const held = await browser.run(`await scree.host.ask({ type: 'steps', count: 0 }); return scree.state.holding`);
+	await browser.point(pointer, 'up', at.x + 40, at.y - 110);
+	const after = await places(browser);
+	const rise = after[at.body + 1] - before[at.body + 1];
+	check(held, `${pointer} holds a body`);
+	check(rise > 0.5, `${pointer} lifts a body: by ${rise.toFixed(2)} m`);
+	const { actions } = await record(browser);
+	const kinds = actions.map(({ kind }) => kind);
+	check(kinds[0] === 'pick' && kinds.includes('pull') && kinds.at(-1) === 'release', `${pointer}: what it did is recorded: ${kinds}`);
+}
+
+async function checkFingers(browser, check) {
+	await begin(browser, 'pile', SMALL, 0);
+	const scale = async () => {
+		const [a, b] = await browser.run(`return [await scree.host.ask({ type: 'project', x: 0, y: 0 }), await scree.host.ask({ type: 'project', x: 1, y: 0 })]`);
+		return b[0] - a[0];
+	};
+	const before = await scale();
+	const box = await browser.run(`const b = document.getElementById('picture').getBoundingClientRect(); return { x: Math.round(b.left + b.width / 2), y: Math.round(b.top + b.height / 2) }`);
+	const apart = (distance) => [-distance, distance].map((x) => ({ x: box.x + x, y: box.y }));
+	await browser.fingers('down', apart(30).slice(0, 1));
+	await browser.fingers('down', apart(30));
+	for (let k = 40; k <= 90; k += 10) await browser.fingers('move', apart(k));
+	await browser.fingers('up', []);
+	const after = await scale();
+	check(after > 2 * before && after < 4 * before, `two fingers zoom by about 3: ${(after / before).toFixed(2)}`);
+	const { actions } = await record(browser);
+	check(actions.every(({ kind }) => kind === 'pick' || kind === 'release'), 'two fingers do nothing to bodies');
+}
+
+// A throw, a blast and a drag; then the link of it in a fresh page.
+async function checkLink(browser, address, check) {
+	await begin(browser, 'pile', SMALL, 100);
+	const at = await overBody(browser);
+	const drag = async (x, y, toX, toY) => {
+		await browser.point('mouse', 'down', x, y);
+		await browser.point('mouse', 'move', toX, toY);
+		await browser.point('mouse', 'up', toX, toY);
+	};
+	await browser.run(`document.querySelector('#tools input[value=throw]').click()`);
+	await drag(at.x, at.y - 120, at.x + 60, at.y - 60);
+	await step(browser, 20);
+	await browser.run(`document.querySelector('#tools input[value=blast]').click()`);
+	await drag(at.x, at.y + 20, at.x, at.y + 20);
+	await step(browser, 10);
+	await browser.run(`document.querySelector('#tools input[value=drag]').click()`);
+	const held = await overBody(browser);
+	await browser.point('mouse', 'down', held.x, held.y);
+	for (let k = 1; k < 6; ++k) {
+		await browser.point('mouse', 'move', held.x + 8 * k, held.y - 10 * k);
+		await step(browser, 5);
+	}
+	await browser.point('mouse', 'up', held.x + 40, held.y - 50);
+	await step(browser, 15);
+	const mine = await record(browser);
+	const kinds = new Set(mine.actions.map(({ kind }) => kind));
+	check(['throw', 'blast', 'pick', 'pull', 'release'].every((kind) => kinds.has(kind)), `throw, blast and drag are recorded: ${[...kinds]}`);
+	check(plain(decodeActions(encodeActions(mine.actions))) === plain(mine.actions), 'actions come out of a link as they went in');
+	const link = await browser.run(`return scree.share.make()`);
+	check(link.includes('&do=') && link.includes(mine.hash), `the link has actions and hash, in ${link.length} characters`);
+
+	await browser.go('about:blank');
+	await browser.go(address + link.slice(link.indexOf('#')));
+	await browser.until(`globalThis.scree?.state?.paused && document.querySelector('.note[data-name=replayed]')`, 'the replay');
+	const replayed = await record(browser);
+	check(replayed.step === mine.step && replayed.hash === mine.hash, `the link plays to the same hash at step ${mine.step}: ${replayed.hash}, ${mine.hash}`);
+	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('good')`), 'and the page says so');
+
+	// a link of another version: the hash differs
+	await browser.go('about:blank');
+	await browser.go(address + link.slice(link.indexOf('#')).replace(mine.hash, '0123456789abcdef'));
+	await browser.until(`document.querySelector('.note[data-name=replayed]')`, 'the replay with another hash');
+	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('bad')`), 'another hash is told');
+
+	await browser.go('about:blank');
+	await browser.go(`${address}#pile?count=40&do=AAAA~&at=3&hash=0123456789abcdef`);
+	await browser.until(`document.querySelector('.note[data-name=address]')`, 'a sentence about a damaged link');
+	await browser.until('document.body.dataset.ready', 'a scene in spite of the damaged link');
+}
+
+async function checkTime(browser, check) {
+	await begin(browser, 'pile', SMALL, 0);
+	const now = () => browser.run(`await scree.host.ask({ type: 'steps', count: 0 }); return scree.state.step`);
+	const start = await record(browser);
+	await browser.run(`document.getElementById('once').click(); document.getElementById('once').click(); document.getElementById('once').click()`);
+	check((await now()) === 3, 'three presses of the button are three steps');
+	await browser.run(`document.getElementById('picture').focus()`);
+	await browser.type('n', 'n');
+	check((await now()) === 5, 'the key n takes steps');
+	await browser.type(' ');
+	await browser.until('scree.state.step > 12', 'steps by the clock');
+	await browser.type(' ');
+	await browser.until('scree.state.paused', 'a pause by the space bar');
+	const paused = await browser.run('return scree.state.step');
+	await sleep(300);
+	check((await browser.run('return scree.state.step')) === paused, 'nothing moves while it is paused');
+	await browser.run(`document.getElementById('restart').click()`);
+	const again = await record(browser);
+	check(again.step === 0 && again.hash === start.hash, 'from the start means the same world');
+}
+
+async function checkCompare(browser, expected, check) {
+	const scene = await browser.run(`await scree.load({ name: 'billiards' }); scree.say({ type: 'pause', paused: true }); scree.say({ type: 'restart' });
+		await scree.host.ask({ type: 'steps', count: 60 }); return scree.scenes.get('billiards')`);
+	await browser.until(`document.getElementById('command')`, 'the line to type');
+	check((await browser.run(`return document.getElementById('command').textContent`)) === 'build/scree hash billiards --steps 60', 'the line to type');
+	const paste = (text) => browser.run(`const field = document.getElementById('paste'); field.value = args[0]; field.dispatchEvent(new Event('input'));
+		const verdict = document.getElementById('verdict'); return [verdict.className, verdict.textContent]`, text);
+	const hash = expected.get('billiards');
+	check((await paste(`${hash}\n`))[0] === 'good', 'the hash of the command line is called equal');
+	check((await paste('0123456789abcdef'))[0] === 'bad', 'another hash is called different');
+	check((await paste('seven'))[1].startsWith('This is no hash'), 'what is no hash is told');
+	check(commandLine(scene, [['rack', '30'], ['speed', '40']], 7) === 'build/scree hash billiards --set rack=30 --steps 7', 'only other values are set');
+	check(verdict('', hash, 1)[1] === '', 'an empty field has no verdict');
+	await browser.run(`await scree.host.ask({ type: 'press', x: 5, y: 5, tool: 'blast' }); await scree.host.ask({ type: 'lift', x: 5, y: 5 }); await scree.host.ask({ type: 'steps', count: 1 })`);
+	await browser.until(`!document.getElementById('command') && /no command line can repeat/.test(document.getElementById('compare').textContent)`, 'a sentence about a touched world');
+}
+
+async function checkLoss(browser, check) {
+	await begin(browser, 'pile', SMALL, 60);
+	const ink = () => browser.run(`const { pixels } = await scree.host.ask({ type: 'look' }); let n = 0; for (let k = 0; k < pixels.length; k += 4) n += pixels[k] < 200; return n`);
+	const before = await ink();
+	await browser.run(`scree.say({ type: 'lose', restore: false })`);
+	await browser.until(`document.querySelector('.note[data-name=picture]')`, 'a sentence about the lost context');
+	await browser.run(`scree.say({ type: 'lose', restore: true })`);
+	await browser.until(`!document.querySelector('.note[data-name=picture]')`, 'the picture to come back');
+	const after = await ink();
+	check(before > 1000 && after === before, `after a lost context the picture is the same: ${before} and ${after} dark pixels`);
+}
+
+export function checkRecord(check) {
+	const actions = [
+		makeAction(0, 'keys', [5]),
+		makeAction(3, 'pick', [-1234.56789, 0.1]),
+		makeAction(3, 'pull', [99999.9, -99999.9]),
+		makeAction(900000, 'throw', [1, 2, -200, 199.99, 0.01]),
+		makeAction(900001, 'blast', [0, 0, 7, 14]),
+		makeAction(900001, 'release'),
+	];
+	check(plain(decodeActions(encodeActions(actions))) === plain(actions), 'far places and late steps come out of a link as they went in');
+	check(encodeActions([]) === '' && decodeActions('').length === 0, 'nothing done is an empty text');
+}
+
+export async function checkHands(browser, address, expected, check) {
+	await checkTime(browser, check);
+	await checkDrag(browser, 'mouse', check);
+	await checkDrag(browser, 'touch', check);
+	await checkFingers(browser, check);
+	await checkCompare(browser, expected, check);
+	await checkLoss(browser, check);
+	await checkLink(browser, address, check);
+}

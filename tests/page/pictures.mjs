@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// pictures.mjs -- the picture of the page beside that of the command line's OpenGL renderer: the same shaders on two drivers.
+//
+// Both are drawn from the same bits with the same shaders, but Mesa and ANGLE round the sums of a fragment differently, so that
+// a pixel of an edge may differ by some of its 256 steps. A shape that is a pixel off, or has another color, differs by more
+// than MEAN in sum, or by more than 32 in more than a share of FAR of the pixels.
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import { readPng } from './png.mjs';
+
+const WIDTH = 640, HEIGHT = 480, CAPTION = 36; // px
+const MEAN = 0.5, FAR = 0.001;
+const CASES = [
+	{ name: 'pile', steps: 90, settings: [['count', '300']], paint: 'attribute', layers: ['joints'] },
+	{ name: 'ragdolls', steps: 80, settings: [['columns', '3'], ['rows', '2']], paint: 'speed', layers: ['joints', 'contacts', 'velocities'] },
+	{ name: 'pond', steps: 40, settings: [['fish', '100'], ['stones', '60']], paint: 'attribute', layers: ['fields', 'sensors', 'boxes'] },
+	{ name: 'drift', steps: 10, settings: [['boxes', '9000']], paint: 'speed', layers: ['normals'] }, // splats
+	{ name: 'lidar', steps: 12, settings: [['robots', '20'], ['rays', '40']], paint: 'graph', layers: ['rays', 'sensors'] },
+];
+
+function native(scree, folder, { name, steps, settings, paint, layers }) {
+	const file = join(folder, `${name}.png`);
+	const sets = settings.flatMap(([key, value]) => ['--set', `${key}=${value}`]);
+	const looks = ['--renderer', 'gl', '--paint', paint, '--layers', layers.join(','), '--size', `${WIDTH}x${HEIGHT}`];
+	const words = ['run', name, ...sets, '--steps', String(steps), ...looks, '--picture', file, '--device', 'cpu', '--threads', '1'];
+	execFileSync(scree, words, { stdio: ['ignore', 'ignore', 'pipe'], env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: '1' } });
+	return readPng(file);
+}
+
+// Mean difference of a channel, and the share of pixels with one that is off by more than 32; without the caption.
+function differ(one, other) {
+	let [sum, far] = [0, 0];
+	const count = WIDTH * (HEIGHT - CAPTION);
+	for (let k = 0; k < count; ++k) {
+		let most = 0;
+		for (let c = 0; c < 3; ++c) {
+			const apart = Math.abs(one.pixels[one.channels * k + c] - other.pixels[4 * k + c]);
+			sum += apart;
+			most = Math.max(most, apart);
+		}
+		far += most > 32;
+	}
+	return { mean: sum / count / 3, far: far / count };
+}
+
+export async function checkPictures(browser, scree, folder, check) {
+	for (const each of CASES) {
+		const expected = native(scree, folder, each);
+		const text = await browser.run(
+			`const [{name, steps, settings, paint, layers}, width, height] = args;
+			await scree.load({ name, settings });
+			scree.say({ type: 'resize', width, height, density: 1 });
+			const paints = [...document.querySelectorAll('#paints span')].map((span) => span.textContent);
+			const bits = layers.reduce((sum, layer) => sum | 1 << scree.layerNames.indexOf(layer), 0);
+			scree.say({ type: 'style', paint: paints.indexOf(paint), layers: bits, slow: false });
+			scree.say({ type: 'pause', paused: true });
+			scree.say({ type: 'restart' });
+			scree.say({ type: 'fit' });
+			await scree.host.ask({ type: 'steps', count: steps });
+			const look = await scree.host.ask({ type: 'look' });
+			let text = '';
+			for (let k = 0; k < look.pixels.length; k += 8192) text += String.fromCharCode(...look.pixels.subarray(k, k + 8192));
+			return btoa(text);`,
+			each, WIDTH, HEIGHT,
+		);
+		const pixels = Buffer.from(text, 'base64');
+		const { mean, far } = differ(expected, { pixels });
+		check(mean < MEAN && far < FAR, `picture of ${each.name}: mean difference ${mean.toFixed(4)} of 255, ${(100 * far).toFixed(3)} % of pixels far off`);
+	}
+}
