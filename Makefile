@@ -1,13 +1,14 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip test bench build packages format check clean
+.PHONY: help run view clip web test bench build packages format check clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
 build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
-test_packages := $(view_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
+web_packages := cmake ninja-build emscripten node-acorn nodejs
+test_packages := $(view_packages) $(web_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
 	gnuplot-nox
 
 help: ## this list
@@ -32,8 +33,16 @@ clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
 	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
 	@echo 'The video is build/clip.mp4'
 
+web: ## WebAssembly: the npm package build/web/package, with vectors and without, with threads and without
+	@tools/packages.sh $(web_packages)
+	@tools/source.sh jansson build/sources/jansson
+	@for form in scalar simd threads; do \
+		cmake --preset wasm-$$form --log-level=NOTICE && cmake --build --preset wasm-$$form || exit 1; \
+	done
+
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)
+	@tools/source.sh jansson build/sources/jansson
 
 test: packages ## everything that CI runs: gcc, clang, sanitizers, one lane; CPU and OpenCL
 	@cmake --preset test --log-level=NOTICE
