@@ -20,9 +20,10 @@ set_target_properties(scree_page PROPERTIES OUTPUT_NAME scree-${form} SUFFIX .js
 target_link_libraries(scree_page PRIVATE scree_scene scree_static m)
 target_link_options(scree_page PRIVATE -sMODULARIZE -sEXPORT_ES6 -sEXPORT_NAME=scree -sENVIRONMENT=web,worker
 	-sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=64MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
-	-sFORCE_FILESYSTEM -sINCOMING_MODULE_JS_API=locateFile,print,printErr,threads
+	-sFORCE_FILESYSTEM -sINCOMING_MODULE_JS_API=locateFile,print,printErr,workers
 	-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8 -sEXPORTED_FUNCTIONS=_malloc,_free -sABORTING_MALLOC=0)
 if(form STREQUAL threads)
-	# all workers are there before the first world, because a page cannot wait for one to start
-	target_link_options(scree_page PRIVATE -pthread -sPTHREAD_POOL_SIZE=Module.threads -Wno-pthreads-mem-growth)
+	# all workers are there before the first world, because who waits for a thread cannot start one
+	target_link_options(scree_page PRIVATE -pthread -sPTHREAD_POOL_SIZE=Module.workers -Wno-pthreads-mem-growth
+		-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8,PThread)
 endif()

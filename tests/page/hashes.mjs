@@ -15,22 +15,21 @@ export function nativeHashes(scree, scenes) {
 	return new Map(scenes.map((scene) => [scene.name, native(scree, scene)]));
 }
 
-// Loads every scene into the page, takes the steps, and compares.
-export async function checkHashes(browser, scenes, expected, check) {
-	const found = await browser.run(
-		`const [names, steps] = args;
-		const found = {};
-		for (const name of names) {
-			await scree.load({ name });
-			await scree.host.ask({ type: 'steps', count: 0 });
-			await scree.host.ask({ type: 'restart' });
-			await scree.host.ask({ type: 'steps', count: steps });
-			const { step, hash } = await scree.host.ask({ type: 'record' });
-			found[name] = step + ' ' + hash;
-		}
-		return found;`,
-		scenes.map(({ name }) => name),
-		STEPS,
+// Loads a scene into the page and takes the steps.
+const load = (browser, name) =>
+	browser.run(
+		`const [name, steps] = args;
+		scree.say({ type: 'pause', paused: true });
+		await scree.load({ name });
+		await scree.host.ask({ type: 'steps', count: steps });
+		const { step, hash } = await scree.host.ask({ type: 'record' });
+		return step + ' ' + hash;`,
+		name, STEPS,
 	);
-	for (const { name } of scenes) check(found[name] === `${STEPS} ${expected.get(name)}`, `hash of ${name}: ${found[name]}, ${expected.get(name)} by the command line`);
+
+export async function checkHashes(browser, scenes, expected, check) {
+	for (const { name } of scenes) {
+		const [found, wanted] = [await load(browser, name), `${STEPS} ${expected.get(name)}`];
+		check(found === wanted, `step and hash of ${name}: ${found}, ${wanted} by the command line`);
+	}
 }

@@ -35,6 +35,11 @@ export class Core {
 			version: this.text(m._page_version()),
 		};
 	}
+	// Waits until a world can have its threads: those of a closed one come back when the browser gets around to it.
+	async threadsReady(threads) {
+		const pool = this.module.PThread;
+		while (pool && pool.unusedWorkers.length < threads - 1) await new Promise((resolve) => setTimeout(resolve, 1));
+	}
 	// settings: [[name, value], ...]
 	load(name, text, settings, threads) {
 		const m = this.module;

@@ -53,7 +53,8 @@ export class Engine {
 	}
 
 	// A scene from its start; script: actions to play, until: {step, hash} of the one who recorded them.
-	load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
+	async load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
+		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
 		this.core.load(name, text, settings, this.threads);
 		this.source = { name, text, settings };
@@ -72,11 +73,11 @@ export class Engine {
 		}
 	}
 
-	restart({ replay = false }) {
+	async restart({ replay = false }) {
 		const { name, text, settings } = this.source;
 		const script = replay ? this.player.done : [];
 		const until = replay ? { step: this.step, hash: this.core.hash() } : null;
-		this.load({ name, text, settings, script, until, keepView: true, paused: replay ? false : this.paused });
+		await this.load({ name, text, settings, script, until, keepView: true, paused: replay ? false : this.paused });
 	}
 
 	get step() {

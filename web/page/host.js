@@ -41,7 +41,7 @@ export class Host {
 	async open(wish, { width, height, density }) {
 		this.apart = wish.apart ?? (workersDraw() && workersAreModules());
 		const form = FORMS.includes(wish.form) ? wish.form : bestForm(this.apart);
-		const threads = wish.threads ?? bestThreads(form);
+		const threads = form === 'threads' ? Math.max(2, wish.threads ?? bestThreads()) : 1;
 		const canvas = this.apart ? this.canvas.transferControlToOffscreen() : this.canvas;
 		const message = { type: 'open', form, threads, canvas, width, height, density };
 		if (this.apart) {

@@ -11,19 +11,18 @@ export const FORMS = ['threads', 'simd', 'scalar'];
 // The fastest form that this page can run. apart: the engine is in a worker, which may wait for threads.
 export function bestForm(apart) {
 	if (!WebAssembly.validate(new Uint8Array(VECTOR))) return 'scalar';
-	return apart && globalThis.crossOriginIsolated ? 'threads' : 'simd';
+	return apart && globalThis.crossOriginIsolated && bestThreads() > 1 ? 'threads' : 'simd';
 }
 
-// How many threads pay: one a core but one, which the page itself needs.
-export function bestThreads(form) {
-	const cores = globalThis.navigator?.hardwareConcurrency ?? 2;
-	return form === 'threads' ? Math.max(1, Math.min(8, cores - 1)) : 1;
+// How many threads pay: one a core but one, which the page itself needs. Scenes of a page are too small for more than four.
+export function bestThreads() {
+	return Math.max(1, Math.min(4, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
 }
 
 export async function loadForm(form, threads) {
 	const { default: open } = await import(`./scree-${form}.js`);
 	return open({
 		locateFile: (name) => new URL(name, import.meta.url).href,
-		threads: threads - 1, // workers that Emscripten starts beforehand
+		workers: 2 * (threads - 1), // that Emscripten starts beforehand: a world opens before the one before it closes
 	});
 }
