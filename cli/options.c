@@ -123,6 +123,24 @@ static bool read_renderer(Options* options, const OptionRow* row, char* text)
 	return false;
 }
 
+static bool read_theme(Options* options, const OptionRow* row, char* text)
+{
+	options->dark = strcmp(text, "dark") == 0;
+	if (options->dark || strcmp(text, "light") == 0)
+		return true;
+	fprintf(stderr, "scree %s: --%s %s: must be light or dark\n", options->name, row->name, text);
+	return false;
+}
+
+static bool read_scale(Options* options, const OptionRow* row, char* text)
+{
+	char extra;
+	if (sscanf(text, "%f%c", &options->scale, &extra) == 1 && options->scale >= 0.5f && options->scale <= 4.0f)
+		return true;
+	fprintf(stderr, "scree %s: --%s %s: must be a number from 0.5 to 4\n", options->name, row->name, text);
+	return false;
+}
+
 // how an option is read, and the member that it sets
 #define SWITCH(member)       read_switch, offsetof(Options, member), 0
 #define TEXT(member)         read_text, offsetof(Options, member), 0
@@ -147,11 +165,14 @@ const OptionRow option_rows[] = {
      OTHER(read_size)},
     {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it",
      OTHER(read_renderer)},
-    {"paint", 'a', "NAME", RUN | VIEW, "with gl: color bodies by attribute, speed or graph (colors of the solver)",
-     TEXT(paint)},
+    {"paint", 'a', "NAME", RUN | VIEW,
+     "with gl: color bodies by attribute, speed, graph (colors of the solver), force, start or type", TEXT(paint)},
+    {"theme", 'T', "NAME", RUN | VIEW, "with gl: light or dark; light without it", OTHER(read_theme)},
+    {"scale", 'z', "N", VIEW, "size of the panel and its letters, 0.5 to 4; without it as the display says",
+     OTHER(read_scale)},
     {"layers", 'L', "NAME,...", RUN | VIEW,
      "with gl: boxes, contacts, normals, impulses, velocities, sensors, rays, visits, touches, hits, breaks, joints, "
-     "fields",
+     "centers, fields",
      TEXT(layers)},
     {"script", 'x', "FILE", VIEW, "a file of user actions, one a line: docs/view.md", TEXT(script)},
     {"csv", 'c', "FILE.csv", RUN, "one row a step: counters and milliseconds", TEXT(csv)},
@@ -187,7 +208,7 @@ static bool have_effect(const Options* options, unsigned given)
 	bool figure = options->command == FIGURE,
 	     other = figure || options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
-	    no_effect(options, given, "SRaL", "there is no --picture or --video"))
+	    no_effect(options, given, "SRaLT", "there is no --picture or --video"))
 		return false;
 	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
 	    no_effect(options, given, "tl", "the device is not the CPU"))

@@ -45,6 +45,8 @@ typedef struct
 	const scree_opengl* opengl;            // context that draws the world; null for none
 	const char *picture, *video, *csv;     // null: none
 	const char *renderer, *paint, *layers; // null: the default
+	bool dark;                             // theme
+	float scale;                           // of the panel; 0: as the display says
 	const char* script;                    // null: none
 	int width, height;                     // px
 	int repeats;

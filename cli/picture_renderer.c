@@ -22,7 +22,8 @@ struct PictureRenderer
 
 static bool wants_opengl(const Options* options)
 {
-	return options->renderer ? strcmp(options->renderer, "gl") == 0 : options->paint || options->layers;
+	return options->renderer ? strcmp(options->renderer, "gl") == 0
+	                         : options->paint || options->layers || options->dark;
 }
 
 #ifdef SCREE_HAVE_VIEW
@@ -30,6 +31,7 @@ static bool open_gl(PictureRenderer* renderer, const Options* options, int* code
 {
 	char sentence[SCENE_SENTENCE];
 	bool read = style_read(&renderer->style, options->paint, options->layers, sentence);
+	renderer->style.dark = options->dark;
 	renderer->gl = read ? gl_picture_open(options->width, options->height, sentence) : NULL;
 	if (!renderer->gl)
 		fprintf(stderr, "scree run: %s\n", sentence);
@@ -50,8 +52,8 @@ static bool open_gl(PictureRenderer* renderer, const Options* options, int* code
 PictureRenderer* picture_renderer_open(const Options* options, int* code)
 {
 	*code = EXIT_BAD;
-	if (!wants_opengl(options) && (options->paint || options->layers))
-		fprintf(stderr, "scree run: --paint and --layers need --renderer gl\n");
+	if (!wants_opengl(options) && (options->paint || options->layers || options->dark))
+		fprintf(stderr, "scree run: --paint, --layers and --theme dark need --renderer gl\n");
 	else if (wants_opengl(options) && options->pipeline != PIPELINE_SOFT)
 		fprintf(stderr, "scree run: --renderer gl draws worlds of the pipeline soft\n");
 	else

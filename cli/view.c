@@ -19,6 +19,8 @@ int view_command(const Options* options)
 	                    .height = options->height,
 	                    .paint = options->paint,
 	                    .layers = options->layers,
+	                    .dark = options->dark,
+	                    .scale = options->scale,
 	                    .script = options->script};
 	return view_run(&view);
 }

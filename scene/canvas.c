@@ -6,6 +6,7 @@
 #ifdef SCREE_HAVE_CAIRO
 
 #include <cairo.h>
+#include <string.h>
 
 #define MAX_SIDE 16384 // px
 
@@ -18,7 +19,7 @@ bool canvas_open(Canvas* p, int width, int height, char* sentence)
 		         MAX_SIDE);
 		return false;
 	}
-	*p = (Canvas){.width = width, .height = height};
+	*p = (Canvas){.width = width, .height = height, .background = BACKGROUND_COLOR, .text = TEXT_COLOR};
 	p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
 	p->cairo = cairo_create(p->surface);
 	if (cairo_status(p->cairo) != CAIRO_STATUS_SUCCESS)
@@ -61,10 +62,10 @@ void canvas_caption(Canvas* p, const char* title, const char* caption)
 	cairo_surface_mark_dirty(p->surface);
 	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL, bold = CAIRO_FONT_WEIGHT_BOLD;
 	double room = p->width - 4 * MARGIN, font = 15, baseline = p->height - BAND / 2.0 + 5;
-	set_color(p->cairo, BACKGROUND_COLOR, 0.97);
+	set_color(p->cairo, p->background, 0.97);
 	cairo_rectangle(p->cairo, 0, p->height - BAND, p->width, BAND);
 	cairo_fill(p->cairo);
-	set_color(p->cairo, TEXT_COLOR, 1);
+	set_color(p->cairo, p->text, 1);
 	cairo_set_font_size(p->cairo, font);
 	double both = text_width(p->cairo, title, bold) + text_width(p->cairo, caption, thin);
 	if (both > room)
@@ -75,6 +76,78 @@ void canvas_caption(Canvas* p, const char* title, const char* caption)
 	cairo_select_font_face(p->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, bold);
 	cairo_move_to(p->cairo, MARGIN, baseline);
 	cairo_show_text(p->cairo, title);
+	cairo_surface_flush(p->surface);
+}
+
+#define BAR    240.0 // px: width of a legend's colors
+#define HIGH   12.0  // px: their height
+#define SQUARE 44.0  // px: the height where both directions mean something
+#define LEAST  420   // px: pictures that are not as wide have no legend
+
+static bool is_flat(const Legend* legend)
+{
+	for (int k = 0; k < legend->color_count; ++k)
+		if (memcmp(&legend->low[k], &legend->high[k], sizeof(Color)) != 0)
+			return false;
+	return true;
+}
+
+static void add_stop(cairo_pattern_t* pattern, double at, Color color)
+{
+	cairo_pattern_add_color_stop_rgb(pattern, at, color.r / 255.0, color.g / 255.0, color.b / 255.0);
+}
+
+// Columns of a pixel, each a gradient from top to bottom.
+static void draw_colors(cairo_t* cairo, const Legend* legend, double left, double top, double high)
+{
+	for (int column = 0; column < (int)BAR; ++column)
+	{
+		double at = (column + 0.5) / BAR * (legend->blocks ? legend->color_count : legend->color_count - 1);
+		int k = (int)at, next = legend->blocks || k + 1 == legend->color_count ? k : k + 1;
+		cairo_pattern_t* pattern = cairo_pattern_create_linear(0, top, 0, top + high);
+		const Color ends[2][2] = {{legend->high[k], legend->high[next]}, {legend->low[k], legend->low[next]}};
+		for (int end = 0; end < 2; ++end)
+		{
+			Color a = ends[end][0], b = ends[end][1];
+			double share = at - k;
+			add_stop(pattern, end,
+			         (Color){(uint8_t)(a.r + share * (b.r - a.r)), (uint8_t)(a.g + share * (b.g - a.g)),
+			                 (uint8_t)(a.b + share * (b.b - a.b))});
+		}
+		cairo_set_source(cairo, pattern);
+		cairo_rectangle(cairo, left + column, top, 1, high);
+		cairo_fill(cairo);
+		cairo_pattern_destroy(pattern);
+	}
+}
+
+void canvas_legend(Canvas* p, const Legend* legend)
+{
+	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL;
+	double high = is_flat(legend) ? HIGH : SQUARE, left = p->width - 2 * MARGIN - BAR;
+	double top = p->height - BAND - MARGIN - 26 - high;
+	if (p->width < LEAST || p->height < LEAST / 2)
+		return;
+	cairo_surface_mark_dirty(p->surface);
+	cairo_set_source_rgba(p->cairo, p->background.r / 255.0, p->background.g / 255.0, p->background.b / 255.0, 0.88);
+	cairo_rectangle(p->cairo, left - MARGIN, top - 28, BAR + 2 * MARGIN, high + 28 + 26);
+	cairo_fill(p->cairo);
+	draw_colors(p->cairo, legend, left, top, high);
+	set_color(p->cairo, p->text, 1);
+	cairo_set_font_size(p->cairo, 13);
+	text_width(p->cairo, legend->title, thin); // selects the font
+	cairo_move_to(p->cairo, left, top - 9);
+	cairo_show_text(p->cairo, legend->title);
+	cairo_set_font_size(p->cairo, 12);
+	for (int k = 0; k < legend->tick_count; ++k)
+	{
+		// the first and the last text end where the colors end
+		double wide = text_width(p->cairo, legend->ticks[k].text, thin),
+		       x = left + BAR * (double)legend->ticks[k].at - wide / 2;
+		x = x < left ? left : x > left + BAR - wide ? left + BAR - wide : x;
+		cairo_move_to(p->cairo, x, top + high + 16);
+		cairo_show_text(p->cairo, legend->ticks[k].text);
+	}
 	cairo_surface_flush(p->surface);
 }
 
@@ -105,6 +178,8 @@ void canvas_caption(Canvas* canvas, const char* title, const char* caption)
 {
 	(void)canvas, (void)title, (void)caption;
 }
+
+void canvas_legend(Canvas* canvas, const Legend* legend) { (void)canvas, (void)legend; }
 
 bool canvas_write(Canvas* canvas, FILE* file)
 {

@@ -12,7 +12,24 @@ typedef struct
 	size_t stride;     // bytes from a row to the next
 	uint8_t* pixels;   // four bytes each: blue, green, red, unused; rows from the top
 	void *surface, *cairo;
+	Color background, text; // of the caption
 } Canvas;
+
+#define LEGEND_COLORS 24
+
+typedef struct // what the colors of a picture stand for, with numbers and units
+{
+	char title[64]; // with the unit
+	bool blocks;    // each color stands for itself; else they change evenly
+	int color_count;
+	Color low[LEGEND_COLORS], high[LEGEND_COLORS]; // at the bottom and at the top
+	int tick_count;
+	struct
+	{
+		float at; // 0 to 1 from left to right
+		char text[20];
+	} ticks[LEGEND_COLORS];
+} Legend;
 
 // False writes a sentence: this build has no Cairo, memory is short, or the size is out of range.
 bool canvas_open(Canvas* canvas, int width, int height, char* sentence);
@@ -20,6 +37,9 @@ void canvas_close(Canvas* canvas);
 
 // Draws the title in bold type and the caption into the band at the bottom.
 void canvas_caption(Canvas* canvas, const char* title, const char* caption);
+
+// Draws a legend above the band, at the right.
+void canvas_legend(Canvas* canvas, const Legend* legend);
 
 // Writes the picture as PNG; false when writing fails.
 bool canvas_write(Canvas* canvas, FILE* file);

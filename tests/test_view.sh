@@ -107,6 +107,8 @@ fi
 
 # what lies under the cursor; a click selects, and a drag does not; Escape forgets, then ends. None of it changes a bit
 view 0 "${small[@]}" <<'END'
+key tab
+frames 1
 cursor 400 342
 frames 2
 print
@@ -137,15 +139,17 @@ frames 5
 print
 END
 sed -n 1p out | grep -q ', hovered crate of body [0-9]*$' || fail "hover: nothing under the cursor"
-sed -n 2p out | grep -q 'frame, selected crate of body [0-9]*$' || fail "click: nothing selected, or something under an empty place"
+sed -n 2p out | grep -q 'panel at 1.00, selected crate of body [0-9]*$' || fail "click: nothing selected, or something under an empty place"
 [ "$(sed -n 's/.*hovered \(.*\)/\1/p' out | head -n 1)" = "$(nth selected 2)" ] || fail "click: another body than that under the cursor"
 [ "$(nth selected 3)" = "$(nth selected 2)" ] || fail "a drag selects"
 sed -n 4p out | grep -q hovered && fail "o does not switch hovering off"
 sed -n 5p out | grep -q selected && fail "esc does not forget"
 [ "$(wc -l <out)" = 5 ] || fail "the second esc does not end"
 view 0 "${small[@]}" <<'END'
+key tab
+frames 1
 cursor 400 342
-frames 10
+frames 9
 button down
 button up
 key u
@@ -159,8 +163,9 @@ END
 
 # the end of a body that was selected is told: churn makes each anew before long
 view 0 churn --set columns=4 --set rows=4 --set moved=0 --set replaced=4 <<'END'
-cursor 445 235
+key tab
 frames 1
+cursor 445 235
 button down
 button up
 print
@@ -232,10 +237,13 @@ says 'of 20050'
 
 # narrow and flat windows: nothing but the size differs
 view 0 "${small[@]}" <<'END'
+key tab
+frames 1
 cursor 400 342
-frames 2
+frames 1
 button down
 button up
+key tab
 size 500 300
 frames 3
 key F1
@@ -314,6 +322,7 @@ command -v ffmpeg >/dev/null && [ ! -s scree-1.mp4 ] && fail "v: there is no vid
 
 # the display's own events: wheel, keys, a body in the hand, the picture in the hand
 cat >script <<'END'
+key tab
 frames 2
 print
 await paused
@@ -329,7 +338,7 @@ print
 END
 timeout 120 "$scree" view "${small[@]}" --device cpu --size 800x600 --script script >out 2>err &
 viewer=$!
-window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
 # printed N: waits for so many lines, and so for the frame that has seen what was done before
 printed()
 {
@@ -365,6 +374,7 @@ wait $viewer || fail "events: exit code $?"
 
 # a click of the display selects, Escape forgets, and keys that the scene asked for push while they are down
 cat >script <<'END'
+key tab
 frames 2
 print
 await selected
@@ -378,7 +388,7 @@ print
 END
 timeout 120 "$scree" view ./eyes.json --device cpu --size 800x600 --script script >out 2>err &
 viewer=$!
-window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
 printed 1
 xdotool windowfocus "$window"
 moved 400 500 # the floor
@@ -403,12 +413,12 @@ print
 END
 timeout 120 "$scree" view billiards --device cpu --size 800x700 --script script >out 2>err &
 viewer=$!
-window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
 printed 1
 xdotool windowfocus "$window"
-moved 60 78 click --repeat 2 --delay 200 1 # the field "speed"
+moved 60 83 click --repeat 2 --delay 200 1 # the field "speed"
 xdotool key --delay 100 6 0 Return
-moved 115 480 click 1 # the paint "speed"; the panel takes one event a frame
+moved 126 572 click 1 # the paint "speed"
 wait $viewer || fail "panel: exit code $?"
 says 'painted by speed'
 
@@ -416,6 +426,7 @@ says 'painted by speed'
 if command -v ffmpeg >/dev/null; then
 	rm -f scree-*
 	view 0 "${small[@]}" <<'END'
+key tab
 frames 2
 key v
 frames 10

@@ -2,8 +2,10 @@
 // camera.c -- which part of the world a picture shows.
 #include "view/camera.h"
 #include "scene/viewport.h"
+#include <math.h>
 
 #define LEAST_SCALE 1.0e-4f // px a metre: all of SCREE_HUGE in a thumbnail
+#define LEAST_PART  200.0f  // px: a part that is not as wide shows nothing
 #define MOST_SCALE  1.0e5f  // px a metre: a picture of a few millimetres
 
 void camera_fit(Camera* camera, scree_box box, int width, int height)
@@ -12,6 +14,18 @@ void camera_fit(Camera* camera, scree_box box, int width, int height)
 	*camera = (Camera){.scale = (float)viewport.scale, .width = width, .height = height};
 	camera->middle.x = (float)(viewport.left + width / viewport.scale / 2);
 	camera->middle.y = (float)(viewport.bottom + (height / 2.0 - BAND) / viewport.scale);
+}
+
+void camera_fit_part(Camera* camera, scree_box box, float left, float bottom)
+{
+	float across = box.upper.x - box.lower.x, up = box.upper.y - box.lower.y;
+	left = (float)camera->width - left < LEAST_PART ? 0.0f : left;
+	float wide = fmaxf((float)camera->width - left - 2.0f * MARGIN, 1.0f),
+	      high = fmaxf((float)camera->height - bottom - 2.0f * MARGIN, 1.0f);
+	float scale = fminf(wide / fmaxf(across, 1.0e-6f), high / fmaxf(up, 1.0e-6f));
+	camera->scale = fminf(fmaxf(scale, LEAST_SCALE), MOST_SCALE);
+	camera->middle.x = box.lower.x + 0.5f * across - 0.5f * left / camera->scale;
+	camera->middle.y = box.lower.y + 0.5f * up - 0.5f * bottom / camera->scale;
 }
 
 void camera_resize(Camera* camera, int width, int height)

@@ -14,6 +14,10 @@ typedef struct
 // Shows a whole box above the caption, as the pictures of scree run do.
 void camera_fit(Camera* camera, scree_box box, int width, int height);
 
+// The same, of the size that the camera has, in the part of the picture that is right of left and above bottom, px; but in all of it if
+// the part is too small.
+void camera_fit_part(Camera* camera, scree_box box, float left, float bottom);
+
 // Changes the size of the picture; the middle stays.
 void camera_resize(Camera* camera, int width, int height);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // gl_picture.c -- pictures of a world, drawn with OpenGL into the pixels of a canvas.
 #include "view/gl_picture.h"
+#include "view/legend.h"
 #include "view/shader.h"
+#include "view/theme.h"
 #include <epoxy/gl.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,6 +38,17 @@ void gl_picture_read(Canvas* canvas)
 			b[k] = kept;
 		}
 	}
+}
+
+void gl_picture_label(Canvas* canvas, const Renderer* renderer, const Style* style, const char* title,
+                      const char* caption)
+{
+	Legend legend;
+	canvas->background = theme_of(style->dark)->background;
+	canvas->text = theme_of(style->dark)->text;
+	if (legend_of_paint(&legend, renderer, style))
+		canvas_legend(canvas, &legend);
+	canvas_caption(canvas, title, caption);
 }
 
 GlPicture* gl_picture_open(int width, int height, char* sentence)
@@ -113,7 +126,7 @@ scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char*
 		return status;
 	renderer_draw(&picture->renderer, &picture->share, &picture->camera, style);
 	gl_picture_read(&picture->canvas);
-	canvas_caption(&picture->canvas, picture->title, caption);
+	gl_picture_label(&picture->canvas, &picture->renderer, style, picture->title, caption);
 	return SCREE_OK;
 }
 

@@ -9,6 +9,10 @@
 // Reads the current framebuffer into the canvas; both have the same size.
 void gl_picture_read(Canvas* canvas);
 
+// Writes the legend of the paint, the title and the caption over a picture.
+void gl_picture_label(Canvas* canvas, const Renderer* renderer, const Style* style, const char* title,
+                      const char* caption);
+
 typedef struct GlPicture GlPicture; // drawn without a window
 
 // Opens an OpenGL context. On failure returns null and writes a sentence.

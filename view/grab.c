@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HARDEST 1000.0f // m/s^2 that the spring between cursor and body gives at most, along each axis
-#define CALM    5.0f    // rad/s^2 by which a body in the hand swings less
-#define FASTEST 200.0f  // m/s of a body that is thrown, at most
+#define CALM    5.0f   // rad/s^2 by which a body in the hand swings less
+#define FASTEST 200.0f // m/s of a body that is thrown, at most
 
 static scree_vec turned(scree_rot q, scree_vec v) { return (scree_vec){q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
 static scree_vec turned_back(scree_rot q, scree_vec v)
@@ -78,8 +77,11 @@ static bool join(Grab* grab)
 	def.body_b = grab->body;
 	def.frame_a.position = grab->at;
 	def.frame_b.position = grab->anchor;
-	def.coordinates[SCREE_ALONG].spring_max = HARDEST * mass.mass;
-	def.coordinates[SCREE_ACROSS].spring_max = HARDEST * mass.mass;
+	for (int axis = SCREE_ALONG; axis <= SCREE_ACROSS; ++axis)
+	{
+		def.coordinates[axis].spring_max = (grab->hardest > 0.0f ? grab->hardest : GRAB_HARDEST) * mass.mass;
+		def.coordinates[axis].spring_hertz = grab->hertz > 0.0f ? grab->hertz : GRAB_HERTZ;
+	}
 	def.coordinates[SCREE_ANGLE].motor = true;
 	def.coordinates[SCREE_ANGLE].motor_max = CALM * mass.inertia;
 	return scree_joint_create(grab->world, &def, &grab->joint) == SCREE_OK;
@@ -133,7 +135,7 @@ scree_status grab_pull(Grab* grab)
 }
 
 // Makes a ball, a box and a capsule; half is half their width, m.
-static scree_status make_thrown(Grab* grab, float half)
+static scree_status make_thrown(Grab* grab, float half, float density)
 {
 	scree_attribute_def defs[3] = {scree_attribute_def_default(), scree_attribute_def_default(),
 	                               scree_attribute_def_default()};
@@ -142,9 +144,12 @@ static scree_status make_thrown(Grab* grab, float half)
 		status = scree_shape_make_box(half, half, &defs[1].shape);
 	if (status == SCREE_OK)
 		status = scree_shape_make_capsule((scree_vec){-half, 0}, (scree_vec){half, 0}, 0.6f * half, &defs[2].shape);
+	for (int k = 0; k < 3; ++k)
+		defs[k].density = density;
 	for (int k = 0; k < 3 && status == SCREE_OK; ++k)
 		status = scree_attribute_create(grab->world, &defs[k], &grab->thrown[k]);
 	grab->thrown_size = status == SCREE_OK ? half : 0.0f;
+	grab->thrown_density = density;
 	return status;
 }
 
@@ -152,7 +157,9 @@ scree_status grab_launch(Grab* grab, float size)
 {
 	scree_body_def body = scree_body_def_default();
 	float half = size < 0.01f ? 0.005f : 0.5f * size;
-	scree_status status = half == grab->thrown_size ? SCREE_OK : make_thrown(grab, half);
+	float density = grab->density > 0.0f ? grab->density : GRAB_DENSITY;
+	bool made = half == grab->thrown_size && density == grab->thrown_density;
+	scree_status status = made ? SCREE_OK : make_thrown(grab, half, density);
 	body.attribute = grab->thrown[grab->launched % 3];
 	body.pose.position = grab->at;
 	float speed = hypotf(grab->velocity.x, grab->velocity.y), most = speed > FASTEST ? FASTEST / speed : 1.0f;

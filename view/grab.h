@@ -4,6 +4,11 @@
 #define GRAB_H
 #include "view/render_tables.h"
 
+// what a Grab of zeros has: such a spring pulls, and does not push a body through others
+#define GRAB_HARDEST 1000.0f
+#define GRAB_HERTZ   5.0f
+#define GRAB_DENSITY 1.0f
+
 typedef struct
 {
 	scree_world* world;
@@ -15,6 +20,10 @@ typedef struct
 	int launched;              // bodies thrown in so far
 	scree_attribute thrown[3]; // ball, box, capsule: made once for a size
 	float thrown_size;         // m
+	float thrown_density;      // kg/m^2
+	float hardest;             // m/s^2 that the spring between cursor and body gives at most, along each axis
+	float hertz;               // of that spring
+	float density;             // kg/m^2 of what is thrown in
 } Grab;
 
 // Picks the dynamic body under the cursor; false when there is none.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // joint_lines.c -- draws joints as strokes, in the color of their load.
 #include "view/joint_lines.h"
+#include "view/theme.h"
 #include <math.h>
 #include <stdlib.h>
 
 #define MOST  200000 // joints: more take longer to read than a frame may last, 0.2 us each
 #define LEAST 1.2f   // px: an anchor of less radius has no dot
 
-static const Color idle = {58, 54, 50}, loaded = {214, 40, 30};
+static const Color loaded = {214, 40, 30};
 
 static void find_bodies(JointLines* lines)
 {
@@ -81,6 +82,8 @@ static void drop_broken(JointLines* lines)
 	links->count = left;
 }
 
+static float force_of(const scree_joint_state* state) { return hypotf(state->force.x, state->force.y); }
+
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables)
 {
 	drop_destroyed(lines, tables->world);
@@ -92,11 +95,15 @@ scree_status joint_lines_update(JointLines* lines, const RenderTables* tables)
 		                                lines->last - lines->first + 1);
 	if (status == SCREE_OK)
 		drop_broken(lines);
+	lines->largest = 0.0f;
+	for (int k = 0; k < lines->links.count && status == SCREE_OK; ++k)
+		lines->largest = fmaxf(lines->largest, force_of(&lines->states[k]));
 	return status;
 }
 
-static Color load_color(float share)
+Color joint_color(float share, bool dark)
 {
+	const Color idle = theme_of(dark)->idle;
 	const float from[3] = {(float)idle.r, (float)idle.g, (float)idle.b},
 	            to[3] = {(float)loaded.r, (float)loaded.g, (float)loaded.b};
 	uint8_t channels[3];
@@ -104,8 +111,6 @@ static Color load_color(float share)
 		channels[k] = (uint8_t)(from[k] + share * (to[k] - from[k]));
 	return (Color){channels[0], channels[1], channels[2]};
 }
-
-static float force_of(const scree_joint_state* state) { return hypotf(state->force.x, state->force.y); }
 
 static bool in_view(const scree_vec* points, int count, scree_box box)
 {
@@ -141,7 +146,7 @@ static void mark(Strokes* strokes, const scree_vec* points, int count, const int
 	}
 }
 
-static void mark_rail(const Rail* rail, Strokes* strokes, const scree_pose* poses, const Camera* camera)
+static void mark_rail(const Rail* rail, Strokes* strokes, const scree_pose* poses, const Camera* camera, Color color)
 {
 	float width = fminf(fmaxf(0.02f * camera->scale, 0.5f), 1.6f);
 	scree_box box = camera_box(camera);
@@ -149,26 +154,24 @@ static void mark_rail(const Rail* rail, Strokes* strokes, const scree_pose* pose
 	{
 		const scree_vec ends[] = {rail_point(rail, poses, k - 1), rail_point(rail, poses, k)};
 		if (in_view(ends, 2, box))
-			strokes_add(strokes, ends[0], ends[1], width, idle, 230);
+			strokes_add(strokes, ends[0], ends[1], width, color, 230);
 	}
 }
 
-void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, float detail)
+void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style)
 {
 	scree_box box = camera_box(camera);
-	float largest = 1.0e-9f;
+	const float largest = fmaxf(lines->largest, 1.0e-9f);
 	for (int k = 0; k < lines->links.rail_count && lines->links.count > 0; ++k)
-		mark_rail(&lines->links.rails[k], strokes, lines->poses, camera);
-	for (int k = 0; k < lines->links.count; ++k)
-		largest = fmaxf(largest, force_of(&lines->states[k]));
+		mark_rail(&lines->links.rails[k], strokes, lines->poses, camera, theme_of(style->dark)->idle);
 	for (int k = 0; k < lines->links.count; ++k)
 	{
 		scree_vec points[LINK_POINTS];
 		int anchors[2], count = link_points(&lines->links.list[k], lines->poses, points, anchors);
 		// the square root makes small loads visible beside large ones
-		bool small = 0.04f * camera->scale < LEAST && length_of(points, count) * camera->scale < detail;
+		bool small = 0.04f * camera->scale < LEAST && length_of(points, count) * camera->scale < style->detail;
 		if (!small && in_view(points, count, box))
 			mark(strokes, points, count, anchors, camera->scale,
-			     load_color(sqrtf(force_of(&lines->states[k]) / largest)));
+			     joint_color(sqrtf(force_of(&lines->states[k]) / largest), style->dark));
 	}
 }

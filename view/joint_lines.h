@@ -5,6 +5,7 @@
 #include "scene/links.h"
 #include "view/render_tables.h"
 #include "view/stroke.h"
+#include "view/style.h"
 
 typedef struct
 {
@@ -13,6 +14,7 @@ typedef struct
 	int first, last;   // bodies with joints
 	scree_joint* joints;
 	scree_joint_state* states;
+	float largest; // N: of their forces
 } JointLines;
 
 // Lists the joints of the world of the tables, or none if there are more than a picture can show in time. False when memory
@@ -23,7 +25,10 @@ void joint_lines_close(JointLines* lines);
 // Reads poses and forces. Joints that broke or were destroyed are drawn no more.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
-// Adds strokes for the joints that are in view and not too small: with lines of detail pixels, or with dots.
-void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, float detail);
+// Adds strokes for the joints that are in view and not too small: with lines of Style.detail pixels, or with dots.
+void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
+
+// The color of a joint whose force is the square of this share of the largest one.
+Color joint_color(float share, bool dark);
 
 #endif

@@ -5,9 +5,15 @@
 
 #define DOT     5.0f  // px: a contact point
 #define NORMAL  14.0f // px: a normal
-#define IMPULSE 60.0f // px: the largest impulse in view
+#define IMPULSE 60.0f // px: the largest impulse in view, at most
+#define FEW     10.0f // px: and at least
+#define LONG    1.6f  // reaches of a body that it is long in between
+#define HALO    2.6f  // px: the rim around impulses is wider than they are
 
-static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, green = {30, 122, 84};
+static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, mist = {206, 214, 228};
+
+// Impulses lie on bodies of all colors, so a dark line has a light rim.
+static const Color core = {38, 20, 58}, halo = {255, 250, 235};
 
 // A dot is small and needs more contrast than a body.
 static Color darker(Color color)
@@ -35,33 +41,52 @@ static scree_vec along(scree_vec from, scree_vec direction, float length)
 	return (scree_vec){from.x + direction.x * length, from.y + direction.y * length};
 }
 
-void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, const Style* style)
+// One pass draws the rims, and the next one the lines over all of them.
+static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, float size)
 {
 	scree_box box = camera_box(camera);
-	float pixel = 1.0f / camera->scale, largest = 1.0f;
+	float largest = largest_impulse(contacts, count, box), most = LONG * size * camera->scale;
+	float whole = fminf(fmaxf(most, FEW), IMPULSE) / camera->scale, width = most < 2.0f * FEW ? 1.2f : 2.0f;
+	for (int line = 0; line < 2; ++line)
+		for (int k = 0; k < count; ++k)
+		{
+			scree_vec normal = contacts[k].normal, across = {-normal.y, normal.x};
+			for (int n = 0; n < contacts[k].count; ++n)
+			{
+				const scree_contact_point* p = &contacts[k].points[n];
+				if (!is_inside(box, p->point))
+					continue;
+				// the square root makes small impulses visible beside large ones
+				float length = whole * sqrtf(fmaxf(p->normal_impulse, 0.0f) / largest);
+				float slip = whole * copysignf(sqrtf(fabsf(p->tangent_impulse) / largest), p->tangent_impulse);
+				float wide = line ? width : width + HALO;
+				strokes_add(strokes, p->point, along(p->point, across, slip), wide, line ? core : halo,
+				            line ? 150 : 110);
+				strokes_add(strokes, p->point, along(p->point, normal, length), wide, line ? core : halo,
+				            line ? 255 : 150);
+			}
+		}
+}
+
+void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, const Style* style,
+                   float size)
+{
+	scree_box box = camera_box(camera);
+	float pixel = 1.0f / camera->scale;
 	const bool* layers = style->layers;
 	if (layers[LAYER_impulses])
-		largest = largest_impulse(contacts, count, box);
+		mark_impulses(strokes, contacts, count, camera, size);
 	for (int k = 0; k < count; ++k)
 	{
 		const scree_contact* c = &contacts[k];
-		scree_vec across = {-c->normal.y, c->normal.x};
 		for (int n = 0; n < c->count; ++n)
 		{
 			const scree_contact_point* p = &c->points[n];
 			if (!is_inside(box, p->point))
 				continue;
 			if (layers[LAYER_normals])
-				strokes_add(strokes, p->point, along(p->point, c->normal, NORMAL * pixel), 1.2f, slate, 220);
-			if (layers[LAYER_impulses])
-			{
-				// the square root makes small impulses visible beside large ones
-				float length = IMPULSE * pixel * sqrtf(fmaxf(p->normal_impulse, 0.0f) / largest);
-				float slip =
-				    IMPULSE * pixel * copysignf(sqrtf(fabsf(p->tangent_impulse) / largest), p->tangent_impulse);
-				strokes_add(strokes, p->point, along(p->point, c->normal, length), 1.6f, green, 200);
-				strokes_add(strokes, p->point, along(p->point, across, slip), 1.6f, green, 120);
-			}
+				strokes_add(strokes, p->point, along(p->point, c->normal, NORMAL * pixel), 1.2f,
+				            style->dark ? mist : slate, 220);
 			if (layers[LAYER_contacts])
 			{
 				Color color = style->graph ? darker(graph_color(c->color)) : p->separation < 0.0f ? red : pale;

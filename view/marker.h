@@ -5,8 +5,8 @@
 #include "view/stroke.h"
 #include "view/style.h"
 
-// Adds strokes for the contacts that are in view.
-void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera,
-                   const Style* style);
+// Adds strokes for the contacts that are in view. size: reach of a common body, m.
+void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, const Style* style,
+                   float size);
 
 #endif

@@ -2,70 +2,12 @@
 // render_tables.c -- tables that shaders read besides the rows: shapes and colors of attributes, kinds of bodies.
 #include "view/render_tables.h"
 #include "scene/viewport.h"
-#include "view/opengl.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXELS 7 // of an attribute, as row.glsl and body.frag have it
-
-#define WIDTH 2048 // texels of a row, as row.glsl has it; every WebGL 2 has as many
-
-typedef enum // of texels
-{
-	FORMAT_BYTE, // R8UI
-	FORMAT_TWO,  // RG32F
-	FORMAT_FOUR, // RGBA32F
-} TexelFormat;
-
-static const struct
-{
-	GLint internal;
-	GLenum format, type;
-	size_t bytes; // of a texel
-} formats[] = {
-    {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1},
-    {GL_RG32F, GL_RG, GL_FLOAT, 8},
-    {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},
-};
-
-// Makes a texture of more rows than are needed now, so that worlds may grow for a while.
-static void texel_array_make(TexelArray* t, TexelFormat format, int rows)
-{
-	if (!t->texture)
-		glGenTextures(1, &t->texture);
-	t->format = (int)format;
-	t->rows = rows + rows / 2;
-	glBindTexture(GL_TEXTURE_2D, t->texture);
-	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-	glTexImage2D(GL_TEXTURE_2D, 0, formats[format].internal, WIDTH, t->rows, 0, formats[format].format,
-	             formats[format].type, NULL);
-}
-
-static void texel_array_fill(TexelArray* t, TexelFormat format, const void* data, int count)
-{
-	const GLenum layout = formats[format].format, type = formats[format].type;
-	const int full = count / WIDTH, rest = count % WIDTH, rows = full + (rest > 0);
-	if (!t->texture || t->format != (int)format || t->rows < rows)
-		texel_array_make(t, format, rows);
-	glBindTexture(GL_TEXTURE_2D, t->texture);
-	glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-	if (full > 0)
-		glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, full, layout, type, data);
-	if (rest > 0)
-		glTexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, layout, type,
-		                (const char*)data + formats[format].bytes * WIDTH * (size_t)full);
-	glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-}
-
-static void texel_array_delete(TexelArray* t)
-{
-	glDeleteTextures(1, &t->texture);
-	*t = (TexelArray){0};
-}
+#define TEXELS 7   // of an attribute, as row.glsl and body.frag have it
+#define SIZES  256 // shapes that are looked at to find a common size
 
 // Whether a shape is a rectangle along the axes, whose distance costs less.
 static bool is_upright(const scree_shape* shape)
@@ -120,7 +62,31 @@ static bool fill_attributes(RenderTables* tables)
 	return true;
 }
 
-// One byte a body: SCREE_BODY_DYNAMIC or 0. The dynamic bodies are in the list of sprites from first_moving on.
+static int compare_sizes(const void* a, const void* b)
+{
+	const scree_shape *x = &((const scree_attribute_def*)a)->shape, *y = &((const scree_attribute_def*)b)->shape;
+	return (x->reach > y->reach) - (x->reach < y->reach);
+}
+
+// The middle one of the attributes of the shapes that move, each counted once a shape, but of at most SIZES shapes.
+static void find_size(RenderTables* tables, const Sprites* sprites)
+{
+	scree_attribute_def* defs = malloc(SIZES * sizeof *defs);
+	int moving = sprites->count - sprites->first_moving, every = (moving + SIZES - 1) / SIZES, count = 0;
+	for (int k = sprites->first_moving; defs && k<sprites->count; k += every> 0 ? every : 1)
+		if (sprites->list[k].body >= 0 && !sprites->list[k].sensor)
+			defs[count++] = tables->attributes[sprites->list[k].attribute];
+	tables->size = tables->density = 0.0f;
+	if (count > 0)
+	{
+		qsort(defs, (size_t)count, sizeof *defs, compare_sizes);
+		tables->size = defs[count / 2].shape.reach;
+		tables->density = defs[count / 2].density;
+	}
+	free(defs);
+}
+
+// One byte a body, its type. The dynamic bodies are in the list of sprites from first_moving on.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)
@@ -133,6 +99,13 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 	            scree_bodies_get_poses(tables->world, tables->bodies, poses, tables->body_count) == SCREE_OK;
 	float reach = 1.0f;
 	int count = 0;
+	for (int k = 0; good && k < sprites->first_moving; ++k)
+	{
+		scree_body_type type;
+		int body = sprites->list[k].body;
+		good = scree_body_get_type(tables->world, tables->bodies[body], &type) == SCREE_OK;
+		kinds[tables->bodies[body].index] = (uint8_t)type;
+	}
 	for (int k = sprites->first_moving; good && k < sprites->count; ++k)
 	{
 		const Sprite* s = &sprites->list[k];
@@ -146,6 +119,8 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 	if (good)
 	{
 		viewport_fit(points, count, reach, &tables->box);
+		good = (tables->starts.capacity > 0 || starts_frame(&tables->starts, points, count)) &&
+		       starts_add(&tables->starts, tables->bodies, poses, tables->body_count);
 		texel_array_fill(&tables->kinds, FORMAT_BYTE, kinds, tables->body_capacity + 1);
 	}
 	free(poses);
@@ -173,14 +148,29 @@ static bool list_rows(RenderTables* tables)
 bool render_tables_build(RenderTables* tables, scree_world* world)
 {
 	Sprites sprites = {0};
+	scree_counters counters;
+	Starts starts = tables->starts;
+	float range = tables->force_range;
+	if (scree_world_get_counters(world, &counters) != SCREE_OK)
+		return false;
+	tables->starts = (Starts){0};
 	render_tables_close(tables);
 	tables->world = world;
+	if (counters.steps > 0)
+	{
+		tables->starts = starts;
+		tables->force_range = range;
+	}
+	else
+		starts_close(&starts);
 	bool good = sprites_list(&sprites, world);
 	tables->attributes = sprites.attributes;
 	tables->color_of = sprites.color_of;
 	tables->attribute_count = sprites.attribute_count;
 	tables->bodies = sprites.bodies;
 	tables->body_count = sprites.body_count;
+	if (good)
+		find_size(tables, &sprites);
 	good = good && fill_attributes(tables) && fill_kinds(tables, &sprites) && list_rows(tables) &&
 	       sensor_marks_list(&tables->sensors, &sprites);
 	free(sprites.list);
@@ -189,6 +179,7 @@ bool render_tables_build(RenderTables* tables, scree_world* world)
 	texel_array_fill(&tables->velocities, FORMAT_TWO, still, 1);
 	texel_array_fill(&tables->graph, FORMAT_BYTE, none, 1);
 	texel_array_fill(&tables->marks, FORMAT_BYTE, none, 1);
+	texel_array_fill(&tables->shares, FORMAT_TWO, still, 1);
 	if (good)
 		render_tables_update_sensors(tables);
 	return good;
@@ -206,54 +197,6 @@ scree_status render_tables_update_bodies(RenderTables* tables)
 	return scree_world_get_bodies(tables->world, tables->bodies, tables->body_count, &count);
 }
 
-scree_status render_tables_update_velocities(RenderTables* tables)
-{
-	size_t size = (size_t)tables->body_capacity + 1;
-	scree_velocity* velocities = malloc(((size_t)tables->body_count + 1) * sizeof *velocities);
-	scree_vec* linear = calloc(size, sizeof *linear);
-	scree_status status = SCREE_ERROR_OUT_OF_MEMORY;
-	if (velocities && linear)
-		status = render_tables_update_bodies(tables);
-	if (status == SCREE_OK)
-		status = scree_bodies_get_velocities(tables->world, tables->bodies, velocities, tables->body_count);
-	if (status == SCREE_OK)
-	{
-		for (int k = 0; k < tables->body_count; ++k)
-			linear[tables->bodies[k].index] = velocities[k].linear;
-		texel_array_fill(&tables->velocities, FORMAT_TWO, linear, (int)size);
-	}
-	free(linear);
-	free(velocities);
-	return status;
-}
-
-// The body of a collidable, -1 for none.
-static int body_of(const RenderTables* tables, scree_collidable collidable)
-{
-	scree_body body;
-	bool found = scree_collidable_get_body(tables->world, collidable, &body) == SCREE_OK && body.generation != 0;
-	return found && (int)body.index < tables->body_capacity ? (int)body.index : -1;
-}
-
-bool render_tables_update_graph(RenderTables* tables, const scree_contact* contacts, int count)
-{
-	size_t size = (size_t)tables->body_capacity + 1;
-	uint8_t* lowest = malloc(size);
-	if (!lowest)
-		return false;
-	memset(lowest, 255, size);
-	for (int k = 0; k < count; ++k)
-	{
-		const int bodies[2] = {body_of(tables, contacts[k].a), body_of(tables, contacts[k].b)};
-		for (int side = 0; side < 2; ++side)
-			if (bodies[side] >= 0 && contacts[k].color >= 0 && contacts[k].color < lowest[bodies[side]])
-				lowest[bodies[side]] = (uint8_t)contacts[k].color;
-	}
-	texel_array_fill(&tables->graph, FORMAT_BYTE, lowest, (int)size);
-	free(lowest);
-	return true;
-}
-
 scree_box render_tables_view(const RenderTables* tables, const Scene* scene)
 {
 	return scene->has_view ? scene->view : tables->box;
@@ -266,6 +209,8 @@ void render_tables_close(RenderTables* tables)
 	texel_array_delete(&tables->velocities);
 	texel_array_delete(&tables->graph);
 	texel_array_delete(&tables->marks);
+	texel_array_delete(&tables->shares);
+	starts_close(&tables->starts);
 	sensor_marks_close(&tables->sensors);
 	free(tables->attributes);
 	free(tables->color_of);

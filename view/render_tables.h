@@ -5,12 +5,8 @@
 #include "scene/scene.h"
 #include "scene/sprites.h"
 #include "view/sensor_marks.h"
-
-typedef struct // an OpenGL texture that a shader reads as an array: texel k is in row k / 2048. WebGL has no buffer textures
-{
-	unsigned texture;
-	int format, rows; // that it was made for
-} TexelArray;
+#include "view/starts.h"
+#include "view/texel_array.h"
 
 typedef struct
 {
@@ -25,20 +21,19 @@ typedef struct
 	int body_capacity; // one more than the highest index
 	scree_box box;     // around the bodies that move, m; for scenes without a view
 	SensorMarks sensors;
-	TexelArray attribute_texture, kinds, velocities, graph, marks;
+	Starts starts;     // of the bodies; kept as long as the world is the same
+	float size;        // m: the middle one of the reaches of the bodies that move; 0 without them
+	float density;     // kg/m^2: of that body
+	float force_range; // N: the force of the end of the ramp; 0: none was shown yet
+	TexelArray attribute_texture, kinds, velocities, graph, marks, shares;
 } RenderTables;
 
-// Reads a world; to be repeated after bodies were added or removed. False when memory is short; close the tables also then.
+// Reads a world; to be repeated after bodies were added or removed. A world that has taken no step is a new one: bodies begin where
+// they are. False when memory is short; close the tables also then.
 bool render_tables_build(RenderTables* tables, scree_world* world);
 
 // Reads the handles of the bodies again: a scene may replace bodies between steps, each by one of the same index.
 scree_status render_tables_update_bodies(RenderTables* tables);
-
-// Reads the velocities of all bodies into their table.
-scree_status render_tables_update_velocities(RenderTables* tables);
-
-// Fills the table of graph colors with the lowest color of each body's contacts. False when memory is short.
-bool render_tables_update_graph(RenderTables* tables, const scree_contact* contacts, int count);
 
 // Fills the table of marks with what the sensors of the world see, if it has any.
 void render_tables_update_sensors(RenderTables* tables);

@@ -7,36 +7,13 @@
 #include "view/glsl.h"
 #include "view/marker.h"
 #include "view/opengl.h"
+#include "view/paint_tables.h"
 #include "view/scan_lines.h"
-#include "view/shader.h"
+#include "view/theme.h"
 #include <stdlib.h>
 #include <string.h>
 
-static bool pass_open(Pass* pass, const char* vertex, const char* fragment, char* sentence)
-{
-	pass->program = shader_link(glsl_row_glsl, vertex, fragment, sentence);
-	if (!pass->program)
-		return false;
-	const char* names[] = {"view", "scale", "paint", "least", "size", "line", "coarse", "first", "marked", "sensors"};
-	int* places[] = {&pass->view, &pass->scale,  &pass->paint, &pass->least,  &pass->size,
-	                 &pass->line, &pass->coarse, &pass->first, &pass->marked, &pass->sensors};
-	for (int k = 0; k < 10; ++k)
-		*places[k] = glGetUniformLocation(pass->program, names[k]);
-	const char* samplers[] = {"table", "kinds", "velocities", "graph", "marks"};
-	glUseProgram(pass->program);
-	for (int k = 0; k < 5; ++k)
-		glUniform1i(glGetUniformLocation(pass->program, samplers[k]), k);
-	float palette[GRAPH_COLORS][3];
-	for (int k = 0; k < GRAPH_COLORS; ++k)
-	{
-		Color color = graph_color(k);
-		palette[k][0] = (float)color.r / 255.0f;
-		palette[k][1] = (float)color.g / 255.0f;
-		palette[k][2] = (float)color.b / 255.0f;
-	}
-	glUniform3fv(glGetUniformLocation(pass->program, "palette"), GRAPH_COLORS, palette[0]);
-	return true;
-}
+#define SUBSTEP (1.0f / 240.0f) // s: of worlds that no scene made
 
 bool renderer_open(Renderer* r, char* sentence)
 {
@@ -49,6 +26,7 @@ bool renderer_open(Renderer* r, char* sentence)
 	            pass_open(&r->splat, glsl_splat_vert, glsl_splat_frag, sentence) &&
 	            pass_open(&r->box, glsl_box_vert, glsl_box_frag, sentence) &&
 	            pass_open(&r->velocity, glsl_velocity_vert, glsl_stroke_frag, sentence) &&
+	            pass_open(&r->center, glsl_center_vert, glsl_stroke_frag, sentence) &&
 	            strokes_open(&r->strokes, sentence) && strokes_open(&r->under, sentence);
 	if (!good)
 		renderer_close(r);
@@ -57,9 +35,9 @@ bool renderer_open(Renderer* r, char* sentence)
 
 void renderer_close(Renderer* r)
 {
-	Pass* passes[] = {&r->body, &r->splat, &r->box, &r->velocity};
-	for (int k = 0; k < 4; ++k)
-		glDeleteProgram(passes[k]->program);
+	Pass* passes[] = {&r->body, &r->splat, &r->box, &r->velocity, &r->center};
+	for (int k = 0; k < 5; ++k)
+		pass_close(passes[k]);
 	glDeleteVertexArrays(1, &r->one_each);
 	glDeleteVertexArrays(1, &r->four_each);
 	strokes_close(&r->strokes);
@@ -77,6 +55,7 @@ bool renderer_update_world(Renderer* r, const Scene* scene, scree_world* world)
 {
 	r->contact_count = 0;
 	r->lod = (Lod){0};
+	r->scene = scene;
 	scan_close(&r->scan);
 	if (scene && scene->fan_count > 0 && scan_open(&r->scan, scene, world) != SCREE_OK)
 		return false;
@@ -112,12 +91,18 @@ scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* styl
 	scree_status status = SCREE_OK;
 	r->contact_count = 0;
 	if (style->paint == PAINT_SPEED || style->layers[LAYER_velocities])
-		status = render_tables_update_velocities(&r->tables);
-	if (status == SCREE_OK && (style->paint == PAINT_GRAPH || style->layers[LAYER_contacts] ||
-	                           style->layers[LAYER_normals] || style->layers[LAYER_impulses]))
+		status = paint_tables_fill_velocities(&r->tables);
+	if (status == SCREE_OK &&
+	    (style->paint == PAINT_GRAPH || style->paint == PAINT_FORCE || style->layers[LAYER_contacts] ||
+	     style->layers[LAYER_normals] || style->layers[LAYER_impulses]))
 		status = fetch_contacts(r);
 	if (status == SCREE_OK && style->paint == PAINT_GRAPH)
-		render_tables_update_graph(&r->tables, r->contacts, r->contact_count);
+		paint_tables_fill_graph(&r->tables, r->contacts, r->contact_count);
+	if (status == SCREE_OK && style->paint == PAINT_FORCE)
+		paint_tables_fill_forces(&r->tables, r->contacts, r->contact_count,
+		                         r->scene ? r->scene->dt / (float)r->scene->substeps : SUBSTEP);
+	if (status == SCREE_OK && style->paint == PAINT_START)
+		status = paint_tables_fill_starts(&r->tables);
 	if (status == SCREE_OK && style->layers[LAYER_joints])
 		status = fetch_joints(r);
 	if (status == SCREE_OK && style->layers[LAYER_fields])
@@ -152,46 +137,17 @@ static void bind_rows(unsigned vertices, const Share* share, int first, GLuint d
 	}
 }
 
-static void use_pass(const Renderer* r, const Pass* pass, const Camera* camera, const Style* style)
-{
-	float line = 0.03f * camera->scale;
-	glUseProgram(pass->program);
-	glUniform4f(pass->view, camera->middle.x, camera->middle.y, 2.0f * camera->scale / (float)camera->width,
-	            2.0f * camera->scale / (float)camera->height);
-	glUniform1f(pass->scale, camera->scale);
-	glUniform1i(pass->paint, (int)style->paint);
-	glUniform1f(pass->least, style->detail);
-	glUniform1i(pass->coarse, style->detail > 1.0f);
-	glUniform1i(pass->first, 0);
-	glUniform1i(pass->marked, r->tables.sensors.rows);
-	glUniform1i(pass->sensors, style->layers[LAYER_sensors]);
-	glUniform2f(pass->size, (float)camera->width, (float)camera->height);
-	glUniform1f(pass->line, line < 0.7f ? 0.7f : line > 1.4f ? 1.4f : line);
-}
-
-static void bind_tables(const RenderTables* tables)
-{
-	const unsigned textures[] = {tables->attribute_texture.texture, tables->kinds.texture, tables->velocities.texture,
-	                             tables->graph.texture, tables->marks.texture};
-	for (int k = 0; k < 5; ++k)
-	{
-		glActiveTexture((GLenum)(GL_TEXTURE0 + k));
-		glBindTexture(GL_TEXTURE_2D, textures[k]);
-	}
-	glActiveTexture(GL_TEXTURE0);
-}
-
 // Draws a layer that has one instance for every row.
 static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
 {
 	bind_rows(r->four_each, share, 0, 1);
-	use_pass(r, pass, camera, style);
+	pass_use(pass, &r->tables, camera, style);
 	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
 }
 
 void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const Style* style)
 {
-	Color background = BACKGROUND_COLOR;
+	Color background = theme_of(style->dark)->background;
 	glViewport(0, 0, camera->width, camera->height);
 	glDisable(GL_DEPTH_TEST);
 	glDisable(GL_CULL_FACE);
@@ -206,9 +162,9 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	if (style->layers[LAYER_rays])
 		scan_lines_mark(&r->scan, &r->under, &r->strokes, camera);
 	strokes_draw(&r->under, camera);
-	bind_tables(&r->tables);
+	pass_bind_tables(&r->tables);
 	lod_update(&r->lod, &r->tables, share->count, camera->scale, style->detail);
-	use_pass(r, &r->body, camera, style);
+	pass_use(&r->body, &r->tables, camera, style);
 	for (int k = 0; k < r->lod.shape_runs; ++k)
 	{
 		bind_rows(r->four_each, share, r->lod.shapes[k].first, 1);
@@ -218,18 +174,20 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	if (r->lod.splats)
 	{
 		bind_rows(r->one_each, share, 0, 0);
-		use_pass(r, &r->splat, camera, style);
+		pass_use(&r->splat, &r->tables, camera, style);
 		glDrawArrays(GL_POINTS, 0, share->count);
 	}
 	if (style->layers[LAYER_boxes])
 		draw_over(r, &r->box, share, camera, style);
 	if (style->layers[LAYER_velocities])
 		draw_over(r, &r->velocity, share, camera, style);
+	if (style->layers[LAYER_centers])
+		draw_over(r, &r->center, share, camera, style);
 	if (style->layers[LAYER_fields])
 		field_lines_mark(&r->field_lines, &r->strokes);
 	if (style->layers[LAYER_joints])
-		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style->detail);
+		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style);
 	flashes_mark(&r->flashes, &r->strokes, camera, r->tables.sensors.now);
-	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style);
+	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style, r->tables.size);
 	strokes_draw(&r->strokes, camera);
 }

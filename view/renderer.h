@@ -7,27 +7,23 @@
 #include "view/flashes.h"
 #include "view/joint_lines.h"
 #include "view/lod.h"
+#include "view/pass.h"
 #include "view/render_tables.h"
 #include "view/share.h"
 #include "view/stroke.h"
 #include "view/style.h"
 
-typedef struct // an OpenGL program with its uniforms
-{
-	unsigned program;
-	int view, scale, paint, least, size, line, coarse, first, marked, sensors;
-} Pass;
-
 typedef struct
 {
-	Pass body, splat, box, velocity;
+	Pass body, splat, box, velocity, center;
 	unsigned one_each, four_each; // vertex arrays: a row is a vertex, or an instance of four
 	Strokes strokes, under;       // over the bodies, under them
 	RenderTables tables;
 	Lod lod;
 	JointLines joint_lines;
 	FieldLines field_lines;
-	Scan scan; // of the rays of the scene
+	const Scene* scene; // null: none made the world
+	Scan scan;          // of the rays of the scene
 	Flashes flashes;
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
@@ -38,8 +34,8 @@ typedef struct
 bool renderer_open(Renderer* renderer, char* sentence);
 void renderer_close(Renderer* renderer);
 
-// Reads the world again after bodies were added or removed; also before the first frame. A scene that casts rays has made the world;
-// null: none did.
+// Reads the world again after bodies were added or removed; also before the first frame. The scene that made the world stays until
+// then; null: none did.
 bool renderer_update_world(Renderer* renderer, const Scene* scene, scree_world* world);
 
 // After every step, with the time of the world in seconds: adds the events that a style shows.

@@ -7,7 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-const char* const paint_names[PAINTS] = {"attribute", "speed", "graph"};
+const char* const paint_names[PAINTS] = {
+#define X(enumerator, name, help) name,
+#include "view/paints.def"
+#undef X
+};
 const char* const layer_names[LAYERS] = {
 #define X(name, help) #name,
 #include "view/layers.def"

@@ -4,15 +4,14 @@
 #define STYLE_H
 #include "scene/sprites.h"
 
-typedef enum // what colors a body; row.glsl has the same numbers
+typedef enum // what colors a body
 {
-	PAINT_ATTRIBUTE,
-	PAINT_SPEED,
-	PAINT_GRAPH, // the lowest color of its contacts
+#define X(enumerator, name, help) PAINT_##enumerator,
+#include "view/paints.def"
+#undef X
 	PAINTS,
 } Paint;
 
-// "attribute", "speed", "graph"
 extern const char* const paint_names[PAINTS];
 int find_name(const char* const* names, int count, const char* text, size_t length); // -1 where there is none
 
@@ -39,6 +38,7 @@ typedef struct
 	float
 	    detail; // px: bodies of less reach are splats, shorter joints are left out; 1 is fine, 4 for a software renderer
 	int rays;   // of the scene, that are drawn at most
+	bool dark;  // on a dark ground
 } Style;
 
 // Reads the name of a paint and a list of layers with commas between them; null: the default, which shows joints, sensors and rays.

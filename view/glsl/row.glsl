@@ -5,25 +5,29 @@ layout(location = 2) in ivec2 name;  // attribute, -1 where there is no collidab
 
 uniform vec4 view;   // middle of the picture (m), clip units a metre
 uniform float scale; // px a metre
-uniform int paint;   // PAINT_* of renderer.h
+uniform int paint;   // its line in paints.def, from 0
 uniform vec3 palette[64]; // of graph colors
+uniform vec3 ramp[17];    // of the paint, as ramp.h has it
+uniform vec3 types[2];    // of kinematic and dynamic bodies
+uniform vec3 still;       // color of bodies that are not dynamic
+uniform vec3 glass;       // of collidables without a body
+uniform vec3 ink;         // of what is drawn over bodies
 uniform int first;        // row that is drawn first
 uniform int marked;       // rows that have a mark
 
 uniform sampler2D table;      // attributes, 7 texels each
 uniform usampler2D kinds;     // of bodies
-uniform usampler2D graph;     // lowest color of a body's contacts, 255 for none
+uniform usampler2D graph;     // highest color of a body's contacts, 255 for none
+uniform sampler2D shares;     // of bodies: force, or starting place, 0 to 1
 uniform sampler2D velocities; // of bodies, m/s
 uniform usampler2D marks;     // of rows: bits of sensor_marks.h
 uniform int sensors;              // whether they are shown
 
-const vec3 stone = vec3(196, 192, 184) / 255.0;
-const vec3 glass = vec3(67, 93, 134) / 255.0;
 const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
 vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
-bool moves() { return name.y >= 0 && texelFetch(kinds, cell(name.y), 0).x == 2u; }
+uint kind() { return texelFetch(kinds, cell(name.y), 0).x; } // 0 static, 1 kinematic, 2 dynamic
 
 // The mark of a row, 0 where it is no sensor.
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
@@ -34,26 +38,39 @@ bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + r
 
 vec3 graph_color(uint color) { return color == 255u ? vec3(0.86, 0.85, 0.82) : palette[min(color, 63u)]; }
 
-// 0 m/s is blue, 3 m/s yellow, faster red.
-vec3 speed_color(float speed)
+vec3 ramp_color(float t)
 {
-	float t = speed / (speed + 3.0) * 2.0;
-	vec3 slow = vec3(0.33, 0.45, 0.66), middle = vec3(0.89, 0.72, 0.38), fast = vec3(0.80, 0.28, 0.22);
-	return t < 1.0 ? mix(slow, middle, t) : mix(middle, fast, t - 1.0);
+	float at = clamp(t, 0.0, 1.0) * 16.0;
+	int k = min(int(at), 15);
+	return mix(ramp[k], ramp[k + 1], at - float(k));
+}
+
+// The hue from left to right, dark at the bottom and light at the top.
+vec3 start_color(vec2 place)
+{
+	vec3 hue = ramp_color(place.x);
+	return mix(hue * 0.55, mix(vec3(1.0), hue, 0.6), place.y);
 }
 
 vec3 row_color(vec3 base)
 {
 	if (name.y < 0)
 		return glass;
-	if (!moves())
-		return stone;
+	if (kind() != 2u)
+		return paint == 5 && kind() == 1u ? types[0] : still;
 	if (paint == 1)
-		return speed_color(length(texelFetch(velocities, cell(name.y), 0).xy));
+	{
+		float speed = length(texelFetch(velocities, cell(name.y), 0).xy);
+		return ramp_color(speed / (speed + 3.0));
+	}
 	if (paint == 2)
 		return graph_color(texelFetch(graph, cell(name.y), 0).x);
+	if (paint == 3)
+		return ramp_color(texelFetch(shares, cell(name.y), 0).x);
+	if (paint == 4)
+		return start_color(texelFetch(shares, cell(name.y), 0).xy);
 	// a little lighter or darker from body to body
 	uint mixed = uint(name.y) * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
-	return min(base * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
+	return min((paint == 5 ? types[1] : base) * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
 }

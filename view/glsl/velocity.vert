@@ -10,7 +10,7 @@ void main()
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	stroke = vec2(0.0);
 	ring = 0.0;
-	color = vec4(0.09, 0.35, 0.30, 0.9);
+	color = vec4(ink, 0.9);
 	fade = color.a;
 	local = vec2(0.0);
 	if (name.x < 0 || name.y < 0)

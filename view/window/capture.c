@@ -54,7 +54,7 @@ void capture_draw(Capture* c, Renderer* renderer, const Share* share, const Came
 	renderer_draw(renderer, share, camera, style);
 	gl_picture_read(&c->canvas);
 	glBindFramebuffer(GL_FRAMEBUFFER, 0);
-	canvas_caption(&c->canvas, title, caption);
+	gl_picture_label(&c->canvas, renderer, style, title, caption);
 }
 
 void capture_window(Capture* c)

@@ -36,7 +36,8 @@ void draw_frame(Viewer* v)
 	v->style.rays = v->renderer.software ? FEW_RAYS : RAYS_DRAWN;
 	export_video_frame(v);
 	draw_grab(v);
-	inspect_mark(&v->selected, v->session.world, &v->renderer.strokes, &v->camera);
+	tools_mark(v);
+	inspect_mark(&v->selected, v->session.world, &v->renderer.strokes, &v->camera, v->style.dark);
 	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
 	panel_draw(v);
 	if (v->save_window)

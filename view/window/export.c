@@ -10,12 +10,22 @@ static bool resize_capture(Viewer* v)
 	return capture_size(&v->capture, v->camera.width, v->camera.height, v->message);
 }
 
+// There is no panel in a picture: what was fitted beside it is fitted into all of the picture.
+static Camera picture_camera(const Viewer* v)
+{
+	Camera camera = v->camera;
+	if (v->eye.fitted)
+		camera_fit(&camera, v->eye.box, v->camera.width, v->camera.height);
+	return camera;
+}
+
 // Draws without the panel and without splats larger than a pixel, as scree run does.
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];
 	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
-	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, style, v->session.scene->title, caption);
+	Camera camera = picture_camera(v);
+	capture_draw(&v->capture, &v->renderer, &v->share, &camera, style, v->session.scene->title, caption);
 }
 
 static Style fine_style(const Viewer* v)

@@ -1,55 +1,27 @@
 // SPDX-License-Identifier: MIT
 // input.c -- what keys and mouse do, whether the events come from the window, the panel or a script.
 #include "view/window/input.h"
+#include "view/window/devices.h"
 #include "view/window/export.h"
 #include "view/window/reports.h"
 #include "view/window/viewer.h"
 #include <math.h>
 #include <string.h>
 
-#define ZOOM        1.15f          // a step of the wheel
-#define SLOWEST     (1.0f / 64.0f) // s of the world a second of the clock
-#define STILL       6              // frames: a cursor that did not move for a tenth of a second has no velocity
-#define CLICK       4.0f           // px: a button that moved less from down to up was a click
-#define THROWN_SIZE 28.0f          // px: bodies that the user throws in are visible at any scale
-
-// The index of the world's device in the list; the length of the list for "auto".
-static int find_device(const Viewer* v)
-{
-	const Session* session = &v->session;
-	const char* now = strcmp(session->device, "auto") == 0 ? session->device : scree_world_get_device(session->world);
-	int k = 0;
-	while (k < session->device_count && strcmp(session->devices[k].name, now) != 0)
-		++k;
-	return k;
-}
-
-// Each call tries the device after the one tried last, so that a device that fails does not block the others.
-static void move_to_next_device(Viewer* v)
-{
-	const Session* session = &v->session;
-	int next = v->next_device >= 0 ? v->next_device : (find_device(v) + 1) % (session->device_count + 1);
-	viewer_move(v, next < session->device_count ? session->devices[next].name : "auto");
-	v->next_device = (next + 1) % (session->device_count + 1);
-}
+#define ZOOM    1.15f          // a step of the wheel
+#define SLOWEST (1.0f / 64.0f) // s of the world a second of the clock
+#define STILL   6              // frames: a cursor that did not move for a tenth of a second has no velocity
+#define CLICK   4.0f           // px: a button that moved less from down to up was a click
 
 static void step_once(Viewer* v)
 {
 	v->session.paused = true;
-	v->session.accumulator = (double)v->session.scene->dt;
+	v->session.accumulator = 0;
+	++v->session.due;
 }
 
 // The cursor stays at its pixel while the picture moves under it.
 static void update_cursor(Viewer* v) { v->grab.at = camera_point(&v->camera, v->x, v->y); }
-
-static void launch(Viewer* v)
-{
-	update_cursor(v);
-	if (grab_launch(&v->grab, THROWN_SIZE / v->camera.scale) != SCREE_OK)
-		viewer_show(v, scree_error());
-	else
-		viewer_update_world(v);
-}
 
 static void report_all(Viewer* v)
 {
@@ -72,6 +44,17 @@ static void explain_layer(Viewer* v, Layer layer)
 		viewer_show(v, "this scene has no sensors");
 	if (layer == LAYER_rays && !v->renderer.scan.scene)
 		viewer_show(v, "this scene casts no rays");
+}
+
+// The scene before or after this one in the list.
+static void load_neighbor(Viewer* v, int by)
+{
+	const Session* session = &v->session;
+	int count = session->scene_count, k = 0;
+	while (k < count && strcmp(session->scenes[k], session->scene->name) != 0)
+		++k;
+	if (count > 0)
+		viewer_load(v, session->scenes[k == count ? 0 : (k + by + count) % count], true);
 }
 
 static void show_hash(Viewer* v)
@@ -104,13 +87,22 @@ static bool session_action(Viewer* v, Action action)
 		session->rate = fminf(2.0f * session->rate, 1.0f);
 		return true;
 	case ACTION_device:
-		move_to_next_device(v);
+		devices_next(v);
 		return true;
 	case ACTION_hash:
 		show_hash(v);
 		return true;
+	case ACTION_earlier:
+	case ACTION_later:
+		load_neighbor(v, action == ACTION_later ? 1 : -1);
+		return true;
 	case ACTION_launch:
-		launch(v);
+		tools_launch(v);
+		return true;
+	case ACTION_pour:
+	case ACTION_blast:
+		input_hold(v, action, true);
+		input_hold(v, action, false);
 		return true;
 	case ACTION_report:
 		report_all(v);
@@ -126,7 +118,13 @@ static bool style_action(Viewer* v, Action action)
 	switch (action)
 	{
 	case ACTION_fit:
-		viewer_fit(v);
+		eye_fit_bodies(v);
+		return true;
+	case ACTION_follow:
+		eye_follow(v);
+		return true;
+	case ACTION_theme:
+		v->style.dark = !v->style.dark;
 		return true;
 	case ACTION_paint:
 		v->style.paint = (Paint)((v->style.paint + 1) % PAINTS);
@@ -177,6 +175,14 @@ static void window_action(Viewer* v, Action action)
 	}
 }
 
+void input_hold(Viewer* v, Action action, bool down)
+{
+	if (action == ACTION_pour)
+		tools_pour(v, down);
+	if (action == ACTION_blast)
+		tools_blast(v, down);
+}
+
 bool input_scene_key(Viewer* v, SceneKey key, bool down)
 {
 	uint32_t bit = 1u << key;
@@ -194,8 +200,11 @@ void input_action(Viewer* v, Action action)
 
 void input_cursor(Viewer* v, float x, float y, double seconds)
 {
-	if (v->panning)
+	if (v->panning && (x != v->x || y != v->y))
+	{
 		camera_pan(&v->camera, x - v->x, y - v->y);
+		eye_moved(v);
+	}
 	v->x = x;
 	v->y = y;
 	v->pointed = true;
@@ -220,7 +229,12 @@ void input_button(Viewer* v, bool right, bool down)
 	v->press_y = v->y;
 }
 
-void input_wheel(Viewer* v, float steps) { camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps)); }
+// What is followed stays in the middle.
+void input_wheel(Viewer* v, float steps)
+{
+	camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps));
+	v->eye.fitted = false;
+}
 
 void input_frame(Viewer* v)
 {

@@ -18,6 +18,9 @@ bool input_scene_key(Viewer* viewer, SceneKey key, bool down);
 
 void input_action(Viewer* viewer, Action action);
 
+// A tool that works while its key is down, ACTION_pour or ACTION_blast, goes down or up.
+void input_hold(Viewer* viewer, Action action, bool down);
+
 // Positions are pixels of the picture; y grows downwards. seconds: since the cursor moved last.
 void input_cursor(Viewer* viewer, float x, float y, double seconds);
 void input_button(Viewer* viewer, bool right, bool down);

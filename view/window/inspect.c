@@ -4,12 +4,12 @@
 #include "scene/attributes.h"
 #include "scene/block.h"
 #include "view/outline.h"
+#include "view/theme.h"
 #include <stdio.h>
 
-#define SHAPES 64   // of a body that get an outline
-#define WIDTH  3.0f // px: of the outline
-
-static const Color chosen = {28, 32, 40};
+#define CONTACTS 64   // of a body whose forces are read
+#define SHAPES   64   // of a body that get an outline
+#define WIDTH    3.0f // px: of the outline
 
 static scree_status get_sensor(scree_world* world, scree_collidable collidable, bool* sensor)
 {
@@ -123,7 +123,18 @@ static scree_status read_collidable(Inspected* i, scree_world* world)
 	return status;
 }
 
-static scree_status read_body(Inspected* i, scree_world* world)
+static scree_status read_contacts(Inspected* i, const Scene* scene, scree_world* world)
+{
+	scree_contact contacts[CONTACTS];
+	scree_status status = scree_body_get_contacts(world, i->body, contacts, CONTACTS, &i->contacts);
+	i->force = 0.0f;
+	for (int k = 0; k < i->contacts && k < CONTACTS && status == SCREE_OK; ++k)
+		for (int n = 0; n < contacts[k].count; ++n)
+			i->force += contacts[k].points[n].normal_impulse * (float)scene->substeps / scene->dt;
+	return status;
+}
+
+static scree_status read_body(Inspected* i, const Scene* scene, scree_world* world)
 {
 	i->enabled = scree_body_is_enabled(world, i->body);
 	scree_status status = scree_body_get_type(world, i->body, &i->type);
@@ -134,13 +145,19 @@ static scree_status read_body(Inspected* i, scree_world* world)
 	if (status == SCREE_OK)
 		status = scree_body_get_mass(world, i->body, &i->mass);
 	if (status == SCREE_OK)
-		status = scree_body_get_contacts(world, i->body, NULL, 0, &i->contacts);
+		status = read_contacts(i, scene, world);
+	if (status == SCREE_OK)
+		status = scree_body_get_joints(world, i->body, NULL, 0, &i->joints);
+	if (status == SCREE_OK)
+		status = scree_body_get_damping(world, i->body, &i->linear_damping, &i->angular_damping);
+	if (status == SCREE_OK)
+		status = scree_body_get_gravity_scale(world, i->body, &i->gravity_scale);
 	if (status == SCREE_OK)
 		status = scree_body_get_collidables(world, i->body, NULL, 0, &i->shapes);
 	return status;
 }
 
-scree_status inspect_read(Inspected* i, scree_world* world)
+scree_status inspect_read(Inspected* i, const Scene* scene, scree_world* world)
 {
 	if (!inspect_any(i) || i->gone)
 		return SCREE_OK;
@@ -148,7 +165,7 @@ scree_status inspect_read(Inspected* i, scree_world* world)
 	if (i->gone)
 		return SCREE_OK;
 	scree_status status = read_collidable(i, world);
-	return status == SCREE_OK && !scree_body_is_null(i->body) ? read_body(i, world) : status;
+	return status == SCREE_OK && !scree_body_is_null(i->body) ? read_body(i, scene, world) : status;
 }
 
 static scree_pose join(scree_pose body, scree_pose own)
@@ -159,7 +176,7 @@ static scree_pose join(scree_pose body, scree_pose own)
 	                    {q.c * p.c - q.s * p.s, q.s * p.c + q.c * p.s}};
 }
 
-void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strokes, const Camera* camera)
+void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strokes, const Camera* camera, bool dark)
 {
 	scree_collidable list[SHAPES] = {inspected->collidable};
 	int count = 1;
@@ -177,6 +194,6 @@ void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strok
 		if (scree_collidable_get_attribute(world, list[k], &attribute) == SCREE_OK &&
 		    scree_attribute_get_def(world, attribute, &def) == SCREE_OK &&
 		    scree_collidable_get_local_pose(world, list[k], &pose) == SCREE_OK)
-			outline_mark(strokes, &def.shape, body ? join(placed, pose) : pose, camera, WIDTH, chosen);
+			outline_mark(strokes, &def.shape, body ? join(placed, pose) : pose, camera, WIDTH, theme_of(dark)->chosen);
 	}
 }

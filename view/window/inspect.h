@@ -16,7 +16,10 @@ typedef struct
 	bool enabled;
 	scree_velocity velocity;
 	scree_mass mass;
-	int contacts;           // of the body
+	int contacts; // of the body
+	float force;  // N: sum of the normal forces of its contacts, of the first CONTACTS of many
+	int joints;   // of the body
+	float linear_damping, angular_damping, gravity_scale;
 	int shapes;             // collidables of the body
 	scree_pose pose;        // of the body, or of the collidable
 	uint32_t sees, reports; // bits of a sensor, of reports
@@ -32,12 +35,12 @@ scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_
 // Begins to inspect a collidable; null ends it.
 void inspect_choose(Inspected* inspected, const Scene* scene, const scree_world* world, scree_collidable collidable);
 
-// Reads the numbers. What was destroyed is marked as gone.
-scree_status inspect_read(Inspected* inspected, scree_world* world);
+// Reads the numbers; the scene made the world. What was destroyed is marked as gone.
+scree_status inspect_read(Inspected* inspected, const Scene* scene, scree_world* world);
 
 bool inspect_any(const Inspected* inspected);
 
 // Adds the outlines of all shapes of the body, where it is now.
-void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strokes, const Camera* camera);
+void inspect_mark(const Inspected* inspected, scree_world* world, Strokes* strokes, const Camera* camera, bool dark);
 
 #endif

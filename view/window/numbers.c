@@ -21,11 +21,21 @@ static void add(Numbers* numbers, const char* format, ...)
 
 static void add_motion(const Inspected* i, Numbers* numbers)
 {
-	double x = i->velocity.linear.x, y = i->velocity.linear.y;
+	double x = i->velocity.linear.x, y = i->velocity.linear.y, w = i->velocity.angular;
 	add(numbers, "speed %.3f m/s (%.3f, %.3f)", hypot(x, y), x, y);
 	add(numbers, "spin %.3f rad/s", (double)i->velocity.angular);
 	if (i->type == SCREE_BODY_DYNAMIC)
+	{
 		add(numbers, "mass %.4g kg, inertia %.4g kg m\u00b2", (double)i->mass.mass, (double)i->mass.inertia);
+		add(numbers, "kinetic energy %.4g J",
+		    0.5 * ((double)i->mass.mass * (x * x + y * y) + (double)i->mass.inertia * w * w));
+	}
+	add(numbers, "contact force %.4g N", (double)i->force);
+	if (i->joints > 0)
+		add(numbers, "%d joint%s", i->joints, i->joints == 1 ? "" : "s");
+	if (i->linear_damping != 0.0f || i->angular_damping != 0.0f || i->gravity_scale != 1.0f)
+		add(numbers, "damping %.3g, %.3g; gravity %.3g times", (double)i->linear_damping, (double)i->angular_damping,
+		    (double)i->gravity_scale);
 }
 
 static void add_body(const Inspected* i, Numbers* numbers)
@@ -47,7 +57,8 @@ static void add_surface(const Inspected* i, Numbers* numbers)
 {
 	static const char* const kinds[] = {"circle", "capsule", "segment", "polygon"};
 	const scree_attribute_def* a = &i->attribute;
-	add(numbers, "%s, density %.4g kg/m\u00b2", kinds[a->shape.kind], (double)a->density);
+	add(numbers, "%s of %.4g m\u00b2, reach %.4g m, density %.4g kg/m\u00b2", kinds[a->shape.kind],
+	    (double)a->shape.area, (double)a->shape.reach, (double)a->density);
 	add(numbers, "friction %.3g, restitution %.3g", (double)a->friction, (double)a->restitution);
 	if (a->rolling_resistance != 0.0f || a->tangent_speed != 0.0f)
 		add(numbers, "rolling resistance %.3g, belt %.3g m/s", (double)a->rolling_resistance, (double)a->tangent_speed);
@@ -57,6 +68,28 @@ static void add_surface(const Inspected* i, Numbers* numbers)
 	if (i->reports)
 		add(numbers, "reports%s%s", i->reports & SCREE_REPORT_TOUCHES ? " touches" : "",
 		    i->reports & SCREE_REPORT_HITS ? " hits" : "");
+}
+
+void numbers_write_short(const Inspected* i, Numbers* numbers)
+{
+	static const char* const types[] = {"static", "kinematic", "dynamic"};
+	double x = (double)i->velocity.linear.x, y = (double)i->velocity.linear.y;
+	numbers->count = 0;
+	add(numbers, "%s", i->name);
+	if (scree_body_is_null(i->body))
+		add(numbers, "%s", i->sees ? "sensor" : "without a body");
+	else if (i->type == SCREE_BODY_DYNAMIC)
+		add(numbers, "%s, %.4g kg, %d contact%s", types[i->type], (double)i->mass.mass, i->contacts,
+		    i->contacts == 1 ? "" : "s");
+	else
+		add(numbers, "%s, %d contact%s", types[i->type], i->contacts, i->contacts == 1 ? "" : "s");
+	if (i->sees)
+		add(numbers, "sensor, %d inside", i->visits);
+	add(numbers, "at %.3f, %.3f m", (double)i->pose.position.x, (double)i->pose.position.y);
+	if (i->type != SCREE_BODY_STATIC)
+		add(numbers, "%.3f m/s", hypot(x, y));
+	if (i->force > 0.0f)
+		add(numbers, "contact force %.4g N", (double)i->force);
 }
 
 void numbers_write(const Inspected* i, Numbers* numbers)

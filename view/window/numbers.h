@@ -4,7 +4,7 @@
 #define NUMBERS_H
 #include "view/window/inspect.h"
 
-#define NUMBER_LINES 16
+#define NUMBER_LINES 20
 #define NUMBER_TEXT  96
 
 #ifdef __cplusplus
@@ -16,6 +16,9 @@ typedef struct
 	char list[NUMBER_LINES][NUMBER_TEXT];
 	int count;
 } Numbers;
+
+// The few that matter most, for what is under the cursor.
+void numbers_write_short(const Inspected* inspected, Numbers* numbers);
 
 // The name first. Of what is gone the sentence that says so.
 void numbers_write(const Inspected* inspected, Numbers* numbers);

@@ -15,6 +15,8 @@ typedef struct
 	int setting_count;
 	int width, height;          // px
 	const char *paint, *layers; // as style_read takes them
+	bool dark;                  // theme
+	float scale;                // of the panel; 0: as the display says
 	const char* script;         // path of a script, docs/view.md; null: the user controls the viewer
 } ViewOptions;
 

@@ -7,6 +7,7 @@ extern "C" {
 #include "view/window/numbers.h"
 #include "view/window/state.h"
 }
+#include "view/window/look.h"
 #include "view/window/overlay.h"
 #include "view/window/sizes.h"
 #include <cstring>
@@ -22,15 +23,20 @@ static const struct
 
 bool overlay_is_narrow(const ImVec2& size) { return size.x < NARROW; }
 
-void overlay_numbers(const Inspected* inspected)
+static void write_lines(const Numbers& numbers)
 {
-	Numbers numbers;
-	numbers_write(inspected, &numbers);
 	for (int k = 0; k < numbers.count; ++k)
 		if (k == 0)
 			ImGui::TextColored(ImGui::GetStyle().Colors[ImGuiCol_CheckMark], "%s", numbers.list[k]);
 		else
 			ImGui::Text("%s", numbers.list[k]);
+}
+
+void overlay_numbers(const Inspected* inspected)
+{
+	Numbers numbers;
+	numbers_write(inspected, &numbers);
+	write_lines(numbers);
 }
 
 // Beside the cursor, on its right if there is room.
@@ -41,11 +47,13 @@ static void draw_hovered(const Viewer* v, const ImVec2& size)
 	bool left = x > size.x - ROOM, above = y > 0.5f * size.y;
 	ImGui::SetNextWindowPos(ImVec2(left ? x - EDGE : x + 1.5f * EDGE, above ? y - EDGE : y + 1.5f * EDGE),
 	                        ImGuiCond_Always, ImVec2(left ? 1.0f : 0.0f, above ? 1.0f : 0.0f));
-	ImGui::SetNextWindowBgAlpha(0.9f);
+	ImGui::SetNextWindowBgAlpha(0.95f);
 	ImGui::Begin("hovered", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
-	overlay_numbers(&v->hovered);
+	Numbers numbers;
+	numbers_write_short(&v->hovered, &numbers);
+	write_lines(numbers);
 	ImGui::End();
 }
 
@@ -58,21 +66,44 @@ static void draw_selected(const Viewer* v, const ImVec2& size)
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
 	overlay_numbers(&v->selected);
+	ImGui::TextDisabled(v->eye.follows ? "k: follow no more; esc: forget" : "k: follow; esc: forget");
 	ImGui::End();
+}
+
+// A key as a cap, and what it does.
+static void draw_key(const char* shown, const char* help)
+{
+	ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(shown);
+	float pad = sized(5.0f), begin = ImGui::GetCursorPosX();
+	ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, at.y), ImVec2(at.x + size.x + 2.0f * pad, at.y + size.y),
+	                                          ImGui::GetColorU32(look_accents().key), sized(3.0f));
+	ImGui::SetCursorPosX(begin + pad);
+	ImGui::Text("%s", shown);
+	ImGui::SameLine(0.0f, 0.0f);
+	ImGui::SetCursorPosX(begin + sized(58.0f));
+	ImGui::Text("%s", help);
 }
 
 static void draw_keys(const Viewer* v, const ImVec2& size)
 {
 	ImGui::SetNextWindowPos(ImVec2(size.x - EDGE, EDGE), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
-	ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(size.x - 2.0f * EDGE, size.y - CAPTION - 2.0f * EDGE));
+	ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f),
+	                                    ImVec2(size.x - 2.0f * EDGE, size.y - CAPTION - 2.0f * EDGE));
 	ImGui::Begin("keys", nullptr,
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
 	                 ImGuiWindowFlags_AlwaysAutoResize);
-	for (const auto& key : keys)
+	const int count = static_cast<int>(sizeof keys / sizeof *keys), columns = size.x > TWO_COLUMNS ? 2 : 1,
+	          rows = (count + columns - 1) / columns;
+	if (ImGui::BeginTable("list", columns, ImGuiTableFlags_SizingFixedFit))
 	{
-		ImGui::Text("%s", key.shown);
-		ImGui::SameLine(sized(60.0f));
-		ImGui::Text("%s", key.help);
+		for (int k = 0; k < rows * columns; ++k)
+		{
+			int at = k / columns + (k % columns) * rows; // down the columns
+			ImGui::TableNextColumn();
+			if (at < count)
+				draw_key(keys[at].shown, keys[at].help);
+		}
+		ImGui::EndTable();
 	}
 	ImGui::Separator();
 	for (int k = 0; k < v->session.scene->control_count; ++k)
@@ -115,7 +146,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
-	ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.94f, 0.932f, 0.913f, 0.96f));
+	ImGui::PushStyleColor(ImGuiCol_WindowBg, look_accents().band);
 	ImGui::Begin("band", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
 	ImGui::PopStyleColor();
 	ImGui::PopStyleVar(2);
@@ -138,6 +169,31 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
+// A sign at the top, in the middle of what the panel leaves free.
+static void draw_paused(const Viewer* v, const ImVec2& size)
+{
+	float left = v->panel && size.x - WIDTH - EDGE > NARROW * 0.3f ? WIDTH + EDGE : 0.0f;
+	ImGui::SetNextWindowPos(ImVec2(0.5f * (left + size.x), EDGE), ImGuiCond_Always, ImVec2(0.5f, 0.0f));
+	ImGui::Begin("paused", nullptr,
+	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
+	                 ImGuiWindowFlags_NoFocusOnAppearing);
+	ImVec2 at = ImGui::GetCursorScreenPos();
+	float high = ImGui::GetTextLineHeight(), bar = sized(4.0f);
+	ImU32 color = ImGui::GetColorU32(look_accents().limit);
+	for (int k = 0; k < 2; ++k)
+	{
+		float x = at.x + static_cast<float>(k) * 2.0f * bar;
+		ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, at.y + bar * 0.5f),
+		                                          ImVec2(x + bar, at.y + high - bar * 0.5f), color, sized(1.0f));
+	}
+	ImGui::Dummy(ImVec2(3.0f * bar, high));
+	ImGui::SameLine();
+	ImGui::Text("paused");
+	ImGui::SameLine();
+	ImGui::TextDisabled("space: go on   n: one step");
+	ImGui::End();
+}
+
 void overlay_draw(const Viewer* v, const ImVec2& size)
 {
 	draw_band(v, size);
@@ -145,6 +201,10 @@ void overlay_draw(const Viewer* v, const ImVec2& size)
 		draw_keys(v, size);
 	else if (inspect_any(&v->selected) && !(overlay_is_narrow(size) && v->panel))
 		draw_selected(v, size);
+	if (!v->keys)
+		overlay_legends(v, size);
+	if (v->session.paused)
+		draw_paused(v, size);
 	if (inspect_any(&v->hovered))
 		draw_hovered(v, size);
 }

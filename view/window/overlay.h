@@ -2,12 +2,16 @@
 // overlay.h -- what the window shows beside the panel: the band with the caption, the list of keys, numbers of bodies; in C++.
 #ifndef OVERLAY_H
 #define OVERLAY_H
-#include "view/window/inspect.h"
+extern "C" {
 #include "view/window/state.h"
+}
 #include <imgui.h>
 
 // Draws all of it in a window of this size.
 void overlay_draw(const Viewer* viewer, const ImVec2& size);
+
+// Draws the legends of paint and joints at the lower right.
+void overlay_legends(const Viewer* viewer, const ImVec2& size);
 
 // Writes the numbers of a body into the present ImGui window.
 void overlay_numbers(const Inspected* inspected);

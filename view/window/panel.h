@@ -2,14 +2,24 @@
 // panel.h -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 #ifndef PANEL_H
 #define PANEL_H
-#include "view/window/state.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
+#include "view/window/state.h"
 
-bool panel_open(GLFWwindow* window);
+extern float panel_scale; // size of the panel and its letters, 1 at 14 pixels
+
+// scale: that of the panel; 0: as the display says.
+bool panel_open(GLFWwindow* window, float scale);
+
 void panel_close(void);
+
+// The display says another scale. Between frames.
+void panel_rescale(GLFWwindow* window);
+
+// What the panel and the band take of the picture at the left and at the bottom, px.
+float panel_left(const Viewer* viewer);
+float panel_band(const Viewer* viewer);
 
 // Draws the panel over the picture and does what the user clicks on.
 void panel_draw(Viewer* viewer);

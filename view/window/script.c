@@ -6,6 +6,7 @@
 #include "view/window/script.h"
 #include "view/window/export.h"
 #include "view/window/input.h"
+#include "view/window/panel.h"
 #include "view/window/viewer.h"
 #include <GLFW/glfw3.h>
 #include <errno.h>
@@ -52,12 +53,19 @@ static bool press_key(Viewer* v, const char* shown)
 	return false;
 }
 
-// A key that the scene asked for.
+// A key that the scene asked for, or of a tool that works while it is down.
 static bool hold_key(Viewer* v, const char* name, bool down)
 {
 	for (int k = 0; k < SCENE_KEYS; ++k)
 		if (strcmp(scene_key_names[k], name) == 0)
 			return input_scene_key(v, (SceneKey)k, down);
+	const Action held[] = {ACTION_pour, ACTION_blast};
+	for (int k = 0; k < 2; ++k)
+		if (strcmp(shown_keys[held[k]], name) == 0)
+		{
+			input_hold(v, held[k], down);
+			return true;
+		}
 	return false;
 }
 
@@ -77,6 +85,9 @@ static void print_state(Viewer* v)
 	       v->session.paused ? "paused" : "running", hash, (double)v->camera.middle.x, (double)v->camera.middle.y,
 	       (double)v->camera.scale, grab_holds(&v->grab) ? "holding" : "free", paint_names[v->style.paint],
 	       scree_sharing_name(v->share.how), (double)v->frame_ms);
+	printf(", %s, panel at %.2f", v->style.dark ? "dark" : "light", (double)panel_scale);
+	if (v->eye.follows)
+		printf(", following");
 	print_inspected("hovered", &v->hovered);
 	print_inspected("selected", &v->selected);
 	if (v->renderer.scan.scene)

@@ -100,6 +100,8 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	scree_world* world = NULL;
 	scree_counters counters;
 	Walkers walkers = {0};
+	Tuning tuning = session->tuning;
+	tuning.changed = tuning.changed && !fresh && strcmp(name, session->name) == 0;
 	if (name != session->name)
 		snprintf(session->name, sizeof session->name, "%s", name);
 	bool set = strcmp(session->name, session->options->scene) == 0;
@@ -107,7 +109,8 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	            (!fresh || read_parameters(session, path, set, sentence));
 	Scene* scene = good ? load(session, path, fresh, sentence) : NULL;
 	good = scene && build(session, scene, &world, sentence) &&
-	       ((scree_world_get_counters(world, &counters) == SCREE_OK && walk_open(&walkers, scene, world) == SCREE_OK) ||
+	       (((tuning.changed ? tuning_write(&tuning, scene, world) : tuning_read(&tuning, scene, world)) == SCREE_OK &&
+	         scree_world_get_counters(world, &counters) == SCREE_OK && walk_open(&walkers, scene, world) == SCREE_OK) ||
 	        failed(sentence));
 	if (!good)
 	{
@@ -124,7 +127,9 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	session->scene = scene;
 	session->world = world;
 	session->counters = counters;
+	session->tuning = tuning;
 	session->accumulator = 0;
+	session->due = 0;
 	session->down = 0;
 	session->steps = 0;
 	session->hashed = false;
@@ -138,6 +143,7 @@ bool session_open(Session* session, const ViewOptions* options, const scree_open
 	*session = (Session){.options = options, .opengl = opengl, .rate = 1.0f};
 	snprintf(session->device, sizeof session->device, "%s", options->device);
 	session->scene_count = scene_list(options->executable, &session->scenes, sentence);
+	session->titles = calloc((size_t)session->scene_count + 1, sizeof *session->titles);
 	int count = 0;
 	scree_devices_get(NULL, 0, &count);
 	session->devices = calloc((size_t)count + 1, sizeof *session->devices);
@@ -154,8 +160,21 @@ void session_close(Session* session)
 	for (int k = 0; k < session->scene_count; ++k)
 		free(session->scenes[k]);
 	free(session->scenes);
+	free(session->titles);
 	free(session->devices);
 	*session = (Session){0};
+}
+
+const char* session_title(Session* session, int k)
+{
+	char path[SCENE_PATH], parameters[MAX_PARAMETERS * 128], sentence[SENTENCE];
+	if (!session->titles)
+		return "";
+	char* title = session->titles[k];
+	if (!*title && (!scene_find(session->scenes[k], session->options->executable, path, sentence) ||
+	                !scene_heading(path, title, sizeof session->titles[k], parameters, sizeof parameters, sentence)))
+		snprintf(title, sizeof session->titles[k], "cannot be read");
+	return title;
 }
 
 bool session_move(Session* session, const char* device, char* sentence)
@@ -185,6 +204,7 @@ bool session_step(Session* session, char* sentence)
 	for (int k = 0; k < STAGES; ++k)
 		smooth(&session->stages[k], stages[k]);
 	smooth(&session->step, t.step);
+	session->last = t.step;
 	session->hashed = false;
 	return true;
 }

@@ -4,6 +4,7 @@
 #define SESSION_H
 #include "scene/walk.h"
 #include "view/window/options.h"
+#include "view/window/tuning.h"
 
 #define MAX_PARAMETERS 32
 #define STAGES         6
@@ -22,6 +23,7 @@ typedef struct
 	Walkers walkers;       // characters of the scene
 	char name[SCENE_PATH]; // of the scene
 	char** scenes;         // names of all
+	char (*titles)[160];   // of them; empty until they are asked for
 	int scene_count;
 	Parameter parameters[MAX_PARAMETERS]; // of the scene, as the panel has them
 	int parameter_count;
@@ -29,6 +31,8 @@ typedef struct
 	int device_count;
 	char device[160]; // that the user chose
 	bool paused;
+	int due;            // steps that the user asked for one by one
+	Tuning tuning;      // of the world
 	float rate;         // seconds of the world a second of the clock, at most 1
 	int64_t steps;      // of the world, so far
 	double accumulator; // s of the world that the steps are behind the clock
@@ -36,6 +40,7 @@ typedef struct
 	bool hashed;        // hash is of the current state
 	uint64_t hash;      // of the world
 	scree_counters counters;
+	float last;           // ms: the last step
 	float step;           // ms, smoothed
 	float stages[STAGES]; // ms, smoothed
 } Session;
@@ -50,6 +55,9 @@ void session_close(Session* session);
 
 // Loads a scene and makes its world. fresh: with the parameters of the options, else with those in parameters.
 bool session_load(Session* session, const char* name, bool fresh, char* sentence);
+
+// The title of scene k of the list, read from its file when it is asked for first.
+const char* session_title(Session* session, int k);
 
 // Moves the world to another device.
 bool session_move(Session* session, const char* device, char* sentence);

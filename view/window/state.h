@@ -2,17 +2,21 @@
 // state.h -- the state of the viewer, which the files of the window share: the world, how it is drawn, the user's input.
 #ifndef VIEW_STATE_H
 #define VIEW_STATE_H
+#include "view/grab.h"
 #include "view/renderer.h"
 #include "view/shader.h"
 #include "view/share.h"
 #include "view/window/capture.h"
-#include "view/grab.h"
+#include "view/window/events.h"
+#include "view/window/eye.h"
+#include "view/window/history.h"
 #include "view/window/inspect.h"
 #include "view/window/session.h"
+#include "view/window/tools.h"
 
 typedef struct GLFWwindow GLFWwindow;
 
-typedef struct
+struct Viewer
 {
 	const ViewOptions* options;
 	GLFWwindow* window;
@@ -23,6 +27,10 @@ typedef struct
 	Style style;
 	Session session;
 	Grab grab;
+	Tools tools;
+	Eye eye;
+	Events events;
+	History history;
 	Inspected hovered, selected;
 	bool hovers;  // the numbers of what is under the cursor are shown
 	bool pointed; // the cursor is over the window
@@ -38,12 +46,13 @@ typedef struct
 	double cursor_time;     // s: when the cursor moved last
 	int still;              // frames since then
 	int next_device;        // index of the device that the key moves to; -1: the one after the world's
+	double title_time;      // s: when the title of the window is written again
 	double frame_time;      // s: when the last frame began
 	float frame_ms;         // from frame to frame, smoothed
 	char message[SENTENCE]; // shown to the user; empty for none
 	double message_time;    // s: when it was set
 	bool done;              // the viewer ends after this frame
 	int code;               // exit code
-} Viewer;
+};
 
 #endif

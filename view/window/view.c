@@ -39,12 +39,21 @@ static void advance(Viewer* v, bool scripted, double seconds)
 	double begin = glfwGetTime(), dt = (double)session->scene->dt;
 	if (!session->paused)
 		session->accumulator += scripted ? dt : (seconds < 0.1 ? seconds : 0.1) * (double)session->rate;
-	while (session->accumulator >= dt * 0.999)
+	bool added = false;
+	while (session->due > 0 || session->accumulator >= dt * 0.999)
 	{
-		session->accumulator -= dt;
+		if (session->due > 0)
+			--session->due;
+		else
+			session->accumulator -= dt;
 		v->capture.seconds += dt;
 		if (grab_pull(&v->grab) != SCREE_OK)
 			grab_release(&v->grab); // its body is gone
+		if (!tools_step(v, &added))
+		{
+			viewer_fail(v, scree_error());
+			return;
+		}
 		if (!session_step(session, sentence))
 		{
 			viewer_fail(v, sentence);
@@ -55,9 +64,12 @@ static void advance(Viewer* v, bool scripted, double seconds)
 			viewer_fail(v, scree_error());
 			return;
 		}
+		history_step(&v->history, session->last);
 		if (glfwGetTime() - begin > LONGEST)
 			session->accumulator = 0;
 	}
+	if (added)
+		viewer_update_world(v);
 }
 
 // One turn of the loop: events, script, steps, drawing.
@@ -69,9 +81,12 @@ static void run_frame(Loop* loop)
 	glfwGetFramebufferSize(v->window, &width, &height);
 	bool hidden = width == 0 || height == 0 || glfwGetWindowAttrib(v->window, GLFW_ICONIFIED);
 	window_events(v, hidden || (v->session.paused && !scripted) ? PAUSE : 0.0);
+	window_title(v);
 	double now = glfwGetTime(), seconds = now - v->frame_time;
 	v->frame_time = now;
 	float ms = 1000.0f * (float)seconds;
+	if (v->frame_ms > 0.0f) // the first frame lasts since the start
+		history_frame(&v->history, ms);
 	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
 	if (now - v->message_time > MESSAGE_STAYS)
 		*v->message = 0;
@@ -84,6 +99,7 @@ static void run_frame(Loop* loop)
 	if (v->done || width == 0 || height == 0)
 		return;
 	camera_resize(&v->camera, width, height);
+	eye_frame(v);
 	draw_frame(v);
 }
 
@@ -95,6 +111,7 @@ static bool open_viewer(Loop* loop, char* sentence)
 	v->code = 2;
 	if (!style_read(&v->style, o->paint, o->layers, sentence))
 		return false;
+	v->style.dark = o->dark;
 	v->code = 1;
 	if (!script_open(&loop->script, o->script, sentence) || !window_open(v, sentence))
 		return false;
@@ -109,13 +126,14 @@ static bool open_viewer(Loop* loop, char* sentence)
 	v->grab.world = v->session.world;
 	v->panel = v->hovers = true;
 	v->next_device = -1;
+	v->tools = TOOLS_DEFAULT;
 	v->x = 0.5f * (float)width;
 	v->y = 0.5f * (float)height;
 	share_open(&v->share, v->session.world, false);
 	*sentence = 0;
 	if (!viewer_update_world(v))
 		return false;
-	viewer_fit(v);
+	eye_fit_scene(v);
 	v->frame_time = glfwGetTime();
 	return true;
 }
@@ -132,6 +150,7 @@ static void close_viewer(Loop* loop)
 		session_close(&v->session);
 		window_close(v);
 	}
+	events_close(&v->events);
 	script_close(&loop->script);
 }
 

@@ -69,7 +69,7 @@ static scree_status look_under(Viewer* v)
 	scree_status status = find_under(v, &found);
 	inspect_choose(&v->hovered, v->session.scene, v->session.world, found);
 	if (status == SCREE_OK)
-		status = inspect_read(&v->hovered, v->session.world);
+		status = inspect_read(&v->hovered, v->session.scene, v->session.world);
 	rest(&v->look_time, begin);
 	return status;
 }
@@ -79,7 +79,7 @@ static scree_status read_selected(Viewer* v)
 	double begin = glfwGetTime();
 	if (begin < v->read_time)
 		return SCREE_OK;
-	scree_status status = inspect_read(&v->selected, v->session.world);
+	scree_status status = inspect_read(&v->selected, v->session.scene, v->session.world);
 	rest(&v->read_time, begin);
 	return status;
 }
@@ -108,12 +108,6 @@ void viewer_select(Viewer* v)
 	v->read_time = 0.0;
 }
 
-void viewer_fit(Viewer* v)
-{
-	camera_fit(&v->camera, render_tables_view(&v->renderer.tables, v->session.scene), v->camera.width,
-	           v->camera.height);
-}
-
 bool viewer_load(Viewer* v, const char* name, bool fresh)
 {
 	bool other = strcmp(name, v->session.name) != 0;
@@ -125,13 +119,16 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 		viewer_show(v, v->message);
 		return false;
 	}
-	v->grab = (Grab){.world = v->session.world};
+	v->grab = (Grab){
+	    .world = v->session.world, .hardest = v->grab.hardest, .hertz = v->grab.hertz, .density = v->grab.density};
+	v->tools = (Tools){.blast = v->tools.blast, .rate = v->tools.rate};
+	v->eye.follows = false;
 	v->selected = v->hovered = (Inspected){0};
 	v->next_device = -1;
 	if (!viewer_update_world(v))
 		return false;
 	if (other)
-		viewer_fit(v);
+		eye_fit_scene(v);
 	*v->message = 0;
 	return true;
 }

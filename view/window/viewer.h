@@ -22,9 +22,6 @@ bool viewer_inspect(Viewer* viewer, bool over);
 // Selects what is under the cursor; nothing ends the selection.
 void viewer_select(Viewer* viewer);
 
-// Shows the whole scene.
-void viewer_fit(Viewer* viewer);
-
 // Loads a scene; false shows a message. fresh: with the parameters of the options, else with those of the panel.
 bool viewer_load(Viewer* viewer, const char* name, bool fresh);
 

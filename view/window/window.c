@@ -12,7 +12,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LEAST_SIDE 64 // px, as of pictures
+#define LEAST_SIDE  64  // px, as of pictures
+#define TITLE_STAYS 0.5 // s
 
 static char error[256]; // the first error of GLFW, whose callback has no user pointer
 
@@ -25,69 +26,53 @@ static void on_error(int code, const char* sentence)
 
 static Viewer* viewer_of(GLFWwindow* window) { return glfwGetWindowUserPointer(window); }
 
-static void on_key(GLFWwindow* window, int key, int code, int event, int modifiers)
+static void on_key(GLFWwindow* window, int key, int code, int action, int modifiers)
 {
-	static const int keys[ACTIONS] = {
-#define X(name, key, shown, help) GLFW_KEY_##key,
-#include "view/window/keys.def"
-#undef X
-	};
-	static const int scene_keys[SCENE_KEYS] = {
-#define X(name, glfw) GLFW_KEY_##glfw,
-#include "scene/scene_keys.def"
-#undef X
-	};
-	panel_key(window, key, code, event, modifiers);
-	for (int k = 0; k < SCENE_KEYS; ++k)
-		if (scene_keys[k] == key && (event == GLFW_RELEASE || !panel_wants_keys()) &&
-		    input_scene_key(viewer_of(window), (SceneKey)k, event != GLFW_RELEASE))
-			return;
-	if (event == GLFW_RELEASE || panel_wants_keys())
-		return;
-	for (int k = 0; k < ACTIONS; ++k)
-	{
-		bool repeats = k == ACTION_step || k == ACTION_launch;
-		if (keys[k] == key && (event == GLFW_PRESS || repeats))
-			input_action(viewer_of(window), (Action)k);
-	}
+	events_add(&viewer_of(window)->events,
+	           (WindowEvent){.kind = EVENT_KEY, .key = key, .code = code, .action = action, .modifiers = modifiers});
 }
 
-static void on_letter(GLFWwindow* window, unsigned letter) { panel_letter(window, letter); }
+static void on_letter(GLFWwindow* window, unsigned letter)
+{
+	events_add(&viewer_of(window)->events, (WindowEvent){.kind = EVENT_LETTER, .letter = letter});
+}
 
-// GLFW gives window units, which are not always pixels.
 static void on_cursor(GLFWwindow* window, double x, double y)
 {
 	Viewer* v = viewer_of(window);
-	int width, height;
-	glfwGetWindowSize(window, &width, &height);
 	double now = glfwGetTime();
-	if (width > 0 && height > 0)
-		input_cursor(v, (float)(x * v->camera.width / width), (float)(y * v->camera.height / height),
-		             now - v->cursor_time);
+	events_add(&v->events, (WindowEvent){.kind = EVENT_CURSOR, .x = x, .y = y, .seconds = now - v->cursor_time});
 	v->cursor_time = now;
 }
 
 // Keys that are let go in another window are not told.
 static void on_focus(GLFWwindow* window, int focused)
 {
-	if (!focused)
-		viewer_of(window)->session.down = 0;
+	Viewer* v = viewer_of(window);
+	if (focused)
+		return;
+	v->session.down = 0;
+	input_hold(v, ACTION_pour, false);
+	v->tools.blasting = false; // without a bang
+}
+
+static void on_scale(GLFWwindow* window, float x, float y)
+{
+	(void)x, (void)y;
+	panel_rescale(window);
 }
 
 static void on_enter(GLFWwindow* window, int inside) { viewer_of(window)->pointed = inside; }
 
-static void on_button(GLFWwindow* window, int button, int event, int modifiers)
+static void on_button(GLFWwindow* window, int button, int action, int modifiers)
 {
-	panel_button(window, button, event, modifiers);
-	if (event == GLFW_RELEASE || !panel_wants_mouse())
-		input_button(viewer_of(window), button != GLFW_MOUSE_BUTTON_LEFT, event == GLFW_PRESS);
+	events_add(&viewer_of(window)->events,
+	           (WindowEvent){.kind = EVENT_BUTTON, .key = button, .action = action, .modifiers = modifiers});
 }
 
 static void on_wheel(GLFWwindow* window, double x, double y)
 {
-	panel_wheel(window, x, y);
-	if (!panel_wants_mouse())
-		input_wheel(viewer_of(window), (float)y);
+	events_add(&viewer_of(window)->events, (WindowEvent){.kind = EVENT_WHEEL, .x = x, .y = y});
 }
 
 // Tries the native context API (GLX on X11) first, then EGL.
@@ -134,7 +119,7 @@ bool window_open(Viewer* v, char* sentence)
 		         "there is no display to open a window on (%s); scree run SCENE --picture FILE.png needs none", error);
 		return false;
 	}
-	v->window = create(v, "scree");
+	v->window = create(v, "scree: opening");
 	if (!v->window)
 	{
 		snprintf(sentence, SENTENCE, "there is no OpenGL 3.3 on this display (%s)", error);
@@ -148,11 +133,12 @@ bool window_open(Viewer* v, char* sentence)
 	glfwSetKeyCallback(v->window, on_key);
 	glfwSetCharCallback(v->window, on_letter);
 	glfwSetCursorPosCallback(v->window, on_cursor);
+	glfwSetWindowContentScaleCallback(v->window, on_scale);
 	glfwSetWindowFocusCallback(v->window, on_focus);
 	glfwSetCursorEnterCallback(v->window, on_enter);
 	glfwSetMouseButtonCallback(v->window, on_button);
 	glfwSetScrollCallback(v->window, on_wheel);
-	if (panel_open(v->window))
+	if (panel_open(v->window, v->options->scale))
 		return true;
 	snprintf(sentence, SENTENCE, "the panel does not open");
 	window_close(v);
@@ -168,11 +154,96 @@ void window_close(Viewer* v)
 	glfwTerminate();
 }
 
+static void handle_key(Viewer* v, const WindowEvent* event)
+{
+	static const int keys[ACTIONS] = {
+#define X(name, key, shown, help) GLFW_KEY_##key,
+#include "view/window/keys.def"
+#undef X
+	};
+	static const int scene_keys[SCENE_KEYS] = {
+#define X(name, glfw) GLFW_KEY_##glfw,
+#include "scene/scene_keys.def"
+#undef X
+	};
+	bool released = event->action == GLFW_RELEASE, ours = !panel_wants_keys();
+	panel_key(v->window, event->key, event->code, event->action, event->modifiers);
+	for (int k = 0; k < SCENE_KEYS; ++k)
+		if (scene_keys[k] == event->key && (released || ours) && input_scene_key(v, (SceneKey)k, !released))
+			return;
+	for (int k = 0; k < ACTIONS; ++k)
+	{
+		if (keys[k] != event->key)
+			continue;
+		bool held = k == ACTION_pour || k == ACTION_blast;
+		// a step that a held key repeats waits until the ones before are done
+		bool repeats = (k == ACTION_step && v->session.due == 0) || k == ACTION_launch;
+		if (held && (released || (ours && event->action == GLFW_PRESS)))
+			input_hold(v, (Action)k, !released);
+		else if (!held && ours && (event->action == GLFW_PRESS || (event->action == GLFW_REPEAT && repeats)))
+			input_action(v, (Action)k);
+	}
+}
+
+static void handle_button(Viewer* v, const WindowEvent* event)
+{
+	panel_button(v->window, event->key, event->action, event->modifiers);
+	if (event->action == GLFW_RELEASE || !panel_wants_mouse())
+		input_button(v, event->key != GLFW_MOUSE_BUTTON_LEFT, event->action == GLFW_PRESS);
+}
+
+// GLFW gives window units, which are not always pixels.
+static void handle_cursor(Viewer* v, const WindowEvent* event)
+{
+	int width, height;
+	glfwGetWindowSize(v->window, &width, &height);
+	if (width > 0 && height > 0)
+		input_cursor(v, (float)(event->x * v->camera.width / width), (float)(event->y * v->camera.height / height),
+		             event->seconds);
+}
+
+// Hands out the events of this frame.
+static void handle_events(Viewer* v)
+{
+	WindowEvent event;
+	events_begin(&v->events);
+	while (events_take(&v->events, &event))
+	{
+		if (event.kind == EVENT_KEY)
+			handle_key(v, &event);
+		else if (event.kind == EVENT_LETTER)
+			panel_letter(v->window, event.letter);
+		else if (event.kind == EVENT_CURSOR)
+			handle_cursor(v, &event);
+		else if (event.kind == EVENT_BUTTON)
+			handle_button(v, &event);
+		else
+		{
+			panel_wheel(v->window, event.x, event.y);
+			if (!panel_wants_mouse())
+				input_wheel(v, (float)event.y);
+		}
+	}
+}
+
+void window_title(Viewer* v)
+{
+	char title[160];
+	double now = glfwGetTime();
+	if (now < v->title_time)
+		return;
+	v->title_time = now + TITLE_STAYS;
+	snprintf(title, sizeof title, "scree: %.63s%s, %.0f fps", v->session.scene->name,
+	         v->session.paused ? " (paused)" : "", v->frame_ms > 0.0f ? 1000.0 / (double)v->frame_ms : 0.0);
+	glfwSetWindowTitle(v->window, title);
+}
+
 void window_events(Viewer* v, double seconds)
 {
-	if (seconds > 0.0)
+	if (seconds > 0.0 && !events_wait(&v->events))
 		glfwWaitEventsTimeout(seconds);
 	else
 		glfwPollEvents();
+	handle_events(v);
 	v->done = v->done || glfwWindowShouldClose(v->window);
 }

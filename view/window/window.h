@@ -14,4 +14,7 @@ const scree_opengl* window_opengl(Viewer* viewer);
 // Waits at most this many seconds for events and handles them.
 void window_events(Viewer* viewer, double seconds);
 
+// Writes what is shown into the title of the window, now and then.
+void window_title(Viewer* viewer);
+
 #endif

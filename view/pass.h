@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// pass.h -- an OpenGL program that draws rows, and what it is told of camera and style.
+#ifndef PASS_H
+#define PASS_H
+#include "view/camera.h"
+#include "view/render_tables.h"
+#include "view/style.h"
+
+typedef struct // an OpenGL program with its uniforms
+{
+	unsigned program;
+	int view, scale, paint, least, size, line, coarse, first, marked, sensors, ramp, types, still, glass, ink;
+} Pass;
+
+// Links a program of row.glsl and these texts. False writes a sentence (SENTENCE of shader.h).
+bool pass_open(Pass* pass, const char* vertex, const char* fragment, char* sentence);
+void pass_close(Pass* pass);
+
+// Uses the program, for all rows.
+void pass_use(const Pass* pass, const RenderTables* tables, const Camera* camera, const Style* style);
+
+// Binds the textures that all passes read.
+void pass_bind_tables(const RenderTables* tables);
+
+#endif

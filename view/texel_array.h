@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// texel_array.h -- an array that shaders read, kept in an OpenGL texture.
+#ifndef TEXEL_ARRAY_H
+#define TEXEL_ARRAY_H
+
+typedef enum // of texels
+{
+	FORMAT_BYTE, // R8UI
+	FORMAT_TWO,  // RG32F
+	FORMAT_FOUR, // RGBA32F
+} TexelFormat;
+
+typedef struct // texel k is in row k / 2048. WebGL has no buffer textures
+{
+	unsigned texture;
+	int format, rows; // that it was made for
+} TexelArray;
+
+// Writes the first so many texels; the others are not defined.
+void texel_array_fill(TexelArray* array, TexelFormat format, const void* data, int count);
+void texel_array_delete(TexelArray* array);
+
+#endif

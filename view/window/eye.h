@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// eye.h -- what the window shows of the world: all of the scene beside the panel, what the user moves to, or a body that is followed.
+#ifndef EYE_H
+#define EYE_H
+#include "scree/scree.h"
+
+typedef struct
+{
+	bool fitted;      // nobody has moved the picture since it showed all of a box
+	scree_box box;    // m: that box
+	bool follows;     // the selected body stays in the middle
+	scree_vec behind; // m: by which it is not there yet
+} Eye;
+
+typedef struct Viewer Viewer;
+
+// Shows the scene as its file has it.
+void eye_fit_scene(Viewer* viewer);
+
+// Shows the scene, and where its bodies are now, without a few that flew far away.
+void eye_fit_bodies(Viewer* viewer);
+
+// Follows the selected body, or ends that.
+void eye_follow(Viewer* viewer);
+
+// The user has moved the picture.
+void eye_moved(Viewer* viewer);
+
+// Before a frame: a picture that showed all still does when the window or the panel has changed; what is followed is in the middle.
+void eye_frame(Viewer* viewer);
+
+#endif

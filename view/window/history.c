@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// history.c -- how long the last frames and their steps took, for the graph of the panel.
+#include "view/window/history.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define LEAST  20.0f // ms: the line of 16.7 ms is always shown
+#define WITHIN 0.97f // share of the frames that the graph holds
+
+void history_step(History* history, float ms)
+{
+	history->total += ms;
+	++history->steps;
+}
+
+void history_frame(History* history, float ms)
+{
+	history->step[history->next] = history->steps > 0 ? history->total / (float)history->steps : -1.0f;
+	history->frame[history->next] = ms;
+	history->next = (history->next + 1) % HISTORY_FRAMES;
+	history->count += history->count < HISTORY_FRAMES;
+	history->total = 0.0f;
+	history->steps = 0;
+}
+
+int history_at(const History* history, int k)
+{
+	return (history->next + HISTORY_FRAMES - history->count + k) % HISTORY_FRAMES;
+}
+
+static int compare_floats(const void* a, const void* b)
+{
+	float x = *(const float*)a, y = *(const float*)b;
+	return (x > y) - (x < y);
+}
+
+float history_top(const History* history)
+{
+	float sorted[HISTORY_FRAMES], top = LEAST;
+	if (history->count == 0)
+		return top;
+	for (int k = 0; k < history->count; ++k)
+	{
+		int at = history_at(history, k);
+		sorted[k] = history->frame[at] > history->step[at] ? history->frame[at] : history->step[at];
+	}
+	qsort(sorted, (size_t)history->count, sizeof *sorted, compare_floats);
+	float needed = sorted[(int)(WITHIN * (float)(history->count - 1))];
+	const float factors[] = {2.5f, 2.0f, 2.0f}; // 20, 50, 100, 200, 500, ...
+	for (int k = 0; top < needed && top < 1.0e6f; ++k)
+		top *= factors[k % 3];
+	return top;
+}

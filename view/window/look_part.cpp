@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// look_part.cpp -- the part of the panel that says how the world is drawn; in C++.
+extern "C" {
+#include "view/window/input.h"
+}
+#include "view/window/parts.h"
+#include "view/window/sizes.h"
+#include <cstring>
+#include <imgui.h>
+
+static const char* const paint_helps[] = {
+#define X(enumerator, name, help) help,
+#include "view/paints.def"
+#undef X
+};
+
+static const struct
+{
+	const char *name, *help;
+} layers[] = {
+#define X(name, help) {#name, help},
+#include "view/layers.def"
+#undef X
+};
+
+// The key of an action of this name; empty for none.
+static const char* key_of(const char* name)
+{
+	static const struct
+	{
+		const char *name, *shown;
+	} keys[] = {
+#define X(name, key, shown, help) {#name, shown},
+#include "view/window/keys.def"
+#undef X
+	};
+	for (const auto& key : keys)
+		if (strcmp(key.name, name) == 0)
+			return key.shown;
+	return "";
+}
+
+// Begins column k of three.
+static void begin_column(int k)
+{
+	if (k % 3 > 0)
+		ImGui::SameLine(COLUMN * static_cast<float>(k % 3) + ImGui::GetStyle().WindowPadding.x);
+}
+
+static void draw_paints(Viewer* v)
+{
+	ImGui::PushID("paints");
+	for (int k = 0; k < PAINTS; ++k)
+	{
+		begin_column(k);
+		if (ImGui::RadioButton(paint_names[k], v->style.paint == k))
+			v->style.paint = static_cast<Paint>(k);
+		if (ImGui::IsItemHovered())
+			ImGui::SetTooltip("%s", paint_helps[k]);
+	}
+	ImGui::PopID();
+}
+
+// How much of what the layers could show is drawn.
+static void draw_shares(const Viewer* v)
+{
+	const Scan* scan = &v->renderer.scan;
+	const Flashes* flashes = &v->renderer.flashes;
+	if (v->style.layers[LAYER_rays] && scan->scene && scan->in_view > scan->count)
+		ImGui::Text("%d of %d rays in view are drawn", scan->count, scan->in_view);
+	else if (v->style.layers[LAYER_rays] && scan->scene)
+		ImGui::Text("rays in view: %d", scan->count);
+	if (flashes_shown(&v->style) && flashes->left_out > 0)
+		ImGui::Text("%d of %d events of the step are not drawn", flashes->left_out, flashes->seen);
+	else if (flashes_shown(&v->style))
+		ImGui::Text("events of the step in view: %d", flashes->seen);
+}
+
+void part_look(Viewer* v)
+{
+	draw_paints(v);
+	ImGui::Separator();
+	for (int k = 0; k < LAYERS; ++k)
+	{
+		begin_column(k);
+		ImGui::Checkbox(layer_names[k], &v->style.layers[k]);
+		if (ImGui::IsItemHovered())
+			ImGui::SetTooltip("%s: %s", key_of(layers[k].name), layers[k].help);
+	}
+	begin_column(LAYERS);
+	if (ImGui::Checkbox("graph dots", &v->style.graph) && v->style.graph)
+		v->style.layers[LAYER_contacts] = true;
+	if (ImGui::IsItemHovered())
+		ImGui::SetTooltip("6: contact points in the colors of the solver's graph");
+	draw_shares(v);
+	ImGui::Separator();
+	ImGui::Checkbox("dark", &v->style.dark);
+	begin_column(1);
+	bool follows = v->eye.follows;
+	if (ImGui::Checkbox("follow", &follows))
+		input_action(v, ACTION_follow);
+	if (ImGui::IsItemHovered())
+		ImGui::SetTooltip("k: the selected body stays in the middle, until the picture is moved");
+	begin_column(2);
+	if (ImGui::SmallButton("fit"))
+		input_action(v, ACTION_fit);
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// tool_part.cpp -- the parts of the panel that say what the cursor does to bodies, and how the world is solved; in C++.
+extern "C" {
+#include "view/window/viewer.h"
+}
+#include "view/window/parts.h"
+#include "view/window/sizes.h"
+#include <imgui.h>
+
+static bool draw_slider(const char* name, float* value, float least, float most, const char* format, bool logarithmic,
+                        const char* help)
+{
+	ImGui::SetNextItemWidth(FIELD);
+	bool changed = ImGui::SliderFloat(name, value, least, most, format,
+	                                  (logarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_AlwaysClamp);
+	if (ImGui::IsItemHovered())
+		ImGui::SetTooltip("%s", help);
+	return changed;
+}
+
+void part_tools(Viewer* v)
+{
+	Grab* grab = &v->grab;
+	float hardest = grab->hardest > 0.0f ? grab->hardest : GRAB_HARDEST;
+	float hertz = grab->hertz > 0.0f ? grab->hertz : GRAB_HERTZ;
+	float density = grab->density > 0.0f ? grab->density : GRAB_DENSITY;
+	if (draw_slider("force of the hand", &hardest, 10.0f, 1.0e5f, "%.0f m/s\u00b2", true,
+	                "largest force of a drag, as an acceleration of the body"))
+		grab->hardest = hardest;
+	if (draw_slider("spring of the hand", &hertz, 0.5f, 30.0f, "%.1f Hz", true, "stiffness of a drag"))
+		grab->hertz = hertz;
+	if (draw_slider("thrown, t", &density, 0.01f, 1000.0f, "%.3g kg/m\u00b2", true,
+	                "density of bodies that are thrown in: their mass is that times their area"))
+		grab->density = density;
+	draw_slider("explosion, x", &v->tools.blast, 0.5f, 200.0f, "%.1f m/s", true,
+	            "speed that a body of common size gets near it; hold x, and the explosion grows");
+	ImGui::SetNextItemWidth(FIELD);
+	ImGui::SliderInt("poured, m", &v->tools.rate, 1, 16, "%d a step", ImGuiSliderFlags_AlwaysClamp);
+	if (ImGui::IsItemHovered())
+		ImGui::SetTooltip("hold m: bodies like those of the scene fall from the cursor, where there is room");
+}
+
+void part_solver(Viewer* v)
+{
+	Session* session = &v->session;
+	Tuning* t = &session->tuning;
+	bool changed = false;
+	ImGui::SetNextItemWidth(FIELD);
+	changed = ImGui::DragFloat2("gravity", &t->gravity.x, 0.1f, -100.0f, 100.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp);
+	if (ImGui::IsItemHovered())
+		ImGui::SetTooltip("m/s\u00b2, to the right and up: drag, or double-click to type");
+	ImGui::SetNextItemWidth(FIELD);
+	changed = ImGui::SliderInt("substeps", &t->substeps, 1, 16, "%d", ImGuiSliderFlags_AlwaysClamp) || changed;
+	changed =
+	    draw_slider("stiffness", &t->solver.contact_hertz, 1.0f, 240.0f, "%.0f Hz", true, "of contacts") || changed;
+	changed =
+	    draw_slider("damping", &t->solver.contact_damping_ratio, 0.1f, 50.0f, "%.1f", true, "ratio, of contacts") ||
+	    changed;
+	changed = draw_slider("push", &t->solver.contact_push_speed, 0.0f, 20.0f, "%.1f m/s", false,
+	                      "largest speed that pushes overlap out") ||
+	          changed;
+	changed = draw_slider("bounce", &t->solver.restitution_threshold, 0.0f, 10.0f, "%.2f m/s", false,
+	                      "slower impacts do not bounce") ||
+	          changed;
+	t->changed = t->changed || changed;
+	if (changed)
+	{
+		session->hashed = false;
+		if (tuning_write(t, session->scene, session->world) != SCREE_OK)
+			viewer_show(v, scree_error());
+	}
+	if (t->changed && ImGui::Button("as the scene has it"))
+	{
+		t->changed = false;
+		viewer_load(v, session->name, false);
+	}
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// tools.h -- what the user does to the world besides dragging: throws bodies in, pours them, sets off explosions.
+#ifndef TOOLS_H
+#define TOOLS_H
+#include "view/grab.h"
+
+#define POUR_KINDS 16
+
+typedef struct
+{
+	float blast;  // m/s that a common body near an explosion gets
+	int rate;     // bodies that are poured in a step, at most
+	bool pouring; // the key is down
+	bool pour;    // in the next step, also if the key is up again
+	scree_attribute kinds[POUR_KINDS];
+	int kind_count;
+	int poured;        // bodies so far, in this world
+	bool blasting;     // the key is down
+	double blast_time; // s: since when
+} Tools;
+
+#define TOOLS_DEFAULT ((Tools){.blast = 15.0f, .rate = 4})
+
+typedef struct Viewer Viewer;
+
+// Throws a body in at the cursor.
+void tools_launch(Viewer* viewer);
+
+// The key for pouring goes down or up. Bodies are like those of the scene that have one shape and are not much larger than most.
+void tools_pour(Viewer* viewer, bool down);
+
+// Before a step: pours bodies around the cursor where there is room. False if it failed, with a message.
+bool tools_step(Viewer* viewer, bool* added);
+
+// The key for explosions goes down or up. The longer it was down, the larger the explosion.
+void tools_blast(Viewer* viewer, bool down);
+
+// Shows what would happen at the cursor.
+void tools_mark(Viewer* viewer);
+
+#endif
