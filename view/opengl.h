@@ -2,6 +2,8 @@
 // opengl.h -- OpenGL 3.3 by libepoxy, or WebGL 2 in a page, which is OpenGL ES 3.0; and the little that differs between them.
 #ifndef OPENGL_H
 #define OPENGL_H
+#include <stdbool.h>
+#include <stddef.h>
 
 #ifdef __EMSCRIPTEN__
 #include <GLES3/gl3.h>

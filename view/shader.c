@@ -3,7 +3,6 @@
 #include "view/shader.h"
 #include "view/glsl.h"
 #include "view/opengl.h"
-#include <stdbool.h>
 #include <stdio.h>
 
 static bool attach(GLuint program, GLenum kind, const char* head, const char* text, char* sentence)

@@ -62,9 +62,16 @@ static const char* const layer_help[LAYERS] = {
 #undef X
 };
 
+static const char* const paint_help[PAINTS] = {
+#define X(enumerator, name, help) help,
+#include "view/paints.def"
+#undef X
+};
+
 EMSCRIPTEN_KEEPALIVE const char* page_layer(int k) { return k < LAYERS ? layer_names[k] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_layer_help(int k) { return k < LAYERS ? layer_help[k] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_paint(int k) { return k < PAINTS ? paint_names[k] : ""; }
+EMSCRIPTEN_KEEPALIVE const char* page_paint_help(int k) { return k < PAINTS ? paint_help[k] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_key(int k) { return k < SCENE_KEYS ? scene_key_names[k] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_version(void) { return scree_version(); }
 
@@ -297,8 +304,9 @@ EMSCRIPTEN_KEEPALIVE const double* page_point(float x, float y)
 	return page.numbers;
 }
 
-EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow)
+EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool dark)
 {
+	page.style.dark = dark;
 	page.style.paint = (Paint)paint;
 	page.style.graph = paint == PAINT_GRAPH;
 	for (int k = 0; k < LAYERS; ++k)

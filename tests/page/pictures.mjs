@@ -52,7 +52,7 @@ export async function checkPictures(browser, scree, folder, check) {
 			scree.say({ type: 'resize', width, height, density: 1 });
 			const paints = [...document.querySelectorAll('#paints span')].map((span) => span.textContent);
 			const bits = layers.reduce((sum, layer) => sum | 1 << scree.layerNames.indexOf(layer), 0);
-			scree.say({ type: 'style', paint: paints.indexOf(paint), layers: bits, slow: false });
+			scree.say({ type: 'style', paint: paints.indexOf(paint), layers: bits, slow: false, dark: false });
 			scree.say({ type: 'pause', paused: true });
 			scree.say({ type: 'restart' });
 			scree.say({ type: 'fit' });

@@ -24,7 +24,7 @@ const TOOLS = [
 // layers that are on as in the viewer, and a key for each as there
 const SHOWN = ['joints', 'fields', 'sensors', 'rays'];
 const LAYER_KEYS = {
-	boxes: '1', contacts: '2', normals: '3', impulses: '4', velocities: '5', joints: '7', fields: 'g', sensors: '8',
+	boxes: '1', contacts: '2', normals: '3', impulses: '4', velocities: '5', centers: 'z', joints: '7', fields: 'g', sensors: '8',
 	rays: '9', visits: '0', touches: 'u', hits: 'i', breaks: 'b',
 };
 
@@ -37,6 +37,7 @@ class App {
 		this.paint = 0;
 		this.layers = 0;
 		this.slow = false;
+		this.dark = matchMedia('(prefers-color-scheme: dark)');
 		this.state = { paused: false, step: 0, touched: false };
 		this.canvas = $('picture');
 		this.host = new Host(this.canvas, (message) => this.hear(message));
@@ -188,7 +189,7 @@ class App {
 	}
 
 	restyle() {
-		this.say({ type: 'style', paint: this.paint, layers: this.layers, slow: this.slow });
+		this.say({ type: 'style', paint: this.paint, layers: this.layers, slow: this.slow, dark: this.dark.matches });
 	}
 	setLayer(name, on) {
 		const bit = 1 << this.layerNames.indexOf(name);
@@ -222,7 +223,7 @@ class App {
 			{ key: 'f', shown: 'f', help: 'show the whole scene', run: click('fit') },
 			{ key: 't', shown: 't', help: 'a new body at the cursor', run: () => this.useTool('throw'), repeats: true },
 			{ key: 'x', shown: 'x', help: 'a blast at the cursor', run: () => this.useTool('blast') },
-			{ key: 'c', shown: 'c', help: 'color bodies by attribute, speed, graph', run: () => this.nextPaint() },
+			{ key: 'c', shown: 'c', help: 'color bodies in another way', run: () => this.nextPaint() },
 			...Object.entries(LAYER_KEYS).map(([name, key]) => ({ key, shown: key, help: name, run: click(`layer-${name}`) })),
 			{ key: '?', shown: '?', help: 'this list', run: click('help') },
 		];
@@ -246,6 +247,7 @@ class App {
 		$('full').hidden = !document.fullscreenEnabled;
 		$('full').onclick = () => (document.fullscreenElement ? document.exitFullscreen() : document.querySelector('main').requestFullscreen());
 		$('speed').onchange = () => this.say({ type: 'speed', rate: Number($('speed').value) });
+		$('send').onclick = () => $('share').parentElement.scrollIntoView({ behavior: 'smooth' });
 		$('help').onclick = () => $('keys').showModal();
 		$('defaults').onclick = () => this.choose(this.source.name);
 		segments($('tools'), TOOLS, this.tool, (tool) => (this.tool = tool));
@@ -262,7 +264,7 @@ class App {
 	}
 
 	buildLook(layers, paints) {
-		const choices = paints.map((name, k) => ({ value: String(k), label: name, title: `Color bodies by ${name}` }));
+		const choices = paints.map(({ name, help }, k) => ({ value: String(k), label: name, title: help }));
 		segments($('paints'), choices, '0', (value) => {
 			this.paint = Number(value);
 			this.restyle();
@@ -281,6 +283,7 @@ class App {
 				return element('label', { title: help }, box, element('span', {}, name));
 			}),
 		);
+		this.dark.addEventListener('change', () => this.restyle());
 		this.restyle();
 	}
 }

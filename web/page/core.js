@@ -27,10 +27,10 @@ export class Core {
 	}
 	lists() {
 		const m = this.module;
-		const layers = this.names(m._page_layer);
+		const helped = (names, help) => names.map((name, k) => ({ name, help: this.text(help(k)) }));
 		return {
-			layers: layers.map((name, k) => ({ name, help: this.text(m._page_layer_help(k)) })),
-			paints: this.names(m._page_paint),
+			layers: helped(this.names(m._page_layer), m._page_layer_help),
+			paints: helped(this.names(m._page_paint), m._page_paint_help),
 			keys: this.names(m._page_key),
 			version: this.text(m._page_version()),
 		};

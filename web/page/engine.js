@@ -97,8 +97,8 @@ export class Engine {
 	speed({ rate }) {
 		this.rate = rate;
 	}
-	style({ paint, layers, slow }) {
-		this.picture.style(paint, layers, slow);
+	style({ paint, layers, slow, dark }) {
+		this.picture.style(paint, layers, slow, dark);
 	}
 	resize({ width, height, density }) {
 		this.picture.resize(width, height, density);

@@ -12,7 +12,7 @@ export class Picture {
 		this.density = 1; // px of the picture a px of the page
 		this.arrow = null; // m: x, y, x, y
 		this.rings = []; // {at, radius, born}
-		this.styled = [0, 0, false];
+		this.styled = [0, 0, false, false];
 		this.fitted = true; // shows the whole scene, whatever its size
 		canvas.addEventListener('webglcontextlost', (event) => {
 			event.preventDefault(); // the browser may restore it
@@ -66,9 +66,10 @@ export class Picture {
 		this.fitted = false;
 		this.module._page_zoom(x, y, factor);
 	}
-	style(paint, layers, slow) {
-		this.styled = [paint, layers, slow];
-		this.module._page_style(paint, layers, slow);
+	// paint: index; layers: bits; slow: coarsely; dark: on a dark ground
+	style(paint, layers, slow, dark) {
+		this.styled = [paint, layers, slow, dark];
+		this.module._page_style(...this.styled);
 	}
 
 	flash(at, radius) {
