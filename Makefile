@@ -9,7 +9,7 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten node-acorn nodejs
 test_packages := $(view_packages) $(web_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
-	gnuplot-nox
+	gnuplot-nox chromium chromium-driver
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -33,12 +33,14 @@ clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
 	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
 	@echo 'The video is build/clip.mp4'
 
-web: ## WebAssembly: the npm package build/web/package, with vectors and without, with threads and without
-	@tools/packages.sh $(web_packages)
+web: build_packages += $(web_packages)
+web: build ## the page build/web and the npm package build/web/package, by WebAssembly
 	@tools/source.sh jansson build/sources/jansson
 	@for form in scalar simd threads; do \
 		cmake --preset wasm-$$form --log-level=NOTICE && cmake --build --preset wasm-$$form || exit 1; \
 	done
+	@node web/make_page.mjs build/scree build build/web
+	@echo 'The page is build/web, for any web server. To look at it: node web/serve.mjs build/web'
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// make_page.mjs -- make_page.mjs BUILD OUT: puts the page together: its files, WebAssembly, scenes, and their thumbnails.
+// make_page.mjs -- make_page.mjs SCREE BUILD OUT: puts the page together: its files, WebAssembly, scenes, and their thumbnails.
 //
-// BUILD holds scree, the command line that draws the thumbnails, and wasm-scalar, wasm-simd and wasm-threads.
+// SCREE is the command line, which draws the thumbnails; BUILD holds wasm-scalar, wasm-simd and wasm-threads.
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { join } from 'node:path';
 const WIDTH = 312; // px: twice the size in the list, and a band for the caption, which the list cuts off
 const HEIGHT = 200 + 36;
 
-const [build = 'build', out = 'build/web'] = process.argv.slice(2);
+const [scree = 'build/scree', build = 'build', out = 'build/web'] = process.argv.slice(2);
 const source = new URL('..', import.meta.url).pathname;
 const { scenes: list } = JSON.parse(readFileSync(join(source, 'web/start.json'), 'utf8'));
 
@@ -32,7 +32,6 @@ function describe({ name, set = {} }) {
 // Draws a thumbnail unless there is one that is newer than all that it depends on.
 function draw({ name, set = {}, picture }) {
 	const file = join(out, 'thumbnails', `${name}.png`);
-	const scree = join(build, 'scree');
 	const needs = [scree, join(source, 'scenes', `${name}.json`), join(source, 'web/start.json')];
 	if (existsSync(file) && needs.every((path) => statSync(path).mtimeMs < statSync(file).mtimeMs)) return;
 	const sets = Object.entries(set).flatMap(([key, value]) => ['--set', `${key}=${value}`]);
