@@ -5,7 +5,7 @@ file(GLOB jansson_sources ${SCREE_JANSSON_SOURCE}/src/*.c)
 if(jansson_sources)
 	# android/ has the configuration of a system without locales; what is private comes as definitions
 	set(made ${PROJECT_BINARY_DIR}/jansson)
-	file(WRITE ${made}/jansson_private_config.h "")
+	file(CONFIGURE OUTPUT ${made}/jansson_private_config.h CONTENT "")
 	add_library(scree_jansson STATIC ${jansson_sources})
 	target_include_directories(scree_jansson SYSTEM PUBLIC ${SCREE_JANSSON_SOURCE}/src ${SCREE_JANSSON_SOURCE}/android
 		PRIVATE ${made})

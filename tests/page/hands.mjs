@@ -147,6 +147,23 @@ async function checkTime(browser, check) {
 	check(again.step === 0 && again.hash === start.hash, 'from the start means the same world');
 }
 
+// The arrow keys play the platformer, and what they did is played again.
+async function checkKeys(browser, check) {
+	await begin(browser, 'platformer', [], 0);
+	await browser.run(`document.getElementById('picture').focus()`);
+	const press = (type) => browser.run(`document.getElementById('picture').dispatchEvent(new KeyboardEvent(args[0], { code: 'ArrowRight', key: 'ArrowRight', bubbles: true }))`, type);
+	await press('keydown');
+	await step(browser, 40);
+	await press('keyup');
+	await step(browser, 20);
+	const mine = await record(browser);
+	check(plain(mine.actions) === '0 keys 2\n40 keys 0', `keys are recorded: ${plain(mine.actions)}`);
+	await browser.run(`await scree.host.ask({ type: 'restart', replay: true })`);
+	await browser.until(`scree.state.paused && document.querySelector('.note[data-name=replayed]')`, 'the keys to be played again');
+	const again = await record(browser);
+	check(again.step === mine.step && again.hash === mine.hash, 'keys play to the same hash');
+}
+
 async function checkCompare(browser, expected, check) {
 	const scene = await browser.run(`await scree.load({ name: 'billiards' }); scree.say({ type: 'pause', paused: true }); scree.say({ type: 'restart' });
 		await scree.host.ask({ type: 'steps', count: 60 }); return scree.scenes.get('billiards')`);
@@ -162,6 +179,19 @@ async function checkCompare(browser, expected, check) {
 	check(verdict('', hash, 1)[1] === '', 'an empty field has no verdict');
 	await browser.run(`await scree.host.ask({ type: 'press', x: 5, y: 5, tool: 'blast' }); await scree.host.ask({ type: 'lift', x: 5, y: 5 }); await scree.host.ask({ type: 'steps', count: 1 })`);
 	await browser.until(`!document.getElementById('command') && /no command line can repeat/.test(document.getElementById('compare').textContent)`, 'a sentence about a touched world');
+}
+
+// What cannot be loaded is told, and leaves a scene to play with.
+async function checkBad(browser, address, check) {
+	const sentence = () => browser.run(`return document.querySelector('.note[data-name=load]')?.textContent ?? ''`);
+	await browser.go('about:blank');
+	await browser.go(`${address}#pile?count=-5`);
+	await browser.until(`document.querySelector('.note[data-name=load]') && document.body.dataset.ready`, 'a sentence and a scene');
+	check((await sentence()).includes('--set count=-5: must be at least 1'), `a bad parameter is told: ${await sentence()}`);
+	await browser.run(`await scree.load({ name: 'million', settings: [['columns', '60'], ['rows', '60']] })`);
+	check((await sentence()).includes('a scene has at most 20000000'), `too large a scene is told: ${await sentence()}`);
+	const { name } = await browser.run(`await scree.host.ask({ type: 'steps', count: 1 }); return scree.source`);
+	check(name === 'pile', `the scene before is still there: ${name}`);
 }
 
 async function checkLoss(browser, check) {
@@ -194,7 +224,9 @@ export async function checkHands(browser, address, expected, check) {
 	await checkDrag(browser, 'mouse', check);
 	await checkDrag(browser, 'touch', check);
 	await checkFingers(browser, check);
+	await checkKeys(browser, check);
 	await checkCompare(browser, expected, check);
 	await checkLoss(browser, check);
+	await checkBad(browser, address, check);
 	await checkLink(browser, address, check);
 }

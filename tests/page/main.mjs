@@ -68,6 +68,18 @@ try {
 		await browser.go(`${common}?apart=0#billiards`);
 		await browser.until('scree?.state?.step > 3 && !scree.host.worker', 'steps in the page itself');
 	});
+	await timed('without WebGL', async () => {
+		const source = `const get = HTMLCanvasElement.prototype.getContext;
+			HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : get.call(this, kind, ...rest); };
+			OffscreenCanvas.prototype.getContext = () => null;`;
+		const { identifier } = await browser.cdp('Page.addScriptToEvaluateOnNewDocument', { source });
+		await browser.go('about:blank');
+		await browser.go(`${common}#billiards`);
+		await browser.until('scree?.state?.step > 3', 'steps without a picture');
+		const told = await browser.run(`return document.querySelector('.note[data-name=picture]')?.textContent ?? ''`);
+		check(told.includes('no WebGL 2'), `a page without WebGL says so: "${told}"`);
+		await browser.cdp('Page.removeScriptToEvaluateOnNewDocument', { identifier });
+	});
 	const complaints = await browser.complaints();
 	check(complaints.length === 0, `the console has errors: ${complaints.join('; ')}`);
 } finally {

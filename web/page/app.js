@@ -96,6 +96,7 @@ class App {
 	}
 
 	on_loaded({ name, settings, keys }) {
+		note('', { name: 'step' });
 		const scene = this.scenes.get(name);
 		this.source = { name, settings };
 		$('title').textContent = scene.title;
@@ -127,8 +128,8 @@ class App {
 			{ kind: equal ? 'good' : 'bad', name: 'replayed', lasting: true },
 		);
 	}
-	on_error({ sentence }) {
-		note(sentence, { kind: 'bad', name: 'error', lasting: true });
+	on_error({ sentence, of }) {
+		note(sentence, { kind: 'bad', name: of ?? 'error', lasting: true });
 	}
 	on_picture({ sentence }) {
 		note(sentence, { kind: 'bad', name: 'picture', lasting: true });
@@ -154,8 +155,8 @@ class App {
 			note(`The address was not understood: ${error.message}`, { kind: 'bad', name: 'address' });
 			link = { name: this.scenes.has(link.name) ? link.name : FIRST, settings: [], script: [], until: null };
 		}
-		await this.load(link);
-		if (link.script.length > 0) note('A replay of what somebody did. Touch a body to take over.', { name: 'replay' });
+		const good = await this.load(link);
+		if (good && link.script.length > 0) note('A replay of what somebody did. Touch a body to take over.', { name: 'replay' });
 	}
 
 	// Settings that the address does not name are those that the page begins a scene with.
@@ -165,14 +166,23 @@ class App {
 		const own = scene.parameters.map((p) => [p.name, String(given.get(p.name) ?? p.start)]);
 		for (const key of given.keys())
 			if (!scene.parameters.some((p) => p.name === key)) note(`${name} has no parameter ${key}.`, { kind: 'bad' });
+		showParameters(scene, own, (changed) => this.change(name, changed));
+		let good = false;
 		try {
 			const text = await fetchScene(name);
-			this.say({ type: 'load', name, text, settings: own, script, until, keepView, paused: script.length > 0 ? false : undefined });
+			const paused = script.length > 0 ? false : undefined;
+			good = await this.host.ask({ type: 'load', name, text, settings: own, script, until, keepView, paused });
 		} catch (error) {
-			note(error.message, { kind: 'bad', name: 'error' });
-			return;
+			note(error.message, { kind: 'bad', name: 'load', lasting: true });
 		}
-		showParameters(scene, own, (changed) => this.change(name, changed));
+		if (!good && this.source) this.showSettings(); // the scene before is still there
+		else if (!good && (name !== FIRST || settings.length > 0)) await this.load({ name: FIRST });
+		return Boolean(good);
+	}
+
+	showSettings() {
+		const { name, settings } = this.source;
+		showParameters(this.scenes.get(name), settings, (changed) => this.change(name, changed));
 	}
 
 	choose(name) {

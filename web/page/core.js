@@ -43,7 +43,7 @@ export class Core {
 	// settings: [[name, value], ...]
 	load(name, text, settings, threads) {
 		const m = this.module;
-		const path = `/${name}.json`;
+		const path = `${name}.json`;
 		m.FS.writeFile(path, text);
 		const file = m.allocateUTF8(path);
 		const lines = m.allocateUTF8(settings.map(([key, value]) => `${key}=${value}`).join('\n'));

@@ -71,6 +71,7 @@ export class Engine {
 			this.time = performance.now();
 			nextFrame((now) => this.frame(now));
 		}
+		return true;
 	}
 
 	async restart({ replay = false }) {

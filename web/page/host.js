@@ -61,8 +61,8 @@ export class Host {
 	receive(message) {
 		const resolve = message.id === undefined ? null : this.waiting.get(message.id);
 		if (resolve) this.waiting.delete(message.id);
-		if (message.type === 'answer') resolve?.(message.answer);
-		else this.hear(message);
+		if (message.type !== 'answer') this.hear(message);
+		resolve?.(message.answer); // undefined where it failed
 	}
 
 	say(message) {
