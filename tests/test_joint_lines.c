@@ -52,7 +52,7 @@ static void lines_follow_joints(void** state)
 	assert_int_equal(lines.links.count, 1);
 
 	// from anchor to anchor, on to the center of the box, and a dot at each anchor; red for the largest load
-	joint_lines_mark(&lines, &strokes, &camera, 1.0f);
+	joint_lines_mark(&lines, &strokes, &camera, &(Style){.detail = 1.0f});
 	assert_int_equal(strokes.count, 4);
 	NEAR(strokes.list[1].a.y, 7.0f, 0.01f);
 	NEAR(strokes.list[1].b.y, 5.0f, 0.01f);
