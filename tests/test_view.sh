@@ -320,6 +320,151 @@ for file in scree-1.png scree-2.png; do
 done
 command -v ffmpeg >/dev/null && [ ! -s scree-1.mp4 ] && fail "v: there is no video"
 
+# single steps: as many as were asked for, also in one frame
+view 0 "${small[@]}" <<'END'
+frames 4
+key space
+print
+key n
+key n
+key n
+frames 1
+print
+END
+[ "$(nth steps 2)" = $(($(nth steps 1) + 3)) ] || fail "n three times in a frame takes not three steps"
+
+# a key that could change nothing says why
+if ! grep -q '^opencl' <<<"$("$scree" devices)"; then
+	view 0 "${small[@]}" <<'END'
+frames 2
+key d
+print
+END
+	says 'says there is no other device than cpu'
+fi
+
+# what is painted in the window is painted in pictures of a run, on both grounds; every paint differs
+paints=(attribute speed graph force start type)
+for k in "${!paints[@]}"; do
+	theme=light
+	[ $((k % 2)) = 1 ] && theme=dark
+	{
+		echo 'frames 60'
+		for _ in $(seq "$k"); do echo 'key c'; done
+		printf 'print\npicture window.png\n'
+	} >keys
+	view 0 tumbler --set side=12 --theme $theme <keys
+	says "painted by ${paints[k]}"
+	says ", $theme,"
+	"$scree" run tumbler --set side=12 --device cpu --steps 60 --size 800x600 --renderer gl --theme $theme \
+		--paint "${paints[k]}" --picture "paint$k.png" >out 2>err || fail "run --paint ${paints[k]}"
+	[ -x "$build/tests/difference" ] || continue
+	within window.png "paint$k.png" 0.5 0.002 || fail "paint ${paints[k]} in window and picture are not alike"
+	[ "$k" -lt 2 ] || { within "paint$k.png" "paint$((k - 2)).png" 0.5 0.002 && fail "paint ${paints[k]} looks like another"; }
+done
+"$scree" run "${small[@]}" --theme blue --renderer gl --picture blue.png >out 2>err
+[ $? = 2 ] || fail "--theme blue: exit code"
+says '--theme blue: must be light or dark'
+"$scree" view "${small[@]}" --scale 9 >out 2>err
+[ $? = 2 ] || fail "--scale 9: exit code"
+says '--scale 9: must be a number from 0.5 to 4'
+view 0 "${small[@]}" --scale 2 <<'END'
+frames 3
+key l
+frames 2
+print
+key F1
+frames 2
+END
+says 'dark, panel at 2.00'
+
+# a scene is shown beside the panel, and few bodies that fly away do not shrink it
+view 0 "${small[@]}" <<'END'
+frames 2
+print
+key tab
+frames 1
+print
+key tab
+frames 1
+print
+size 1000 450
+frames 3
+print
+END
+[ "$(nth scale 2)" = 60.000 ] || fail "fit: another scale without the panel"
+[ "$(nth middle 1)" != "$(nth middle 2)" ] || fail "fit: the panel covers the scene"
+[ "$(nth scale 3)" = "$(nth scale 1)" ] || fail "fit: the panel is back, and the scene is not beside it"
+[ "$(nth scale 4)" != "$(nth scale 3)" ] || fail "fit: the window has changed, and what it shows has not"
+cat >away.json <<'END'
+{"name": "away", "title": "One flies away", "attributes": {"floor": {"box": [10, 0.5]}, "ball": {"circle": 0.5}},
+"bodies": [
+	{"type": "static", "attribute": "floor", "position": [0, -0.5]},
+	{"attribute": "ball", "repeat": {"index": "k", "from": 0, "to": 9}, "position": ["k - 4.5", 0.5]},
+	{"attribute": "ball", "position": [0, 9], "velocity": [300, 200]}]}
+END
+view 0 ./away.json <<'END'
+frames 60
+key f
+frames 1
+print
+END
+awk -v scale="$(nth scale 1)" 'BEGIN {exit !(scale > 10)}' || fail "fit: a body that flew away makes all others tiny"
+
+# what is selected is followed until the picture is moved
+view 0 "${small[@]}" <<'END'
+key tab
+key k
+print
+frames 1
+cursor 400 342
+frames 1
+button down
+button up
+print
+key k
+frames 30
+print
+cursor 100 100
+button down
+cursor 140 100
+button up
+frames 2
+print
+END
+says 'says nothing is selected that could be followed'
+sed -n 3p out | grep -q 'following, ' || fail "k does not follow"
+sed -n 4p out | grep -q 'following, ' && fail "who moves the picture still follows"
+
+# explosions, pouring, other scenes
+view 0 "${small[@]}" <<'END'
+cursor 560 400
+frames 2
+print
+key x
+print
+frames 3
+print
+hold m
+frames 10
+release m
+print
+frames 10
+print
+key ]
+frames 2
+print
+key [
+frames 2
+print
+END
+grep -q 'says the explosion pushes [1-9][0-9]* shape' out || fail "x: nothing is pushed"
+[ "$(nth hash 3)" != "$("$scree" hash "${small[@]}" --steps 5 --device cpu)" ] || fail "x: nothing has moved"
+awk -v a="$(nth bodies 3)" -v b="$(nth bodies 4)" 'BEGIN {exit !(b > a && b <= a + 40)}' || fail "m pours nothing, or too much"
+[ "$(nth bodies 4)" = "$(nth bodies 5)" ] || fail "m pours when it is up"
+[ "$(nth scene 6)" = pyramids ] || fail "] shows not the next scene"
+[ "$(nth scene 7)" = pyramid ] || fail "[ shows not the scene before"
+
 # the display's own events: wheel, keys, a body in the hand, the picture in the hand
 cat >script <<'END'
 key tab
@@ -421,6 +566,33 @@ xdotool key --delay 100 6 0 Return
 moved 126 572 click 1 # the paint "speed"
 wait $viewer || fail "panel: exit code $?"
 says 'painted by speed'
+
+# keys and clicks that come while a frame takes long are not lost: those of a field of the panel, in their order
+cat >script <<'END'
+frames 5
+print
+await paused
+frames 40
+print
+await running
+END
+timeout 120 "$scree" view billiards --device cpu --size 800x700 --script script >out 2>err &
+viewer=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
+printed 1
+xdotool windowfocus "$window"
+sleep 0.3
+frozen=$(pgrep -P $viewer)
+kill -STOP "$frozen"
+moved 60 83 click --repeat 2 --delay 20 1 key --delay 5 9 BackSpace 6 0 Return
+moved 600 100 click 1 key space
+sleep 0.2
+kill -CONT "$frozen"
+timeout 30 xdotool search --sync --name '^scree: billiards .paused.' >out.titles 2>&1 || fail "frozen: the title does not say that it is paused"
+xdotool key space
+wait $viewer || fail "frozen: exit code $?"
+[ "$(nth hash 2)" = "$("$scree" hash billiards --set speed=60 --steps "$(nth steps 2)" --device cpu)" ] ||
+	fail "frozen: what was typed into the panel is lost"
 
 # a video ends when the window changes its size, and a tiny window spoils no camera
 if command -v ffmpeg >/dev/null; then

@@ -11,6 +11,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#define BUTTONS 3 // of the mouse
+
 float panel_scale = 1.0f;
 
 // The factor for a high-DPI display. It is 1 where the window system scales its units itself.
@@ -54,6 +56,25 @@ void panel_close()
 	ImGui::DestroyContext();
 }
 
+static bool buttons[BUTTONS]; // that are down, as far as events were handed out
+
+// The backend asks for the mouse as it is now, but events wait: what a click meant is where the cursor was then.
+static void place_mouse(const Viewer* v)
+{
+	ImGuiIO& io = ImGui::GetIO();
+	ImVec2 factor = io.DisplayFramebufferScale;
+	ImVec2 at(v->x / (factor.x > 0.0f ? factor.x : 1.0f), v->y / (factor.y > 0.0f ? factor.y : 1.0f));
+	if (!v->pointed)
+		return;
+#if IMGUI_VERSION_NUM < 18700
+	io.MousePos = at;
+	for (int k = 0; k < BUTTONS; ++k)
+		io.MouseDown[k] = buttons[k];
+#else
+	io.AddMousePosEvent(at.x, at.y);
+#endif
+}
+
 void panel_key(GLFWwindow* window, int key, int code, int event, int modifiers)
 {
 	ImGui_ImplGlfw_KeyCallback(window, key, code, event, modifiers);
@@ -64,6 +85,8 @@ void panel_letter(GLFWwindow* window, unsigned letter) { ImGui_ImplGlfw_CharCall
 void panel_button(GLFWwindow* window, int button, int event, int modifiers)
 {
 	ImGui_ImplGlfw_MouseButtonCallback(window, button, event, modifiers);
+	if (button >= 0 && button < BUTTONS)
+		buttons[button] = event != GLFW_RELEASE;
 }
 
 void panel_wheel(GLFWwindow* window, double x, double y) { ImGui_ImplGlfw_ScrollCallback(window, x, y); }
@@ -126,6 +149,7 @@ void panel_draw(Viewer* v)
 	look_set_theme(v->style.dark);
 	ImGui_ImplOpenGL3_NewFrame();
 	ImGui_ImplGlfw_NewFrame();
+	place_mouse(v);
 	ImGui::NewFrame();
 	ImVec2 size = ImGui::GetIO().DisplaySize;
 	overlay_draw(v, size);

@@ -94,6 +94,8 @@ static void print_state(Viewer* v)
 		printf(", rays %d of %d", v->renderer.scan.count, v->renderer.scan.in_view);
 	if (flashes_shown(&v->style))
 		printf(", events %d", v->renderer.flashes.seen);
+	if (*v->message)
+		printf(", says %s", v->message);
 	printf("\n");
 	fflush(stdout); // the program that sends events waits for the line
 }
@@ -198,7 +200,8 @@ void script_run(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
-		*v->message = 0;
+		if (strcmp(line, "print") != 0) // which prints it
+			*v->message = 0;
 		if (!run_line(script, v, line))
 			fail_line(script, v, line, "cannot be done", 2);
 	}
