@@ -57,8 +57,9 @@ static void add_surface(const Inspected* i, Numbers* numbers)
 {
 	static const char* const kinds[] = {"circle", "capsule", "segment", "polygon"};
 	const scree_attribute_def* a = &i->attribute;
-	add(numbers, "%s of %.4g m\u00b2, reach %.4g m, density %.4g kg/m\u00b2", kinds[a->shape.kind],
-	    (double)a->shape.area, (double)a->shape.reach, (double)a->density);
+	add(numbers, "%s of %.4g m\u00b2, reach %.4g m", kinds[a->shape.kind], (double)a->shape.area,
+	    (double)a->shape.reach);
+	add(numbers, "density %.4g kg/m\u00b2", (double)a->density);
 	add(numbers, "friction %.3g, restitution %.3g", (double)a->friction, (double)a->restitution);
 	if (a->rolling_resistance != 0.0f || a->tangent_speed != 0.0f)
 		add(numbers, "rolling resistance %.3g, belt %.3g m/s", (double)a->rolling_resistance, (double)a->tangent_speed);

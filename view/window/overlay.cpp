@@ -172,8 +172,10 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 // A sign at the top, in the middle of what the panel leaves free.
 static void draw_paused(const Viewer* v, const ImVec2& size)
 {
-	float left = v->panel && size.x - WIDTH - EDGE > NARROW * 0.3f ? WIDTH + EDGE : 0.0f;
-	ImGui::SetNextWindowPos(ImVec2(0.5f * (left + size.x), EDGE), ImGuiCond_Always, ImVec2(0.5f, 0.0f));
+	float left = v->panel ? WIDTH + EDGE : 0.0f;
+	bool wide = size.x - left > ROOM; // else it lies over the panel, and is short
+	ImGui::SetNextWindowPos(ImVec2(wide ? 0.5f * (left + size.x) : size.x - EDGE, EDGE), ImGuiCond_Always,
+	                        ImVec2(wide ? 0.5f : 1.0f, 0.0f));
 	ImGui::Begin("paused", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
@@ -189,8 +191,11 @@ static void draw_paused(const Viewer* v, const ImVec2& size)
 	ImGui::Dummy(ImVec2(3.0f * bar, high));
 	ImGui::SameLine();
 	ImGui::Text("paused");
-	ImGui::SameLine();
-	ImGui::TextDisabled("space: go on   n: one step");
+	if (wide)
+	{
+		ImGui::SameLine();
+		ImGui::TextDisabled("space: go on   n: one step");
+	}
 	ImGui::End();
 }
 

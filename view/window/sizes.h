@@ -11,7 +11,7 @@ static inline float sized(float pixels) { return pixels * panel_scale; }
 #define WIDTH       sized(300.0f)
 #define EDGE        sized(MARGIN)
 #define CAPTION     sized(BAND)
-#define LIST        sized(520.0f)  // the scenes with their titles
+#define LIST        sized(700.0f)  // the scenes with their titles
 #define TWO_COLUMNS sized(1250.0f) // a wider window shows the keys in two columns
 #define GRAPH       sized(76.0f)
 #define ROOM        sized(290.0f) // for the numbers of a body
