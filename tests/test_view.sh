@@ -411,6 +411,26 @@ print
 END
 awk -v scale="$(nth scale 1)" 'BEGIN {exit !(scale > 10)}' || fail "fit: a body that flew away makes all others tiny"
 
+# the window fills the screen, and is as it was again; twm cannot do that, a display without a manager can
+Xvfb -displayfd 4 -screen 0 1280x900x24 4>bare 2>>xvfb.log &
+bare=$!
+for _ in $(seq 100); do
+	[ -s bare ] && break
+	sleep 0.1
+done
+DISPLAY=":$(cat bare)" view 0 "${small[@]}" <<'END'
+frames 2
+key F11
+frames 20
+print
+key F11
+frames 20
+print
+END
+kill $bare
+[ "$(nth size 1)" = 1280x900 ] || fail "F11: the window does not fill the screen"
+[ "$(nth size 2)" = 800x600 ] || fail "F11: the window is not as it was"
+
 # what is selected is followed until the picture is moved
 view 0 "${small[@]}" <<'END'
 key tab

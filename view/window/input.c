@@ -3,6 +3,7 @@
 #include "view/window/input.h"
 #include "view/window/devices.h"
 #include "view/window/export.h"
+#include "view/window/full.h"
 #include "view/window/reports.h"
 #include "view/window/viewer.h"
 #include <math.h>
@@ -161,6 +162,9 @@ static void window_action(Viewer* v, Action action)
 		break;
 	case ACTION_panel:
 		v->panel = !v->panel;
+		break;
+	case ACTION_full:
+		full_toggle(v);
 		break;
 	case ACTION_keys:
 		v->keys = !v->keys;

@@ -85,7 +85,8 @@ static void print_state(Viewer* v)
 	       v->session.paused ? "paused" : "running", hash, (double)v->camera.middle.x, (double)v->camera.middle.y,
 	       (double)v->camera.scale, grab_holds(&v->grab) ? "holding" : "free", paint_names[v->style.paint],
 	       scree_sharing_name(v->share.how), (double)v->frame_ms);
-	printf(", %s, panel at %.2f", v->style.dark ? "dark" : "light", (double)panel_scale);
+	printf(", size %dx%d, %s, panel at %.2f", v->camera.width, v->camera.height, v->style.dark ? "dark" : "light",
+	       (double)panel_scale);
 	if (v->eye.follows)
 		printf(", following");
 	print_inspected("hovered", &v->hovered);

@@ -9,6 +9,7 @@
 #include "view/window/capture.h"
 #include "view/window/events.h"
 #include "view/window/eye.h"
+#include "view/window/full.h"
 #include "view/window/history.h"
 #include "view/window/inspect.h"
 #include "view/window/session.h"
@@ -39,6 +40,7 @@ struct Viewer
 	float x, y;             // px: the cursor
 	float press_x, press_y; // px: where the left button went down
 	bool panning;           // the right button is down, or the left one beside all bodies
+	Place place;            // of the window when it does not fill the screen
 	bool panel, keys;       // shown
 	bool save_window;       // after this frame is drawn
 	double look_time;       // s: when what is under the cursor may be looked for again
