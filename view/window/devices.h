@@ -2,8 +2,7 @@
 // devices.h -- which device the world goes to next, by a key.
 #ifndef DEVICES_H
 #define DEVICES_H
-
-typedef struct Viewer Viewer;
+#include "view/window/state.h"
 
 // Moves the world to the next device that is not the one where it is, or lets it choose. Each call tries the device after the one
 // tried last, so that a device that fails does not block the others. Where there is one device alone it says so.

@@ -4,6 +4,7 @@
 #include "scene/scan_picture.h"
 #include "view/window/export.h"
 #include "view/window/panel.h"
+#include "view/window/tools.h"
 #include "view/window/viewer.h"
 
 #define GLFW_INCLUDE_NONE

@@ -2,17 +2,7 @@
 // eye.h -- what the window shows of the world: all of the scene beside the panel, what the user moves to, or a body that is followed.
 #ifndef EYE_H
 #define EYE_H
-#include "scree/scree.h"
-
-typedef struct
-{
-	bool fitted;      // nobody has moved the picture since it showed all of a box
-	scree_box box;    // m: that box
-	bool follows;     // the selected body stays in the middle
-	scree_vec behind; // m: by which it is not there yet
-} Eye;
-
-typedef struct Viewer Viewer;
+#include "view/window/state.h"
 
 // Shows the scene as its file has it.
 void eye_fit_scene(Viewer* viewer);

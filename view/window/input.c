@@ -3,8 +3,10 @@
 #include "view/window/input.h"
 #include "view/window/devices.h"
 #include "view/window/export.h"
+#include "view/window/eye.h"
 #include "view/window/full.h"
 #include "view/window/reports.h"
+#include "view/window/tools.h"
 #include "view/window/viewer.h"
 #include <math.h>
 #include <string.h>

@@ -8,16 +8,41 @@
 #include "view/share.h"
 #include "view/window/capture.h"
 #include "view/window/events.h"
-#include "view/window/eye.h"
-#include "view/window/full.h"
 #include "view/window/history.h"
 #include "view/window/inspect.h"
 #include "view/window/session.h"
-#include "view/window/tools.h"
 
 typedef struct GLFWwindow GLFWwindow;
 
-struct Viewer
+#define POUR_KINDS 16
+
+typedef struct // what the user does to the world, tools.c
+{
+	float blast;  // m/s that a common body near an explosion gets
+	int rate;     // bodies that are poured in a step, at most
+	bool pouring; // the key is down
+	bool pour;    // in the next step, also if the key is up again
+	scree_attribute kinds[POUR_KINDS];
+	int kind_count;
+	int poured;        // bodies so far, in this world
+	bool blasting;     // the key is down
+	double blast_time; // s: since when
+} Tools;
+
+typedef struct // what the window shows of the world, eye.c
+{
+	bool fitted;      // nobody has moved the picture since it showed all of a box
+	scree_box box;    // m: that box
+	bool follows;     // the selected body stays in the middle
+	scree_vec behind; // m: by which it is not there yet
+} Eye;
+
+typedef struct // of the window when it does not fill the screen, in window units
+{
+	int x, y, width, height;
+} Place;
+
+typedef struct
 {
 	const ViewOptions* options;
 	GLFWwindow* window;
@@ -55,6 +80,6 @@ struct Viewer
 	double message_time;    // s: when it was set
 	bool done;              // the viewer ends after this frame
 	int code;               // exit code
-};
+} Viewer;
 
 #endif

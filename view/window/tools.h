@@ -2,26 +2,9 @@
 // tools.h -- what the user does to the world besides dragging: throws bodies in, pours them, sets off explosions.
 #ifndef TOOLS_H
 #define TOOLS_H
-#include "view/grab.h"
-
-#define POUR_KINDS 16
-
-typedef struct
-{
-	float blast;  // m/s that a common body near an explosion gets
-	int rate;     // bodies that are poured in a step, at most
-	bool pouring; // the key is down
-	bool pour;    // in the next step, also if the key is up again
-	scree_attribute kinds[POUR_KINDS];
-	int kind_count;
-	int poured;        // bodies so far, in this world
-	bool blasting;     // the key is down
-	double blast_time; // s: since when
-} Tools;
+#include "view/window/state.h"
 
 #define TOOLS_DEFAULT ((Tools){.blast = 15.0f, .rate = 4})
-
-typedef struct Viewer Viewer;
 
 // Throws a body in at the cursor.
 void tools_launch(Viewer* viewer);

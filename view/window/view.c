@@ -2,8 +2,10 @@
 // view.c -- the viewer from start to end: opens the window, runs its frame loop, closes it.
 #include "view/window/view.h"
 #include "view/window/draw.h"
+#include "view/window/eye.h"
 #include "view/window/input.h"
 #include "view/window/script.h"
+#include "view/window/tools.h"
 #include "view/window/viewer.h"
 #include "view/window/window.h"
 #include <stdlib.h>
