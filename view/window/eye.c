@@ -3,7 +3,6 @@
 #include "view/window/eye.h"
 #include "view/bounds.h"
 #include "view/window/panel.h"
-#include "view/window/viewer.h"
 #include <stdlib.h>
 
 #define FAR     3.0f  // sizes of the scene's view that a body may be away from it to be shown
@@ -72,22 +71,20 @@ static scree_vec middle(const Viewer* v)
 	                    0.5f * ((float)v->camera.height - panel_band(v)));
 }
 
-void eye_follow(Viewer* v)
+bool eye_follow(Viewer* v)
 {
 	scree_vec at, now = middle(v);
 	if (v->eye.follows)
 	{
 		v->eye.follows = false;
-		return;
+		return true;
 	}
 	if (!find_selected(v, &at))
-	{
-		viewer_show(v, "nothing is selected that could be followed: click on a body");
-		return;
-	}
+		return false;
 	v->eye.follows = true;
 	v->eye.fitted = false;
 	v->eye.behind = (scree_vec){now.x - at.x, now.y - at.y};
+	return true;
 }
 
 void eye_moved(Viewer* v) { v->eye.fitted = v->eye.follows = false; }

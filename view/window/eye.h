@@ -10,8 +10,8 @@ void eye_fit_scene(Viewer* viewer);
 // Shows the scene, and where its bodies are now, without a few that flew far away.
 void eye_fit_bodies(Viewer* viewer);
 
-// Follows the selected body, or ends that.
-void eye_follow(Viewer* viewer);
+// Follows the selected body, or ends that. False if there is none.
+bool eye_follow(Viewer* viewer);
 
 // The user has moved the picture.
 void eye_moved(Viewer* viewer);

@@ -124,7 +124,8 @@ static bool style_action(Viewer* v, Action action)
 		eye_fit_bodies(v);
 		return true;
 	case ACTION_follow:
-		eye_follow(v);
+		if (!eye_follow(v))
+			viewer_show(v, "nothing is selected that could be followed: click on a body");
 		return true;
 	case ACTION_theme:
 		v->style.dark = !v->style.dark;
