@@ -45,7 +45,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 	Picture* p = calloc(1, sizeof(Picture));
 	if (p)
 		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo, .world = world};
-	if (!p || !sprites_list(&p->sprites, world) || !links_list(&p->links, &p->sprites, world) ||
+	if (!p || !sprites_list(&p->sprites, scene, world) || !links_list(&p->links, &p->sprites, world) ||
 	    !regions_list(&p->regions, &p->sprites, world) || scan_open(&p->scan, scene, world) != SCREE_OK)
 	{
 		snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXELS 7 // of an attribute, as row.glsl and body.frag have it
+#define TEXELS 9 // of an attribute, as row.glsl and body.frag have it
 
 static void buffer_texture_fill(BufferTexture* t, GLenum format, const void* data, size_t bytes)
 {
@@ -40,7 +40,14 @@ static bool is_upright(const scree_shape* shape)
 	return true;
 }
 
-static void describe(const scree_shape* shape, Color color, float texels[4 * TEXELS])
+static void put_color(Color color, float texel[4])
+{
+	texel[0] = (float)color.r / 255.0f;
+	texel[1] = (float)color.g / 255.0f;
+	texel[2] = (float)color.b / 255.0f;
+}
+
+static void describe(const scree_shape* shape, Ramp ramp, float texels[4 * TEXELS])
 {
 	scree_vec low = shape->vertices[0], high = low;
 	for (int k = 0; k < shape->count; ++k)
@@ -59,13 +66,16 @@ static void describe(const scree_shape* shape, Color color, float texels[4 * TEX
 	                        (float)shape->count,
 	                        shape->reach,
 	                        sqrtf(fmaxf(shape->area, 0.0f)),
-	                        (float)color.r / 255.0f,
-	                        (float)color.g / 255.0f,
-	                        (float)color.b / 255.0f,
+	                        0.0f,
+	                        0.0f,
+	                        0.0f,
 	                        shape->kind == SCREE_SHAPE_SEGMENT ? 2.0f
 	                        : is_upright(shape)                ? 1.0f
 	                                                           : 0.0f};
 	memcpy(texels, rows, sizeof rows);
+	put_color(ramp.middle, texels + 8);
+	put_color(ramp.first, texels + 28);
+	put_color(ramp.last, texels + 32);
 }
 
 static bool fill_attributes(RenderTables* tables)
@@ -75,14 +85,13 @@ static bool fill_attributes(RenderTables* tables)
 	if (!texels)
 		return false;
 	for (int k = 0; k < tables->attribute_count; ++k)
-		describe(&tables->attributes[k].shape, sprite_base(tables->color_of[k]),
-		         texels + (size_t)(4 * TEXELS) * (size_t)k);
+		describe(&tables->attributes[k].shape, ramp_of(tables->color_of[k]), texels + (size_t)(4 * TEXELS) * (size_t)k);
 	buffer_texture_fill(&tables->attribute_texture, GL_RGBA32F, texels, bytes);
 	free(texels);
 	return true;
 }
 
-// One byte a body: SCREE_BODY_DYNAMIC or 0. The dynamic bodies are in the list of sprites from first_moving on.
+// One byte a body: SCREE_BODY_DYNAMIC or 0, and 4 times its place on the ramp of its attribute. The dynamic bodies are in the list of sprites from first_moving on.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)
@@ -100,7 +109,7 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 		const Sprite* s = &sprites->list[k];
 		if (s->body < 0)
 			continue;
-		kinds[tables->bodies[s->body].index] = SCREE_BODY_DYNAMIC;
+		kinds[tables->bodies[s->body].index] = (uint8_t)(SCREE_BODY_DYNAMIC | s->shade << 2);
 		points[count++] = poses[s->body].position;
 		float own = tables->attributes[s->attribute].shape.reach;
 		reach = own > reach && own < 50.0f ? own : reach;
@@ -132,12 +141,12 @@ static bool list_rows(RenderTables* tables)
 	return good;
 }
 
-bool render_tables_build(RenderTables* tables, scree_world* world)
+bool render_tables_build(RenderTables* tables, const Scene* scene, scree_world* world)
 {
 	Sprites sprites = {0};
 	render_tables_close(tables);
 	tables->world = world;
-	bool good = sprites_list(&sprites, world);
+	bool good = sprites_list(&sprites, scene, world);
 	tables->attributes = sprites.attributes;
 	tables->color_of = sprites.color_of;
 	tables->attribute_count = sprites.attribute_count;

@@ -10,8 +10,8 @@ uniform vec3 palette[64]; // of graph colors
 uniform int first;        // row that is drawn first
 uniform int marked;       // rows that have a mark
 
-uniform samplerBuffer table;      // attributes, 7 texels each
-uniform usamplerBuffer kinds;     // of bodies
+uniform samplerBuffer table;      // attributes, TEXELS of render_tables.c each
+uniform usamplerBuffer kinds;     // of bodies: whether they move, and where on the ramp of their attribute
 uniform usamplerBuffer graph;     // lowest color of a body's contacts, 255 for none
 uniform samplerBuffer velocities; // of bodies, m/s
 uniform usamplerBuffer marks;     // of rows: bits of sensor_marks.h
@@ -23,7 +23,7 @@ const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
 vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
-bool moves() { return name.y >= 0 && texelFetch(kinds, name.y).x == 2u; }
+bool moves() { return name.y >= 0 && (texelFetch(kinds, name.y).x & 3u) == 2u; }
 
 // The mark of a row, 0 where it is no sensor.
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, row).x) : 0; }
@@ -42,7 +42,14 @@ vec3 speed_color(float speed)
 	return t < 1.0 ? mix(slow, middle, t) : mix(middle, fast, t - 1.0);
 }
 
-vec3 row_color(vec3 base)
+// A color of the ramp of the attribute: 0 is its first, 1 its middle, 2 its last.
+vec3 ramp_color(vec3 middle, float place)
+{
+	vec3 end = texelFetch(table, 9 * name.x + (place < 1.0 ? 7 : 8)).rgb;
+	return mix(middle, end, abs(place - 1.0));
+}
+
+vec3 row_color(vec3 middle)
 {
 	if (name.y < 0)
 		return glass;
@@ -55,5 +62,6 @@ vec3 row_color(vec3 base)
 	// a little lighter or darker from body to body
 	uint mixed = uint(name.y) * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
-	return min(base * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
+	vec3 color = ramp_color(middle, float(texelFetch(kinds, name.y).x >> 2) / 31.0);
+	return min(color * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
 }
