@@ -6,8 +6,13 @@
 #ifdef SCREE_HAVE_CAIRO
 
 #include <cairo.h>
+#include <string.h>
 
-#define MAX_SIDE 16384 // px
+#define MAX_SIDE   16384 // px
+#define FONT       15.0  // px: title and caption in one line
+#define SMALL_FONT 12.0  // px: in two lines
+#define THIN       CAIRO_FONT_WEIGHT_NORMAL
+#define BOLD       CAIRO_FONT_WEIGHT_BOLD
 
 bool canvas_open(Canvas* p, int width, int height, char* sentence)
 {
@@ -56,25 +61,83 @@ static double text_width(cairo_t* cairo, const char* text, cairo_font_weight_t w
 	return size.x_advance;
 }
 
+static void stroke(Canvas* p, double width)
+{
+	set_color(p->cairo, TEXT_COLOR, 1);
+	cairo_set_line_width(p->cairo, width);
+	cairo_stroke(p->cairo);
+	cairo_surface_flush(p->surface);
+}
+
+void canvas_mark(Canvas* p, double left, double top, double width, double height)
+{
+	cairo_surface_mark_dirty(p->surface);
+	cairo_rectangle(p->cairo, left, top, width, height);
+	stroke(p, 1.5);
+}
+
+void canvas_line(Canvas* p, double x0, double y0, double x1, double y1)
+{
+	cairo_surface_mark_dirty(p->surface);
+	cairo_move_to(p->cairo, x0, y0);
+	cairo_line_to(p->cairo, x1, y1);
+	stroke(p, 0.6);
+}
+
+// Leaves out the last fields that have no room, but one.
+static void drop_fields(cairo_t* cairo, char* caption, double room)
+{
+	for (char* last = caption; last && text_width(cairo, caption, THIN) > room;)
+	{
+		last = NULL;
+		for (char* gap = caption; (gap = strstr(gap, "   ")); gap += 3)
+			last = gap;
+		if (last)
+			*last = 0;
+	}
+}
+
+static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weight, double x, double y)
+{
+	cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
+	cairo_move_to(cairo, x, y);
+	cairo_show_text(cairo, text);
+}
+
+// In a line of its own, a long text is smaller.
+static void show_line(cairo_t* cairo, const char* text, cairo_font_weight_t weight, double room, double y)
+{
+	cairo_set_font_size(cairo, SMALL_FONT);
+	double width = text_width(cairo, text, weight);
+	if (width > room)
+		cairo_set_font_size(cairo, SMALL_FONT * room / width);
+	show_text(cairo, text, weight, MARGIN, y);
+}
+
 void canvas_caption(Canvas* p, const char* title, const char* caption)
 {
 	cairo_surface_mark_dirty(p->surface);
-	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL, bold = CAIRO_FONT_WEIGHT_BOLD;
-	double room = p->width - 4 * MARGIN, font = 15, baseline = p->height - BAND / 2.0 + 5;
+	double top = p->height - BAND;
 	set_color(p->cairo, BACKGROUND_COLOR, 0.97);
-	cairo_rectangle(p->cairo, 0, p->height - BAND, p->width, BAND);
+	cairo_rectangle(p->cairo, 0, top, p->width, BAND);
 	cairo_fill(p->cairo);
 	set_color(p->cairo, TEXT_COLOR, 1);
-	cairo_set_font_size(p->cairo, font);
-	double both = text_width(p->cairo, title, bold) + text_width(p->cairo, caption, thin);
-	if (both > room)
-		cairo_set_font_size(p->cairo, font * room / both);
-
-	cairo_move_to(p->cairo, p->width - MARGIN - text_width(p->cairo, caption, thin), baseline);
-	cairo_show_text(p->cairo, caption);
-	cairo_select_font_face(p->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, bold);
-	cairo_move_to(p->cairo, MARGIN, baseline);
-	cairo_show_text(p->cairo, title);
+	cairo_set_font_size(p->cairo, FONT);
+	double width = text_width(p->cairo, caption, THIN);
+	if (text_width(p->cairo, title, BOLD) + width <= p->width - 4 * MARGIN)
+	{
+		show_text(p->cairo, title, BOLD, MARGIN, top + BAND / 2.0 + 5);
+		show_text(p->cairo, caption, THIN, p->width - MARGIN - width, top + BAND / 2.0 + 5);
+	}
+	else
+	{
+		char fields[256];
+		snprintf(fields, sizeof fields, "%s", caption);
+		cairo_set_font_size(p->cairo, SMALL_FONT);
+		drop_fields(p->cairo, fields, p->width - 2 * MARGIN);
+		show_line(p->cairo, title, BOLD, p->width - 2 * MARGIN, top + 14);
+		show_line(p->cairo, fields, THIN, p->width - 2 * MARGIN, top + 30);
+	}
 	cairo_surface_flush(p->surface);
 }
 
@@ -100,6 +163,16 @@ bool canvas_open(Canvas* canvas, int width, int height, char* sentence)
 }
 
 void canvas_close(Canvas* canvas) { *canvas = (Canvas){0}; }
+
+void canvas_mark(Canvas* canvas, double left, double top, double width, double height)
+{
+	(void)canvas, (void)left, (void)top, (void)width, (void)height;
+}
+
+void canvas_line(Canvas* canvas, double x0, double y0, double x1, double y1)
+{
+	(void)canvas, (void)x0, (void)y0, (void)x1, (void)y1;
+}
 
 void canvas_caption(Canvas* canvas, const char* title, const char* caption)
 {

@@ -14,7 +14,9 @@ static bool resize_capture(Viewer* v)
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];
-	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
+	uint64_t hash = 0;
+	scree_world_get_hash(v->session.world, &hash);
+	caption_exact(v->session.scene, v->session.world, &v->session.counters, hash, caption, sizeof caption);
 	capture_draw(&v->capture, &v->renderer, &v->share, &v->camera, style, v->session.scene->title, caption);
 }
 
