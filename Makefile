@@ -1,6 +1,6 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip test bench build packages format check clean
+.PHONY: help run view clip gallery test bench build packages format check clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -8,7 +8,7 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 test_packages := $(view_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
-	gnuplot-nox
+	gnuplot-nox ffmpeg jq
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -31,6 +31,10 @@ clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
 	@tools/packages.sh ffmpeg
 	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
 	@echo 'The video is build/clip.mp4'
+
+gallery: build_packages += ffmpeg jq
+gallery: build ## all scenes as pictures and short clips on one page, build/gallery/index.html (SCENES=...)
+	@tools/gallery.sh build/gallery $(SCENES)
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)
