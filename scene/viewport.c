@@ -28,6 +28,8 @@ static void between(float low0, float high0, float low1, float high1, double sha
 scree_box viewport_between(scree_box from, scree_box to, double share)
 {
 	scree_box box;
+	if (share <= 0 || share >= 1)
+		return share <= 0 ? from : to; // to the bit
 	between(from.lower.x, from.upper.x, to.lower.x, to.upper.x, share, &box.lower.x, &box.upper.x);
 	between(from.lower.y, from.upper.y, to.lower.y, to.upper.y, share, &box.lower.y, &box.upper.y);
 	return box;
