@@ -6,6 +6,7 @@
 #ifdef SCREE_HAVE_CAIRO
 
 #include <cairo.h>
+#include <math.h>
 #include <string.h>
 
 #define MAX_SIDE   16384 // px
@@ -84,10 +85,42 @@ void canvas_line(Canvas* p, double x0, double y0, double x1, double y1)
 	stroke(p, 0.6);
 }
 
+static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weight, double x, double y)
+{
+	cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
+	cairo_move_to(cairo, x, y);
+	cairo_show_text(cairo, text);
+}
+
+// Shows a caption, or only measures it. Digits of a hash, which are 16, stand in columns: else the fields after it would jump from
+// frame to frame.
+static double put_caption(cairo_t* cairo, const char* caption, bool show, double x, double y)
+{
+	static const char digits[] = "0123456789abcdef";
+	double column = text_width(cairo, "0", THIN), begin = x;
+	char word[256];
+	while (*caption)
+	{
+		bool hash = strspn(caption, digits) == 16;
+		size_t length = hash ? 1 : 0;
+		while (!hash && caption[length] && length + 1 < sizeof word && strspn(caption + length, digits) != 16)
+			++length;
+		for (int k = 0; k < (hash ? 16 : 1); ++k, caption += length)
+		{
+			snprintf(word, sizeof word, "%.*s", (int)length, caption);
+			double width = text_width(cairo, word, THIN);
+			if (show)
+				show_text(cairo, word, THIN, hash ? x + (column - width) / 2 : x, y);
+			x += hash ? column : width;
+		}
+	}
+	return x - begin;
+}
+
 // Leaves out the last fields that have no room, but one.
 static void drop_fields(cairo_t* cairo, char* caption, double room)
 {
-	for (char* last = caption; last && text_width(cairo, caption, THIN) > room;)
+	for (char* last = caption; last && put_caption(cairo, caption, false, 0, 0) > room;)
 	{
 		last = NULL;
 		for (char* gap = caption; (gap = strstr(gap, "   ")); gap += 3)
@@ -97,47 +130,40 @@ static void drop_fields(cairo_t* cairo, char* caption, double room)
 	}
 }
 
-static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weight, double x, double y)
-{
-	cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
-	cairo_move_to(cairo, x, y);
-	cairo_show_text(cairo, text);
-}
+// The size of a line's font, px, of which a text has this width at SMALL_FONT.
+static double line_font(double width, double room) { return width > room ? SMALL_FONT * room / width : SMALL_FONT; }
 
-// In a line of its own, a long text is smaller.
-static void show_line(cairo_t* cairo, const char* text, cairo_font_weight_t weight, double room, double y)
+// Title and caption below each other, smaller; a line that is still too long is smaller again.
+static void show_lines(cairo_t* cairo, const char* title, const char* caption, double room, double top)
 {
+	char fields[256];
+	snprintf(fields, sizeof fields, "%s", caption);
 	cairo_set_font_size(cairo, SMALL_FONT);
-	double width = text_width(cairo, text, weight);
-	if (width > room)
-		cairo_set_font_size(cairo, SMALL_FONT * room / width);
-	show_text(cairo, text, weight, MARGIN, y);
+	drop_fields(cairo, fields, room);
+	double above = text_width(cairo, title, BOLD), below = put_caption(cairo, fields, false, 0, 0);
+	cairo_set_font_size(cairo, line_font(above, room));
+	show_text(cairo, title, BOLD, MARGIN, top + 14);
+	cairo_set_font_size(cairo, line_font(below, room));
+	put_caption(cairo, fields, true, MARGIN, top + 30);
 }
 
 void canvas_caption(Canvas* p, const char* title, const char* caption)
 {
 	cairo_surface_mark_dirty(p->surface);
-	double top = p->height - BAND;
+	double top = p->height - BAND, baseline = top + BAND / 2.0 + 5;
 	set_color(p->cairo, BACKGROUND_COLOR, 0.97);
 	cairo_rectangle(p->cairo, 0, top, p->width, BAND);
 	cairo_fill(p->cairo);
 	set_color(p->cairo, TEXT_COLOR, 1);
 	cairo_set_font_size(p->cairo, FONT);
-	double width = text_width(p->cairo, caption, THIN);
+	double width = put_caption(p->cairo, caption, false, 0, 0);
 	if (text_width(p->cairo, title, BOLD) + width <= p->width - 4 * MARGIN)
 	{
-		show_text(p->cairo, title, BOLD, MARGIN, top + BAND / 2.0 + 5);
-		show_text(p->cairo, caption, THIN, p->width - MARGIN - width, top + BAND / 2.0 + 5);
+		show_text(p->cairo, title, BOLD, MARGIN, baseline);
+		put_caption(p->cairo, caption, true, p->width - MARGIN - width, baseline);
 	}
 	else
-	{
-		char fields[256];
-		snprintf(fields, sizeof fields, "%s", caption);
-		cairo_set_font_size(p->cairo, SMALL_FONT);
-		drop_fields(p->cairo, fields, p->width - 2 * MARGIN);
-		show_line(p->cairo, title, BOLD, p->width - 2 * MARGIN, top + 14);
-		show_line(p->cairo, fields, THIN, p->width - 2 * MARGIN, top + 30);
-	}
+		show_lines(p->cairo, title, caption, p->width - 2 * MARGIN, top);
 	cairo_surface_flush(p->surface);
 }
 

@@ -6,8 +6,8 @@
 #   FOLDER  gets index.html and for each scene NAME.png, NAME.jpg, NAME.mp4
 #   SCENE   as in scenes/; default all
 # Variables and their defaults: SCREE, the command line (build/scree); SIZE of pictures (1600x900) and CLIP_SIZE of clips
-# (640x360), px; SHOWN, seconds of the world in a clip (4); WORK, most bodies times steps (25000000), so that a scene of a million
-# bodies takes few steps. Needs ffmpeg and jq. Exit 1 when a scene fails; the page then has the others.
+# (640x360), px; SHOWN, seconds of the world in a clip (4); WORK, most bodies and rays times steps (25000000), so that a scene of a
+# million bodies takes few steps. Needs ffmpeg and jq. Exit 1 when a scene fails; the page then has the others.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 folder=${1:?is the folder for the page}
@@ -37,11 +37,11 @@ least_of()
 # draw NAME: the picture and the clip of a scene; sets steps, bodies, hash
 draw()
 {
-	local name=$1 file=scenes/$1.json dt slower
+	local name=$1 file=scenes/$1.json dt rays slower
 	dt=$(awk "BEGIN { print $(jq -r '.world.dt // "1 / 60"' "$file") }")
 	"$scree" run "$name" --device cpu --steps 1 >"$scratch/table" || return 1
-	bodies=$(result bodies)
-	steps=$(least_of "$(awk "BEGIN { printf \"%.0f\", $shown / $dt }")" "$(jq '.steps // 300' "$file")" $((work / (bodies + 1) + 1)))
+	bodies=$(result bodies) rays=$(result rays)
+	steps=$(least_of "$(awk "BEGIN { printf \"%.0f\", $shown / $dt }")" "$(jq '.steps // 300' "$file")" $((work / (bodies + ${rays:-0} + 1) + 1)))
 	"$scree" run "$name" --device cpu --steps "$steps" --picture "$folder/$name.png" --size "$size" >"$scratch/table" || return 1
 	hash=$(result hash)
 	"$scree" run "$name" --device cpu --steps "$steps" --video "$scratch/clip.mp4" --size "$clip_size" >"$scratch/table" || return 1
