@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define GAP         24   // px between the scene and its detail
-#define LEAST_SHARE 0.18 // of a picture's width: a narrower detail shows too little
+#define LEAST_SHARE 0.13 // of a picture's width: a narrower detail shows too little
 
 bool detail_open(Detail* p, const Scene* scene, int width, int height)
 {
