@@ -55,9 +55,6 @@ void detail_keep(Detail* p, Canvas* canvas)
 
 void detail_put(Detail* p, Canvas* canvas)
 {
-	for (int row = 0; row < p->height; ++row)
-		memcpy(row_of(p, canvas, row), p->pixels + (size_t)row * (size_t)p->width,
-		       (size_t)p->width * sizeof *p->pixels);
 	Viewport whole = viewport_show(p->whole, canvas->width, canvas->height);
 	Viewport part = viewport_show(p->part, canvas->width, canvas->height);
 	double zoom = whole.scale / part.scale, floor = canvas->height - BAND;
@@ -65,7 +62,10 @@ void detail_put(Detail* p, Canvas* canvas)
 	double left = (part.left + p->left / part.scale - whole.left) * whole.scale;
 	double top = floor - (part.bottom + (floor - p->top) / part.scale - whole.bottom) * whole.scale;
 	canvas_mark(canvas, left, top, p->width * zoom, p->height * zoom);
-	canvas_mark(canvas, p->left, p->top, p->width, p->height);
 	canvas_line(canvas, left + p->width * zoom, top, p->left, p->top);
 	canvas_line(canvas, left + p->width * zoom, top + p->height * zoom, p->left, p->top + p->height);
+	for (int row = 0; row < p->height; ++row)
+		memcpy(row_of(p, canvas, row), p->pixels + (size_t)row * (size_t)p->width,
+		       (size_t)p->width * sizeof *p->pixels);
+	canvas_mark(canvas, p->left, p->top, p->width, p->height);
 }

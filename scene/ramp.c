@@ -21,9 +21,9 @@ static uint8_t channel(uint8_t first, uint8_t middle, uint8_t last, float place,
 	return (uint8_t)(value > 255 ? 255 : value);
 }
 
-Color ramp_color(const Ramp* ramp, int shade, int body)
+Color ramp_color(const Ramp* ramp, int shade, uint32_t body)
 {
-	uint32_t mixed = (uint32_t)body * 0x9e3779b1u;
+	uint32_t mixed = body * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
 	float factor = 0.92f + 0.16f * (float)(mixed >> 24) / 255.0f, place = (float)shade / SHADE_MIDDLE;
 	const Color *a = &ramp->first, *b = &ramp->middle, *c = &ramp->last;

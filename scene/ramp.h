@@ -20,8 +20,8 @@ typedef struct
 // The ramp of an entry of the palette, which begins again at its end; -1 is that of bodies that are not dynamic, of one color.
 Ramp ramp_of(int entry);
 
-// A color of a ramp, a little lighter or darker for each body, so that equal neighbors differ; row.glsl has the same formula.
-Color ramp_color(const Ramp* ramp, int shade, int body);
+// A color of a ramp, a little lighter or darker by the index of the body, so that equal neighbors differ; row.glsl has the same formula.
+Color ramp_color(const Ramp* ramp, int shade, uint32_t body);
 
 typedef struct // walks over the bodies of a scene in the order of their indices
 {

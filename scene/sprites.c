@@ -25,12 +25,12 @@ static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attrib
 	return def->shape.count > 0 || scree_attribute_get_def(world, attribute, def) == SCREE_OK;
 }
 
-static Color sprite_color(Sprites* p, int attribute, bool moving, int shade, int body)
+static Color sprite_color(Sprites* p, const Sprite* s, bool moving)
 {
-	if (moving && p->color_of[attribute] < 0)
-		p->color_of[attribute] = p->colors++;
-	Ramp ramp = ramp_of(moving ? p->color_of[attribute] : -1);
-	return moving ? ramp_color(&ramp, shade, body) : ramp.middle;
+	if (moving && p->color_of[s->attribute] < 0)
+		p->color_of[s->attribute] = p->colors++;
+	Ramp ramp = ramp_of(moving ? p->color_of[s->attribute] : -1);
+	return moving ? ramp_color(&ramp, s->shade, p->bodies[s->body].index) : ramp.middle;
 }
 
 static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidable, int body, bool moving, int shade)
@@ -53,7 +53,7 @@ static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidab
 	}
 	sprite.sensor = sees != 0;
 	sprite.attribute = (int)attribute.index;
-	sprite.color = sprite_color(p, sprite.attribute, moving, shade, body);
+	sprite.color = sprite_color(p, &sprite, moving);
 	p->list[p->count++] = sprite;
 	return true;
 }

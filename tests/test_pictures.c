@@ -51,7 +51,7 @@ static void ramps_have_three_colors(void** state)
 	const Ramp ramp = {{100, 0, 200}, {50, 100, 100}, {150, 200, 0}};
 	const Color* ends[] = {&ramp.first, &ramp.middle, &ramp.last};
 	for (int place = 0; place < 3; ++place)
-		for (int body = 0; body < 1000; ++body)
+		for (uint32_t body = 0; body < 1000; ++body)
 		{
 			Color color = ramp_color(&ramp, place * SHADE_MIDDLE, body);
 			assert_true(color.r >= (int)(0.92 * ends[place]->r) && color.r <= 1.08 * ends[place]->r);

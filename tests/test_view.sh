@@ -100,6 +100,12 @@ if [ -x "$build/tests/difference" ]; then
 	"$scree" run "${small[@]}" "${whole[@]}" --device cpu --steps 30 --size 800x600 --renderer cairo --picture cairo.png >out 2>err ||
 		fail "run --renderer cairo"
 	within window.png cairo.png 1.0 0.01 || fail "OpenGL and Cairo are not alike"
+	for renderer in gl cairo; do
+		"$scree" run "${small[@]}" --device cpu --steps 30 --size 800x600 --renderer $renderer --picture detail_$renderer.png >out 2>err ||
+			fail "run --renderer $renderer of a scene with a detail"
+	done
+	within detail_gl.png detail_cairo.png 1.0 0.01 || fail "details of OpenGL and Cairo are not alike"
+	within detail_gl.png window.png 1.0 0.01 && fail "a picture shows no detail"
 	"$scree" run "${small[@]}" "${whole[@]}" --device cpu --steps 32 --size 800x600 --picture layers_gl.png \
 		--layers contacts,normals,impulses,velocities,boxes >out 2>err || fail "run --layers"
 	within layers.png layers_gl.png 0.5 0.002 || fail "layers in window and picture are not alike"
