@@ -149,6 +149,15 @@ static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 	cairo_close_path(p->cairo);
 }
 
+// Whether a shape lies outside the picture, with its outline.
+static bool unseen(const Picture* p, const scree_shape* shape, scree_pose pose)
+{
+	double x = (pose.position.x - p->viewport.left) * p->viewport.scale;
+	double y = p->height - BAND - (pose.position.y - p->viewport.bottom) * p->viewport.scale;
+	double reach = shape->reach * p->viewport.scale + OUTLINED;
+	return x < -reach || y < -reach || x > p->width + reach || y > p->height + reach;
+}
+
 // Draws a square of the shape's area, blended pixel by pixel. The surface must be flushed.
 static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
 {
@@ -322,12 +331,13 @@ static scree_status draw_view(Picture* p, scree_box view, const scree_pose* pose
 			bool is_splat = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
 			if (is_splat != small)
 				continue;
-			if (is_splat && s->sensor)
-				continue; // an outline that nobody sees
+			scree_pose pose = sprite_pose(s, poses);
+			if (unseen(p, shape, pose) || (is_splat && s->sensor))
+				continue; // a sensor that small is an outline that nobody sees
 			if (is_splat)
-				draw_splat(p, shape, sprite_pose(s, poses), s->color);
+				draw_splat(p, shape, pose, s->color);
 			else
-				draw_sprite(p, s, sprite_pose(s, poses));
+				draw_sprite(p, s, pose);
 		}
 		cairo_surface_mark_dirty(p->canvas.surface);
 	}
