@@ -103,13 +103,13 @@ done
 		section p { margin: .25rem 0 .75rem; color: var(--faint); overflow-wrap: anywhere }
 		.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: .75rem; margin-bottom: .75rem }
 		img, video { display: block; width: 100%; height: auto; border-radius: .25rem; background: #f7f5f0 }
-		pre { margin: 0; padding: .5rem .75rem; overflow-x: auto; border: 1px solid var(--line); border-radius: .25rem; font-size: .85rem }
+		pre { margin: 0; padding: .5rem .75rem; white-space: pre-wrap; border: 1px solid var(--line); border-radius: .25rem; font-size: .85rem }
 		details { margin-top: .5rem } summary { cursor: pointer; color: var(--faint) }
 		table { border-collapse: collapse; font-size: .9rem } th, td { padding: .15rem 1rem .15rem 0; text-align: left; vertical-align: top }
 		</style>
 		<h1>Scree: all scenes</h1>
 	PAGE
-	echo "<p>Pictures and clips by $("$scree" --version). Below each is the command that made the picture, and the hash of the world at that" \
+	echo "<p>Pictures and clips by Scree $("$scree" --version). Below each is the command that made the picture, and the hash of the world at that" \
 		"step: the same bits on every CPU and GPU. A click shows a picture in full size.</p>"
 	echo '<nav>'
 	sed -n 's/^<section id="\([^"]*\)">.*/<a href="#\1">\1<\/a>/p' "$scratch/cards"
