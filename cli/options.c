@@ -171,7 +171,7 @@ const OptionRow option_rows[] = {
      OTHER(read_size)},
     {"view", 'V', "L,B,R,T", RUN,
      "what picture and video show: left, bottom, right, top in metres; as the scene says without it", OTHER(read_view)},
-    {"zoom", 'z', "L,B,R,T", RUN, "during the run the view moves to this one", OTHER(read_zoom)},
+    {"zoom", 'Z', "L,B,R,T", RUN, "during the run the view moves to this one", OTHER(read_zoom)},
     {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it",
      OTHER(read_renderer)},
     {"paint", 'a', "NAME", RUN | VIEW, "with gl: color bodies by attribute, speed or graph (colors of the solver)",
@@ -214,7 +214,7 @@ static bool have_effect(const Options* options, unsigned given)
 	bool figure = options->command == FIGURE,
 	     other = figure || options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
-	    no_effect(options, given, "SRaLVz", "there is no --picture or --video"))
+	    no_effect(options, given, "SRaLVZ", "there is no --picture or --video"))
 		return false;
 	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
 	    no_effect(options, given, "tl", "the device is not the CPU"))

@@ -29,8 +29,8 @@ static Color sprite_color(Sprites* p, const Sprite* s, bool moving)
 {
 	if (moving && p->color_of[s->attribute] < 0)
 		p->color_of[s->attribute] = p->colors++;
-	Ramp ramp = ramp_of(moving ? p->color_of[s->attribute] : -1);
-	return moving ? ramp_color(&ramp, s->shade, p->bodies[s->body].index) : ramp.middle;
+	Shades shades = shades_of(moving ? p->color_of[s->attribute] : -1);
+	return moving ? shades_color(&shades, s->shade, p->bodies[s->body].index) : shades.middle;
 }
 
 static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidable, int body, bool moving, int shade)

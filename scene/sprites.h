@@ -2,7 +2,7 @@
 // sprites.h -- the shapes and colors of a picture, read through the public interface of Scree.
 #ifndef SPRITES_H
 #define SPRITES_H
-#include "scene/ramp.h"
+#include "scene/shades.h"
 
 // the background of pictures, and their text
 #define BACKGROUND_COLOR ((Color){247, 245, 240})
@@ -18,7 +18,7 @@ typedef struct // one collidable to draw
 	int attribute;   // index in Sprites.attributes
 	scree_pose pose; // in the body's frame; without a body in the world
 	Color color;
-	uint8_t shade;               // place on the ramp of the attribute
+	uint8_t shade;               // shade of the attribute
 	bool sensor;                 // drawn as an outline
 	scree_collidable collidable; // a scene may have replaced it since
 } Sprite;
@@ -31,7 +31,7 @@ typedef struct
 	int count, capacity;
 	int first_moving;
 	scree_attribute_def* attributes; // by the index of their handles
-	int* color_of;                   // entry of the palette, see ramp_of; by attribute, -1 for none yet
+	int* color_of;                   // entry of the palette, see shades_of; by attribute, -1 for none yet
 	int attribute_count, colors;
 } Sprites;
 

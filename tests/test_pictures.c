@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_pictures.c -- what pictures show: the ramp of a body's colors, a camera on its way, the place of a detail.
+// test_pictures.c -- what pictures show: the shades of a body's colors, a camera on its way, the place of a detail.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "scene/detail.h"
-#include "scene/ramp.h"
+#include "scene/shades.h"
 #include "scene_text.h"
 #include <math.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static Scene* scene_of(const char* text)
 
 // Bodies of the scene are 1, 2, ...: one alone, five of one attribute, five that choose. A body alone has the middle, 31; five run
 // from 0 to 62; where there is a choice, from 62 / 4 to 3 * 62 / 4, rounded.
-static void bodies_run_through_their_ramp(void** state)
+static void bodies_run_through_their_shades(void** state)
 {
 	(void)state;
 	Scene* scene = scene_of(
@@ -45,20 +45,20 @@ static void bodies_run_through_their_ramp(void** state)
 }
 
 // At the places 0, 31 and 62 are the three colors, times 0.92 to 1.08; the palette begins again at its end.
-static void ramps_have_three_colors(void** state)
+static void shades_have_three_colors(void** state)
 {
 	(void)state;
-	const Ramp ramp = {{100, 0, 200}, {50, 100, 100}, {150, 200, 0}};
-	const Color* ends[] = {&ramp.first, &ramp.middle, &ramp.last};
+	const Shades shades = {{100, 0, 200}, {50, 100, 100}, {150, 200, 0}};
+	const Color* ends[] = {&shades.first, &shades.middle, &shades.last};
 	for (int place = 0; place < 3; ++place)
 		for (uint32_t body = 0; body < 1000; ++body)
 		{
-			Color color = ramp_color(&ramp, place * SHADE_MIDDLE, body);
+			Color color = shades_color(&shades, place * SHADE_MIDDLE, body);
 			assert_true(color.r >= (int)(0.92 * ends[place]->r) && color.r <= 1.08 * ends[place]->r);
 			assert_true(color.g >= (int)(0.92 * ends[place]->g) && color.g <= 1.08 * ends[place]->g);
 			assert_true(color.b >= (int)(0.92 * ends[place]->b) && color.b <= 1.08 * ends[place]->b);
 		}
-	Ramp first = ramp_of(0), again = ramp_of(8), still = ramp_of(-1);
+	Shades first = shades_of(0), again = shades_of(8), still = shades_of(-1);
 	assert_memory_equal(&first, &again, sizeof first);
 	assert_memory_equal(&still.first, &still.last, sizeof still.first);
 }
@@ -108,8 +108,8 @@ static void details_fill_wide_pictures(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(bodies_run_through_their_ramp),
-	    cmocka_unit_test(ramps_have_three_colors),
+	    cmocka_unit_test(bodies_run_through_their_shades),
+	    cmocka_unit_test(shades_have_three_colors),
 	    cmocka_unit_test(cameras_magnify_steadily),
 	    cmocka_unit_test(details_fill_wide_pictures),
 	};

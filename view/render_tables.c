@@ -47,7 +47,7 @@ static void put_color(Color color, float texel[4])
 	texel[2] = (float)color.b / 255.0f;
 }
 
-static void describe(const scree_shape* shape, Ramp ramp, float texels[4 * TEXELS])
+static void describe(const scree_shape* shape, Shades shades, float texels[4 * TEXELS])
 {
 	scree_vec low = shape->vertices[0], high = low;
 	for (int k = 0; k < shape->count; ++k)
@@ -73,9 +73,9 @@ static void describe(const scree_shape* shape, Ramp ramp, float texels[4 * TEXEL
 	                        : is_upright(shape)                ? 1.0f
 	                                                           : 0.0f};
 	memcpy(texels, rows, sizeof rows);
-	put_color(ramp.middle, texels + 8);
-	put_color(ramp.first, texels + 28);
-	put_color(ramp.last, texels + 32);
+	put_color(shades.middle, texels + 8);
+	put_color(shades.first, texels + 28);
+	put_color(shades.last, texels + 32);
 }
 
 static bool fill_attributes(RenderTables* tables)
@@ -85,13 +85,14 @@ static bool fill_attributes(RenderTables* tables)
 	if (!texels)
 		return false;
 	for (int k = 0; k < tables->attribute_count; ++k)
-		describe(&tables->attributes[k].shape, ramp_of(tables->color_of[k]), texels + (size_t)(4 * TEXELS) * (size_t)k);
+		describe(&tables->attributes[k].shape, shades_of(tables->color_of[k]),
+		         texels + (size_t)(4 * TEXELS) * (size_t)k);
 	buffer_texture_fill(&tables->attribute_texture, GL_RGBA32F, texels, bytes);
 	free(texels);
 	return true;
 }
 
-// One byte a body: SCREE_BODY_DYNAMIC or 0, and 4 times its place on the ramp of its attribute. The dynamic bodies are in the list of sprites from first_moving on.
+// One byte a body: SCREE_BODY_DYNAMIC or 0, and 4 times its shade. The dynamic bodies are in the list of sprites from first_moving on.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)

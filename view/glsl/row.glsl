@@ -11,7 +11,7 @@ uniform int first;        // row that is drawn first
 uniform int marked;       // rows that have a mark
 
 uniform samplerBuffer table;      // attributes, TEXELS of render_tables.c each
-uniform usamplerBuffer kinds;     // of bodies: whether they move, and where on the ramp of their attribute
+uniform usamplerBuffer kinds;     // of bodies: whether they move, and their shade
 uniform usamplerBuffer graph;     // lowest color of a body's contacts, 255 for none
 uniform samplerBuffer velocities; // of bodies, m/s
 uniform usamplerBuffer marks;     // of rows: bits of sensor_marks.h
@@ -42,8 +42,8 @@ vec3 speed_color(float speed)
 	return t < 1.0 ? mix(slow, middle, t) : mix(middle, fast, t - 1.0);
 }
 
-// A color of the ramp of the attribute: 0 is its first, 1 its middle, 2 its last.
-vec3 ramp_color(vec3 middle, float place)
+// A shade of the attribute: 0 is its first color, 1 its middle, 2 its last.
+vec3 shade_color(vec3 middle, float place)
 {
 	vec3 end = texelFetch(table, 9 * name.x + (place < 1.0 ? 7 : 8)).rgb;
 	return mix(middle, end, abs(place - 1.0));
@@ -62,6 +62,6 @@ vec3 row_color(vec3 middle)
 	// a little lighter or darker from body to body
 	uint mixed = uint(name.y) * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
-	vec3 color = ramp_color(middle, float(texelFetch(kinds, name.y).x >> 2) / 31.0);
+	vec3 color = shade_color(middle, float(texelFetch(kinds, name.y).x >> 2) / 31.0);
 	return min(color * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// ramp.c -- the colors of bodies: each attribute has a ramp of them, which the bodies of an entry of the scene run through.
-#include "scene/ramp.h"
+// shades.c -- the colors of bodies: each attribute has a shades of them, which the bodies of an entry of the scene run through.
+#include "scene/shades.h"
 #include "scene/block.h"
 
-static const Ramp stone = {{196, 192, 184}, {196, 192, 184}, {196, 192, 184}};
-static const Ramp palette[] = {
+static const Shades stone = {{196, 192, 184}, {196, 192, 184}, {196, 192, 184}};
+static const Shades palette[] = {
     {{150, 56, 70}, {214, 106, 77}, {242, 186, 110}},   {{38, 84, 110}, {69, 139, 136}, {146, 200, 164}},
     {{206, 118, 62}, {228, 174, 80}, {244, 216, 146}},  {{70, 74, 140}, {84, 116, 168}, {136, 182, 212}},
     {{92, 62, 118}, {139, 90, 131}, {206, 142, 162}},   {{70, 126, 104}, {134, 168, 107}, {198, 204, 126}},
@@ -12,7 +12,7 @@ static const Ramp palette[] = {
 };
 #define PALETTE_SIZE (int)(sizeof palette / sizeof palette[0])
 
-Ramp ramp_of(int entry) { return entry < 0 ? stone : palette[entry % PALETTE_SIZE]; }
+Shades shades_of(int entry) { return entry < 0 ? stone : palette[entry % PALETTE_SIZE]; }
 
 static uint8_t channel(uint8_t first, uint8_t middle, uint8_t last, float place, float factor)
 {
@@ -21,22 +21,22 @@ static uint8_t channel(uint8_t first, uint8_t middle, uint8_t last, float place,
 	return (uint8_t)(value > 255 ? 255 : value);
 }
 
-Color ramp_color(const Ramp* ramp, int shade, uint32_t body)
+Color shades_color(const Shades* shades, int shade, uint32_t body)
 {
 	uint32_t mixed = body * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
 	float factor = 0.92f + 0.16f * (float)(mixed >> 24) / 255.0f, place = (float)shade / SHADE_MIDDLE;
-	const Color *a = &ramp->first, *b = &ramp->middle, *c = &ramp->last;
+	const Color *a = &shades->first, *b = &shades->middle, *c = &shades->last;
 	return (Color){channel(a->r, b->r, c->r, place, factor), channel(a->g, b->g, c->g, place, factor),
 	               channel(a->b, b->b, c->b, place, factor)};
 }
 
-// The place on the ramp of a body whose place in its block is 0 to 1. Where the block has several attributes, and so several ramps,
+// The place on the shades of a body whose place in its block is 0 to 1. Where the block has several attributes, and so several ramps,
 // their middle halves do.
 static int shade_at(const Block* block, double place)
 {
 	double share = block->parts.list[0].choice.count > 1 ? 0.5 : 1;
-	return (int)((0.5 + share * (place - 0.5)) * (SHADES - 1) + 0.5);
+	return (int)((0.5 + share * (place - 0.5)) * (SHADE_COUNT - 1) + 0.5);
 }
 
 int shade_next(ShadeWalk* walk, uint32_t index)
