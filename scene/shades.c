@@ -31,8 +31,8 @@ Color shades_color(const Shades* shades, int shade, uint32_t body)
 	               channel(a->b, b->b, c->b, place, factor)};
 }
 
-// The place on the shades of a body whose place in its block is 0 to 1. Where the block has several attributes, and so several ramps,
-// their middle halves do.
+// The shade of a body whose place in its block is 0 to 1. Where the block has several attributes, and so several hues, it takes the
+// middle half of their shades.
 static int shade_at(const Block* block, double place)
 {
 	double share = block->parts.list[0].choice.count > 1 ? 0.5 : 1;
