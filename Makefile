@@ -1,6 +1,6 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip web test bench build packages format check clean
+.PHONY: help run view clip gallery web test bench build packages format check clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -9,7 +9,7 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten node-acorn nodejs
 test_packages := $(view_packages) $(web_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
-	gnuplot-nox chromium chromium-driver
+	gnuplot-nox ffmpeg jq chromium chromium-driver
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -32,6 +32,10 @@ clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
 	@tools/packages.sh ffmpeg
 	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
 	@echo 'The video is build/clip.mp4'
+
+gallery: build_packages += ffmpeg jq
+gallery: build ## all scenes as pictures and short clips on one page, build/gallery/index.html (SCENES=...)
+	@tools/gallery.sh build/gallery $(SCENES)
 
 web: build_packages += $(web_packages)
 web: build ## the page build/web and the npm package build/web/package, by WebAssembly

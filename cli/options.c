@@ -104,6 +104,30 @@ static bool read_size(Options* options, const OptionRow* row, char* text)
 	return false;
 }
 
+static bool read_box(const Options* options, const OptionRow* row, const char* text, bool* there, scree_box* box)
+{
+	char extra;
+	scree_vec *low = &box->lower, *high = &box->upper;
+	*there = sscanf(text, "%f,%f,%f,%f%c", &low->x, &low->y, &high->x, &high->y, &extra) == 4 && low->x < high->x &&
+	         low->y < high->y && low->x >= -SCREE_HUGE && low->y >= -SCREE_HUGE && high->x <= SCREE_HUGE &&
+	         high->y <= SCREE_HUGE;
+	if (!*there)
+		fprintf(stderr,
+		        "scree %s: --%s %s: must be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP\n",
+		        options->name, row->name, text);
+	return *there;
+}
+
+static bool read_view(Options* options, const OptionRow* row, char* text)
+{
+	return read_box(options, row, text, &options->has_view, &options->view);
+}
+
+static bool read_zoom(Options* options, const OptionRow* row, char* text)
+{
+	return read_box(options, row, text, &options->has_zoom, &options->zoom);
+}
+
 static bool read_picture(Options* options, const OptionRow* row, char* text)
 {
 	size_t length = strlen(text);
@@ -163,6 +187,9 @@ const OptionRow option_rows[] = {
     {"video", 'v', "FILE.mp4", RUN, "60 frames a second of the world's time, through ffmpeg", TEXT(video)},
     {"size", 'S', "WxH", RUN | FRAMES | VIEW, "pixels of picture, video, frames and window, 1600x900 without it",
      OTHER(read_size)},
+    {"view", 'V', "L,B,R,T", RUN,
+     "what picture and video show: left, bottom, right, top in metres; as the scene says without it", OTHER(read_view)},
+    {"zoom", 'Z', "L,B,R,T", RUN, "during the run the view moves to this one", OTHER(read_zoom)},
     {"renderer", 'R', "NAME", RUN, "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it",
      OTHER(read_renderer)},
     {"paint", 'a', "NAME", RUN | VIEW,
@@ -208,7 +235,7 @@ static bool have_effect(const Options* options, unsigned given)
 	bool figure = options->command == FIGURE,
 	     other = figure || options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
-	    no_effect(options, given, "SRaLT", "there is no --picture or --video"))
+	    no_effect(options, given, "SRaLTVZ", "there is no --picture or --video"))
 		return false;
 	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
 	    no_effect(options, given, "tl", "the device is not the CPU"))

@@ -49,6 +49,8 @@ typedef struct
 	float scale;                           // of the panel; 0: as the display says
 	const char* script;                    // null: none
 	int width, height;                     // px
+	bool has_view, has_zoom;               // else as the scene says, and for the whole run
+	scree_box view, zoom;                  // m: what pictures show, at the start of the run and at its end
 	int repeats;
 	int queries;       // 0: a million
 	int limit;         // most bodies in a figure; 0: no limit

@@ -3,6 +3,7 @@
 #include "outputs.h"
 #include "report.h"
 #include "scene/caption.h"
+#include "scene/viewport.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <string.h>
@@ -50,6 +51,11 @@ int outputs_begin(Outputs* outputs, const Options* options, Options* drawn)
 int outputs_open(Outputs* outputs, Simulation* simulation)
 {
 	const Options* options = outputs->options;
+	if (options->has_zoom && !options->has_view && !simulation->scene->has_view)
+	{
+		fprintf(stderr, "scree run: --zoom needs --view, because the scene has no view to begin with\n");
+		return EXIT_BAD;
+	}
 	if (outputs->renderer && !picture_renderer_set_world(outputs->renderer, simulation))
 		return EXIT_FAILED;
 	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
@@ -66,14 +72,30 @@ int outputs_open(Outputs* outputs, Simulation* simulation)
 	return EXIT_GOOD;
 }
 
+// Where the camera is on its way: slow at the start and at the end.
+static void aim(const Outputs* outputs, const Scene* scene, long long step)
+{
+	const Options* options = outputs->options;
+	scree_box from = options->has_view ? options->view : scene->view;
+	double done = (double)step / (double)(options->steps > 0 ? options->steps : scene->steps);
+	if (options->has_zoom)
+		picture_renderer_aim(outputs->renderer, viewport_between(from, options->zoom, done * done * (3 - 2 * done)));
+	else if (options->has_view)
+		picture_renderer_aim(outputs->renderer, from);
+}
+
 static int draw(Outputs* outputs, Simulation* simulation)
 {
 	char caption[256];
+	uint64_t hash;
 	scree_counters counters;
 	scree_status status = simulation->pipeline->counters(simulation, &counters);
 	if (status == SCREE_OK)
+		status = simulation->pipeline->hash(simulation, &hash);
+	if (status == SCREE_OK)
 	{
-		caption_text(simulation->scene, simulation->world, &counters, caption, sizeof caption);
+		aim(outputs, simulation->scene, counters.steps);
+		caption_exact(simulation->scene, simulation->world, &counters, hash, caption, sizeof caption);
 		status = picture_renderer_draw(outputs->renderer, simulation, caption);
 	}
 	return report(status);

@@ -130,6 +130,18 @@ scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* 
 	return SCREE_OK;
 }
 
+void picture_renderer_aim(PictureRenderer* renderer, scree_box view)
+{
+#ifdef SCREE_HAVE_VIEW
+	if (renderer->gl)
+	{
+		gl_picture_aim(renderer->gl, view);
+		return;
+	}
+#endif
+	picture_aim(renderer->picture, view);
+}
+
 scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simulation, const char* caption)
 {
 #ifdef SCREE_HAVE_VIEW

@@ -20,6 +20,9 @@ bool picture_renderer_set_world(PictureRenderer* renderer, Simulation* simulatio
 // After every step: remembers the events that the picture shows.
 scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* simulation);
 
+// Shows a box instead of the view of the scene and its detail.
+void picture_renderer_aim(PictureRenderer* renderer, scree_box view);
+
 // Draws the simulation as it is now.
 scree_status picture_renderer_draw(PictureRenderer* renderer, Simulation* simulation, const char* caption);
 

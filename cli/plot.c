@@ -50,13 +50,28 @@ static const struct
 
 // colors that also the color-blind can tell apart: Okabe, Ito, Color Universal Design, 2008
 #define CURVE_COLORS "array color[5] = ['#d55e00', '#e69f00', '#56b4e9', '#0072b2', '#009e73']\n"
+// labels of the axes of time, whose numbers are ms
+#define TIMES "set ytics ('1 µs' 1e-3, '10 µs' 1e-2, '0.1 ms' 0.1, '1 ms' 1, '10 ms' 10, '0.1 s' 100, '1 s' 1e3)\n"
+#define LONG_TIMES \
+	"set ytics ('10 µs' 1e-2, '1 ms' 1, '0.1 s' 100, '10 s' 1e4, '17 min' 1e6, '1.2 days' 1e8, '116 days' 1e10)\n"
+
+// of stages: light and dark take turns in a bar, so that it can be read without colors
 #define STAGE_COLORS                                                                                              \
-	"array color[11] = ['#bdbdbd', '#737373', '#a6761d', '#66a61e', '#d95f02', '#e7298a', '#e6ab02', '#7570b3', " \
-	"'#80b1d3', '#1b9e77', '#fccde5']\n"
+	"array color[11] = ['#d9d9d9', '#636363', '#e3c59a', '#4d8a1c', '#f0a35e', '#8c1d5a', '#f2c84b', '#5a4fa0', " \
+	"'#a9d3f0', '#1b7f5f', '#fccde5']\n"
 
 static const Row* curve_next(const Table* table, const Row* after, int scene, int curve)
 {
 	return table_next(table, after, scene, curves[curve].pipeline, curves[curve].place);
+}
+
+// Writes the title of a curve: "Scree, NVIDIA H200, OpenCL".
+static void curve_title(const Table* table, const Row* row, int curve, char text[192])
+{
+	char device[144] = "";
+	if (row)
+		table_device(table, row, device, sizeof device);
+	snprintf(text, 192, "%s, %s", titles[curves[curve].pipeline], device);
 }
 
 // Writes two blocks a curve: the sizes that were run, and the sizes that were not, which begin with the last size that was.
@@ -67,9 +82,9 @@ static void put_curves(FILE* to, const Table* table)
 		for (int c = 0; c < CURVES; ++c)
 			for (int run = 1; run >= 0; --run)
 			{
-				const Row *row = curve_next(table, NULL, s, c), *last = NULL;
-				fprintf(to, "\"%s, %s\"\nNaN NaN\n", titles[curves[c].pipeline], row ? row->device : "");
-				for (row = NULL; (row = curve_next(table, row, s, c)); last = row)
+				const Row *row = NULL, *last = NULL;
+				fputs("NaN NaN\n", to);
+				for (; (row = curve_next(table, row, s, c)); last = row)
 				{
 					if (!run && !row->run && last && last->run)
 						fprintf(to, "%g %g\n", last->bodies, last->ms);
@@ -102,15 +117,15 @@ static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 		char text[32];
 		number_text(bodies, text);
 		bool above = curves[c].place == ON_ONE_THREAD, corner = most > AXIS;
-		fprintf(to, "set label '%s' at %g, %g %s point pt 9 ps 0.9 lc '#000000' front offset %g, %g\n",
+		fprintf(to, "set label '%s' at %g, %g %s point pt 9 ps 1.1 lc '#000000' front offset %g, %g\n",
 		        corner ? "" : text, bodies, ms, above ? "right" : "left", above ? -0.6 : 0.6, above ? 0.7 : -0.7);
 		if (!corner)
 			continue;
 		if (lines == 0)
-			fputs("set label 'OpenCL is faster than' at graph 0.03, 0.94\n", to);
+			fputs("set label 'OpenCL is faster from' at graph 0.03, 0.93 boxed\n", to);
 		const Row* first = curve_next(table, NULL, scene, c);
-		fprintf(to, "set label '%s, %s, from %s bodies' at graph 0.03, %g\n", titles[curves[c].pipeline], first->device,
-		        text, 0.94 - 0.065 * ++lines);
+		fprintf(to, "set label '%s: %s, %s' at graph 0.03, %g boxed\n", text, titles[curves[c].pipeline], first->device,
+		        0.93 - 0.08 * ++lines);
 	}
 }
 
@@ -135,53 +150,60 @@ static void put_estimates(FILE* to, const Table* table, int scene)
 			continue;
 		char text[32];
 		duration(last->ms, text);
-		fprintf(to, "set label 'up to %s' at %g, %g right front offset -2.2, 0.3\n", text, last->bodies, last->ms);
+		fprintf(to, "set label 'at most %s' at %g, %g right front offset -2.6, 0.3\n", text, last->bodies, last->ms);
 		before = last->ms;
 	}
-	fprintf(to, "set yrange [*:%g]\n", 30 * top);
+	fprintf(to, "set yrange [*:%g]\n", 100 * top);
 }
 
-// One legend for all plots: an empty plot below them, with the names of the curves.
+// One legend for all plots: an empty plot below them, with the names of the curves and of the marks.
 static void put_legend(FILE* to, const Table* table)
 {
-	fputs("set origin 0, 0\nset size 1, 0.1\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"
-	      "set bmargin at screen 0.01\nset tmargin at screen 0.085\nunset title\nunset border\nunset tics\n"
+	fputs("set origin 0, 0\nset size 1, 0.13\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"
+	      "set bmargin at screen 0.005\nset tmargin at screen 0.125\nunset title\nunset border\nunset tics\n"
 	      "unset xlabel\nunset ylabel\nunset grid\nunset logscale\nset xrange [0:1]\nset yrange [0:1]\n"
-	      "set key center center horizontal Left reverse noenhanced samplen 2.5 width 1 maxrows 2\nplot NaN notitle",
+	      "set key center center vertical Left reverse noenhanced samplen 3 width 1 maxrows 4\nplot NaN notitle",
 	      to);
 	for (int c = 0; c < CURVES; ++c)
 	{
 		const Row* row = NULL;
 		for (int s = 0; s < FIGURE_SCENES && !row; ++s)
 			row = curve_next(table, NULL, s, c);
-		if (row)
-			fprintf(to, ", NaN with linespoints lc rgb color[%d] pt shape[%d] title '%s, %s'", c + 1, c + 1,
-			        titles[curves[c].pipeline], row->device);
+		if (!row)
+			continue;
+		char title[192];
+		curve_title(table, row, c, title);
+		fprintf(to, ", NaN with linespoints lc rgb color[%d] pt shape[%d] title '%s'", c + 1, c + 1, title);
 	}
-	fputs("\n", to);
+	fputs(", NaN with lines dt 2 lc rgb '#555555' title 'not run: at most so long'"
+	      ", NaN with points pt 9 ps 1.1 lc rgb '#000000' title 'OpenCL becomes faster than the CPU'\n",
+	      to);
 }
 
 // Two plots a scene: left up to the sizes of the paper, right up to a million bodies.
 static void put_figure5(FILE* to, const Table* table)
 {
 	put_curves(to, table);
-	fputs("set grid\nset xlabel 'bodies' offset 0, 0.3\nset ylabel 'ms a step' offset 0.5, 0\n"
-	      "set style data linespoints\nset pointsize 0.6\n" CURVE_COLORS "array shape[5] = [6, 4, 8, 7, 5]\n"
-	      "set multiplot layout 2, 2 margins 0.08, 0.985, 0.165, 0.905 spacing 0.09, 0.13 title 'triangle: OpenCL "
-	      "becomes faster than the CPU; dashed: not run, up to so long a step'\n",
+	fputs("set grid\nset xlabel 'bodies' offset 0, 0.6\nset style textbox opaque noborder margins 0.3, 0.3\n"
+	      "set style data linespoints\nset pointsize 0.75\n" CURVE_COLORS "array shape[5] = [6, 4, 8, 7, 5]\n"
+	      "set multiplot layout 2, 2 margins 0.125, 0.95, 0.215, 0.955 spacing 0.115, 0.135\n",
 	      to);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
 		if (!has_scene(table, s))
 			continue;
-		fprintf(to, "run(k) = %d + 2 * (k - 1)\nset title '%s'\n", 2 * s * CURVES, scenes[s]);
-		fprintf(to, "unset logscale\nset logscale y\nset format x '%%g'\nset format y '%%g'\n");
+		fprintf(to, "run(k) = %d + 2 * (k - 1)\nset title '%s' offset 0, -0.4\n", 2 * s * CURVES, scenes[s]);
+		fputs("unset logscale\nset logscale y\nset format x '%g'\nset xtics autofreq\nset mytics 10\n" TIMES
+		      "set ylabel 'time of a step' offset 0.8, 0\n",
+		      to);
 		fprintf(to, "set xrange [0:%d]\nset yrange [*:*]\nunset key\n", AXIS);
 		put_crossovers(to, table, s, AXIS);
 		fputs("plot for [k=1:5] $curves index run(k) using 1:2 lc rgb color[k] pt shape[k]\nunset label\n", to);
 
-		fprintf(to, "set title '%s, to a million'\n", scenes[s]);
-		fputs("set logscale xy\nset format x '%.0s%c'\nset format y '10^{%L}'\nset xrange [20:1.5e6]\n", to);
+		fprintf(to, "set title '%s, up to a million'\nunset ylabel\n", scenes[s]);
+		fputs("set logscale xy\nset xtics ('100' 100, '1,000' 1e3, '10,000' 1e4, '100,000' 1e5, '1,000,000' 1e6)\n"
+		      "set xrange [20:1.5e6]\n" LONG_TIMES,
+		      to);
 		put_crossovers(to, table, s, INFINITY);
 		put_estimates(to, table, s);
 		fputs("plot for [k=1:5] $curves index run(k) using 1:2 lc rgb color[k] pt shape[k], "
@@ -233,13 +255,13 @@ static void put_scene(FILE* to, const Table* table, int scene)
 		if (rows[k]->run)
 			fprintf(to, "set label '%s' at %g, 102 rotate left\n", text, places[k]);
 		else
-			fprintf(to, "set label 'not run: up to %s' at %g, 3 rotate left\n", text, places[k]);
+			fprintf(to, "set label 'at most %s' at %g, 3 rotate left\n", text, places[k]);
 		if (k == 0 || rows[k]->bodies != rows[k - 1]->bodies)
 			first = places[k];
 		if (k + 1 == count || rows[k]->bodies != rows[k + 1]->bodies)
 		{
 			number_text(rows[k]->bodies, text);
-			fprintf(to, "set label '%s bodies' at %g, 152 center\n", text, (first + places[k]) / 2);
+			fprintf(to, "set label '%s bodies' at %g, 175 center\n", text, (first + places[k]) / 2);
 		}
 	}
 	fprintf(to, "set xrange [0:%g]\n", x + 1);
@@ -253,34 +275,50 @@ static void stage_text(const char* name, char text[32])
 		*text = *text == '_' ? ' ' : *text;
 }
 
+// The stages of a scene's bars, or their legend alone, in an empty plot beside the bars.
+static void put_stages(FILE* to, bool legend)
+{
+	fputs("plot NaN notitle", to);
+	for (int k = 0; k < FIGURE_STAGE_COUNT; ++k)
+	{
+		char text[32];
+		stage_text(figure_stages[k], text);
+		if (legend)
+			fprintf(to, ", NaN with boxes lc rgb color[%d] title '%s'", k + 1, text);
+		else
+			fprintf(to, ", $bars using 1:%d:($1-0.45):($1+0.45):%d:%d with boxxyerror lc rgb color[%d] notitle", k + 3,
+			        k + 2, k + 3, k + 1);
+	}
+	fputs("\n", to);
+}
+
 static void put_figure6(FILE* to, const Table* table)
 {
 	const char* device = "none";
 	for (int k = 0; k < table->count; ++k)
 		device = table->rows[k].place == ON_OPENCL ? table->rows[k].device : device;
 	fprintf(to,
-	        "set style fill solid 0.9 border -1\nset yrange [0:160]\nset ytics 0, 25, 100\nset grid y\n"
-	        "set ylabel 'share of the stages, %%'\nset xtics rotate by 40 right noenhanced scale 0\n" STAGE_COLORS
-	        "set multiplot layout 2, 1 title \"above each bar: a whole step; OpenCL: %s\" noenhanced\n",
-	        device);
+	        "set style fill solid 0.9 border -1\nset yrange [0:185]\nset ytics 0, 25, 100\nset grid y\nunset key\n"
+	        "set ylabel 'share of the stages in a step, %%' offset 1, 0\n"
+	        "set xtics rotate by 40 right noenhanced scale 0\n" STAGE_COLORS
+	        "set multiplot layout 2, 1 margins 0.09, 0.8, 0.13, 0.9 spacing 0, 0.21 title \"above each bar: a whole "
+	        "step; no "
+	        "bar: not run; threads: %s; OpenCL: %s\" noenhanced\n",
+	        table->processor, device);
 	for (int s = 0; s < FIGURE_SCENES; ++s)
 	{
 		if (!has_scene(table, s))
 			continue;
 		put_scene(to, table, s);
-		fprintf(to, "set title '%s'\nset lmargin at screen 0.07\nset rmargin at screen 0.82\n", scenes[s]);
-		fputs(s ? "unset key\n" : "set key outside right center Left reverse invert noenhanced samplen 1 spacing 1.2\n",
-		      to);
-		fputs("plot NaN notitle", to);
-		for (int k = 0; k < FIGURE_STAGE_COUNT; ++k)
-		{
-			char text[32];
-			stage_text(figure_stages[k], text);
-			fprintf(to, ", $bars using 1:%d:($1-0.45):($1+0.45):%d:%d with boxxyerror lc rgb color[%d] title '%s'",
-			        k + 3, k + 2, k + 3, k + 1, text);
-		}
-		fputs("\n", to);
+		fprintf(to, "set title '%s'\n", scenes[s]);
+		put_stages(to, false);
 	}
+	fputs(
+	    "set lmargin at screen 0.8\nset rmargin at screen 0.995\nset bmargin at screen 0.1\nset tmargin at screen 0.9\n"
+	    "unset title\nunset border\nunset tics\nunset ylabel\nunset grid\nunset label\nset xrange [0:1]\n"
+	    "set key center center vertical maxrows 11 Left reverse invert noenhanced samplen 1 spacing 1.3\n",
+	    to);
+	put_stages(to, true);
 	fputs("unset multiplot\n", to);
 }
 
@@ -296,8 +334,8 @@ static void path_of(const char* csv, const char* ending, char* path, size_t size
 static int draw(const Table* table, const char* csv, int number)
 {
 	static const char* const terminals[][2] = {
-	    {"svg", "svg size 1200,1000 font 'Helvetica,16' linewidth 1.5 background 'white'"},
-	    {"png", "pngcairo size 1800,1500 font 'Helvetica,16' fontscale 1.2 linewidth 2"},
+	    {"svg", "svg size 1100,1000 font 'Helvetica,19' linewidth 1.6 background 'white'"},
+	    {"png", "pngcairo size 1650,1500 font 'Helvetica,19' fontscale 1.13 linewidth 2"},
 	};
 	char paths[2][1024];
 	signal(SIGPIPE, SIG_IGN); // gnuplot may end before it has read all commands

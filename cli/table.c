@@ -80,6 +80,36 @@ static bool read_row(char* const* heads, char* const* cells, int count, Row* row
 	return row->scene >= 0 && row->pipeline >= 0 && row->bodies > 0 && row->ms > 0;
 }
 
+// Reads the line "processor: Intel(R) Xeon(R) Processor, 16 cores" of what bench/gpu.sh wrote about the machine.
+static void read_processor(const char* csv, char* text, size_t size)
+{
+	static const char head[] = "processor: ";
+	static const char* const noise[] = {"(R)", "(TM)", " Processor", " CPU"};
+	char path[1024], line[256];
+	const char* slash = strrchr(csv, '/');
+	snprintf(path, sizeof path, "%.*smachine.txt", slash ? (int)(slash - csv) + 1 : 0, csv);
+	snprintf(text, size, "CPU");
+	FILE* file = fopen(path, "r");
+	while (file && fgets(line, sizeof line, file))
+	{
+		if (strncmp(line, head, sizeof head - 1) != 0)
+			continue;
+		for (int k = 0; k < 4; ++k)
+			remove_all(line, noise[k]);
+		snprintf(text, size, "%.*s", (int)strcspn(line + sizeof head - 1, ",(@\n"), line + sizeof head - 1);
+	}
+	if (file)
+		fclose(file);
+}
+
+void table_device(const Table* table, const Row* row, char* text, size_t size)
+{
+	if (row->place == ON_OPENCL)
+		snprintf(text, size, "%s, OpenCL", row->device);
+	else
+		snprintf(text, size, "%s, %s", table->processor, row->device);
+}
+
 int table_read(const char* csv, Table* table)
 {
 	char head_line[CSV_LINE], line[CSV_LINE];
@@ -102,6 +132,7 @@ int table_read(const char* csv, Table* table)
 			fprintf(stderr, "scree bench: %s: line %d is not a row of a figure\n", csv, number);
 	}
 	fclose(file);
+	read_processor(csv, table->processor, sizeof table->processor);
 	if (code == EXIT_GOOD && table->count == 0)
 	{
 		fprintf(stderr, "scree bench: %s has no rows\n", csv);

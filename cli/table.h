@@ -21,10 +21,14 @@ typedef struct
 {
 	Row rows[MAX_ROWS];
 	int count;
+	char processor[64]; // from machine.txt beside the CSV: "Intel Xeon"; "CPU" without it
 } Table;
 
 // Reads a CSV. Returns an exit code after printing a sentence.
 int table_read(const char* csv, Table* table);
+
+// The name of a row's device in full: "NVIDIA H200, OpenCL", "Intel Xeon, 16 threads".
+void table_device(const Table* table, const Row* row, char* text, size_t size);
 
 // The next row of a curve after another (null: the first row); null at the end.
 const Row* table_next(const Table* table, const Row* after, int scene, int pipeline, FigurePlace place);

@@ -8,7 +8,11 @@
 #include <cairo.h>
 #include <string.h>
 
-#define MAX_SIDE 16384 // px
+#define MAX_SIDE   16384 // px
+#define FONT       15.0  // px: title and caption in one line
+#define SMALL_FONT 12.0  // px: in two lines
+#define THIN       CAIRO_FONT_WEIGHT_NORMAL
+#define BOLD       CAIRO_FONT_WEIGHT_BOLD
 
 bool canvas_open(Canvas* p, int width, int height, char* sentence)
 {
@@ -57,25 +61,108 @@ static double text_width(cairo_t* cairo, const char* text, cairo_font_weight_t w
 	return size.x_advance;
 }
 
+static void stroke(Canvas* p, double width)
+{
+	set_color(p->cairo, p->text, 1);
+	cairo_set_line_width(p->cairo, width);
+	cairo_stroke(p->cairo);
+	cairo_surface_flush(p->surface);
+}
+
+void canvas_mark(Canvas* p, double left, double top, double width, double height)
+{
+	cairo_surface_mark_dirty(p->surface);
+	cairo_rectangle(p->cairo, left, top, width, height);
+	stroke(p, 1.5);
+}
+
+void canvas_line(Canvas* p, double x0, double y0, double x1, double y1)
+{
+	cairo_surface_mark_dirty(p->surface);
+	cairo_move_to(p->cairo, x0, y0);
+	cairo_line_to(p->cairo, x1, y1);
+	stroke(p, 0.6);
+}
+
+static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weight, double x, double y)
+{
+	cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
+	cairo_move_to(cairo, x, y);
+	cairo_show_text(cairo, text);
+}
+
+// Shows a caption, or only measures it. Digits of a hash, which are 16, stand in columns: else the fields after it would jump from
+// frame to frame.
+static double put_caption(cairo_t* cairo, const char* caption, bool show, double x, double y)
+{
+	static const char digits[] = "0123456789abcdef";
+	double column = text_width(cairo, "0", THIN), begin = x;
+	char word[256];
+	while (*caption)
+	{
+		bool hash = strspn(caption, digits) == 16;
+		size_t length = hash ? 1 : 0;
+		while (!hash && caption[length] && length + 1 < sizeof word && strspn(caption + length, digits) != 16)
+			++length;
+		for (int k = 0; k < (hash ? 16 : 1); ++k, caption += length)
+		{
+			snprintf(word, sizeof word, "%.*s", (int)length, caption);
+			double width = text_width(cairo, word, THIN);
+			if (show)
+				show_text(cairo, word, THIN, hash ? x + (column - width) / 2 : x, y);
+			x += hash ? column : width;
+		}
+	}
+	return x - begin;
+}
+
+// Leaves out the last fields that have no room, but one.
+static void drop_fields(cairo_t* cairo, char* caption, double room)
+{
+	for (char* last = caption; last && put_caption(cairo, caption, false, 0, 0) > room;)
+	{
+		last = NULL;
+		for (char* gap = caption; (gap = strstr(gap, "   ")); gap += 3)
+			last = gap;
+		if (last)
+			*last = 0;
+	}
+}
+
+// The size of a line's font, px, of which a text has this width at SMALL_FONT.
+static double line_font(double width, double room) { return width > room ? SMALL_FONT * room / width : SMALL_FONT; }
+
+// Title and caption below each other, smaller; a line that is still too long is smaller again.
+static void show_lines(cairo_t* cairo, const char* title, const char* caption, double room, double top)
+{
+	char fields[256];
+	snprintf(fields, sizeof fields, "%s", caption);
+	cairo_set_font_size(cairo, SMALL_FONT);
+	drop_fields(cairo, fields, room);
+	double above = text_width(cairo, title, BOLD), below = put_caption(cairo, fields, false, 0, 0);
+	cairo_set_font_size(cairo, line_font(above, room));
+	show_text(cairo, title, BOLD, MARGIN, top + 14);
+	cairo_set_font_size(cairo, line_font(below, room));
+	put_caption(cairo, fields, true, MARGIN, top + 30);
+}
+
 void canvas_caption(Canvas* p, const char* title, const char* caption)
 {
 	cairo_surface_mark_dirty(p->surface);
-	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL, bold = CAIRO_FONT_WEIGHT_BOLD;
-	double room = p->width - 4 * MARGIN, font = 15, baseline = p->height - BAND / 2.0 + 5;
+	double top = p->height - BAND, baseline = top + BAND / 2.0 + 5;
 	set_color(p->cairo, p->background, 0.97);
-	cairo_rectangle(p->cairo, 0, p->height - BAND, p->width, BAND);
+	cairo_rectangle(p->cairo, 0, top, p->width, BAND);
 	cairo_fill(p->cairo);
 	set_color(p->cairo, p->text, 1);
-	cairo_set_font_size(p->cairo, font);
-	double both = text_width(p->cairo, title, bold) + text_width(p->cairo, caption, thin);
-	if (both > room)
-		cairo_set_font_size(p->cairo, font * room / both);
-
-	cairo_move_to(p->cairo, p->width - MARGIN - text_width(p->cairo, caption, thin), baseline);
-	cairo_show_text(p->cairo, caption);
-	cairo_select_font_face(p->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, bold);
-	cairo_move_to(p->cairo, MARGIN, baseline);
-	cairo_show_text(p->cairo, title);
+	cairo_set_font_size(p->cairo, FONT);
+	double width = put_caption(p->cairo, caption, false, 0, 0);
+	if (text_width(p->cairo, title, BOLD) + width <= p->width - 4 * MARGIN)
+	{
+		show_text(p->cairo, title, BOLD, MARGIN, baseline);
+		put_caption(p->cairo, caption, true, p->width - MARGIN - width, baseline);
+	}
+	else
+		show_lines(p->cairo, title, caption, p->width - 2 * MARGIN, top);
 	cairo_surface_flush(p->surface);
 }
 
@@ -123,7 +210,6 @@ static void draw_colors(cairo_t* cairo, const Legend* legend, double left, doubl
 
 void canvas_legend(Canvas* p, const Legend* legend)
 {
-	const cairo_font_weight_t thin = CAIRO_FONT_WEIGHT_NORMAL;
 	double high = is_flat(legend) ? HIGH : SQUARE, left = p->width - 2 * MARGIN - BAR;
 	double top = p->height - BAND - MARGIN - 26 - high;
 	if (p->width < LEAST || p->height < LEAST / 2)
@@ -135,14 +221,14 @@ void canvas_legend(Canvas* p, const Legend* legend)
 	draw_colors(p->cairo, legend, left, top, high);
 	set_color(p->cairo, p->text, 1);
 	cairo_set_font_size(p->cairo, 13);
-	text_width(p->cairo, legend->title, thin); // selects the font
+	text_width(p->cairo, legend->title, THIN); // selects the font
 	cairo_move_to(p->cairo, left, top - 9);
 	cairo_show_text(p->cairo, legend->title);
 	cairo_set_font_size(p->cairo, 12);
 	for (int k = 0; k < legend->tick_count; ++k)
 	{
 		// the first and the last text end where the colors end
-		double wide = text_width(p->cairo, legend->ticks[k].text, thin),
+		double wide = text_width(p->cairo, legend->ticks[k].text, THIN),
 		       x = left + BAR * (double)legend->ticks[k].at - wide / 2;
 		x = x < left ? left : x > left + BAR - wide ? left + BAR - wide : x;
 		cairo_move_to(p->cairo, x, top + high + 16);
@@ -173,6 +259,16 @@ bool canvas_open(Canvas* canvas, int width, int height, char* sentence)
 }
 
 void canvas_close(Canvas* canvas) { *canvas = (Canvas){0}; }
+
+void canvas_mark(Canvas* canvas, double left, double top, double width, double height)
+{
+	(void)canvas, (void)left, (void)top, (void)width, (void)height;
+}
+
+void canvas_line(Canvas* canvas, double x0, double y0, double x1, double y1)
+{
+	(void)canvas, (void)x0, (void)y0, (void)x1, (void)y1;
+}
 
 void canvas_caption(Canvas* canvas, const char* title, const char* caption)
 {

@@ -35,7 +35,12 @@ typedef struct // what the colors of a picture stand for, with numbers and units
 bool canvas_open(Canvas* canvas, int width, int height, char* sentence);
 void canvas_close(Canvas* canvas);
 
-// Draws the title in bold type and the caption into the band at the bottom.
+// Draw the outline of a rectangle, and a line; px from the left and the top.
+void canvas_mark(Canvas* canvas, double left, double top, double width, double height);
+void canvas_line(Canvas* canvas, double x0, double y0, double x1, double y1);
+
+// Draws the title in bold type and the caption into the band at the bottom. Fields of the caption have three spaces between
+// them; the last ones are left out where the picture is narrow.
 void canvas_caption(Canvas* canvas, const char* title, const char* caption);
 
 // Draws a legend above the band, at the right.

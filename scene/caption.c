@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // caption.c -- the caption of a picture, beside its title.
 #include "scene/caption.h"
+#include <inttypes.h>
 
 void device_text(const scree_world* world, char* text, size_t size)
 {
@@ -19,4 +20,12 @@ void caption_text(const Scene* scene, const scree_world* world, const scree_coun
 	device_text(world, device, sizeof device);
 	snprintf(text, size, "%.2f s   %d bodies   %d contacts   %s", (double)counters->steps * (double)scene->dt,
 	         counters->bodies, counters->contacts, device);
+}
+
+void caption_exact(const Scene* scene, const scree_world* world, const scree_counters* counters, uint64_t hash,
+                   char* text, size_t size)
+{
+	int length = snprintf(text, size, "step %lld   hash %016" PRIx64 "   ", (long long)counters->steps, hash);
+	if (length > 0 && (size_t)length < size)
+		caption_text(scene, world, counters, text + length, size - (size_t)length);
 }

@@ -7,6 +7,10 @@
 // Writes the device of a world; for the CPU with threads and lanes.
 void device_text(const scree_world* world, char* text, size_t size);
 
+// The caption of a picture that is kept: its step and the hash of the world, then what caption_text writes.
+void caption_exact(const Scene* scene, const scree_world* world, const scree_counters* counters, uint64_t hash,
+                   char* text, size_t size);
+
 // Writes time, bodies, contacts and device.
 void caption_text(const Scene* scene, const scree_world* world, const scree_counters* counters, char* text,
                   size_t size);

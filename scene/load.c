@@ -16,9 +16,9 @@
 #include <string.h>
 
 static const char* const scene_keys[] = {
-    "$schema", "name",       "title",  "description", "seed",   "parameters",        "constants", "world",     "steps",
-    "view",    "attributes", "bodies", "collidables", "joints", "penetration_limit", "paths",     "materials", "fields",
-    "blasts",  "rays",       "keys",   "characters",  NULL};
+    "$schema", "name",      "title",  "description", "seed",   "parameters",  "constants",  "world",
+    "steps",   "view",      "detail", "attributes",  "bodies", "collidables", "joints",     "penetration_limit",
+    "paths",   "materials", "fields", "blasts",      "rays",   "keys",        "characters", NULL};
 
 static const struct
 {
@@ -81,27 +81,37 @@ static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 	return true;
 }
 
-static bool read_view(Reader* reader, const json_t* root, Scene* scene)
+// Reads a member that is the box of a picture, if there is one.
+static bool read_box(Reader* reader, const json_t* root, const char* key, bool* there, scree_box* box)
 {
-	const json_t* view = json_object_get(root, "view");
-	const Location* location = KEY(NULL, "view");
-	scene->has_view = view != NULL;
-	if (!view)
+	const json_t* list = json_object_get(root, key);
+	const Location* location = KEY(NULL, key);
+	*there = list != NULL;
+	if (!list)
 		return true;
-	if (!json_is_array(view) || json_array_size(view) != 4)
-		return reader_fail_value(reader, location, view, "must be a list of 4 numbers: left, bottom, right, top");
+	if (!json_is_array(list) || json_array_size(list) != 4)
+		return reader_fail_value(reader, location, list, "must be a list of 4 numbers: left, bottom, right, top");
 	double side[4];
 	for (int k = 0; k < 4; ++k)
 	{
-		const json_t* value = json_array_get(view, (size_t)k);
+		const json_t* value = json_array_get(list, (size_t)k);
 		if (!reader_constant(reader, ELEMENT(location, k), value, any_coordinate, &side[k]))
 			return false;
 	}
 	if (side[0] >= side[2] || side[1] >= side[3])
-		return reader_fail_value(reader, location, view, "is empty: left and bottom must be less than right and top");
-	scene->view.lower = (scree_vec){(float)side[0], (float)side[1]};
-	scene->view.upper = (scree_vec){(float)side[2], (float)side[3]};
+		return reader_fail_value(reader, location, list, "is empty: left and bottom must be less than right and top");
+	box->lower = (scree_vec){(float)side[0], (float)side[1]};
+	box->upper = (scree_vec){(float)side[2], (float)side[3]};
 	return true;
+}
+
+static bool read_boxes(Reader* reader, const json_t* root, Scene* scene)
+{
+	if (!read_box(reader, root, "view", &scene->has_view, &scene->view) ||
+	    !read_box(reader, root, "detail", &scene->has_detail, &scene->detail))
+		return false;
+	return !scene->has_detail || scene->has_view ||
+	       reader_fail(reader, KEY(NULL, "detail"), "needs a view, which it is a part of");
 }
 
 static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
@@ -236,7 +246,7 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 {
 	if (!read_heading(reader, root, scene) || !parameters_read(reader, root, settings, count) ||
 	    !constants_read(reader, root) || !read_numbers(reader, root, scene) || !read_world(reader, root, scene) ||
-	    !read_view(reader, root, scene))
+	    !read_boxes(reader, root, scene))
 		return false;
 	if (!attributes_read(reader, KEY(NULL, "attributes"), json_object_get(root, "attributes"), scene))
 		return false;

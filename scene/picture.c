@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // picture.c -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
 #include "scene/picture.h"
+#include "scene/detail.h"
 #include "scene/links.h"
 #include "scene/regions.h"
 #include "scene/scan_picture.h"
@@ -27,6 +28,7 @@ struct Picture
 	char title[160];
 	bool has_view;
 	scree_box view; // m
+	Detail detail;  // pixels is null without one
 	Sprites sprites;
 	Links links;
 	FieldRegions regions;
@@ -45,7 +47,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 	Picture* p = calloc(1, sizeof(Picture));
 	if (p)
 		*p = (Picture){.width = width, .height = height, .canvas = canvas, .cairo = canvas.cairo, .world = world};
-	if (!p || !sprites_list(&p->sprites, world) || !links_list(&p->links, &p->sprites, world) ||
+	if (!p || !sprites_list(&p->sprites, scene, world) || !links_list(&p->links, &p->sprites, world) ||
 	    !regions_list(&p->regions, &p->sprites, world) || scan_open(&p->scan, scene, world) != SCREE_OK)
 	{
 		snprintf(sentence, SCENE_SENTENCE, "out of memory for the picture");
@@ -56,6 +58,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 	}
 	p->has_view = scene->has_view;
 	p->view = scene->view;
+	detail_open(&p->detail, scene, width, height);
 	snprintf(p->title, sizeof p->title, "%s", scene->title);
 	return p;
 }
@@ -69,7 +72,15 @@ void picture_free(Picture* p)
 	links_free(&p->links);
 	regions_free(&p->regions);
 	scan_close(&p->scan);
+	detail_close(&p->detail);
 	free(p);
+}
+
+void picture_aim(Picture* p, scree_box view)
+{
+	p->has_view = true;
+	p->view = view;
+	detail_close(&p->detail);
 }
 
 const scree_body* picture_bodies(const Picture* p, int* count)
@@ -136,6 +147,15 @@ static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 		cairo_arc_negative(p->cairo, x[k], y[k], radius, start, end);
 	}
 	cairo_close_path(p->cairo);
+}
+
+// Whether a shape lies outside the picture, with its outline.
+static bool unseen(const Picture* p, const scree_shape* shape, scree_pose pose)
+{
+	double x = (pose.position.x - p->viewport.left) * p->viewport.scale;
+	double y = p->height - BAND - (pose.position.y - p->viewport.bottom) * p->viewport.scale;
+	double reach = shape->reach * p->viewport.scale + OUTLINED;
+	return x < -reach || y < -reach || x > p->width + reach || y > p->height + reach;
 }
 
 // Draws a square of the shape's area, blended pixel by pixel. The surface must be flushed.
@@ -287,11 +307,9 @@ static scree_box shown(const Picture* p)
 	return (scree_box){lower, {lower.x + (float)(p->width / v->scale), lower.y + (float)(p->height / v->scale)}};
 }
 
-scree_status picture_draw(Picture* p, const scree_pose* poses, const char* caption)
+static scree_status draw_view(Picture* p, scree_box view, const scree_pose* poses)
 {
-	if (!p->has_view)
-		fit_view(p, poses);
-	p->viewport = viewport_show(p->view, p->width, p->height);
+	p->viewport = viewport_show(view, p->width, p->height);
 	scree_box box = shown(p);
 	scree_status status = scan_aim(&p->scan, p->world, &box, RAYS_DRAWN);
 	if (status == SCREE_OK)
@@ -313,12 +331,13 @@ scree_status picture_draw(Picture* p, const scree_pose* poses, const char* capti
 			bool is_splat = shape->reach * p->viewport.scale < SMALL && shape->area > 0;
 			if (is_splat != small)
 				continue;
-			if (is_splat && s->sensor)
-				continue; // an outline that nobody sees
+			scree_pose pose = sprite_pose(s, poses);
+			if (unseen(p, shape, pose) || (is_splat && s->sensor))
+				continue; // a sensor that small is an outline that nobody sees
 			if (is_splat)
-				draw_splat(p, shape, sprite_pose(s, poses), s->color);
+				draw_splat(p, shape, pose, s->color);
 			else
-				draw_sprite(p, s, sprite_pose(s, poses));
+				draw_sprite(p, s, pose);
 		}
 		cairo_surface_mark_dirty(p->canvas.surface);
 	}
@@ -329,6 +348,24 @@ scree_status picture_draw(Picture* p, const scree_pose* poses, const char* capti
 	cairo_set_line_width(p->cairo, fmin(fmax(0.02 * p->viewport.scale, 0.4), 1.2));
 	for (int k = 0; k < p->links.count; ++k)
 		draw_link(p, &p->links.list[k], poses);
+	cairo_surface_flush(p->canvas.surface);
+	return SCREE_OK;
+}
+
+scree_status picture_draw(Picture* p, const scree_pose* poses, const char* caption)
+{
+	bool both = p->detail.pixels;
+	if (!p->has_view)
+		fit_view(p, poses);
+	scree_status status = both ? draw_view(p, p->detail.part, poses) : SCREE_OK;
+	if (both && status == SCREE_OK)
+		detail_keep(&p->detail, &p->canvas);
+	if (status == SCREE_OK)
+		status = draw_view(p, both ? p->detail.whole : p->view, poses);
+	if (status != SCREE_OK)
+		return status;
+	if (both)
+		detail_put(&p->detail, &p->canvas);
 	canvas_caption(&p->canvas, p->title, caption);
 	return SCREE_OK;
 }
@@ -346,6 +383,8 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 }
 
 void picture_free(Picture* picture) { (void)picture; }
+
+void picture_aim(Picture* picture, scree_box view) { (void)picture, (void)view; }
 
 const scree_body* picture_bodies(const Picture* picture, int* count)
 {

@@ -15,6 +15,9 @@ void picture_free(Picture* picture);
 // The bodies whose poses picture_draw needs, in this order.
 const scree_body* picture_bodies(const Picture* picture, int* count);
 
+// Shows a box instead of the view of the scene and its detail.
+void picture_aim(Picture* picture, scree_box view);
+
 // Draws the bodies at poses, sensors and the rays of the scene, with the title of the scene and a caption. Fails where the world
 // cannot answer rays.
 scree_status picture_draw(Picture* picture, const scree_pose* poses, const char* caption);

@@ -31,6 +31,8 @@ typedef struct
 	float penetration_limit; // m: a run with deeper overlaps is invalid
 	bool has_view;
 	scree_box view; // m: what a picture shows
+	bool has_detail;
+	scree_box detail; // m: the part that a wide picture also shows magnified
 	int body_count, collidable_count, joint_count;
 
 	uint64_t seed;

@@ -3,11 +3,6 @@
 #include "scene/sprites.h"
 #include <stdlib.h>
 
-static const Color stone = {196, 192, 184};
-static const Color palette[] = {{214, 106, 77}, {69, 139, 136},  {228, 174, 80},  {84, 116, 168},
-                                {139, 90, 131}, {134, 168, 107}, {206, 138, 152}, {112, 170, 198}};
-#define PALETTE_SIZE (int)(sizeof palette / sizeof palette[0])
-
 static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attribute)
 {
 	int needed = (int)attribute.index + 1;
@@ -30,29 +25,18 @@ static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attrib
 	return def->shape.count > 0 || scree_attribute_get_def(world, attribute, def) == SCREE_OK;
 }
 
-Color sprite_base(int entry) { return entry < 0 ? stone : palette[entry]; }
-
-// The attribute's color, a little lighter or darker for each body, so that equal neighbors differ.
-static Color sprite_color(Sprites* p, int attribute, bool moving, int body)
+static Color sprite_color(Sprites* p, const Sprite* s, bool moving)
 {
-	if (!moving)
-		return stone;
-	if (p->color_of[attribute] < 0)
-		p->color_of[attribute] = p->colors++ % PALETTE_SIZE;
-	Color base = sprite_base(p->color_of[attribute]);
-	uint32_t mixed = (uint32_t)body * 0x9e3779b1u;
-	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
-	float shade = 0.92f + 0.16f * (float)(mixed >> 24) / 255.0f;
-	float channels[3] = {base.r * shade, base.g * shade, base.b * shade};
-	for (int k = 0; k < 3; ++k)
-		channels[k] = channels[k] > 255 ? 255 : channels[k];
-	return (Color){(uint8_t)channels[0], (uint8_t)channels[1], (uint8_t)channels[2]};
+	if (moving && p->color_of[s->attribute] < 0)
+		p->color_of[s->attribute] = p->colors++;
+	Shades shades = shades_of(moving ? p->color_of[s->attribute] : -1);
+	return moving ? shades_color(&shades, s->shade, p->bodies[s->body].index) : shades.middle;
 }
 
-static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidable, int body, bool moving)
+static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidable, int body, bool moving, int shade)
 {
 	scree_attribute attribute;
-	Sprite sprite = {.body = body, .collidable = collidable};
+	Sprite sprite = {.body = body, .collidable = collidable, .shade = (uint8_t)shade};
 	uint32_t sees;
 	if (scree_collidable_get_attribute(world, collidable, &attribute) != SCREE_OK ||
 	    scree_collidable_get_local_pose(world, collidable, &sprite.pose) != SCREE_OK ||
@@ -69,12 +53,12 @@ static bool add_sprite(Sprites* p, scree_world* world, scree_collidable collidab
 	}
 	sprite.sensor = sees != 0;
 	sprite.attribute = (int)attribute.index;
-	sprite.color = sprite_color(p, sprite.attribute, moving, body);
+	sprite.color = sprite_color(p, &sprite, moving);
 	p->list[p->count++] = sprite;
 	return true;
 }
 
-static bool add_body(Sprites* p, scree_world* world, scree_body body, int position, bool moving)
+static bool add_body(Sprites* p, scree_world* world, scree_body body, int position, bool moving, int shade)
 {
 	scree_collidable few[8];
 	scree_collidable* list = few;
@@ -86,13 +70,13 @@ static bool add_body(Sprites* p, scree_world* world, scree_body body, int positi
 		good = list && scree_body_get_collidables(world, body, list, count, &count) == SCREE_OK;
 	}
 	for (int k = 0; good && k < count; ++k)
-		good = add_sprite(p, world, list[k], position, moving);
+		good = add_sprite(p, world, list[k], position, moving, shade);
 	if (list != few)
 		free(list);
 	return good;
 }
 
-bool sprites_list(Sprites* p, scree_world* world)
+bool sprites_list(Sprites* p, const Scene* scene, scree_world* world)
 {
 	if (scree_world_get_bodies(world, NULL, 0, &p->body_count) != SCREE_OK)
 		return false;
@@ -101,18 +85,20 @@ bool sprites_list(Sprites* p, scree_world* world)
 		return false;
 	for (int moving = 0; moving < 2; ++moving)
 	{
+		ShadeWalk walk = {.scene = scene};
 		for (int k = 0; k < p->body_count; ++k)
 		{
 			scree_body_type type;
 			if (scree_body_get_type(world, p->bodies[k], &type) != SCREE_OK)
 				return false;
-			if ((type == SCREE_BODY_DYNAMIC) == moving && !add_body(p, world, p->bodies[k], k, moving))
+			int shade = shade_next(&walk, p->bodies[k].index);
+			if ((type == SCREE_BODY_DYNAMIC) == moving && !add_body(p, world, p->bodies[k], k, moving, shade))
 				return false;
 		}
 		if (!moving)
 			p->first_moving = p->count;
 	}
-	return add_body(p, world, SCREE_NULL_BODY, -1, false);
+	return add_body(p, world, SCREE_NULL_BODY, -1, false, SHADE_MIDDLE);
 }
 
 static int compare_bodies(const void* a, const void* b)

@@ -2,12 +2,7 @@
 // sprites.h -- the shapes and colors of a picture, read through the public interface of Scree.
 #ifndef SPRITES_H
 #define SPRITES_H
-#include "scree/scree.h"
-
-typedef struct
-{
-	uint8_t r, g, b;
-} Color;
+#include "scene/shades.h"
 
 // the background of pictures, and their text
 #define BACKGROUND_COLOR ((Color){247, 245, 240})
@@ -23,6 +18,7 @@ typedef struct // one collidable to draw
 	int attribute;   // index in Sprites.attributes
 	scree_pose pose; // in the body's frame; without a body in the world
 	Color color;
+	uint8_t shade;               // shade of the attribute
 	bool sensor;                 // drawn as an outline
 	scree_collidable collidable; // a scene may have replaced it since
 } Sprite;
@@ -35,19 +31,16 @@ typedef struct
 	int count, capacity;
 	int first_moving;
 	scree_attribute_def* attributes; // by the index of their handles
-	int* color_of;                   // palette entry of an attribute, -1 for none yet
+	int* color_of;                   // entry of the palette, see shades_of; by attribute, -1 for none yet
 	int attribute_count, colors;
 } Sprites;
 
-// Lists all collidables of a world; false when memory is short.
-bool sprites_list(Sprites* sprites, scree_world* world);
+// Lists all collidables of a world that a scene made, or none (null); false when memory is short.
+bool sprites_list(Sprites* sprites, const Scene* scene, scree_world* world);
 void sprites_free(Sprites* sprites);
 
 // The position of a body in Sprites.bodies, -1 for none.
 int sprites_find(const Sprites* sprites, scree_body body);
-
-// A color of the palette; -1 is the color of bodies that are not dynamic.
-Color sprite_base(int entry);
 
 // Whether something was inside a sensor at the end of the last step.
 bool sensor_visited(scree_world* world, scree_collidable sensor);

@@ -15,6 +15,26 @@ Viewport viewport_show(scree_box view, int width, int height)
 	                  view.lower.y + up / 2 - (height - BAND) / scale / 2};
 }
 
+// One axis of the way: the size changes by equal factors in equal times, and the middle moves as the size does.
+static void between(float low0, float high0, float low1, float high1, double share, float* low, float* high)
+{
+	double size0 = high0 - low0, size1 = high1 - low1, size = size0 * pow(size1 / size0, share);
+	double done = fabs(size1 - size0) > 1e-6 * size0 ? (size - size0) / (size1 - size0) : share;
+	double middle = (low0 + high0) / 2 + done * ((low1 + high1) / 2 - (low0 + high0) / 2);
+	*low = (float)(middle - size / 2);
+	*high = (float)(middle + size / 2);
+}
+
+scree_box viewport_between(scree_box from, scree_box to, double share)
+{
+	scree_box box;
+	if (share <= 0 || share >= 1)
+		return share <= 0 ? from : to; // to the bit
+	between(from.lower.x, from.upper.x, to.lower.x, to.upper.x, share, &box.lower.x, &box.upper.x);
+	between(from.lower.y, from.upper.y, to.lower.y, to.upper.y, share, &box.lower.y, &box.upper.y);
+	return box;
+}
+
 static int compare_floats(const void* a, const void* b)
 {
 	float x = *(const float*)a, y = *(const float*)b;

@@ -374,6 +374,10 @@ static void test_bad_values(void** state)
 	    {HEAD "\"world\": {\"substeps\": 1.5}, " GOOD_ATTRIBUTES "\"bodies\": []}",
 	     "world.substeps: 1.5 must be a whole"},
 	    {HEAD "\"view\": [0, 0, 0, 1], " GOOD_ATTRIBUTES "\"bodies\": []}", "view: [0,0,0,1] is empty"},
+	    {HEAD "\"view\": [0, 0, 1, 1], \"detail\": [0, 0, 1], " GOOD_ATTRIBUTES "\"bodies\": []}",
+	     "detail: [0,0,1] must be a list of 4 numbers"},
+	    {HEAD "\"detail\": [0, 0, 1, 1], " GOOD_ATTRIBUTES "\"bodies\": []}",
+	     "detail: needs a view, which it is a part of"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }

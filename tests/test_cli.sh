@@ -61,6 +61,9 @@ refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
 refuse 2 '--size has no effect: there is no --picture or --video' run pile --size 640x480
+refuse 2 '--view 0,0,0,1: must be LEFT,BOTTOM,RIGHT,TOP' run pile --picture a.png --view 0,0,0,1
+refuse 2 '--zoom 1,2,3: must be LEFT,BOTTOM,RIGHT,TOP' run pile --video a.mp4 --zoom 1,2,3
+refuse 2 '--zoom has no effect: there is no --picture or --video' run pile --zoom 0,0,1,1
 refuse 2 '--paint has no effect: there is no --picture or --video' run pile --paint speed
 refuse 2 '--threads has no effect: the device is not the CPU' run pile --device opencl --threads 2
 refuse 2 '--lanes has no effect' run pile --pipeline paper --lanes 4
@@ -176,6 +179,11 @@ refuse 1 'cannot write nowhere/rows.csv' run pyramid "${small[@]}" --csv nowhere
 if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
 	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
+	# at the end of a zoom is the view that it leads to
+	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
+	expect 0 '' run pyramid "${small[@]}" --picture zoom.png --size 320x200 --zoom 0,0,4,2
+	cmp -s view.png zoom.png || fail "run --zoom: its end is another picture than --view"
+	cmp -s view.png picture.png && fail "run --view: the same picture as without it"
 	refuse 1 'cannot write nowhere/picture.png' run pyramid "${small[@]}" --picture nowhere/picture.png
 	ln -s /dev/full full.png
 	[ -w /dev/full ] && refuse 1 'cannot write full.png' run pyramid "${small[@]}" --picture full.png
@@ -276,7 +284,7 @@ if command -v gnuplot >/dev/null; then
 	for figure in figure5 figure6; do
 		grep -q '</svg>' $figure.svg || fail "bench $figure: no SVG"
 		[ "$(head -c 4 $figure.png | tail -c 3)" = PNG ] || fail "bench $figure: not a PNG"
-		grep -q 'Scree, 1 thread' $figure.svg || fail "bench $figure: no legend"
+		grep -q -E 'Scree, (CPU, )?1 thread' $figure.svg || fail "bench $figure: no legend"
 	done
 	grep -q 'broad phase' figure6.svg || fail "bench figure6: names that are no words"
 fi

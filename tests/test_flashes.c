@@ -150,7 +150,7 @@ static void sensors_have_marks(void** state)
 	RenderTables tables = {.world = world};
 	Style style = {.layers[LAYER_visits] = true};
 	Flashes flashes = {0};
-	assert_true(sprites_list(&sprites, world) && sensor_marks_list(&tables.sensors, &sprites));
+	assert_true(sprites_list(&sprites, NULL, world) && sensor_marks_list(&tables.sensors, &sprites));
 	assert_int_equal(tables.sensors.count, 2);
 	assert_int_equal(tables.sensors.rows, 3);
 	assert_true(sensor_marks_update(&tables.sensors, world));

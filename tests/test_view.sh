@@ -77,7 +77,8 @@ within()
 
 small=(pyramid --set rows=3)
 
-# what one sees is what a run computes, and what it draws without a window
+# what one sees is what a run computes, and what it draws without a window; a run adds the detail of the scene, unless it has a view
+whole=(--view -1.68,-3,1.68,6) # of the small scene: 0.56 * 3 is 1.68
 view 0 "${small[@]}" <<'END'
 frames 30
 print
@@ -93,13 +94,19 @@ END
 says 'steps 30'
 [ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "another hash than scree hash"
 if [ -x "$build/tests/difference" ]; then
-	"$scree" run "${small[@]}" --device cpu --steps 30 --size 800x600 --renderer gl --picture gl.png >out 2>err ||
+	"$scree" run "${small[@]}" "${whole[@]}" --device cpu --steps 30 --size 800x600 --renderer gl --picture gl.png >out 2>err ||
 		fail "run --renderer gl"
 	within window.png gl.png 0.5 0.002 || fail "window and picture are not alike"
-	"$scree" run "${small[@]}" --device cpu --steps 30 --size 800x600 --renderer cairo --picture cairo.png >out 2>err ||
+	"$scree" run "${small[@]}" "${whole[@]}" --device cpu --steps 30 --size 800x600 --renderer cairo --picture cairo.png >out 2>err ||
 		fail "run --renderer cairo"
 	within window.png cairo.png 1.0 0.01 || fail "OpenGL and Cairo are not alike"
-	"$scree" run "${small[@]}" --device cpu --steps 32 --size 800x600 --picture layers_gl.png \
+	for renderer in gl cairo; do
+		"$scree" run "${small[@]}" --device cpu --steps 30 --size 800x600 --renderer $renderer --picture detail_$renderer.png >out 2>err ||
+			fail "run --renderer $renderer of a scene with a detail"
+	done
+	within detail_gl.png detail_cairo.png 1.0 0.01 || fail "details of OpenGL and Cairo are not alike"
+	within detail_gl.png window.png 1.0 0.01 && fail "a picture shows no detail"
+	"$scree" run "${small[@]}" "${whole[@]}" --device cpu --steps 32 --size 800x600 --picture layers_gl.png \
 		--layers contacts,normals,impulses,velocities,boxes >out 2>err || fail "run --layers"
 	within layers.png layers_gl.png 0.5 0.002 || fail "layers in window and picture are not alike"
 	within layers.png window.png 0.1 0 && fail "layers do not show"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // gl_picture.c -- pictures of a world, drawn with OpenGL into the pixels of a canvas.
 #include "view/gl_picture.h"
+#include "scene/detail.h"
 #include "view/legend.h"
 #include "view/shader.h"
 #include "view/theme.h"
@@ -18,6 +19,7 @@ struct GlPicture
 	scree_opengl opengl;
 	bool has_opengl;
 	char title[160];
+	Detail detail; // pixels is null without one
 };
 
 // Rows of OpenGL begin at the bottom, those of a canvas at the top.
@@ -40,12 +42,17 @@ void gl_picture_read(Canvas* canvas)
 	}
 }
 
+static void take_theme(Canvas* canvas, const Style* style)
+{
+	canvas->background = theme_of(style->dark)->background;
+	canvas->text = theme_of(style->dark)->text;
+}
+
 void gl_picture_label(Canvas* canvas, const Renderer* renderer, const Style* style, const char* title,
                       const char* caption)
 {
 	Legend legend;
-	canvas->background = theme_of(style->dark)->background;
-	canvas->text = theme_of(style->dark)->text;
+	take_theme(canvas, style);
 	if (legend_of_paint(&legend, renderer, style))
 		canvas_legend(canvas, &legend);
 	canvas_caption(canvas, title, caption);
@@ -84,6 +91,7 @@ void gl_picture_close(GlPicture* picture)
 		return;
 	if (picture->share.world)
 		share_close(&picture->share);
+	detail_close(&picture->detail);
 	renderer_close(&picture->renderer);
 	offscreen_close(&picture->offscreen);
 	canvas_close(&picture->canvas);
@@ -104,14 +112,30 @@ bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* w
 	}
 	share_open(&picture->share, world, false);
 	snprintf(picture->title, sizeof picture->title, "%s", scene->title);
-	camera_fit(&picture->camera, render_tables_view(&picture->renderer.tables, scene), picture->canvas.width,
-	           picture->canvas.height);
+	gl_picture_aim(picture, render_tables_view(&picture->renderer.tables, scene));
+	detail_open(&picture->detail, scene, picture->canvas.width, picture->canvas.height);
 	return true;
+}
+
+void gl_picture_aim(GlPicture* picture, scree_box view)
+{
+	camera_fit(&picture->camera, view, picture->canvas.width, picture->canvas.height);
+	detail_close(&picture->detail);
 }
 
 scree_status gl_picture_step(GlPicture* picture, const Style* style, double now)
 {
 	return renderer_step(&picture->renderer, &picture->camera, style, now);
+}
+
+static scree_status draw_view(GlPicture* picture, const Camera* camera, const Style* style)
+{
+	scree_status status = renderer_fetch(&picture->renderer, camera, style);
+	if (status != SCREE_OK)
+		return status;
+	renderer_draw(&picture->renderer, &picture->share, camera, style);
+	gl_picture_read(&picture->canvas);
+	return SCREE_OK;
 }
 
 scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char* caption)
@@ -120,12 +144,24 @@ scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char*
 	if (*picture->share.sentence)
 		fprintf(stderr, "scree: the rows are copied: %s\n", picture->share.sentence);
 	*picture->share.sentence = 0;
+	Camera camera = picture->camera;
+	bool both = picture->detail.pixels;
+	if (both)
+		camera_fit(&camera, picture->detail.part, camera.width, camera.height);
+	if (both && status == SCREE_OK)
+		status = draw_view(picture, &camera, style);
+	if (both && status == SCREE_OK)
+	{
+		detail_keep(&picture->detail, &picture->canvas);
+		camera_fit(&camera, picture->detail.whole, camera.width, camera.height);
+	}
 	if (status == SCREE_OK)
-		status = renderer_fetch(&picture->renderer, &picture->camera, style);
+		status = draw_view(picture, &camera, style);
 	if (status != SCREE_OK)
 		return status;
-	renderer_draw(&picture->renderer, &picture->share, &picture->camera, style);
-	gl_picture_read(&picture->canvas);
+	take_theme(&picture->canvas, style);
+	if (both)
+		detail_put(&picture->detail, &picture->canvas);
 	gl_picture_label(&picture->canvas, &picture->renderer, style, picture->title, caption);
 	return SCREE_OK;
 }

@@ -25,6 +25,9 @@ const scree_opengl* gl_picture_opengl(const GlPicture* picture);
 // Chooses the world to draw, with the title and the view of its scene. False writes a sentence.
 bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* world, char* sentence);
 
+// Shows a box instead of the view of the scene and its detail.
+void gl_picture_aim(GlPicture* picture, scree_box view);
+
 // After every step, with the time of the world in seconds: remembers the events that a style shows.
 scree_status gl_picture_step(GlPicture* picture, const Style* style, double now);
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXELS 7   // of an attribute, as row.glsl and body.frag have it
+#define TEXELS 9   // of an attribute, as row.glsl and body.frag have it
 #define SIZES  256 // shapes that are looked at to find a common size
 
 // Whether a shape is a rectangle along the axes, whose distance costs less.
@@ -20,7 +20,14 @@ static bool is_upright(const scree_shape* shape)
 	return true;
 }
 
-static void describe(const scree_shape* shape, Color color, float texels[4 * TEXELS])
+static void put_color(Color color, float texel[4])
+{
+	texel[0] = (float)color.r / 255.0f;
+	texel[1] = (float)color.g / 255.0f;
+	texel[2] = (float)color.b / 255.0f;
+}
+
+static void describe(const scree_shape* shape, Shades shades, float texels[4 * TEXELS])
 {
 	scree_vec low = shape->vertices[0], high = low;
 	for (int k = 0; k < shape->count; ++k)
@@ -39,13 +46,16 @@ static void describe(const scree_shape* shape, Color color, float texels[4 * TEX
 	                        (float)shape->count,
 	                        shape->reach,
 	                        sqrtf(fmaxf(shape->area, 0.0f)),
-	                        (float)color.r / 255.0f,
-	                        (float)color.g / 255.0f,
-	                        (float)color.b / 255.0f,
+	                        0.0f,
+	                        0.0f,
+	                        0.0f,
 	                        shape->kind == SCREE_SHAPE_SEGMENT ? 2.0f
 	                        : is_upright(shape)                ? 1.0f
 	                                                           : 0.0f};
 	memcpy(texels, rows, sizeof rows);
+	put_color(shades.middle, texels + 8);
+	put_color(shades.first, texels + 28);
+	put_color(shades.last, texels + 32);
 }
 
 static bool fill_attributes(RenderTables* tables)
@@ -55,7 +65,7 @@ static bool fill_attributes(RenderTables* tables)
 	if (!texels)
 		return false;
 	for (int k = 0; k < tables->attribute_count; ++k)
-		describe(&tables->attributes[k].shape, sprite_base(tables->color_of[k]),
+		describe(&tables->attributes[k].shape, shades_of(tables->color_of[k]),
 		         texels + (size_t)(4 * TEXELS) * (size_t)k);
 	texel_array_fill(&tables->attribute_texture, FORMAT_FOUR, texels, count);
 	free(texels);
@@ -86,7 +96,7 @@ static void find_size(RenderTables* tables, const Sprites* sprites)
 	free(defs);
 }
 
-// One byte a body, its type. The dynamic bodies are in the list of sprites from first_moving on.
+// One byte a body, its type and 4 times its shade. The dynamic bodies are in the list of sprites from first_moving on.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)
@@ -111,7 +121,7 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 		const Sprite* s = &sprites->list[k];
 		if (s->body < 0)
 			continue;
-		kinds[tables->bodies[s->body].index] = SCREE_BODY_DYNAMIC;
+		kinds[tables->bodies[s->body].index] = (uint8_t)(SCREE_BODY_DYNAMIC | s->shade << 2);
 		points[count++] = poses[s->body].position;
 		float own = tables->attributes[s->attribute].shape.reach;
 		reach = own > reach && own < 50.0f ? own : reach;
@@ -145,7 +155,7 @@ static bool list_rows(RenderTables* tables)
 	return good;
 }
 
-bool render_tables_build(RenderTables* tables, scree_world* world)
+bool render_tables_build(RenderTables* tables, const Scene* scene, scree_world* world)
 {
 	Sprites sprites = {0};
 	scree_counters counters;
@@ -163,7 +173,7 @@ bool render_tables_build(RenderTables* tables, scree_world* world)
 	}
 	else
 		starts_close(&starts);
-	bool good = sprites_list(&sprites, world);
+	bool good = sprites_list(&sprites, scene, world);
 	tables->attributes = sprites.attributes;
 	tables->color_of = sprites.color_of;
 	tables->attribute_count = sprites.attribute_count;

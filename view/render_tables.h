@@ -12,7 +12,7 @@ typedef struct
 {
 	scree_world* world;
 	scree_attribute_def* attributes; // by the index of their handles; shape.count 0: not used
-	int* color_of;                   // palette entry of an attribute, -1 for none
+	int* color_of;                   // entry of the palette of an attribute, -1 for none
 	int attribute_count;
 	int* row_attributes; // of the rows; -1 for none
 	int row_count;
@@ -28,9 +28,9 @@ typedef struct
 	TexelArray attribute_texture, kinds, velocities, graph, marks, shares;
 } RenderTables;
 
-// Reads a world; to be repeated after bodies were added or removed. A world that has taken no step is a new one: bodies begin where
+// Reads a world that a scene made, or none (null); to be repeated after bodies were added or removed. A world that has taken no step is a new one: bodies begin where
 // they are. False when memory is short; close the tables also then.
-bool render_tables_build(RenderTables* tables, scree_world* world);
+bool render_tables_build(RenderTables* tables, const Scene* scene, scree_world* world);
 
 // Reads the handles of the bodies again: a scene may replace bodies between steps, each by one of the same index.
 scree_status render_tables_update_bodies(RenderTables* tables);

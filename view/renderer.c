@@ -59,7 +59,7 @@ bool renderer_update_world(Renderer* r, const Scene* scene, scree_world* world)
 	scan_close(&r->scan);
 	if (scene && scene->fan_count > 0 && scan_open(&r->scan, scene, world) != SCREE_OK)
 		return false;
-	return render_tables_build(&r->tables, world) && joint_lines_build(&r->joint_lines, &r->tables);
+	return render_tables_build(&r->tables, scene, world) && joint_lines_build(&r->joint_lines, &r->tables);
 }
 
 static scree_status fetch_contacts(Renderer* r)

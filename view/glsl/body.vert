@@ -11,7 +11,7 @@ out vec2 local; // px, in the frame of the shape
 
 void main()
 {
-	texel = 7 * max(name.x, 0);
+	texel = 9 * max(name.x, 0);
 	vec4 around = texelFetch(table, cell(texel), 0), sizes = texelFetch(table, cell(texel + 1), 0), base = texelFetch(table, cell(texel + 2), 0);
 	reach = sizes.z * scale;
 	color = base.rgb;

@@ -5,7 +5,7 @@ flat out vec4 edges; // px: lower and upper corner
 
 void main()
 {
-	int texel = 7 * max(name.x, 0);
+	int texel = 9 * max(name.x, 0);
 	vec4 sizes = texelFetch(table, cell(texel + 1), 0);
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	edges = vec4(0.0);

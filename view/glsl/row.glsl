@@ -15,8 +15,8 @@ uniform vec3 ink;         // of what is drawn over bodies
 uniform int first;        // row that is drawn first
 uniform int marked;       // rows that have a mark
 
-uniform sampler2D table;      // attributes, 7 texels each
-uniform usampler2D kinds;     // of bodies
+uniform sampler2D table;      // attributes, TEXELS of render_tables.c each
+uniform usampler2D kinds;     // of bodies: type, and 4 times the shade
 uniform usampler2D graph;     // highest color of a body's contacts, 255 for none
 uniform sampler2D shares;     // of bodies: force, or starting place, 0 to 1
 uniform sampler2D velocities; // of bodies, m/s
@@ -27,7 +27,7 @@ const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
 vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
-uint kind() { return texelFetch(kinds, cell(name.y), 0).x; } // 0 static, 1 kinematic, 2 dynamic
+uint kind() { return texelFetch(kinds, cell(name.y), 0).x & 3u; } // 0 static, 1 kinematic, 2 dynamic
 
 // The mark of a row, 0 where it is no sensor.
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
@@ -52,7 +52,14 @@ vec3 start_color(vec2 place)
 	return mix(hue * 0.55, mix(vec3(1.0), hue, 0.6), place.y);
 }
 
-vec3 row_color(vec3 base)
+// A shade of the attribute: 0 is its first color, 1 its middle, 2 its last.
+vec3 shade_color(vec3 middle, float place)
+{
+	vec3 end = texelFetch(table, cell(9 * name.x + (place < 1.0 ? 7 : 8)), 0).rgb;
+	return mix(middle, end, abs(place - 1.0));
+}
+
+vec3 row_color(vec3 middle)
 {
 	if (name.y < 0)
 		return glass;
@@ -72,5 +79,6 @@ vec3 row_color(vec3 base)
 	// a little lighter or darker from body to body
 	uint mixed = uint(name.y) * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
-	return min((paint == 5 ? types[1] : base) * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
+	vec3 color = paint == 5 ? types[1] : shade_color(middle, float(texelFetch(kinds, cell(name.y), 0).x >> 2) / 31.0);
+	return min(color * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
 }

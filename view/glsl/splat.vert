@@ -8,7 +8,7 @@ flat out vec3 square; // middle and half a side, px
 
 void main()
 {
-	int texel = 7 * max(name.x, 0);
+	int texel = 9 * max(name.x, 0);
 	vec4 around = texelFetch(table, cell(texel), 0), sizes = texelFetch(table, cell(texel + 1), 0);
 	float side = sizes.w * scale;
 	gl_PointSize = coarse ? max(side > 2.0 ? ceil(side) : side, 1.0) : ceil(side) + 2.0;

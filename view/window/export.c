@@ -23,7 +23,9 @@ static Camera picture_camera(const Viewer* v)
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];
-	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
+	uint64_t hash = 0;
+	scree_world_get_hash(v->session.world, &hash);
+	caption_exact(v->session.scene, v->session.world, &v->session.counters, hash, caption, sizeof caption);
 	Camera camera = picture_camera(v);
 	capture_draw(&v->capture, &v->renderer, &v->share, &camera, style, v->session.scene->title, caption);
 }
