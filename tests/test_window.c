@@ -10,6 +10,7 @@
 
 #include "support.h"
 #include "view/window/history.h"
+#include "view/window/session.h"
 #include "view/window/tuning.h"
 #include <string.h>
 
@@ -151,13 +152,41 @@ static void tuning_changes_a_world_and_its_scene(void** state)
 	scree_world_destroy(world);
 }
 
+// A restart keeps what was tuned, another scene and a fresh start do not.
+static void tuning_lasts_over_a_restart(void** state)
+{
+	(void)state;
+	const ViewOptions options = {.scene = "pyramid", .device = "cpu", .threads = 1};
+	Session session;
+	char sentence[SCENE_SENTENCE];
+	scree_vec gravity;
+	assert_true(session_open(&session, &options, NULL, sentence));
+	session.tuning.gravity.y = -2.0f;
+	session.tuning.substeps = 7;
+	session.tuning.changed = true;
+	OK(tuning_write(&session.tuning, session.scene, session.world));
+	assert_true(session_step(&session, sentence));
+	assert_true(session_load(&session, session.name, false, sentence));
+	OK(scree_world_get_gravity(session.world, &gravity));
+	assert_true(gravity.y == -2.0f && session.scene->substeps == 7 && session.tuning.changed && session.steps == 0);
+	assert_true(session_load(&session, "smash", true, sentence));
+	OK(scree_world_get_gravity(session.world, &gravity));
+	assert_true(gravity.y == 0.0f && !session.tuning.changed);
+	// titles of the list
+	bool found = false;
+	for (int k = 0; k < session.scene_count; ++k)
+		if (strcmp(session.scenes[k], "pyramid") == 0)
+			found = strcmp(session_title(&session, k), "A pyramid of boxes that must not topple") == 0;
+	assert_true(found);
+	session_close(&session);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(typing_keeps_its_order),
-	    cmocka_unit_test(buttons_come_alone),
-	    cmocka_unit_test(history_keeps_the_last_frames),
-	    cmocka_unit_test(tuning_changes_a_world_and_its_scene),
+	    cmocka_unit_test(typing_keeps_its_order),        cmocka_unit_test(buttons_come_alone),
+	    cmocka_unit_test(history_keeps_the_last_frames), cmocka_unit_test(tuning_changes_a_world_and_its_scene),
+	    cmocka_unit_test(tuning_lasts_over_a_restart),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,8 @@
 #define DOT     5.0f  // px: a contact point
 #define NORMAL  14.0f // px: a normal
 #define IMPULSE 60.0f // px: the largest impulse in view, at most
-#define FEW     10.0f // px: and at least
+#define FEW     4.0f  // px: and at least
+#define DENSE   20.0f // px: lines that are at most as long have no rim
 #define LONG    1.6f  // reaches of a body that it is long in between
 #define HALO    2.6f  // px: the rim around impulses is wider than they are
 
@@ -41,13 +42,18 @@ static scree_vec along(scree_vec from, scree_vec direction, float length)
 	return (scree_vec){from.x + direction.x * length, from.y + direction.y * length};
 }
 
-// One pass draws the rims, and the next one the lines over all of them.
+// One pass draws the rims, and the next one the lines over all of them. Where bodies are too small for that, thin lines.
 static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, float size)
 {
 	scree_box box = camera_box(camera);
 	float largest = largest_impulse(contacts, count, box), most = LONG * size * camera->scale;
-	float whole = fminf(fmaxf(most, FEW), IMPULSE) / camera->scale, width = most < 2.0f * FEW ? 1.2f : 2.0f;
-	for (int line = 0; line < 2; ++line)
+	float whole = fminf(fmaxf(most, FEW), IMPULSE) / camera->scale;
+	bool dense = most < DENSE;
+	for (int line = dense; line < 2; ++line)
+	{
+		float width = dense ? 1.0f : line ? 2.0f : 2.0f + HALO;
+		Color color = line ? core : halo;
+		int opacity = dense || !line ? 150 : 255;
 		for (int k = 0; k < count; ++k)
 		{
 			scree_vec normal = contacts[k].normal, across = {-normal.y, normal.x};
@@ -59,13 +65,11 @@ static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int c
 				// the square root makes small impulses visible beside large ones
 				float length = whole * sqrtf(fmaxf(p->normal_impulse, 0.0f) / largest);
 				float slip = whole * copysignf(sqrtf(fabsf(p->tangent_impulse) / largest), p->tangent_impulse);
-				float wide = line ? width : width + HALO;
-				strokes_add(strokes, p->point, along(p->point, across, slip), wide, line ? core : halo,
-				            line ? 150 : 110);
-				strokes_add(strokes, p->point, along(p->point, normal, length), wide, line ? core : halo,
-				            line ? 255 : 150);
+				strokes_add(strokes, p->point, along(p->point, across, slip), width, color, opacity * 3 / 5);
+				strokes_add(strokes, p->point, along(p->point, normal, length), width, color, opacity);
 			}
 		}
+	}
 }
 
 void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, const Style* style,

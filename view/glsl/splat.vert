@@ -11,7 +11,7 @@ void main()
 	int texel = 9 * max(name.x, 0);
 	vec4 around = texelFetch(table, cell(texel), 0), sizes = texelFetch(table, cell(texel + 1), 0);
 	float side = sizes.w * scale;
-	gl_PointSize = coarse ? max(side > 2.0 ? ceil(side) : side, 1.0) : ceil(side) + 2.0;
+	gl_PointSize = coarse ? max(side > 1.25 ? ceil(side) : side, 1.0) : ceil(side) + 2.0;
 	gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 	color = vec3(0.0);
 	square = vec3(0.0);
