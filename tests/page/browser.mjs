@@ -34,12 +34,22 @@ function start(command, words, pattern) {
 export const startServer = (script, folder, plain) =>
 	start(process.execPath, [script, folder, '0', ...(plain ? ['plain'] : [])], /http:\/\/127\.0\.0\.1:(\d+)\//);
 
+// chromedriver takes a free port of IPv6 and then the same of IPv4, which may be taken.
+async function startDriver(trials = 5) {
+	try {
+		return await start('chromedriver', ['--port=0'], /successfully on port (\d+)/);
+	} catch (error) {
+		if (trials === 1 || !/in use/.test(error.message)) throw error;
+		return startDriver(trials - 1);
+	}
+}
+
 export class Browser {
 	// size: width, height in px; touch, dark, density: of the screen
 	static async open({ width = 1280, height = 800, touch = false, dark = false, density = 1, flags = [] } = {}) {
 		const browser = new Browser();
 		browser.folder = mkdtempSync(join(tmpdir(), 'scree-page-'));
-		const { child, port } = await start('chromedriver', ['--port=0'], /successfully on port (\d+)/);
+		const { child, port } = await startDriver();
 		browser.driver = child;
 		browser.base = `http://127.0.0.1:${port}`;
 		const options = { args: [...FLAGS, ...flags, `--user-data-dir=${browser.folder}`, `--window-size=${width},${height}`] };

@@ -80,7 +80,7 @@ export class Compare {
 		this.box.replaceChildren(
 			element('p', {}, `Here, after ${step} steps:`),
 			element('code', { id: 'here', class: 'hash' }, hash),
-			element('p', {}, `In a clone of Scree ${version}, after make, on CPU or GPU:`),
+			element('p', {}, `In a clone of Scree ${version}, after make build, on CPU or GPU:`),
 			element('div', { class: 'line' }, element('code', { id: 'command' }, command), copyButton('copy', () => command)),
 			field,
 			result,
