@@ -24,6 +24,9 @@ export function verdict(text, hash, step) {
 		: [false, `Different: ${found[0]} there, ${hash} here. Are the steps, the parameters and the version the same?`];
 }
 
+// The words of a line, which breaks between them only.
+const unbroken = (line) => line.split(/(?= )/).map((word) => element('span', {}, word));
+
 export class Compare {
 	constructor(say) {
 		this.say = say;
@@ -81,7 +84,7 @@ export class Compare {
 			element('p', {}, `Here, after ${step} steps:`),
 			element('code', { id: 'here', class: 'hash' }, hash),
 			element('p', {}, `In a clone of Scree ${version}, after make build, on CPU or GPU:`),
-			element('div', { class: 'line' }, element('code', { id: 'command' }, command), copyButton('copy', () => command)),
+			element('div', { class: 'line' }, element('code', { id: 'command' }, ...unbroken(command)), copyButton('copy', () => command)),
 			field,
 			result,
 		);

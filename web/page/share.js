@@ -31,14 +31,14 @@ export class Share {
 	// The address to send. Of what the visitor did too much is left out, which a sentence says.
 	async make() {
 		const record = await this.record();
-		const base = location.href.split('#')[0];
+		const base = location.origin + location.pathname;
 		let link = writeLink({ ...this.source(), record });
 		this.note.textContent = '';
 		if (link.length > LONGEST) {
 			this.note.textContent = `What you did takes ${link.length} characters, and a link has room for ${LONGEST}: this one has the scene and its parameters only.`;
 			link = writeLink(this.source());
 		} else if (record.actions.length > 0)
-			this.note.textContent = `${link.length} characters: ${record.actions.length} actions until step ${record.step}.`;
+			this.note.textContent = `${link.length} characters: ${record.actions.length} action${record.actions.length > 1 ? 's' : ''} until step ${record.step}.`;
 		this.field.hidden = false;
 		this.field.value = base + link;
 		this.field.select();
