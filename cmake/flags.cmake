@@ -10,8 +10,12 @@ if(SCREE_SANITIZE)
 endif()
 
 function(scree_flags target)
+	set(anywhere ON)
+	if(EMSCRIPTEN)
+		set(anywhere OFF) # WebAssembly is linked into one module
+	endif()
 	set_target_properties(${target} PROPERTIES C_STANDARD 17 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
-		POSITION_INDEPENDENT_CODE $<NOT:$<BOOL:${EMSCRIPTEN}>> C_VISIBILITY_PRESET hidden)
+		POSITION_INDEPENDENT_CODE ${anywhere} C_VISIBILITY_PRESET hidden)
 	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src
 		${PROJECT_SOURCE_DIR})
 	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
