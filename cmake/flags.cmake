@@ -45,3 +45,14 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
 	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
 endif()
+
+# A page downloads all of it: what is not of a step is made small; loops are not unrolled, which makes them no faster there.
+if(EMSCRIPTEN)
+	set(CMAKE_C_FLAGS_RELEASE "-Oz -DNDEBUG")
+	file(GLOB hot src/cpu/*.c)
+	set(hot_options -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize)
+	if(NOT 1 IN_LIST SCREE_LANES)
+		list(APPEND hot_options -Wno-unused-function) # the wide stages of lanes1.c
+	endif()
+	set_source_files_properties(${hot} PROPERTIES COMPILE_OPTIONS "${hot_options}")
+endif()

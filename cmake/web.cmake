@@ -1,14 +1,34 @@
-# web.cmake -- what is made for WebAssembly besides the libraries: the program whose hashes tests compare, run by node.
+# web.cmake -- what is made for WebAssembly besides the libraries: the engine of the npm package, and the program whose hashes tests compare.
 
 # optimizers of JavaScript that Emscripten runs when it links need acorn, which node finds when it is told where Debian has it
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
+
+# the package: scree.js and its types from the header; the engine without JavaScript of Emscripten, so without its threads
+if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
+	find_program(SCREE_NODE NAMES node nodejs REQUIRED)
+	set(package ${PROJECT_BINARY_DIR}/package)
+	set(tools ${PROJECT_SOURCE_DIR}/web/package)
+	file(MAKE_DIRECTORY ${package})
+	add_custom_command(OUTPUT ${package}/scree.js ${package}/scree.d.ts ${package}/exports.json ${package}/layout.c
+		COMMAND ${SCREE_NODE} ${tools}/generate.mjs ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${tools}/runtime.js ${package}
+		DEPENDS ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${tools}/generate.mjs ${tools}/header.mjs ${tools}/types.mjs
+			${tools}/runtime.js
+		COMMENT "Making the package from scree.h" VERBATIM)
+	# layout.c holds the assertions that the compiler lays structs out as the package does
+	add_executable(engine ${tools}/libc.c ${package}/layout.c)
+	scree_flags(engine)
+	set_target_properties(engine PROPERTIES SUFFIX .wasm LINK_DEPENDS ${package}/exports.json)
+	target_link_libraries(engine PRIVATE scree_static)
+	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
+		-sWARN_ON_UNDEFINED_SYMBOLS=0 -sEXPORTED_FUNCTIONS=@${package}/exports.json)
+endif()
 
 if(TARGET scree_scene)
 	add_executable(golden tests/web/golden.c)
 	scree_flags(golden)
 	target_link_libraries(golden PRIVATE scree_scene scree_static)
 	# real files; main in a thread of its own, so that it can wait for others
-	target_link_options(golden PRIVATE -sALLOW_MEMORY_GROWTH -sNODERAWFS -sEXIT_RUNTIME)
+	target_link_options(golden PRIVATE -O1 -sALLOW_MEMORY_GROWTH -sNODERAWFS -sEXIT_RUNTIME)
 	if(CMAKE_C_FLAGS MATCHES "-pthread")
 		target_link_options(golden PRIVATE -sPROXY_TO_PTHREAD -Wno-pthreads-mem-growth)
 	endif()

@@ -6,14 +6,24 @@
 #define TABLE STAGE_JOIN(stages, LANES)
 #endif
 
+// SCREE_SMALL: what is compiled twice elsewhere is compiled once, for WebAssembly: wide stages with the one number of lanes, stages of
+// groups, which are the longest, with one lane.
 #if LANES == 1
 #define ENTRY_ONE(name) STAGE_JOIN(name, LANES)
 #else
 #define ENTRY_ONE(name) NULL
 #endif
-#define ENTRY_ALONE(name) ENTRY_ONE(name)
-#define ENTRY_WIDE(name)  STAGE_JOIN(name, LANES)
+#if LANES > 1 || SCREE_LANES & 1
+#define ENTRY_WIDE(name) STAGE_JOIN(name, LANES)
+#else
+#define ENTRY_WIDE(name) NULL
+#endif
+#ifdef SCREE_SMALL
+#define ENTRY_GROUP(name) ENTRY_ONE(name)
+#else
 #define ENTRY_GROUP(name) STAGE_JOIN(name, LANES)
+#endif
+#define ENTRY_ALONE(name) ENTRY_ONE(name)
 
 // clang-format off
 const StageFunction TABLE[STAGE_COUNT] = {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// generate.mjs -- generate.mjs HEADER RUNTIME FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c from scree.h.
+//
+// scree.js is RUNTIME behind two tables: the members of structs, and the parameters of functions, in codes that runtime.js explains.
+import {readFileSync, writeFileSync} from "node:fs";
+import {parse, scalars} from "./header.mjs";
+import {types} from "./types.mjs";
+
+const [, , headerPath, runtimePath, folder] = process.argv;
+const header = parse(readFileSync(headerPath, "utf8"));
+
+// Has no use in a page: hooks in C, one device only, memory that is shared with OpenCL.
+const left_out = /^scree_(hooks_set|opencl_remedy|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|write_render_rows|get_sharing|move))$/;
+const short = (type) => type.replace(/^scree_/, "");
+const functions = Object.values(header.functions).filter((f) => !left_out.test(f.name));
+
+function code(type) {
+	if (scalars[type])
+		return scalars[type][0];
+	if (header.enums[type])
+		return "i";
+	return short(type);
+}
+
+// Codes of the parameters of a function, and which of them a program gives.
+function describe(f) {
+	const codes = [], given = [], results = [], all = f.parameters;
+	for (let k = 0; k < all.length; ++k) {
+		const p = all[k], next = all[k + 1];
+		const counted = all.some((other) => other.name === "count" && !other.pointer) && !/^(def|shape|list)$/.test(p.name);
+		const list = next?.name === "capacity" || (next?.name === "size" && all[k + 2]?.name === "capacity");
+		if (p.type === "scree_world" && p.pointer === 1)
+			codes.push("w");
+		else if (p.name === "size" && p.type === "size_t")
+			codes.push(`#${code(all.findLast((other, at) => at < k && other.pointer).type)}`);
+		else if (p.name === "capacity" || (p.name === "count" && !p.pointer) || (p.name === "count" && all[k - 1]?.name === "capacity"))
+			codes.push(p.name === "capacity" ? "c" : p.pointer ? "m" : "n");
+		else if (!p.pointer) {
+			codes.push(header.structs[p.type] ? `.${code(p.type)}` : code(p.type));
+			given.push(p);
+		}
+		else if (p.type === "char") {
+			codes.push("$");
+			given.push(p);
+		}
+		else if (f.name === "scree_world_get_states" && p.name === "bodies")
+			codes.push("0"); // getBodies lists them, in the same order
+		else if (list) {
+			codes.push(`?${code(p.type)}`);
+			results.push({...p, many: true});
+		}
+		else if (p.constant) {
+			codes.push((counted ? "*" : "<") + code(p.type));
+			given.push({...p, many: counted, optional: !counted && /^(def|shape|pair)$/.test(p.name)});
+		}
+		else if (p.name === "def" && p.type === "scree_joint_def" && !/make|get_def/.test(f.name)) {
+			codes.push("@joint_def");
+			given.push(p);
+		}
+		else if (p.name === "movers") {
+			codes.push("&mover");
+			given.push({...p, many: true});
+		}
+		else {
+			codes.push((counted ? "+" : ">") + (f.name === "scree_world_get_hash" ? "H" : code(p.type)));
+			results.push({...p, many: counted});
+		}
+	}
+	return {codes, given, results};
+}
+
+function result(f) {
+	if (/^const char\*|^char\*/.test(f.result.replace(/\s/g, "")))
+		return "s";
+	if (f.result === "scree_status")
+		return "!";
+	if (f.result === "void")
+		return "v";
+	return header.structs[f.result] ? `=${short(f.result)}` : code(f.result);
+}
+
+const described = functions.map((f) => ({...f, ...describe(f), kind: result(f)}));
+
+const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row)$/.test(s.name));
+const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", moved_size: "moved"};
+function member(struct, m) {
+	let type = code(m.type);
+	if (m.name === "size" || sizes[m.name])
+		type = `z${sizes[m.name] ?? short(struct.name)}`;
+	else if (m.pointer && m.type === "char")
+		type = "$";
+	else if (m.pointer) {
+		const count = [`${m.name}_count`, `${m.name.replace(/s$/, "")}_count`, "count"].find((name) =>
+			struct.members.some((other) => other.name === name));
+		type = m.type === "scree_opengl" ? "p" : m.name === "first" ? "*i:first" : `*${type}:${count}`;
+	}
+	else if (m.type === "uint64_t" && !/^(category|mask|user|user_\w+)$/.test(m.name))
+		type = "l";
+	return `${m.name}=${m.length ? m.length : ""}${type}`;
+}
+const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => member(s, m))].join(" ")).join("\n");
+const functionTable = described.filter((f) => !/^scree_world_(create|destroy|get_render_rows)$/.test(f.name))
+	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
+
+// scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
+const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
+const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
+	const names = Object.keys(e.members);
+	let prefix = names[0].slice(0, names[0].lastIndexOf("_") + 1);
+	while (prefix && !names.every((other) => other.startsWith(prefix)))
+		prefix = prefix.slice(0, prefix.slice(0, -1).lastIndexOf("_") + 1);
+	const title = name.startsWith("_") ? camel(prefix.slice(0, -1).toLowerCase()) : camel(short(name));
+	return {name, title, ...e, list: names.map((n) => [n.slice(prefix.length), e.members[n], e.notes[n]])};
+});
+const enumCode = enumerations.map((e) =>
+	`export const ${e.title} = Object.freeze({${e.list.map(([name, value]) => `${name}: ${value}`).join(", ")}});`).join("\n");
+
+const licence = "// SPDX-License-Identifier: MIT\n";
+const runtime = readFileSync(runtimePath, "utf8").replace(/^\/\/ SPDX[^\n]*\n/, "");
+writeFileSync(`${folder}/scree.js`, `${licence}// Made from scree.h ${Object.values(header.constants).slice(0, 3).join(".")}.
+const STRUCTS = \`${structTable}\`;
+const FUNCTIONS = \`${functionTable}\`;
+export const HUGE = ${header.constants.HUGE};
+${enumCode}
+${runtime}`);
+writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described, enumerations, short}));
+writeFileSync(`${folder}/exports.json`, JSON.stringify([...functions.map((f) => `_${f.name}`), "_malloc", "_free"]));
+writeFileSync(`${folder}/layout.c`, `#include "scree/scree.h"\n${structs.flatMap((s) => [
+	`_Static_assert(sizeof(${s.name}) == ${s.size}, "${s.name}");`,
+	...s.members.map((m) => `_Static_assert(offsetof(${s.name}, ${m.name}) == ${m.offset}, "${s.name}.${m.name}");`)]).join("\n")}\n`);

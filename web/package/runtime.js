@@ -1,0 +1,621 @@
+// SPDX-License-Identifier: MIT
+// runtime.js -- the package: loads the engine, and makes methods from the table of functions.
+//
+// A line of STRUCTS is a struct: its name, then member=TYPE, with a number before the type of an array. A line of FUNCTIONS is a
+// function: its name, its result, its parameters. Types: i u f d b B h l L H for int, uint32, float, double, bool, uint8, uint16, and 64
+// bits as number, as BigInt and as text; else the name of a struct. Results: ! status, s text, v none, =T a struct. Parameters: w the
+// world, .T a struct, <T a pointer to one that may be null, *T an array, n its length, >T a result, +T as many results as the array has,
+// ?T c m a list of unknown length, @T and &T what is changed, #T a size, $ a text.
+const SIZES = {i: 4, u: 4, f: 4, d: 8, b: 1, B: 1, h: 2, l: 8, L: 8, c: 1, $: 4, p: 4};
+const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
+const HANDLES = ["attribute", "body", "collidable", "path", "joint", "field"];
+const PLURALS = {bodies: "body", joints: "joint", collidables: "collidable", movers: "mover"};
+
+const layouts = {};
+for (const line of STRUCTS.split("\n")) {
+	const [name, ...list] = line.split(" "), members = {};
+	let offset = 0, alignment = 1, floats = true;
+	for (const text of list) {
+		const [, member, count, code] = /^(\w+)=(\d*)(.+)$/.exec(text);
+		const type = code[0] === "z" || code[0] === "*" ? code[0] : code, inner = layouts[type];
+		const size = inner ? inner.size : SIZES[type] ?? 4, align = inner ? inner.alignment : size;
+		offset = Math.ceil(offset / align) * align;
+		const [of, counter] = code.slice(1).split(":");
+		members[camel(member)] = {type, offset, size, count: Number(count), of, counter: counter && camel(counter)};
+		offset += size * (Number(count) || 1);
+		alignment = Math.max(alignment, align);
+		floats &&= inner ? inner.floats : type === "f";
+	}
+	// lengths of arrays, sizes and what is reserved are no members of objects
+	const hidden = new Set(["reserved"]);
+	for (const m of Object.values(members))
+		if (m.counter)
+			hidden.add(m.counter);
+	const shown = Object.entries(members).filter(([key, m]) => m.type !== "z" && m.type !== "p" && !hidden.has(key));
+	layouts[name] = {name, members, shown: Object.fromEntries(shown), size: Math.ceil(offset / alignment) * alignment, alignment, floats};
+}
+
+/** What every function throws that fails, with the sentence that names the argument and its value. */
+export class ScreeError extends Error {
+	constructor(message, status) {
+		super(message);
+		this.name = "ScreeError";
+		this.status = status;
+	}
+}
+
+class Handle {
+	constructor(world, index, generation) {
+		this.world = world;
+		this.index = index;
+		this.generation = generation;
+	}
+}
+const classes = Object.fromEntries(HANDLES.map((name) => [name, class extends Handle {}]));
+/** The state of one joint: world.joints.getStates. */
+classes.joint.prototype.getState = function () {
+	return this.world.joints.getStates([this])[0];
+};
+export const {attribute: Attribute, body: Body, collidable: Collidable, path: Path, joint: Joint, field: Field} = classes;
+
+// A number as printf writes it, for %g and %f.
+function format(value, kind, precision) {
+	if (!Number.isFinite(value))
+		return value !== value ? "nan" : value < 0 ? "-inf" : "inf";
+	if (kind === 102)
+		return value.toFixed(precision);
+	const digits = Math.max(precision, 1), [mantissa, power] = value.toExponential(digits - 1).split("e");
+	const trim = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text), exponent = Number(power);
+	if (exponent < -4 || exponent >= digits)
+		return `${trim(mantissa)}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+	return trim(value.toFixed(digits - 1 - exponent));
+}
+
+const ARENA = 65536;
+
+class Engine {
+	constructor(module, instance) {
+		this.c = instance.exports;
+		this.memory = this.c.memory;
+		this.view = new DataView(this.memory.buffer);
+		this.arena = this.c.malloc(ARENA);
+		this.top = 0;
+		this.large = [];
+		this.blanks = {};
+		this.dropped = new FinalizationRegistry((release) => release());
+	}
+
+	fresh() {
+		if (this.view.buffer !== this.memory.buffer || this.view.byteLength === 0)
+			this.view = new DataView(this.memory.buffer);
+		return this.view;
+	}
+
+	// Memory until the end of the call.
+	take(bytes) {
+		const at = this.arena + this.top;
+		if (this.top + bytes <= ARENA) {
+			this.top += (bytes + 15) & ~15;
+			return at;
+		}
+		const block = this.allocate(bytes);
+		this.large.push(block);
+		return block;
+	}
+
+	allocate(bytes) {
+		const block = this.c.malloc(bytes);
+		if (!block)
+			throw new ScreeError(`no memory for ${bytes} bytes`, 3);
+		return block;
+	}
+
+	done() {
+		this.top = 0;
+		while (this.large.length)
+			this.c.free(this.large.pop());
+	}
+
+	text(at) {
+		const bytes = new Uint8Array(this.memory.buffer);
+		let end = at;
+		while (bytes[end])
+			++end;
+		// a copy, because texts in shared memory are not decoded
+		return new TextDecoder().decode(bytes.slice(at, end));
+	}
+
+	putText(text) {
+		const bytes = new TextEncoder().encode(`${text}\0`), at = this.take(bytes.length);
+		new Uint8Array(this.memory.buffer).set(bytes, at);
+		return at;
+	}
+
+	check(status) {
+		if (status)
+			throw new ScreeError(this.text(this.c.scree_error()), status);
+	}
+
+	// The bytes of a struct in which nothing is set: its default, or zeros without a rotation.
+	blank(name, value) {
+		const {size, members} = layouts[name], typed = name === "joint_def" || name === "field_def", type = typed ? value?.type ?? 0 : 0;
+		const key = typed ? name + type : name;
+		if (!this.blanks[key]) {
+			const at = this.take(size), make = this.c[`scree_${name}_default_sized`];
+			new Uint8Array(this.memory.buffer).fill(0, at, at + size);
+			if (name === "joint_def")
+				this.c.scree_joint_def_make_sized(type, at, size);
+			else if (name === "filter")
+				this.c.scree_filter_default(at);
+			else if (make)
+				make(at, size, type);
+			else
+				for (const m of Object.values(members))
+					if (m.type === "z")
+						this.fresh().setUint32(at + m.offset, layouts[m.of].size, true);
+					else if (layouts[m.type] && name !== "mover" && !m.count)
+						new Uint8Array(this.memory.buffer).set(this.blank(m.type), at + m.offset);
+			if (name === "rot")
+				this.fresh().setFloat32(at, 1, true);
+			this.blanks[key] = new Uint8Array(this.memory.buffer).slice(at, at + size);
+		}
+		return this.blanks[key];
+	}
+
+	// Writes a value of a type; where names it in messages.
+	put(type, at, value, world, where) {
+		const view = this.fresh(), wrong = (must) => {
+			throw new TypeError(`${where} is ${typeof value === "bigint" || typeof value === "object" ? Object.prototype.toString.call(value) : String(value)}, must be ${must}`);
+		};
+		if (HANDLES.includes(type)) {
+			if (value !== null && !(value instanceof classes[type]))
+				wrong(`a ${type} or null`);
+			if (value && value.world !== world)
+				wrong(`a ${type} of the same world`);
+			view.setUint32(at, value ? value.index : 0, true);
+			view.setUint32(at + 4, value ? value.generation : 0, true);
+			return;
+		}
+		if (layouts[type]) {
+			if (type === "rot" && typeof value === "number")
+				return this.c.scree_rot_make(at, value);
+			if (value === null || typeof value !== "object")
+				wrong("an object");
+			const {members, shown} = layouts[type];
+			for (const key in value) {
+				const m = shown[key], item = value[key];
+				if (item === undefined)
+					continue;
+				if (!m)
+					throw new TypeError(`${where} has a member ${key}, which ${type} does not know`);
+				if (m.type === "*") {
+					const of = m.of, size = layouts[of].size, list = this.take(size * item.length);
+					this.putAll(of, list, item, world, `${where}.${key}`);
+					this.fresh().setUint32(at + m.offset, list, true);
+					this.fresh().setInt32(at + members[m.counter].offset, item.length, true);
+				}
+				else if (m.count) {
+					for (const k in item) {
+						if (!(k < m.count))
+							throw new RangeError(`${where}.${key} has an item ${k}, but there are ${m.count} at most`);
+						this.put(m.type, at + m.offset + m.size * k, item[k], world, `${where}.${key}[${k}]`);
+					}
+				}
+				else
+					this.put(m.type, at + m.offset, item, world, `${where}.${key}`);
+			}
+			return;
+		}
+		switch (type) {
+		case "b":
+			if (typeof value !== "boolean")
+				wrong("true or false");
+			return view.setUint8(at, value ? 1 : 0);
+		case "$":
+			if (typeof value !== "string")
+				wrong("a text");
+			return this.fresh().setUint32(at, this.putText(value), true) ?? this.fresh();
+		case "L":
+			if (typeof value !== "bigint" && !Number.isSafeInteger(value))
+				wrong("a whole number");
+			return view.setBigUint64(at, BigInt(value), true);
+		}
+		if (typeof value !== "number")
+			wrong("a number");
+		if (type === "f")
+			return view.setFloat32(at, value, true);
+		if (type === "d")
+			return view.setFloat64(at, value, true);
+		if (!Number.isInteger(value) || value < -2147483648 || value > 4294967295)
+			wrong("a whole number of 32 bits");
+		view.setInt32(at, value, true);
+	}
+
+	putAll(type, at, values, world, where) {
+		const layout = layouts[type], size = layout ? layout.size : SIZES[type];
+		if (values instanceof Float32Array && (layout ? layout.floats : type === "f"))
+			return new Float32Array(this.memory.buffer, at, values.length).set(values);
+		for (let k = 0; k < values.length; ++k)
+			this.putBlank(type, at + size * k, values[k], world, `${where}[${k}]`);
+	}
+
+	putBlank(type, at, value, world, where) {
+		if (layouts[type] && !HANDLES.includes(type)) {
+			const blank = this.blank(type, value);
+			new Uint8Array(this.memory.buffer).set(blank, at);
+		}
+		this.put(type, at, value, world, where);
+	}
+
+	get(type, at, world, queries) {
+		const view = this.fresh();
+		if (HANDLES.includes(type))
+			return world.handle(type, view.getUint32(at, true), view.getUint32(at + 4, true));
+		if (layouts[type]) {
+			const {shown, members} = layouts[type], value = {};
+			for (const key in shown) {
+				const m = shown[key], place = at + m.offset;
+				if (m.type === "*") {
+					const count = m.counter === "first" ? queries + 1 : view.getInt32(at + members[m.counter].offset, true);
+					const list = view.getUint32(place, true);
+					value[key] = list ? this.getAll(m.of, list, count, world) : [];
+				}
+				else
+					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
+			}
+			// of a polygon's eight places as many as it has
+			if (type === "shape")
+				value.vertices.length = value.normals.length = value.count;
+			return value;
+		}
+		switch (type) {
+		case "i": return view.getInt32(at, true);
+		case "u": return view.getUint32(at, true);
+		case "f": return view.getFloat32(at, true);
+		case "d": return view.getFloat64(at, true);
+		case "b": return view.getUint8(at) !== 0;
+		case "l": return Number(view.getBigInt64(at, true));
+		case "L": return view.getBigUint64(at, true);
+		case "H": return view.getBigUint64(at, true).toString(16).padStart(16, "0");
+		case "$": return this.text(view.getUint32(at, true));
+		}
+	}
+
+	getAll(type, at, count, world) {
+		const size = layouts[type] ? layouts[type].size : SIZES[type];
+		return Array.from({length: count}, (_, k) => this.get(type, at + size * k, world));
+	}
+}
+
+// One function of the table: world is null for what needs none; given are the arguments.
+function call(engine, f, world, given) {
+	const {c} = engine, values = [], outs = [];
+	let next = 0, count = -1, list;
+	const where = () => `${f.method}: argument ${next}`;
+	if (world && !world.pointer)
+		throw new ScreeError(`${f.method}: the world was destroyed`, 2);
+	if (given.length > f.given)
+		throw new TypeError(`${f.method} has ${f.given} arguments, not ${given.length}`);
+	try {
+		if (f.result[0] === "=") {
+			values.push(engine.take(layouts[f.result.slice(1)].size));
+			outs.push([f.result.slice(1), values[0], 1]);
+		}
+		for (const code of f.codes) {
+			const kind = code[0], type = code.slice(1), size = type ? layouts[type]?.size ?? (type === "H" ? 8 : SIZES[type]) : 0;
+			if (kind === "w")
+				values.push(world.pointer);
+			else if (code === "0")
+				values.push(0);
+			else if (code === "n")
+				values.push(Math.max(count, 0));
+			else if (kind === "#")
+				values.push(size);
+			else if (code === "c") {
+				list.place = values.push(list.capacity) - 1;
+			}
+			else if (code === "m")
+				values.push(list.count = engine.take(4));
+			else if (kind === "?") {
+				list = {type, size, capacity: 32, at: values.push(engine.take(32 * size)) - 1};
+			}
+			else if (kind === ">" || kind === "+") {
+				const many = kind === "+";
+				outs.push([type, engine.take(size * (many ? count : 1)), many ? count : -1]);
+				// what is filled says how large it is
+				if (!many && layouts[type])
+					new Uint8Array(engine.memory.buffer).set(engine.blank(type), outs.at(-1)[1]);
+				values.push(outs.at(-1)[1]);
+			}
+			else if (kind === "$")
+				values.push(engine.putText(given[next++]));
+			else if (kind === ".") {
+				const at = engine.take(size), value = given[next++];
+				engine.putBlank(type, at, value, world, where());
+				values.push(at);
+			}
+			else if (kind === "<" || kind === "@") {
+				const value = given[next++];
+				if (value === null || (value === undefined && kind === "<" && next > f.needed))
+					values.push(0);
+				else {
+					const at = engine.take(size);
+					engine.putBlank(type, at, value, world, where());
+					values.push(at);
+					if (kind === "@")
+						outs.push([type, at, -1, value]);
+				}
+			}
+			else if (kind === "*" || kind === "&") {
+				const items = given[next++], layout = layouts[type], packed = items instanceof Float32Array;
+				if (!items || typeof items.length !== "number")
+					throw new TypeError(`${where()} must be an array`);
+				const length = packed && layout ? items.length / (layout.size / 4) : items.length;
+				if (count >= 0 && length !== count)
+					throw new RangeError(`${where()} has ${length} items, but the array before it has ${count}`);
+				count = length;
+				const at = engine.take(size * length);
+				engine.putAll(type, at, items, world, where());
+				values.push(at);
+				if (kind === "&")
+					outs.push([type, at, length, items]);
+			}
+			else {
+				const at = engine.take(8);
+				engine.put(code, at, given[next++], world, where());
+				values.push(code === "b" ? engine.view.getUint8(at) : engine.get(code, at));
+			}
+		}
+		let answer = c[f.name](...values);
+		if (f.result === "!")
+			engine.check(answer);
+		if (list) {
+			let found = engine.fresh().getInt32(list.count, true);
+			if (found > list.capacity) {
+				values[list.at] = engine.take(found * list.size);
+				values[list.place] = found;
+				engine.check(c[f.name](...values));
+			}
+			return engine.getAll(list.type, values[list.at], found, world);
+		}
+		if (f.result === "s")
+			return engine.text(answer);
+		if (f.result === "b")
+			return answer !== 0;
+		if (f.result !== "!" && f.result[0] !== "=" && f.result !== "v")
+			return f.result === "u" ? answer >>> 0 : answer;
+		const results = outs.map(([type, at, many, target]) => {
+			const value = many >= 0 && f.result[0] !== "=" ? engine.getAll(type, at, many, world) : engine.get(type, at, world, count);
+			if (!target)
+				return value;
+			if (many >= 0)
+				return value.map((item, k) => Object.assign(target[k], item)) && target;
+			return Object.assign(target, value);
+		});
+		return results.length > 1 ? results : results[0];
+	}
+	finally {
+		engine.done();
+	}
+}
+
+/** A world and all in it. destroy() frees it; a world that is forgotten is freed some time later. */
+export class World {
+	constructor(scree, def = {}) {
+		const engine = scree.engine;
+		this.scree = scree;
+		this.known = {};
+		try {
+			const at = engine.take(layouts.world_def.size), out = engine.take(4);
+			engine.putBlank("world_def", at, {device: "cpu", threads: 1, ...def}, this, "world");
+			engine.check(engine.c.scree_world_create(at, out));
+			this.pointer = engine.fresh().getUint32(out, true);
+		}
+		finally {
+			engine.done();
+		}
+		const {pointer} = this;
+		this.owned = [];
+		const owned = this.owned;
+		this.release = () => {
+			engine.c.scree_world_destroy(pointer);
+			owned.forEach((block) => engine.c.free(block));
+		};
+		engine.dropped.register(this, this.release, this);
+		for (const plural in PLURALS)
+			this[plural] = new Batch(this, plural);
+	}
+
+	destroy() {
+		if (!this.pointer)
+			return;
+		this.scree.engine.dropped.unregister(this);
+		this.release();
+		this.pointer = 0;
+	}
+
+	// The same object for the same handle, so that === compares, and programs can keep what they like in it.
+	handle(type, index, generation) {
+		if (!generation)
+			return null;
+		const list = (this.known[type] ??= []);
+		if (list[index]?.generation !== generation)
+			list[index] = new classes[type](this, index, generation);
+		return list[index];
+	}
+
+	// Memory that stays, for views: at least so many bytes.
+	block(name, bytes) {
+		const {engine} = this.scree, old = this[name];
+		if (old && old.bytes >= bytes)
+			return old.at;
+		if (old) {
+			this.owned.splice(this.owned.indexOf(old.at), 1);
+			engine.c.free(old.at);
+		}
+		this[name] = {bytes: 2 * bytes, at: engine.allocate(2 * bytes)};
+		this.owned.push(this[name].at);
+		return this[name].at;
+	}
+
+	/** The poses of bodies: x, y, cosine and sine of bodies[k] from 4 * k on. Valid until the next call that may need memory. */
+	poses(bodies) {
+		const {engine} = this.scree, count = bodies.length;
+		// handles, then poses
+		const at = this.block("#poses", 24 * count + 8), poses = at + 8 * count;
+		engine.putAll("body", at, bodies, this, "poses: bodies");
+		engine.check(engine.c.scree_bodies_get_poses(this.live(), at, poses, count));
+		return new Float32Array(engine.memory.buffer, poses, 4 * count);
+	}
+
+	/** What a renderer needs: eight numbers for each collidable, from 8 * (collidable.index - 1) on. docs/web.md lists them. */
+	rows() {
+		const {engine} = this.scree, world = this.live();
+		const count = engine.take(4), need = () => engine.fresh().getInt32(count, true);
+		engine.done();
+		engine.check(engine.c.scree_world_get_render_rows(world, 0, 0, count));
+		const rows = need(), at = this.block("#rows", 32 * rows + 8);
+		engine.check(engine.c.scree_world_get_render_rows(world, at, rows, count));
+		return new Float32Array(engine.memory.buffer, at, 8 * rows);
+	}
+
+	live() {
+		if (!this.pointer)
+			throw new ScreeError("the world was destroyed", 2);
+		return this.pointer;
+	}
+
+	/** All collidables that overlap a shape at a pose. */
+	overlapShape(shape, pose) {
+		return this.listShapes(null, shape, [{pose}]);
+	}
+
+	/** All collidables that overlap a point. */
+	overlapPoint(point) {
+		return this.overlapShape(null, {position: point});
+	}
+
+	/** Collidables without a body. */
+	getFreeCollidables() {
+		return call(this.scree.engine, table.body_get_collidables, this, [null]);
+	}
+}
+
+// What is done to many at once: world.bodies, world.joints, world.collidables, world.movers.
+class Batch {
+	constructor(world, plural) {
+		this.world = world;
+		this.plural = plural;
+	}
+}
+const batches = {};
+for (const plural in PLURALS)
+	batches[plural] = {};
+
+/** The engine, from load(). What needs no world is a method of it. */
+export class Scree {
+	constructor(engine, form) {
+		this.engine = engine;
+		this.form = form;
+		this.memory = engine.memory;
+	}
+
+	createWorld(def) {
+		return new World(this, def);
+	}
+}
+
+const table = {};
+for (const line of FUNCTIONS.split("\n")) {
+	const [full, result, ...codes] = line.split(" "), plain = full.replace(/_sized$/, "");
+	const given = codes.filter((code) => !/^[w0#nm?>+c]/.test(code)), optional = [...given].reverse().findIndex((code) => code[0] !== "<");
+	const f = {name: `scree_${full}`, result, codes, given: given.length,
+		needed: given.length - (optional < 0 ? given.length : optional)};
+	table[plain] = f;
+	const [noun, ...rest] = plain.split("_"), verb = camel(rest.join("_"));
+	const define = (target, method, run) => {
+		f.method = method;
+		Object.defineProperty(target, method, {value: run, writable: true, configurable: true});
+	};
+	if (codes[0] !== "w") {
+		const method = camel(plain);
+		define(Scree.prototype, method, function (...all) {
+			return call(this.engine, f, null, all);
+		});
+	}
+	else if (HANDLES.includes(noun) && codes[1] === `.${noun}`)
+		define(classes[noun].prototype, verb, function (...all) {
+			return call(this.world.scree.engine, f, this.world, [this, ...all]);
+		});
+	else if (PLURALS[noun])
+		define((batches[noun] ??= {}), verb, function (...all) {
+			return call(this.world.scree.engine, f, this.world, all);
+		});
+	else {
+		const method = noun === "world" ? verb : verb === "create" ? camel(`create_${noun}`) : camel(plain);
+		define(World.prototype, method, function (...all) {
+			return call(this.scree.engine, f, this, all);
+		});
+	}
+}
+Object.defineProperties(Batch.prototype, Object.fromEntries(Object.entries(batches).flatMap(([plural, methods]) =>
+	Object.getOwnPropertyNames(methods).map((method) => [method, {value(...all) {
+		const own = batches[this.plural][method];
+		if (!own)
+			throw new TypeError(`world.${this.plural} has no method ${method}`);
+		return own.apply(this, all);
+	}}]))));
+
+// A module of one instruction of vectors: whether the browser takes it is whether it has them.
+const VECTORS = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
+
+async function compile(wasm) {
+	if (wasm instanceof WebAssembly.Module)
+		return wasm;
+	if (typeof wasm === "string" || wasm instanceof URL)
+		wasm = await fetch(wasm);
+	if (typeof Response !== "undefined" && wasm instanceof Response)
+		wasm = await wasm.arrayBuffer();
+	return WebAssembly.compile(wasm);
+}
+
+async function start({wasm, simd, log = console.warn}) {
+	const form = simd ?? WebAssembly.validate(new Uint8Array(VECTORS)) ? "simd" : "scalar";
+	if (!wasm) {
+		const {text} = await (form === "simd" ? import("./simd.js") : import("./scalar.js"));
+		wasm = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+	}
+	let engine;
+	const write = (at, text) => {
+		new Uint8Array(engine.memory.buffer).set(new TextEncoder().encode(text), at);
+		return text.length;
+	};
+	const module = await compile(wasm), none = () => 0;
+	const instance = await WebAssembly.instantiate(module, {
+		scree: {
+			number: (value, kind, precision, at) => write(at, format(value, kind, precision)),
+			parse: (at) => Number.parseFloat(engine.text(at)),
+			log: (at) => log(engine.text(at).trim()),
+		},
+		env: {emscripten_notify_memory_growth: none},
+		wasi_snapshot_preview1: {
+			clock_time_get(clock, precision, at) {
+				engine.fresh().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
+				return 0;
+			},
+			proc_exit(code) {
+				throw new ScreeError(`the engine ended with code ${code}`, 5);
+			},
+			fd_close: none, fd_write: none, fd_seek: none,
+		},
+	});
+	instance.exports._initialize?.();
+	engine = new Engine(module, instance);
+	return new Scree(engine, form);
+}
+
+let loaded;
+/** Loads the engine, once for all callers without options. */
+export function load(options) {
+	return options ? start(options) : (loaded ??= start({}));
+}
