@@ -4,6 +4,11 @@ uniform float scale; // px a metre
 uniform float line;  // px: width of rims
 
 flat in int texel;
+// of the vertex shader: software renderers run all branches, and fetch in each
+flat in vec4 frame;
+flat in vec3 shape;
+flat in vec4 ends;
+flat in vec2 last;
 flat in vec3 color;
 flat in float reach;
 flat in int hollow;
@@ -27,7 +32,7 @@ float segment_distance(vec2 p, vec2 a, vec2 b)
 // From the hull of the vertices, px: negative inside, where the nearest edge decides.
 float hull_distance(vec2 p, int count)
 {
-	vec2 a = vertex(count - 1);
+	vec2 a = last;
 	float outside = 1.0e9, inside = -1.0e9;
 	for (int k = 0; k < count; ++k)
 	{
@@ -41,18 +46,17 @@ float hull_distance(vec2 p, int count)
 
 void main()
 {
-	vec4 around = texelFetch(table, cell(texel), 0) * scale, sizes = texelFetch(table, cell(texel + 1), 0);
-	float radius = sizes.x * scale, d;
-	int form = int(texelFetch(table, cell(texel + 2), 0).w), count = int(sizes.y);
+	float radius = shape.x, d;
+	int count = int(shape.y), form = int(shape.z);
 	if (form == 1) // a rectangle along the axes
 	{
-		vec2 q = abs(local - around.xy) - around.zw + radius;
+		vec2 q = abs(local - frame.xy) - frame.zw + radius;
 		d = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
 	}
 	else if (count == 1)
-		d = length(local - vertex(0));
+		d = length(local - ends.xy);
 	else
-		d = count == 2 ? segment_distance(local, vertex(0), vertex(1)) : hull_distance(local, count);
+		d = count == 2 ? segment_distance(local, ends.xy, ends.zw) : hull_distance(local, count);
 	d -= radius;
 
 	if (form == 2 || hollow == 1)
@@ -63,7 +67,7 @@ void main()
 		return;
 	}
 	float rim = clamp(d + line + 0.5, 0.0, 1.0);
-	vec2 q = local - vertex(0);
+	vec2 q = local - ends.xy;
 	if (count == 1 && q.x > 0.0)
 		rim = max(rim, clamp(0.5 + 0.5 * line - abs(q.y), 0.0, 1.0));
 	rim *= smoothstep(2.5, 6.0, reach);

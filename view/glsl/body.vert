@@ -2,6 +2,10 @@
 uniform float least; // px: shapes of less reach are splats
 
 flat out int texel; // first one of the attribute
+flat out vec4 frame; // px: middle and half sides of the rectangle around the shape
+flat out vec3 shape; // radius in px, vertices, form
+flat out vec4 ends;  // px: the first two vertices
+flat out vec2 last;  // px: the last one
 flat out vec3 color;
 flat out float reach; // px
 flat out int hollow;
@@ -13,6 +17,12 @@ void main()
 {
 	texel = 9 * max(name.x, 0);
 	vec4 around = texelFetch(table, cell(texel), 0), sizes = texelFetch(table, cell(texel + 1), 0), base = texelFetch(table, cell(texel + 2), 0);
+	frame = around * scale;
+	ends = texelFetch(table, cell(texel + 3), 0) * scale;
+	int end = max(int(sizes.y) - 1, 0);
+	vec4 two = texelFetch(table, cell(texel + 3 + end / 2), 0) * scale;
+	last = (end & 1) == 0 ? two.xy : two.zw;
+	shape = vec3(sizes.x * scale, sizes.y, base.w);
 	reach = sizes.z * scale;
 	color = base.rgb;
 	hollow = 0;
