@@ -367,3 +367,30 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 	json_decref(root);
 	return true;
 }
+
+// A bound may be an expression.
+static void write_bound(const json_t* bound, const char* without, char text[32])
+{
+	if (json_is_string(bound))
+		snprintf(text, 32, "%s", json_string_value(bound));
+	else if (json_is_number(bound))
+		snprintf(text, 32, "%.6g", json_number_value(bound));
+	else
+		snprintf(text, 32, "%s", without);
+}
+
+bool scene_parameter_help(const char* path, const char* name, char* help, size_t size, char* sentence)
+{
+	json_t* root = load_json(path, sentence);
+	if (!root)
+		return false;
+	const json_t* entry = json_object_get(json_object_get(root, "parameters"), name);
+	const char* text = json_string_value(json_object_get(entry, "description"));
+	char least[32], most[32];
+	write_bound(json_object_get(entry, "min"), "any", least);
+	write_bound(json_object_get(entry, "max"), "any", most);
+	snprintf(help, size, "%s%s%s to %s%s", text ? text : "", text ? ": " : "", least, most,
+	         json_is_true(json_object_get(entry, "integer")) ? ", whole numbers" : "");
+	json_decref(root);
+	return true;
+}

@@ -13,4 +13,7 @@ void scene_free(Scene* scene);
 bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
                    char* sentence);
 
+// Writes what a parameter means, with its bounds. False writes a sentence.
+bool scene_parameter_help(const char* path, const char* name, char* help, size_t size, char* sentence);
+
 #endif

@@ -161,6 +161,8 @@ static void tuning_lasts_over_a_restart(void** state)
 	char sentence[SCENE_SENTENCE];
 	scree_vec gravity;
 	assert_true(session_open(&session, &options, NULL, sentence));
+	assert_int_equal(session.parameter_count, 1);
+	assert_non_null(strstr(session.parameters[0].help, "1 to "));
 	session.tuning.gravity.y = -2.0f;
 	session.tuning.substeps = 7;
 	session.tuning.changed = true;

@@ -50,6 +50,8 @@ void part_scene(Viewer* v)
 		Parameter* p = &session->parameters[k];
 		ImGui::SetNextItemWidth(FIELD);
 		begin = ImGui::InputText(p->name, p->value, sizeof p->value, ImGuiInputTextFlags_EnterReturnsTrue) || begin;
+		if (ImGui::IsItemHovered())
+			ImGui::SetTooltip("%s", p->help);
 	}
 	ImGui::PopID();
 	float third = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;

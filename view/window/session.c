@@ -56,7 +56,8 @@ static bool read_parameters(Session* session, const char* path, bool set, char* 
 			if (strcmp(session->options->settings[k].name, word) == 0)
 				value = session->options->settings[k].value;
 		if (!copy_text(word, p->name, sizeof p->name, "the parameter", sentence) ||
-		    !copy_text(value, p->value, sizeof p->value, "the value", sentence))
+		    !copy_text(value, p->value, sizeof p->value, "the value", sentence) ||
+		    !scene_parameter_help(path, word, p->help, sizeof p->help, sentence))
 			return false;
 	}
 	return true;

@@ -12,6 +12,7 @@
 typedef struct // of a scene
 {
 	char name[64], value[256];
+	char help[200]; // what it means
 } Parameter;
 
 typedef struct
