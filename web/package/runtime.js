@@ -517,7 +517,6 @@ export class Scree {
 	constructor(engine, form) {
 		this.engine = engine;
 		this.form = form;
-		this.memory = engine.memory;
 	}
 
 	createWorld(def) {
@@ -582,8 +581,9 @@ async function compile(wasm) {
 async function start({wasm, simd, log = console.warn}) {
 	const form = simd ?? WebAssembly.validate(new Uint8Array(VECTORS)) ? "simd" : "scalar";
 	if (!wasm) {
-		const {text} = await (form === "simd" ? import("./simd.js") : import("./scalar.js"));
-		wasm = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+		const {text, letters} = await (form === "simd" ? import("./simd.js") : import("./scalar.js"));
+		const bytes = new Map(Array.from(letters, (letter, byte) => [letter, byte]));
+		wasm = Uint8Array.from(text, (letter) => bytes.get(letter));
 	}
 	let engine;
 	const write = (at, text) => {

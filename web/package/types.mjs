@@ -1,3 +1,133 @@
 // SPDX-License-Identifier: MIT
 // types.mjs -- the TypeScript declarations of the package: comments of scree.h become TSDoc.
-export function types() { return ""; }
+import {scalars} from "./header.mjs";
+
+const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
+const title = (name) => camel(`_${name}`);
+const doc = (text, indent = "") => text ? `${indent}/** ${text.replace(/\*\//g, "* /").split("\n").join(`\n${indent} * `)} */\n` : "";
+const plurals = {bodies: "body", joints: "joint", collidables: "collidable", movers: "mover"};
+
+export function types({header, structs, described, enumerations, short}) {
+	const handles = new Set(header.handles);
+	const enumNames = Object.fromEntries(enumerations.map((e) => [e.name, e.title]));
+	// arguments may be partial: what is missing has its default
+	const type = (name, given) => {
+		if (handles.has(name))
+			return `${title(short(name))} | null`;
+		if (header.structs[name])
+			return given ? `Partial${title(short(name))}` : title(short(name));
+		if (enumNames[name])
+			return "number";
+		const code = scalars[name]?.[0];
+		return code === "b" ? "boolean" : code === "L" ? "bigint" : code === "c" ? "string" : "number";
+	};
+	const wrap = (text) => (text.includes("|") ? `(${text})` : text);
+	const argument = (p) => {
+		const of = type(p.type, true), wide = p.type === "uint64_t" ? "bigint | number" : of;
+		const floats = header.structs[p.type]?.members.every((m) => ["float", "scree_vec", "scree_rot", "scree_pose"].includes(m.type));
+		return p.many ? `ArrayLike<${wide}>${floats || p.type === "float" ? " | Float32Array" : ""}` : p.optional ? `${wide} | null` : wide;
+	};
+	let text = `// Made from scree.h.\n\nexport declare const HUGE: ${header.constants.HUGE};\n`;
+	for (const e of enumerations)
+		text += `\n${doc(e.comment)}export declare const ${e.title}: Readonly<{\n${e.list.map(([name, value, note]) => `${doc(note, "\t")}\t${name}: ${value};`).join("\n")}\n}>;\n`;
+
+	for (const s of structs.filter((s) => !handles.has(s.name))) {
+		const counts = new Set(s.members.filter((m) => m.pointer).flatMap((m) => [`${m.name}_count`, `${m.name.replace(/s$/, "")}_count`, "count"]));
+		const shown = s.members.filter((m) => !/^(size|\w+_size|reserved|opengl)$/.test(m.name) && !counts.has(m.name));
+		const of = (m, given) => {
+			const long = /^u?int64_t$/.test(m.type), big = long && /^(category|mask|user|user_\w+)$/.test(m.name);
+			if (m.type === "char")
+				return "string";
+			const base = long ? (big ? (given ? "bigint | number" : "bigint") : "number") : type(m.type, given);
+			if (m.type === "scree_rot" && given)
+				return "PartialRot | number";
+			if (m.length && given && m.name === "coordinates")
+				return `{[which: number]: ${base}}`;
+			return m.pointer || m.length ? `${wrap(base)}[]` : base;
+		};
+		const name = title(short(s.name));
+		text += `\n${doc(s.comment)}export interface ${name} {\n${shown.map((m) => `${doc(m.comment, "\t")}\t${camel(m.name)}: ${of(m, false)};`).join("\n")}\n}\n`;
+		text += `/** ${name} as an argument: what is missing has its default. */\nexport interface Partial${name} {\n${shown.map((m) => `\t${camel(m.name)}?: ${of(m, true)};`).join("\n")}\n}\n`;
+	}
+
+	const lists = {World: [], Scree: []};
+	for (const f of described) {
+		const plain = short(f.name).replace(/_sized$/, ""), [noun, ...rest] = plain.split("_"), verb = camel(rest.join("_"));
+		if (/^world_(create|destroy|get_render_rows)$/.test(plain))
+			continue;
+		let given = f.given.slice(), owner, method;
+		if (f.codes[0] !== "w")
+			[owner, method] = ["Scree", camel(plain)];
+		else if (handles.has(`scree_${noun}`) && f.codes[1] === `.${noun}`)
+			[owner, method, given] = [title(noun), verb, given.slice(1)];
+		else if (plurals[noun])
+			[owner, method] = [title(noun), verb];
+		else
+			[owner, method] = ["World", noun === "world" ? verb : verb === "create" ? camel(`create_${noun}`) : camel(plain)];
+		const result = {s: "string", b: "boolean", v: "void", i: "number", u: "number", f: "number"}[f.kind] ??
+			(f.kind[0] === "=" ? title(f.kind.slice(1)) : undefined);
+		const out = [...f.results.filter((p) => !(plain === "world_get_states" && p.name === "bodies")), ...f.codes.filter((c) => /^[@&]/.test(c)).map((c) => ({type: `scree_${c.slice(1)}`, many: c[0] === "&"}))];
+		const outs = out.map((p) => {
+			const base = f.name === "scree_world_get_hash" ? "string" : /_create$/.test(f.name) ? title(short(p.type)) : type(p.type, false);
+			return p.many ? `${wrap(base)}[]` : base;
+		});
+		const returned = f.kind === "!" || f.kind === "v" ? (outs.length > 1 ? `[${outs.join(", ")}]` : outs[0] ?? "void") : result;
+		let last = given.length;
+		while (last > 0 && given[last - 1].optional)
+			--last;
+		const parameters = given.map((p, k) => `${camel(p.name)}${k >= last ? "?" : ""}: ${argument(p)}`).join(", ");
+		const note = header.comments[f.name.replace(/_sized$/, "")] ?? header.comments[f.name];
+		(lists[owner] ??= []).push(`${doc(note, "\t")}\t${method}(${parameters}): ${returned};`);
+	}
+	for (const name of header.handles) {
+		const own = title(short(name));
+		text += `\n/** The same object wherever the engine names the same ${short(name)}; programs may add members. */\nexport declare class ${own} {\n\treadonly world: World;\n\treadonly index: number;\n\treadonly generation: number;\n${name === "scree_joint" ? "\tgetState(): JointState;\n" : ""}${(lists[own] ?? []).join("\n")}\n}\n`;
+	}
+	for (const plural in plurals)
+		text += `\nexport interface ${title(plural)} {\n${(lists[title(plural)] ?? []).join("\n")}\n}\n`;
+	return `${text}
+/** A world and all in it. destroy() frees it; a world that is forgotten is freed some time later. */
+export declare class World {
+${Object.keys(plurals).map((plural) => `\treadonly ${plural}: ${title(plural)};`).join("\n")}
+	/** Frees the world now. */
+	destroy(): void;
+	/** The poses of bodies: x, y, cosine and sine of bodies[k] from 4 * k on. A view of the engine's memory: fetch it again after a step. */
+	poses(bodies: ArrayLike<Body>): Float32Array;
+	/** What a renderer needs: eight numbers for each collidable, from 8 * (collidable.index - 1) on. A view, as poses(). */
+	rows(): Float32Array;
+	/** All collidables that overlap a shape at a pose. */
+	overlapShape(shape: PartialShape | null, pose: PartialPose): FoundList;
+	/** All collidables that overlap a point. */
+	overlapPoint(point: PartialVec): FoundList;
+	/** Collidables without a body. */
+	getFreeCollidables(): Collidable[];
+${lists.World.join("\n")}
+}
+
+/** The engine, from load(). What needs no world is a method of it. */
+export declare class Scree {
+	/** "simd" or "scalar" */
+	readonly form: string;
+	createWorld(def?: PartialWorldDef): World;
+${lists.Scree.join("\n")}
+}
+
+/** What every function throws that fails, with the sentence that names the argument and its value. */
+export declare class ScreeError extends Error {
+	/** One of Status. */
+	readonly status: number;
+}
+
+export interface LoadOptions {
+	/** The engine instead of the one inside the package: bytes, an address, a response, a module. */
+	wasm?: BufferSource | string | URL | Response | WebAssembly.Module;
+	/** Whether vectors are used, instead of what the browser has. */
+	simd?: boolean;
+	/** What gets warnings; console.warn by default. */
+	log?: (sentence: string) => void;
+}
+
+/** Loads the engine, once for all callers without options. */
+export declare function load(options?: LoadOptions): Promise<Scree>;
+`;
+}
