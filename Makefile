@@ -7,7 +7,7 @@ cores := $(shell nproc 2>/dev/null || echo 2)
 build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
-web_packages := cmake ninja-build emscripten node-acorn nodejs
+web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs
 test_packages := $(view_packages) $(web_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
 	gnuplot-nox ffmpeg jq chromium chromium-driver
 
@@ -44,6 +44,8 @@ web: build ## the page build/web and the npm package build/web/package, by WebAs
 		cmake --preset wasm-$$form --log-level=NOTICE && cmake --build --preset wasm-$$form || exit 1; \
 	done
 	@node web/make_page.mjs build/scree build build/web
+	@node web/package/pack.mjs . build/wasm-scalar build/wasm-simd build/web/package
+	@echo 'The npm package is build/web/package'
 	@echo 'The page is build/web, for any web server. To look at it: node web/serve.mjs build/web'
 
 packages:

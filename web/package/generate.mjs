@@ -10,7 +10,9 @@ const [, , headerPath, runtimePath, folder] = process.argv;
 const header = parse(readFileSync(headerPath, "utf8"));
 
 // Has no use in a page: hooks in C, one device only, memory that is shared with OpenCL.
-const left_out = /^scree_(hooks_set|opencl_remedy|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|write_render_rows|get_sharing|move))$/;
+const left_out = /^scree_(hooks_set|opencl_remedy|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move))$/;
+// What objects do by themselves: worlds, rows, defaults of definitions.
+const without_method = /^scree_(world_(create|destroy|get_render_rows)|filter_default|\w+_(default|make)_sized)$/;
 const short = (type) => type.replace(/^scree_/, "");
 const functions = Object.values(header.functions).filter((f) => !left_out.test(f.name));
 
@@ -99,7 +101,7 @@ function member(struct, m) {
 	return `${m.name}=${m.length ? m.length : ""}${type}`;
 }
 const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => member(s, m))].join(" ")).join("\n");
-const functionTable = described.filter((f) => !/^scree_world_(create|destroy|get_render_rows)$/.test(f.name))
+const functionTable = described.filter((f) => !without_method.test(f.name))
 	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
 
 // scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
@@ -123,7 +125,7 @@ const FUNCTIONS = \`${functionTable}\`;
 export const HUGE = ${header.constants.HUGE};
 ${enumCode}
 ${runtime}`);
-writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described, enumerations, short}));
+writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described: described.filter((f) => !without_method.test(f.name)), enumerations, short}));
 writeFileSync(`${folder}/exports.json`, JSON.stringify([...functions.map((f) => `_${f.name}`), "_malloc", "_free"]));
 writeFileSync(`${folder}/layout.c`, `#include "scree/scree.h"\n${structs.flatMap((s) => [
 	`_Static_assert(sizeof(${s.name}) == ${s.size}, "${s.name}");`,

@@ -29,7 +29,7 @@ for (const line of STRUCTS.split("\n")) {
 	// lengths of arrays, sizes and what is reserved are no members of objects
 	const hidden = new Set(["reserved"]);
 	for (const m of Object.values(members))
-		if (m.counter)
+		if (m.counter && m.counter !== "first") // which is as long as there are queries, and one
 			hidden.add(m.counter);
 	const shown = Object.entries(members).filter(([key, m]) => m.type !== "z" && m.type !== "p" && !hidden.has(key));
 	layouts[name] = {name, members, shown: Object.fromEntries(shown), size: Math.ceil(offset / alignment) * alignment, alignment, floats};
@@ -250,7 +250,7 @@ class Engine {
 	get(type, at, world, queries) {
 		const view = this.fresh();
 		if (HANDLES.includes(type))
-			return world.handle(type, view.getUint32(at, true), view.getUint32(at + 4, true));
+			return view.getUint32(at + 4, true) ? world.handle(type, view.getUint32(at, true), view.getUint32(at + 4, true)) : null;
 		if (layouts[type]) {
 			const {shown, members} = layouts[type], value = {};
 			for (const key in shown) {
@@ -436,8 +436,6 @@ export class World {
 
 	// The same object for the same handle, so that === compares, and programs can keep what they like in it.
 	handle(type, index, generation) {
-		if (!generation)
-			return null;
 		const list = (this.known[type] ??= []);
 		if (list[index]?.generation !== generation)
 			list[index] = new classes[type](this, index, generation);
@@ -460,7 +458,9 @@ export class World {
 
 	/** The poses of bodies: x, y, cosine and sine of bodies[k] from 4 * k on. Valid until the next call that may need memory. */
 	poses(bodies) {
-		const {engine} = this.scree, count = bodies.length;
+		const {engine} = this.scree, count = bodies?.length;
+		if (count === undefined)
+			throw new TypeError("poses: bodies must be an array");
 		// handles, then poses
 		const at = this.block("#poses", 24 * count + 8), poses = at + 8 * count;
 		engine.putAll("body", at, bodies, this, "poses: bodies");

@@ -53,8 +53,6 @@ export function types({header, structs, described, enumerations, short}) {
 	const lists = {World: [], Scree: []};
 	for (const f of described) {
 		const plain = short(f.name).replace(/_sized$/, ""), [noun, ...rest] = plain.split("_"), verb = camel(rest.join("_"));
-		if (/^world_(create|destroy|get_render_rows)$/.test(plain))
-			continue;
 		let given = f.given.slice(), owner, method;
 		if (f.codes[0] !== "w")
 			[owner, method] = ["Scree", camel(plain)];

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# test_web.sh -- the builds for WebAssembly: every scene's golden hash, and the npm package by its interface, its example and its size.
+set -euo pipefail
+build=$SCREE_SOURCE/build
+for form in scalar simd threads; do
+	if [ ! -f "$build/wasm-$form/golden.wasm" ]; then
+		echo "build/wasm-$form has no golden.wasm: make web builds it"
+		case " $SCREE_EXPECT " in *" web "*) exit 1 ;; *) exit 77 ;; esac
+	fi
+done
+scratch=$SCREE_BUILD/web-test
+rm -rf "$scratch"
+mkdir -p "$scratch/node_modules"
+trap 'rm -rf "$scratch"' EXIT
+
+# Emscripten's own loader takes fetch for a browser's
+golden() { timeout 300 node --no-experimental-fetch "$build/wasm-$1/golden.js" "$2" "$3" "$4" >"$scratch/hashes"; }
+lines=$(($(grep -vc '^#' "$SCREE_SOURCE/tests/golden.txt") / 2))
+for run in "scalar 1 1 1" "simd 4 1 1" "threads 4 1 4" "threads 4 2 4"; do
+	# word splitting of $run is meant
+	golden $run
+	[ "$(wc -l <"$scratch/hashes")" = "$lines" ] || { echo "$run: $(wc -l <"$scratch/hashes") scenes, golden.txt has $lines"; exit 1; }
+	if wrong=$(grep -vxFf "$SCREE_SOURCE/tests/golden.txt" "$scratch/hashes"); then
+		echo "WebAssembly ($run) has other hashes than tests/golden.txt:" "$wrong"
+		exit 1
+	fi
+	echo "$run: $lines hashes are golden"
+done
+
+package=$scratch/node_modules/scree
+node "$SCREE_SOURCE/web/package/pack.mjs" "$SCREE_SOURCE" "$build/wasm-scalar" "$build/wasm-simd" "$package"
+cp "$SCREE_SOURCE/tests/web/api.mjs" "$SCREE_SOURCE/examples/hello.mjs" "$scratch"
+for form in scalar simd; do
+	timeout 300 node --expose-gc "$scratch/api.mjs" $form
+done
+${CC:-cc} -std=c17 -I"$SCREE_SOURCE/include" "$SCREE_SOURCE/examples/hello.c" "$SCREE_BUILD/libscree.a" -lm -ldl -pthread -o "$scratch/hello"
+[ "$(wc -l <"$SCREE_SOURCE/examples/hello.mjs")" -le 30 ]
+[ "cpu: $(node "$scratch/hello.mjs")" = "$("$scratch/hello")" ] || { echo "hello.mjs and hello.c differ:" "$(node "$scratch/hello.mjs")" "$("$scratch/hello")"; exit 1; }
+for file in $(node -p 'JSON.parse(fs.readFileSync(process.argv[1])).files.join(" ")' "$package/package.json"); do
+	[ -s "$package/$file" ] || { echo "package.json names $file, which is not there"; exit 1; }
+done

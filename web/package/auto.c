@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// auto.c -- device "auto" in a page, where there is only the CPU: worlds stay on it. Instead of src/world/auto.c.
+#include "world/auto.h"
+
+void auto_open(scree_world* world, CompareDevice* compare)
+{
+	(void)world;
+	(void)compare;
+}
+
+void auto_close(scree_world* world) { (void)world; }
+
+scree_status auto_choose(scree_world* world)
+{
+	(void)world;
+	return SCREE_OK;
+}
+
+double auto_clock(void) { return 0; }
+
+void auto_count(scree_world* world, double since)
+{
+	(void)world;
+	(void)since;
+}
