@@ -66,7 +66,7 @@ try {
 		});
 	await timed('without a worker', async () => {
 		await browser.go(`${common}?apart=0#billiards`);
-		await browser.until('scree?.state?.step > 3 && !scree.host.worker', 'steps in the page itself');
+		await browser.until('globalThis.scree?.state?.step > 3 && !scree.host.worker', 'steps in the page itself');
 	});
 	await timed('without WebGL', async () => {
 		const source = `const get = HTMLCanvasElement.prototype.getContext;
@@ -75,7 +75,7 @@ try {
 		const { identifier } = await browser.cdp('Page.addScriptToEvaluateOnNewDocument', { source });
 		await browser.go('about:blank');
 		await browser.go(`${common}#billiards`);
-		await browser.until('scree?.state?.step > 3', 'steps without a picture');
+		await browser.until('globalThis.scree?.state?.step > 3', 'steps without a picture');
 		const told = await browser.run(`return document.querySelector('.note[data-name=picture]')?.textContent ?? ''`);
 		check(told.includes('no WebGL 2'), `a page without WebGL says so: "${told}"`);
 		await browser.cdp('Page.removeScriptToEvaluateOnNewDocument', { identifier });
