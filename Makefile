@@ -7,7 +7,7 @@ cores := $(shell nproc 2>/dev/null || echo 2)
 build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libcairo2-dev opencl-c-headers \
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
-web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs
+web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
 test_packages := $(view_packages) $(web_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
 	gnuplot-nox ffmpeg jq chromium chromium-driver
 

@@ -3,6 +3,7 @@
 //
 // The engine lies in a module as a text of one letter a byte, so that every bundler takes it along. Letters of one byte stand for the
 // bytes that are most frequent: compressed, the text is 2 % larger than the file (base64: 35 %).
+import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
 
@@ -32,10 +33,10 @@ copyFileSync(`${sources}/LICENSE`, `${folder}/LICENSE`);
 copyFileSync(`${sources}/web/package/README.md`, `${folder}/README.md`);
 copyFileSync(`${simd}/package/scree.d.ts`, `${folder}/scree.d.ts`);
 
-// comments and indents stay behind
-const script = readFileSync(`${simd}/package/scree.js`, "utf8").split("\n").map((line) => line.trim())
-	.filter((line) => line && !/^\/\/ (?!SPDX)/.test(line) && !/^\/\*\*.*\*\/$/.test(line)).join("\n");
-writeFileSync(`${folder}/scree.js`, script);
+// Debian has terser where node looks when it is told
+execFileSync("terser", [`${simd}/package/scree.js`, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", `${folder}/scree.js`],
+	{env: {...process.env, NODE_PATH: "/usr/share/nodejs"}});
+const script = readFileSync(`${folder}/scree.js`);
 let good = true;
 for (const [form, build] of [["scalar", scalar], ["simd", simd]]) {
 	const wasm = readFileSync(`${build}/engine.wasm`);
