@@ -21,7 +21,11 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	target_link_libraries(engine PRIVATE scree_static)
 	# 1 kB less: no code of the engine relies on a trap
 	find_program(SCREE_WASM_OPT wasm-opt REQUIRED)
-	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} --all-features -Oz --traps-never-happen
+	set(features --mvp-features)
+	if(CMAKE_C_FLAGS MATCHES "-msimd128")
+		list(APPEND features --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int)
+	endif()
+	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} -Oz --traps-never-happen
 		--low-memory-unused --converge --strip-producers --strip-target-features $<TARGET_FILE:engine> -o $<TARGET_FILE:engine>)
 	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
 		-sWARN_ON_UNDEFINED_SYMBOLS=0 -sEXPORTED_FUNCTIONS=@${package}/exports.json)
