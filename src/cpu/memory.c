@@ -39,7 +39,7 @@ scree_status cpu_resize(Backend* b, Per per, int capacity)
 		// where shrinking failed, or growing the next pool fails, a pool has more room than capacity says
 		if (memory)
 			memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
-		added += (items - old_items) * bytes;
+		added += ((uint64_t)items - old_items) * bytes; // size_t would wrap at 4 GB in WebAssembly
 	}
 	b->capacity[per] = capacity;
 	b->bytes += added;
