@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # bench.sh -- bench/web/bench.sh [ENGINE ...]: times steps under node beside engines of npm, into bench/results/web/steps.csv.
 #
-# make web comes first. The other engines go to build/web-bench; nothing of Scree depends on them.
+# make web comes first. The other engines go to build/web-bench; nothing of Scree depends on them. Engines take turns, three times; of each
+# engine and scene the run with the middle step counts. native is build/scree with one thread, native-4 with four lanes too: their steps are
+# means of processor time, from step 101 on.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=build/web-bench
@@ -11,11 +13,41 @@ mkdir -p $work bench/results/web
 rm -rf $work/node_modules/scree
 cp -r build/web/package $work/node_modules/scree
 cp bench/web/*.mjs $work
-out=bench/results/web/steps.csv
+[ $# -gt 0 ] || set -- scree scree-scalar native native-4 box2d3-wasm rapier2d-simd matter-js planck
+
+# user_time SCENE STEPS [OPTION ...]: seconds
+user_time() {
+	local TIMEFORMAT=%U scene=$1 steps=$2
+	shift 2
+	{ time build/scree run "$work/$scene.json" --device cpu --threads 1 --steps "$steps" "$@" >/dev/null; } 2>&1
+}
+run() {
+	local engine=$1 scene=$2
+	case $engine in
+		native*)
+			local lanes=()
+			[ "$engine" = native ] || lanes=(--lanes "${engine#native-}")
+			node $work/native.mjs "$scene" "$work/$scene.json"
+			awk -v all="$(user_time "$scene" 300 "${lanes[@]}")" -v first="$(user_time "$scene" 100 "${lanes[@]}")" \
+				-v row="$engine,$scene,300" 'BEGIN { printf "%s,,%.3f,\n", row, 5 * (all - first) }'
+			;;
+		# planck takes 0.1 s for a step
+		planck) (cd $work && node one.mjs planck "$scene" 60) ;;
+		*) (cd $work && node one.mjs "$engine" "$scene" 300) ;;
+	esac | grep "^$engine,"
+}
+raw=$work/raw.csv out=bench/results/web/steps.csv
+: >$raw
+for _ in 1 2 3; do
+	for scene in pyramid pile tumbler; do
+		for engine in "$@"; do
+			run "$engine" $scene | tee -a $raw
+		done
+	done
+done
 echo 'engine,scene,steps,start_ms,step_ms,overlap_m' >$out
 for scene in pyramid pile tumbler; do
-	for engine in "${@:-scree}"; do
-		# planck takes 0.1 s for a step
-		(cd $work && node one.mjs "$engine" $scene "$([ "$engine" = planck ] && echo 60 || echo 300)") | grep "^$engine," | tee -a $out
+	for engine in "$@"; do
+		grep "^$engine,$scene," $raw | sort -t, -k5n | sed -n 2p >>$out
 	done
 done
