@@ -12,7 +12,7 @@ set xlabel 'bodies' offset 0, 1
 array color[6] = ['#0072b2', '#d55e00', '#009e73', '#e69f00', '#56b4e9', '#000000']
 array shape[6] = [7, 5, 9, 6, 4, 8]
 set pointsize 0.9
-set multiplot layout 1, 2 margins 0.1, 0.985, 0.345, 0.97 spacing 0.135, 0
+set multiplot layout 1, 2 margins 0.115, 0.985, 0.345, 0.97 spacing 0.135, 0
 unset key
 set ytics ("10 µs" 1e-2, "0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "0.1 s" 100, "1 s" 1e3, "10 s" 1e4)
 set ylabel 'time of a step' offset 1, 0
