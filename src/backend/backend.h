@@ -107,6 +107,7 @@ struct Backend
 	int threads, lanes; // 0 on OpenCL
 	int walkers;        // work-items among which the rest of a long walk is split, at least 1
 	int walk_nodes;     // nodes over leaves in a short walk; one that visits more is long
+	int chain_lanes;    // chains that are solved side by side, at least 1
 	int groups;         // work-groups that run at the same time, at least 1
 	bool distant;       // a read takes as long as many runs
 	bool skips;         // it leaves out what is not in active

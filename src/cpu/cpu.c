@@ -117,6 +117,7 @@ static void choose_stages(Cpu* cpu, int lanes)
 #if SCREE_LANES >= 8
 	one = lanes >= 8 ? stages_one8 : one;
 #endif
+	cpu->backend.chain_lanes = wide[STAGE_chain] ? lanes : 1;
 	for (int stage = 0; stage < STAGE_COUNT; ++stage)
 	{
 		cpu->functions[stage] = wide[stage] ? wide[stage] : one[stage];

@@ -234,6 +234,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	b->memory = d->device.about.memory;
 	b->walkers = d->device.about.units * STAGE_GROUP;
 	b->walk_nodes = WALK_NODES;
+	b->chain_lanes = 1;
 	b->groups = d->device.about.units;
 
 	TRY(context_open(d, options->opengl));

@@ -189,12 +189,7 @@ scree_status chains_update(scree_world* world)
 	for (int k = 0; k < world->joints.used; ++k)
 		if (!s.seen[k] && acts(world, k))
 			add_chain(&s, k);
-#ifdef SCREE_SMALL
-	int lanes = 1; // of stages of groups: cpu/table.h
-#else
-	int lanes = world->backend->lanes > 1 ? world->backend->lanes : 1;
-#endif
-	chain_layout(layout, lanes, world->backend->groups);
+	chain_layout(layout, world->backend->chain_lanes, world->backend->groups);
 	scree_status status = upload_chains(world, layout);
 	if (status == SCREE_OK)
 	{
