@@ -66,6 +66,13 @@ void count_allocations(void)
 	OK(scree_hooks_set(&hooks));
 }
 
+void end_of_shortage(scree_status status)
+{
+	assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
+	assert_non_null(strstr(scree_error(), "memory"));
+	allocations_left = -1;
+}
+
 int warnings;
 char warning[256];
 

@@ -29,6 +29,9 @@ void check_near(double value, double expected, double tolerance, const char* wha
 void count_allocations(void);
 extern int allocations_left;
 
+// The call with this status must have failed for lack of memory, and said so. From here on there is memory again.
+void end_of_shortage(scree_status status);
+
 // the same numbers for every compiler and machine
 uint64_t random_word(uint64_t* seed);
 float random_between(uint64_t* seed, float low, float high);
