@@ -5,6 +5,7 @@
 // with a fault one call later each time. A fault must come out as a status with a sentence. After it the world is what
 // it was before the act, so that the act can be tried again and the end is the same; or it is broken, and refuses
 // everything but destruction.
+#include "backend/exchange.h"
 #include "world/upload.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
@@ -480,6 +481,7 @@ static const BackendFunctions faulty = {
     .read = faulty_read,
     .read_begin = faulty_read_begin,
     .read_end = faulty_read_end,
+    .exchange = exchange_whole,
     .wait = faulty_wait,
     .timings = faulty_timings,
 };

@@ -47,7 +47,7 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 		scree_query_def_default_sized(&local, sizeof local);
 		def = &local;
 	}
-	*asking = (Asking){world, function, items, count, 2.0f * SCREE_HUGE};
+	*asking = (Asking){world, function, items, 2.0f * SCREE_HUGE};
 	*questions = (Questions){.plan = {.category = def->category,
 	                                  .mask = def->mask,
 	                                  .kinds = def->kinds,
@@ -74,7 +74,7 @@ typedef struct // of each word: the bits that count, and the most that they may 
 	Words4 counts[2], most[2];
 } Plain;
 
-// How many of the items up to count are surely in bounds; *ignores gets whether one of these ignores a body, which their last two
+// How many of count items are surely in bounds; *ignores gets whether one of these ignores a body, which their last two
 // words name. Floats that are not negative are ordered like their bits, NaN behind infinity; a word above its bound leaves the
 // highest bit. With comparisons of floats a million rays took 6 ms.
 static int plain_items(const void* items, int count, const Plain* plain, bool* ignores)
@@ -107,10 +107,10 @@ static int plain_items(const void* items, int count, const Plain* plain, bool* i
 static uint32_t bits_of(float x) { return (uint32_t)float_bits(x); }
 
 // The ignored bodies. Many queries in a row ignore the same one.
-static scree_status check_ignored(const Asking* asking, const char* name, size_t offset)
+static scree_status check_ignored(const Asking* asking, const char* name, size_t offset, int begin, int end)
 {
 	scree_body last = SCREE_NULL_BODY, body;
-	for (int k = 0, index; k < asking->count; ++k)
+	for (int k = begin, index; k < end; ++k)
 	{
 		memcpy(&body, (const char*)asking->items + sizeof(Query) * (size_t)k + offset, sizeof body);
 		if (scree_body_equals(body, last) || scree_body_is_null(body))
@@ -121,7 +121,7 @@ static scree_status check_ignored(const Asking* asking, const char* name, size_t
 	return SCREE_OK;
 }
 
-static scree_status check_rays(const void* context)
+static scree_status check_rays(const void* context, int begin, int end)
 {
 	const Asking* asking = context;
 	const scree_ray* rays = asking->items;
@@ -129,7 +129,7 @@ static scree_status check_rays(const void* context)
 	const Plain plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {all, all, 0, 0}},
 	                     {{low, low, high, high}, {low, 0, 0, 0}}};
 	bool ignores;
-	for (int k = plain_items(rays, asking->count, &plain, &ignores); k < asking->count; ++k)
+	for (int k = begin + plain_items(rays + begin, end - begin, &plain, &ignores); k < end; ++k)
 	{
 		Where at = {asking->function, "rays", k};
 		TRY(check_vec(at, ".origin", rays[k].origin, SCREE_HUGE));
@@ -138,7 +138,7 @@ static scree_status check_rays(const void* context)
 		if (rays[k].reserved != 0)
 			return refuse(SCREE_ERROR_INVALID, at, ".reserved", "is %u, must be 0", rays[k].reserved);
 	}
-	return ignores ? check_ignored(asking, "rays", offsetof(scree_ray, ignored)) : SCREE_OK;
+	return ignores ? check_ignored(asking, "rays", offsetof(scree_ray, ignored), begin, end) : SCREE_OK;
 }
 
 void query_rays(Asking* asking, Questions* questions)
@@ -183,7 +183,7 @@ static bool is_turn(scree_rot r)
 	return square > 0.9995f && square < 1.0005f;
 }
 
-static scree_status check_probes(const void* context)
+static scree_status check_probes(const void* context, int begin, int end)
 {
 	const Asking* asking = context;
 	const scree_probe* probes = asking->items;
@@ -191,17 +191,17 @@ static scree_status check_probes(const void* context)
 	const Plain plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {MAGNITUDE, MAGNITUDE, 0, 0}},
 	                     {{low, low, one, one}, {high, high, 0, 0}}};
 	bool ignores;
-	int plain_count = plain_items(probes, asking->count, &plain, &ignores);
-	for (int k = 0; k < asking->count; ++k)
+	int plain_end = begin + plain_items(probes + begin, end - begin, &plain, &ignores);
+	for (int k = begin; k < end; ++k)
 	{
 		scree_pose pose = probes[k].pose;
 		Where at = {asking->function, "probes", k};
-		if (k < plain_count && is_turn(pose.rotation))
+		if (k < plain_end && is_turn(pose.rotation))
 			continue;
 		TRY(check_pose(at, ".pose", &pose));
 		TRY(check_vec(at, ".translation", probes[k].translation, asking->longest));
 	}
-	return ignores ? check_ignored(asking, "probes", offsetof(scree_probe, ignored)) : SCREE_OK;
+	return ignores ? check_ignored(asking, "probes", offsetof(scree_probe, ignored), begin, end) : SCREE_OK;
 }
 
 scree_status query_probes(scree_world* world, const scree_shape* shape, Asking* asking, Questions* questions)

@@ -11,7 +11,6 @@ typedef struct // the items of a call, for their check
 	const scree_world* world;
 	const char* function;
 	const void* items;
-	int count;
 	float longest; // m: a component of a translation
 } Asking;
 

@@ -57,6 +57,19 @@ typedef struct
 // the worker of a place. The work of workers is similar then, and each has the same items in every pass.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
+typedef struct // many items to a device, a stage over each, and an answer for each back
+{
+	PoolId asked; // of the items
+	const void* items;
+	Run run; // from 0 on
+	PoolId answered;
+	void* answers; // in the order of the items
+	// of items begin to end - 1, by any thread while the device works. No answer is written before all items are good; the stage
+	// ends whatever they are. Null for none.
+	scree_status (*check)(const void* context, int begin, int end);
+	const void* context; // of check
+} Exchange;
+
 typedef struct Backend Backend;
 typedef struct // every function that returns a status has set the error's sentence (fail, src/platform/error.h)
 {
@@ -76,6 +89,8 @@ typedef struct // every function that returns a status has set the error's sente
 	// alone, not for the runs after it. One copy at a time, of READ_ASYNC_BYTES at most.
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
+	// write, run and read, which may overlap
+	scree_status (*exchange)(Backend* b, const Step* step, const Exchange* exchange);
 	scree_status (*wait)(Backend* b);
 	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
 	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cpu.c -- the CPU backend: pools in host memory, stages split over threads.
 #include "cpu/cpu.h"
+#include "backend/exchange.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include <limits.h>
@@ -92,6 +93,7 @@ static const BackendFunctions functions = {
     .read = cpu_read,
     .read_begin = cpu_read_begin,
     .read_end = cpu_read_end,
+    .exchange = exchange_whole,
     .wait = cpu_wait,
     .timings = cpu_timings,
     .address = cpu_address,

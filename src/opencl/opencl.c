@@ -3,6 +3,7 @@
 #include "opencl/buffer.h"
 #include "opencl/carry.h"
 #include "opencl/copy.h"
+#include "opencl/exchange.h"
 #include "opencl/forms/form.h"
 #include "opencl/forms/relay.h"
 #include "opencl/forms/tiles.h"
@@ -40,6 +41,7 @@ static void opencl_close(Backend* b)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
 		read_close(d);
+		exchange_close(d);
 		carry_close(d);
 		pinned_close(d, &d->staging.pinned);
 		shared_close(d);
@@ -296,6 +298,7 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .read = opencl_read,
 	    .read_begin = opencl_read_begin,
 	    .read_end = opencl_read_end,
+	    .exchange = opencl_exchange,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
 	    .share = opencl_share,

@@ -33,11 +33,13 @@ typedef struct // uploads on their way; the device may read them until the host 
 	size_t used; // bytes
 } Staging;
 
+#define CARRY_BLOCKS 4
 typedef struct // large arrays on their way: carry.c
 {
 	Pinned pinned;
-	Threads* threads;   // null until the first one
-	cl_event events[2]; // of the halves that the device may still use
+	Threads* threads;              // null until the first one
+	cl_event events[CARRY_BLOCKS]; // of the blocks that the device may still use
+	cl_command_queue up, down;     // of exchanges, null until the first one
 } Carry;
 
 typedef struct // of one launch whose time has not been read

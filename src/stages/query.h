@@ -201,6 +201,18 @@ INLINE int query_append(const Pools* p, int i, const Found* held, int count)
 	return 1;
 }
 
+// m: more than the sum of all components of a query that the host lets pass
+#define QUERY_FAR 1.0e7f
+
+// Whether a query has finite numbers. The host refuses others, but only while the device works; and what the user writes into
+// shared memory is not checked at all. NaN would meet the empty boxes that fill up a node, behind which there is nothing.
+INLINE int query_finite(Query query)
+{
+	return absolute(query.a.x) + absolute(query.a.y) + absolute(query.a.z) + absolute(query.a.w) + absolute(query.b.x) +
+	           absolute(query.b.y) <
+	       QUERY_FAR;
+}
+
 // mode is QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
 INLINE void query_run(const Pools* p, int i, int form, int mode)
 {
@@ -210,7 +222,7 @@ INLINE void query_run(const Pools* p, int i, int form, int mode)
 	int holds = 0;
 	float limit = form == QUERY_NEAREST ? plan->most * plan->most : 1.0f;
 	QueryWalk walk;
-	query_begin(p, &walk, plan->kinds);
+	query_begin(p, &walk, query_finite(p->query[i]) ? plan->kinds : 0u);
 	while (walk.count > 0)
 	{
 		--walk.count;

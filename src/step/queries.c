@@ -76,7 +76,8 @@ static scree_status lap(Pipeline* pipeline, const Questions* q)
 	return SCREE_OK;
 }
 
-static scree_status send(Pipeline* pipeline, const Questions* q)
+// Trees and pools for so many queries.
+static scree_status prepare(Pipeline* pipeline, const Questions* q)
 {
 	Backend* b = pipeline->backend;
 	TRY(lap(pipeline, q));
@@ -86,12 +87,18 @@ static scree_status send(Pipeline* pipeline, const Questions* q)
 		TRY(b->f->write(b, POOL_generation, 0, q->collidables, q->generation));
 		pipeline->named = q->version;
 	}
-	TRY(pipeline_reserve(pipeline, PER_QUERY, q->count));
-	return q->items ? b->f->write(b, POOL_query, 0, q->count, q->items)
-	                : b->f->take(b, POOL_query, q->count, q->items_at);
+	return pipeline_reserve(pipeline, PER_QUERY, q->count);
 }
 
-static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int room)
+static scree_status send_plan(Pipeline* pipeline, const Questions* q, int room)
+{
+	Backend* b = pipeline->backend;
+	QueryPlan plan = q->plan;
+	plan.room = room;
+	return b->f->write(b, POOL_query_plan, 0, 1, &plan);
+}
+
+static Run search_of(const Pipeline* pipeline, const Questions* q, int mode)
 {
 	static const int stages[] = {
 	    [QUERY_RAYS] = STAGE_query_ray,
@@ -99,29 +106,39 @@ static scree_status search(Pipeline* pipeline, const Questions* q, int mode, int
 	    [QUERY_NEAREST] = STAGE_query_nearest,
 	    [QUERY_SENSORS] = STAGE_sense,
 	};
-	Backend* b = pipeline->backend;
-	QueryPlan plan = q->plan;
-	plan.room = room;
-	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
 	Run run = {.stage = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
 	if (q->form == QUERY_SENSORS)
 	{
 		// work-items share the leaves where there are more of them than sensors
-		int parts = b->walkers / q->count, blocks = (q->collidables + ARITY - 1) / ARITY;
+		int parts = pipeline->backend->walkers / q->count, blocks = (q->collidables + ARITY - 1) / ARITY;
 		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
 		run.end = q->count * run.argument;
 	}
-	TRY(b->f->run(b, &pipeline->step, &run, 1));
-	return q->check ? q->check(q->context) : SCREE_OK;
+	return run;
 }
 
 scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found)
 {
 	Backend* b = pipeline->backend;
-	TRY(send(pipeline, q));
+	Run run = search_of(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST);
+	TRY(prepare(pipeline, q));
 	TRY(pipeline_reserve(pipeline, PER_FOUND, q->count));
-	TRY(search(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST, 0));
-	TRY(found ? b->f->read(b, POOL_found, 0, q->count, found) : b->f->give(b, POOL_found, q->count, q->found_at));
+	TRY(send_plan(pipeline, q, 0));
+	if (q->items)
+	{
+		Exchange exchange = {.asked = POOL_query,
+		                     .items = q->items,
+		                     .run = run,
+		                     .answered = POOL_found,
+		                     .answers = found,
+		                     .check = q->check,
+		                     .context = q->context};
+		TRY(b->f->exchange(b, &pipeline->step, &exchange));
+		return lap(pipeline, q);
+	}
+	TRY(b->f->take(b, POOL_query, q->count, q->items_at));
+	TRY(b->f->run(b, &pipeline->step, &run, 1));
+	TRY(b->f->give(b, POOL_found, q->count, q->found_at));
 	return lap(pipeline, q);
 }
 
@@ -146,13 +163,18 @@ static scree_status sort(Pipeline* pipeline, const Questions* q, int count)
 scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
 {
 	Backend* b = pipeline->backend;
-	TRY(send(pipeline, q));
+	TRY(prepare(pipeline, q));
+	TRY(b->f->write(b, POOL_query, 0, q->count, q->items));
 	TRY(pipeline_reserve(pipeline, PER_FOUND, FIRST_ANSWERS));
 	for (;;)
 	{
 		int room = b->capacity[PER_FOUND];
 		QueryPlan plan;
-		TRY(search(pipeline, q, QUERY_ALL, room));
+		Run run = search_of(pipeline, q, QUERY_ALL);
+		TRY(send_plan(pipeline, q, room));
+		TRY(b->f->run(b, &pipeline->step, &run, 1));
+		if (q->check)
+			TRY(q->check(q->context, 0, q->count));
 		TRY(b->f->read(b, POOL_query_plan, 0, 1, &plan));
 		*count = plan.found;
 		if (plan.found > QUERY_MOST)

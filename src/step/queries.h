@@ -16,8 +16,9 @@ typedef struct // what is asked
 	int collidables;
 	uint64_t version;
 	bool timings;
-	// of the items, while the device works: an answer is read only if they are good. Searches end whatever the items are
-	scree_status (*check)(const void* context);
+	// of items begin to end - 1, by any thread while the device works: an answer is read only if all are good. Searches end whatever
+	// the items are
+	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // of check
 } Questions;
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// test_query_batches.c -- batches of queries: large ones, and items of any bits.
+#include "query_support.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define ASKED 500
+
+// A batch so large that a GPU gets it in parts has the answers of small ones; a bad item at its end leaves all answers as they were.
+static void large_batches(void** state)
+{
+	(void)state;
+	enum
+	{
+		MANY = 400001,
+		FEW = 50000
+	};
+	scree_ray* rays = malloc(MANY * sizeof *rays);
+	scree_found* found = malloc(2 * MANY * sizeof *found);
+	scree_found* large = found + MANY;
+	uint64_t seed = 5;
+	scree_world_def def = scree_world_def_default();
+	scree_world* world;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	OK(scree_world_create(&def, &world));
+	for (int k = 0; k < 100; ++k)
+		add_box(world, SCREE_BODY_STATIC, 0.2f, 0.4f, (float)(k % 10), (float)(k / 10));
+	for (int k = 0; k < MANY; ++k)
+		rays[k] = (scree_ray){.origin = random_pose(&seed, (scree_vec){5.0f, 5.0f}, 8.0f).position,
+		                      .translation = random_path(&seed, 4.0f)};
+	for (int k = 0; k < MANY; k += FEW)
+		OK(scree_world_cast_rays(world, NULL, rays + k, MANY - k < FEW ? MANY - k : FEW, found + k));
+	for (int k = 0; k < count; ++k)
+	{
+		OK(scree_world_move(world, ways[k].device));
+		memset(large, 0x5a, MANY * sizeof *large);
+		rays[MANY - 2].translation.y = (float)NAN;
+		assert_int_equal(scree_world_cast_rays(world, NULL, rays, MANY, large), SCREE_ERROR_INVALID);
+		assert_non_null(strstr(scree_error(), "rays[399999]"));
+		for (size_t b = 0; b < MANY * sizeof *large; ++b)
+			if (((unsigned char*)large)[b] != 0x5a)
+				fail_msg("%s wrote an answer", ways[k].name);
+		rays[MANY - 2].translation.y = 0.0f;
+		OK(scree_world_cast_rays(world, NULL, rays + MANY - 2, 1, found + MANY - 2));
+		OK(scree_world_cast_rays(world, NULL, rays, MANY, large));
+		if (memcmp(found, large, MANY * sizeof *found) != 0)
+			fail_msg("other answers on %s", ways[k].name);
+	}
+	scree_world_destroy(world);
+	free(rays);
+	free(found);
+}
+
+// A float of any bits, often one that no comparison expects.
+static float any_float(uint64_t* seed)
+{
+	static const uint32_t odd[] = {0x7fc00000, 0xffc00000, 0x7f800000, 0xff800000,
+	                               0x7f7fffff, 0x80000000, 1,          0x7f800001};
+	uint32_t bits = (uint32_t)random_below(seed, 1 << 30) << 2;
+	float x;
+	switch (random_below(seed, 4))
+	{
+	case 0:
+		bits = odd[random_below(seed, 8)];
+		break;
+	case 1:
+		break;
+	default:
+		return random_between(seed, -10.0f, 10.0f);
+	}
+	memcpy(&x, &bits, sizeof x);
+	return x;
+}
+
+// Items of any bits are refused or answered, and no device reads beyond its pools for them.
+static uint64_t ask_bits(scree_world* world)
+{
+	static scree_ray rays[ASKED];
+	static scree_probe probes[ASKED];
+	static scree_found found[ASKED];
+	uint64_t seed = 6, hash = HASH_BEGIN;
+	scree_shape shape = box_shape(0.4f, 0.1f);
+	scree_query_def def = scree_query_def_default();
+	scree_found_list list;
+	for (int turn = 0; turn < (quick() ? 50 : 500); ++turn)
+	{
+		int count = 1 + random_below(&seed, turn % 2 ? 4 : ASKED), refused = 0;
+		def.any = turn % 3 == 0;
+		for (int k = 0; k < count; ++k)
+		{
+			float x[13];
+			for (int i = 0; i < 13; ++i)
+				x[i] = any_float(&seed);
+			rays[k] =
+			    (scree_ray){.origin = {x[0], x[1]}, .translation = {x[2], x[3]}, .radius = turn % 2 ? 0.0f : x[4]};
+			probes[k] = (scree_probe){.pose = {{x[5], x[6]}, scree_rot_make(x[7])}, .translation = {x[8], x[9]}};
+			if (turn % 5 == 0)
+				probes[k].pose.rotation = (scree_rot){x[10], x[11]};
+		}
+		memset(found, 0, sizeof found);
+		refused += scree_world_cast_rays(world, &def, rays, count, found) != SCREE_OK;
+		refused = 2 * refused +
+		          (scree_world_cast_shapes(world, &def, turn % 2 ? &shape : NULL, probes, count, found) != SCREE_OK);
+		hash = hash_more(hash, found, sizeof found);
+		def.any = false;
+		refused = 2 * refused + (scree_world_find_nearest(world, &def, turn % 2 ? &shape : NULL, probes, count, 3.0f,
+		                                                  found) != SCREE_OK);
+		hash = hash_more(hash, found, sizeof found);
+		refused = 2 * refused + (scree_world_list_rays(world, &def, rays, count, &list) != SCREE_OK);
+		refused = 2 * refused + (scree_world_list_shapes(world, &def, &shape, probes, count, &list) != SCREE_OK);
+		hash = hash_more(hash, &refused, sizeof refused);
+	}
+	return hash;
+}
+
+static void any_bits(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	add_floor(world);
+	for (int k = 0; k < 77; ++k) // a number that fills no node of a tree
+		add_box(world, k % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.3f, 0.2f, (float)(k % 9), (float)(k / 9));
+	OK(scree_world_step(world, STEP, SUBSTEPS));
+	uint64_t first = ask_bits(world);
+	for (int k = 0; k < count; ++k)
+	{
+		OK(scree_world_move(world, ways[k].device));
+		if (ask_bits(world) != first)
+			fail_msg("other answers on %s", ways[k].name);
+	}
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(large_batches),
+	    cmocka_unit_test(any_bits),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
