@@ -159,7 +159,10 @@ scree_status opencl_exchange(Backend* b, const Step* step, const Exchange* excha
 	step_set(d, step);
 	scree_status status = go(&way);
 	if (status == SCREE_OK)
+	{
+		d->staging.used = 0; // the answers came after all uploads
 		return SCREE_OK;
+	}
 	// nothing may still use the blocks
 	opencl.Finish(d->carry.up);
 	opencl.Finish(d->queue);
