@@ -4,6 +4,7 @@
 #include "scene/viewport.h"
 #include <math.h>
 
+#define CATCHES     0.85f   // of the way that is left after a picture until a followed point is where it is to be seen
 #define LEAST_SCALE 1.0e-4f // px a metre: all of SCREE_HUGE in a thumbnail
 #define LEAST_PART  200.0f  // px: a part that is not as wide shows nothing
 #define MOST_SCALE  1.0e5f  // px a metre: a picture of a few millimetres
@@ -48,6 +49,13 @@ void camera_zoom(Camera* camera, float x, float y, float factor)
 	scree_vec after = camera_point(camera, x, y);
 	camera->middle.x += before.x - after.x;
 	camera->middle.y += before.y - after.y;
+}
+
+void camera_follow(Camera* camera, scree_vec point, scree_vec to, scree_vec* behind)
+{
+	*behind = (scree_vec){CATCHES * behind->x, CATCHES * behind->y};
+	camera->middle.x += point.x + behind->x - to.x;
+	camera->middle.y += point.y + behind->y - to.y;
 }
 
 scree_vec camera_point(const Camera* camera, float x, float y)

@@ -27,6 +27,10 @@ void camera_pan(Camera* camera, float x, float y);
 // Magnifies the picture by a factor around pixel x, y.
 void camera_zoom(Camera* camera, float x, float y, float factor);
 
+// For each picture in which a point of the world is followed: brings it nearer to another one, where it is to be seen. behind is by
+// which it is not there yet, at first the second point less the first one, m.
+void camera_follow(Camera* camera, scree_vec point, scree_vec to, scree_vec* behind);
+
 // The point of the world under a pixel.
 scree_vec camera_point(const Camera* camera, float x, float y);
 

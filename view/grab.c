@@ -67,13 +67,10 @@ static scree_body body_under(const Grab* grab, const RenderTables* tables, const
 // Joins the body to the cursor where it is.
 static bool join(Grab* grab)
 {
-	scree_pose pose;
 	scree_mass mass;
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_TARGET);
-	if (scree_body_get_pose(grab->world, grab->body, &pose) != SCREE_OK ||
-	    scree_body_get_mass(grab->world, grab->body, &mass) != SCREE_OK)
+	if (scree_body_get_mass(grab->world, grab->body, &mass) != SCREE_OK)
 		return false;
-	grab->anchor = turned_back(pose.rotation, (scree_vec){grab->at.x - pose.position.x, grab->at.y - pose.position.y});
 	def.body_b = grab->body;
 	def.frame_a.position = grab->at;
 	def.frame_b.position = grab->anchor;
@@ -87,17 +84,27 @@ static bool join(Grab* grab)
 	return scree_joint_create(grab->world, &def, &grab->joint) == SCREE_OK;
 }
 
-bool grab_pick(Grab* grab, const RenderTables* tables)
+bool grab_reach(Grab* grab, const RenderTables* tables)
 {
 	int count = 0;
-	grab_release(grab);
+	scree_pose pose;
+	grab->body = (scree_body){0};
 	if (scree_world_get_render_rows(grab->world, NULL, 0, &count) != SCREE_OK)
 		return false;
 	scree_render_row* rows = malloc(((size_t)count + 1) * sizeof *rows);
 	if (rows && scree_world_get_render_rows(grab->world, rows, count, &count) == SCREE_OK)
 		grab->body = body_under(grab, tables, rows, count);
 	free(rows);
-	return !scree_body_is_null(grab->body) && join(grab);
+	if (scree_body_is_null(grab->body) || scree_body_get_pose(grab->world, grab->body, &pose) != SCREE_OK)
+		return false;
+	grab->anchor = turned_back(pose.rotation, (scree_vec){grab->at.x - pose.position.x, grab->at.y - pose.position.y});
+	return true;
+}
+
+bool grab_pick(Grab* grab, const RenderTables* tables)
+{
+	grab_release(grab);
+	return grab_reach(grab, tables) && join(grab);
 }
 
 void grab_release(Grab* grab)

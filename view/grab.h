@@ -26,6 +26,9 @@ typedef struct
 	float density;             // kg/m^2 of what is thrown in
 } Grab;
 
+// Finds the dynamic body under the cursor, and where on it the cursor is, and does nothing to it; false when there is none.
+bool grab_reach(Grab* grab, const RenderTables* tables);
+
 // Picks the dynamic body under the cursor; false when there is none.
 bool grab_pick(Grab* grab, const RenderTables* tables);
 void grab_release(Grab* grab);

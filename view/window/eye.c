@@ -5,8 +5,7 @@
 #include "view/window/panel.h"
 #include <stdlib.h>
 
-#define FAR     3.0f  // sizes of the scene's view that a body may be away from it to be shown
-#define CATCHES 0.85f // of the way that is left after a frame until a followed body is in the middle
+#define FAR 3.0f // sizes of the scene's view that a body may be away from it to be shown
 
 static void fit(Viewer* v, scree_box box)
 {
@@ -53,17 +52,6 @@ void eye_fit_bodies(Viewer* v)
 		fit(v, found ? around : view);
 }
 
-// The position of the selected body. False if there is none.
-static bool find_selected(const Viewer* v, scree_vec* at)
-{
-	scree_pose pose;
-	if (!inspect_any(&v->selected) || v->selected.gone || scree_body_is_null(v->selected.body) ||
-	    scree_body_get_pose(v->session.world, v->selected.body, &pose) != SCREE_OK)
-		return false;
-	*at = pose.position;
-	return true;
-}
-
 // The point of the world in the middle of the free part of the window.
 static scree_vec middle(const Viewer* v)
 {
@@ -79,7 +67,7 @@ bool eye_follow(Viewer* v)
 		v->eye.follows = false;
 		return true;
 	}
-	if (!find_selected(v, &at))
+	if (!inspect_place(&v->selected, v->session.world, &at))
 		return false;
 	v->eye.follows = true;
 	v->eye.fitted = false;
@@ -96,11 +84,8 @@ void eye_frame(Viewer* v)
 		fit(v, v->eye.box);
 	if (!v->eye.follows)
 		return;
-	v->eye.follows = find_selected(v, &at);
+	v->eye.follows = inspect_place(&v->selected, v->session.world, &at);
 	if (!v->eye.follows)
 		return;
-	v->eye.behind = (scree_vec){CATCHES * v->eye.behind.x, CATCHES * v->eye.behind.y};
-	scree_vec now = middle(v);
-	v->camera.middle.x += at.x + v->eye.behind.x - now.x;
-	v->camera.middle.y += at.y + v->eye.behind.y - now.y;
+	camera_follow(&v->camera, at, middle(v), &v->eye.behind);
 }

@@ -4,7 +4,7 @@ extern "C" {
 #include "scene/block.h"
 #include "scene/caption.h"
 #include "scene/controls.h"
-#include "view/window/numbers.h"
+#include "view/numbers.h"
 #include "view/window/state.h"
 }
 #include "view/window/look.h"

@@ -3,28 +3,22 @@
 #ifndef VIEW_STATE_H
 #define VIEW_STATE_H
 #include "view/grab.h"
+#include "view/inspect.h"
+#include "view/pour.h"
 #include "view/renderer.h"
 #include "view/shader.h"
 #include "view/share.h"
 #include "view/window/capture.h"
 #include "view/window/events.h"
 #include "view/window/history.h"
-#include "view/window/inspect.h"
 #include "view/window/session.h"
 
 typedef struct GLFWwindow GLFWwindow;
 
-#define POUR_KINDS 16
-
 typedef struct // what the user does to the world, tools.c
 {
-	float blast;  // m/s that a common body near an explosion gets
-	int rate;     // bodies that are poured in a step, at most
-	bool pouring; // the key is down
-	bool pour;    // in the next step, also if the key is up again
-	scree_attribute kinds[POUR_KINDS];
-	int kind_count;
-	int poured;        // bodies so far, in this world
+	Pour pour;
+	float blast;       // m/s that a common body near an explosion gets
 	bool blasting;     // the key is down
 	double blast_time; // s: since when
 } Tools;

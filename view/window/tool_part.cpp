@@ -35,7 +35,7 @@ void part_tools(Viewer* v)
 	draw_slider("explosion, x", &v->tools.blast, 0.5f, 200.0f, "%.1f m/s", true,
 	            "speed that a body of common size gets near it; hold x, and the explosion grows");
 	ImGui::SetNextItemWidth(FIELD);
-	ImGui::SliderInt("poured, m", &v->tools.rate, 1, 16, "%d a step", ImGuiSliderFlags_AlwaysClamp);
+	ImGui::SliderInt("poured, m", &v->tools.pour.rate, 1, POUR_MOST, "%d a step", ImGuiSliderFlags_AlwaysClamp);
 	if (ImGui::IsItemHovered())
 		ImGui::SetTooltip("hold m: bodies like those of the scene fall from the cursor, where there is room");
 }

@@ -2,9 +2,10 @@
 // tools.h -- what the user does to the world besides dragging: throws bodies in, pours them, sets off explosions.
 #ifndef TOOLS_H
 #define TOOLS_H
+#include "view/blast.h"
 #include "view/window/state.h"
 
-#define TOOLS_DEFAULT ((Tools){.blast = 15.0f, .rate = 4})
+#define TOOLS_DEFAULT ((Tools){.blast = BLAST_SPEED, .pour.rate = POUR_RATE})
 
 // Throws a body in at the cursor.
 void tools_launch(Viewer* viewer);

@@ -122,7 +122,7 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 	}
 	v->grab = (Grab){
 	    .world = v->session.world, .hardest = v->grab.hardest, .hertz = v->grab.hertz, .density = v->grab.density};
-	v->tools = (Tools){.blast = v->tools.blast, .rate = v->tools.rate};
+	v->tools = (Tools){.blast = v->tools.blast, .pour.rate = v->tools.pour.rate};
 	v->eye.follows = false;
 	v->selected = v->hovered = (Inspected){0};
 	v->next_device = -1;

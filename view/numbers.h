@@ -2,7 +2,7 @@
 // numbers.h -- the numbers of a body as lines of text, for the panel.
 #ifndef NUMBERS_H
 #define NUMBERS_H
-#include "view/window/inspect.h"
+#include "view/inspect.h"
 
 #define NUMBER_LINES 20
 #define NUMBER_TEXT  96

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // inspect.c -- what lies under the cursor or was selected, in numbers.
-#include "view/window/inspect.h"
+#include "view/inspect.h"
 #include "scene/attributes.h"
 #include "scene/block.h"
 #include "view/outline.h"
@@ -166,6 +166,16 @@ scree_status inspect_read(Inspected* i, const Scene* scene, scree_world* world)
 		return SCREE_OK;
 	scree_status status = read_collidable(i, world);
 	return status == SCREE_OK && !scree_body_is_null(i->body) ? read_body(i, scene, world) : status;
+}
+
+bool inspect_place(const Inspected* inspected, const scree_world* world, scree_vec* at)
+{
+	scree_pose pose;
+	if (!inspect_any(inspected) || inspected->gone || scree_body_is_null(inspected->body) ||
+	    scree_body_get_pose(world, inspected->body, &pose) != SCREE_OK)
+		return false;
+	*at = pose.position;
+	return true;
 }
 
 static scree_pose join(scree_pose body, scree_pose own)

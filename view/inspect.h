@@ -38,6 +38,9 @@ void inspect_choose(Inspected* inspected, const Scene* scene, const scree_world*
 // Reads the numbers; the scene made the world. What was destroyed is marked as gone.
 scree_status inspect_read(Inspected* inspected, const Scene* scene, scree_world* world);
 
+// Where the body is, m. False if there is none.
+bool inspect_place(const Inspected* inspected, const scree_world* world, scree_vec* at);
+
 bool inspect_any(const Inspected* inspected);
 
 // Adds the outlines of all shapes of the body, where it is now.

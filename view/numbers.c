@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // numbers.c -- the numbers of a body as lines of text, for the panel.
-#include "view/window/numbers.h"
+#include "view/numbers.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
