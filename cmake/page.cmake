@@ -13,7 +13,7 @@ else()
 	set(form scalar)
 endif()
 
-add_executable(scree_page web/page.c web/rows.c ${page_view})
+add_executable(scree_page web/page.c web/hands.c web/looks.c web/picture.c web/rows.c ${page_view})
 scree_flags(scree_page)
 scree_glsl(scree_page)
 set_target_properties(scree_page PROPERTIES OUTPUT_NAME scree-${form} SUFFIX .js)

@@ -168,7 +168,7 @@ scree_status inspect_read(Inspected* i, const Scene* scene, scree_world* world)
 	return status == SCREE_OK && !scree_body_is_null(i->body) ? read_body(i, scene, world) : status;
 }
 
-bool inspect_place(const Inspected* inspected, const scree_world* world, scree_vec* at)
+bool inspect_place(const Inspected* inspected, scree_world* world, scree_vec* at)
 {
 	scree_pose pose;
 	if (!inspect_any(inspected) || inspected->gone || scree_body_is_null(inspected->body) ||

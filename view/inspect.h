@@ -39,7 +39,7 @@ void inspect_choose(Inspected* inspected, const Scene* scene, const scree_world*
 scree_status inspect_read(Inspected* inspected, const Scene* scene, scree_world* world);
 
 // Where the body is, m. False if there is none.
-bool inspect_place(const Inspected* inspected, const scree_world* world, scree_vec* at);
+bool inspect_place(const Inspected* inspected, scree_world* world, scree_vec* at);
 
 bool inspect_any(const Inspected* inspected);
 

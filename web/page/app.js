@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // app.js -- the page from start to end: opens the engine, and ties its parts to it.
+import { Body } from './body.js';
 import { Compare } from './compare.js';
 import { $, dress, element, segments } from './dom.js';
 import { Host } from './host.js';
 import { Input } from './input.js';
 import { Keys } from './keys.js';
+import { showLegends } from './legends.js';
 import { readLink, writeLink } from './link.js';
 import { note } from './notes.js';
 import { Numbers } from './numbers.js';
 import { showParameters } from './parameters.js';
 import { fetchScene, fetchScenes, listScenes, markScene } from './scenes.js';
 import { Share } from './share.js';
+import { Theme } from './theme.js';
 
 const DENSEST = 2; // px of the picture a px of the page, at most: more cost a phone its frames
 const SLOW_FRAMES = 20; // a second: below this the picture is drawn more coarsely
@@ -18,7 +21,8 @@ const FIRST = 'pile';
 const TOOLS = [
 	{ value: 'drag', label: 'Drag', title: 'Drag bodies, or the picture', icon: 'drag' },
 	{ value: 'throw', label: 'Throw', title: 'Press where a new body begins, pull, let go', icon: 'throw' },
-	{ value: 'blast', label: 'Blast', title: 'Blow up bodies around a point', icon: 'blast' },
+	{ value: 'pour', label: 'Pour', title: 'Hold: bodies like those of the scene fall from there', icon: 'pour' },
+	{ value: 'blast', label: 'Blast', title: 'Hold: an explosion grows; let go, it goes off', icon: 'blast' },
 	{ value: 'move', label: 'Move', title: 'Move the picture only', icon: 'move' },
 ];
 // layers that are on as in the viewer, and a key for each as there
@@ -37,7 +41,8 @@ class App {
 		this.paint = 0;
 		this.layers = 0;
 		this.slow = false;
-		this.dark = matchMedia('(prefers-color-scheme: dark)');
+		this.theme = new Theme();
+		this.hovers = true;
 		this.state = { paused: false, step: 0, touched: false };
 		this.canvas = $('picture');
 		this.host = new Host(this.canvas, (message) => this.hear(message));
@@ -83,6 +88,7 @@ class App {
 		this.buildLook(layers, paints);
 		this.keys = new Keys(this.actions(), keys, (down) => this.say({ type: 'keys', down }));
 		this.numbers = new Numbers();
+		this.body = new Body((follows) => this.follow(follows), () => this.say({ type: 'forget' }));
 		this.compare = new Compare(this.say);
 		this.share = new Share(
 			() => this.source,
@@ -118,6 +124,12 @@ class App {
 		this.compare.show(state, this.scenes.get(this.source.name), this.source.settings, this.version);
 		this.share.show(state);
 		this.watch(state);
+	}
+
+	on_looked({ hovered, cursor, numbers, follows, legends }) {
+		this.body.show(numbers, follows);
+		this.body.hover(this.hovers ? hovered : '', cursor, this.view.density);
+		showLegends(legends);
 	}
 
 	on_replayed({ step, hash, expected, equal }) {
@@ -199,7 +211,7 @@ class App {
 	}
 
 	restyle() {
-		this.say({ type: 'style', paint: this.paint, layers: this.layers, slow: this.slow, dark: this.dark.matches });
+		this.say({ type: 'style', paint: this.paint, layers: this.layers, slow: this.slow, dark: this.theme.dark });
 	}
 	setLayer(name, on) {
 		const bit = 1 << this.layerNames.indexOf(name);
@@ -213,12 +225,23 @@ class App {
 		menu.selectedIndex = Math.max(0, Math.min(menu.length - 1, menu.selectedIndex + step));
 		menu.dispatchEvent(new Event('change'));
 	}
-	// Uses a tool once at the cursor.
-	useTool(tool) {
+	// Uses a tool at the cursor as long as a key is down.
+	holdTool(tool, down) {
 		const at = this.input.cursor;
-		if (!at) return;
-		this.say({ type: 'press', ...at, tool });
-		this.say({ type: 'lift', ...at });
+		if (at) this.say({ type: down ? 'press' : 'lift', ...at, tool, by: tool });
+		else if (!down) this.say({ type: 'cancel' });
+	}
+	useTool(tool) {
+		this.holdTool(tool, true);
+		this.holdTool(tool, false);
+	}
+	async follow(follows = !this.body.follows) {
+		if (!(await this.host.ask({ type: 'follow', follows })))
+			note('Nothing is selected that could be followed: click on a body.', { name: 'follow' });
+	}
+	// The scene before or after this one in the list.
+	neighbor(by) {
+		this.choose(this.names.at((this.names.indexOf(this.source.name) + by) % this.names.length));
 	}
 
 	actions() {
@@ -232,7 +255,14 @@ class App {
 			{ key: '+', run: () => this.speed(1) },
 			{ key: 'f', shown: 'f', help: 'show the whole scene', run: click('fit') },
 			{ key: 't', shown: 't', help: 'a new body at the cursor', run: () => this.useTool('throw'), repeats: true },
-			{ key: 'x', shown: 'x', help: 'a blast at the cursor', run: () => this.useTool('blast') },
+			{ key: 'x', shown: 'x', help: 'held: an explosion at the cursor grows; let go, it goes off', hold: (down) => this.holdTool('blast', down) },
+			{ key: 'm', shown: 'm', help: 'held: pours bodies like those of the scene in at the cursor', hold: (down) => this.holdTool('pour', down) },
+			{ key: 'k', shown: 'k', help: 'follow the selected body, until the picture is moved', run: () => this.follow() },
+			{ key: 'o', shown: 'o', help: 'the numbers of what is under the cursor', run: () => (this.hovers = !this.hovers) },
+			{ key: 'Escape', shown: 'esc', help: 'forget what was selected', run: () => this.say({ type: 'forget' }) },
+			{ key: 'l', shown: 'l', help: 'light or dark', run: click('theme') },
+			{ key: '[', shown: '[', help: 'the scene before', run: () => this.neighbor(-1) },
+			{ key: ']', shown: ']', help: 'the next scene', run: () => this.neighbor(1) },
 			{ key: 'c', shown: 'c', help: 'color bodies in another way', run: () => this.nextPaint() },
 			...Object.entries(LAYER_KEYS).map(([name, key]) => ({ key, shown: key, help: name, run: click(`layer-${name}`) })),
 			{ key: '?', shown: '?', help: 'this list', run: click('help') },
@@ -293,7 +323,7 @@ class App {
 				return element('label', { title: help }, box, element('span', {}, name));
 			}),
 		);
-		this.dark.addEventListener('change', () => this.restyle());
+		addEventListener('theme', () => this.restyle());
 		this.restyle();
 	}
 }

@@ -3,6 +3,7 @@
 //
 // It runs in a worker, or in the page itself where a worker cannot draw. It hears and says messages, {type, ...}.
 import { Core } from './core.js';
+import { Inspector } from './inspector.js';
 import { Picture } from './picture.js';
 import { Player } from './player.js';
 import { Pointer } from './pointer.js';
@@ -37,14 +38,16 @@ export class Engine {
 		this.picture = new Picture(this.core, canvas, (sentence) => this.say({ type: 'picture', sentence }));
 		this.picture.resize(width, height, density);
 		this.picture.open();
-		this.pointer = new Pointer(this.core, this.picture, (name, values) => this.act(name, values));
+		this.pointer = new Pointer(this.core, this.picture, (name, values) => this.act(name, values),
+			(...place) => this.inspector.select(...place));
+		this.inspector = new Inspector(this.core, this.picture, this.say);
 		this.say({ type: 'ready', form, threads, drawn: this.picture.drawn, ...this.core.lists() });
 	}
 
 	// Answers a message; what fails is said as a sentence.
 	async hear(message) {
 		try {
-			this.changed = true;
+			this.changed ||= message.type !== 'hover';
 			const answer = await this[message.type](message);
 			if (message.id !== undefined) this.say({ type: 'answer', id: message.id, answer });
 		} catch (error) {
@@ -58,6 +61,7 @@ export class Engine {
 		this.pointer.cancel();
 		this.core.load(name, text, settings, this.threads);
 		this.source = { name, text, settings };
+		this.inspector.begin();
 		this.player.start(script, until);
 		this.behind = 0;
 		this.history = [];
@@ -125,6 +129,17 @@ export class Engine {
 	cancel() {
 		this.pointer.cancel();
 	}
+	// The mouse is over the picture, or left it.
+	hover({ x, y, over }) {
+		this.inspector.hover(over ? { x, y } : null);
+		if (over) this.pointer.move({ x, y, by: 'hover' });
+	}
+	follow({ follows }) {
+		return this.inspector.follow(follows);
+	}
+	forget() {
+		this.inspector.forget();
+	}
 	keys({ down }) {
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
@@ -135,6 +150,12 @@ export class Engine {
 	}
 	look() {
 		return this.picture.look();
+	}
+	// The numbers that are shown, as they are now.
+	looked() {
+		this.inspector.fresh = true;
+		this.inspector.next = 0;
+		this.inspector.look(this.pointer.busy);
 	}
 	places() {
 		return this.core.places();
@@ -163,6 +184,8 @@ export class Engine {
 		}
 		this.history.push(this.core.module._page_milliseconds());
 		this.changed = true;
+		const told = this.core.text(this.core.module._page_told());
+		if (told) this.say({ type: 'error', sentence: told, of: 'tool' });
 		if (this.player.until?.step === this.step) this.verdict();
 	}
 
@@ -188,6 +211,7 @@ export class Engine {
 			if (performance.now() - begin > LONGEST) this.behind = 0;
 		}
 		if (this.changed || this.picture.moving) this.draw();
+		this.inspector.look(this.pointer.busy);
 		++this.frames;
 		if (now - this.reported >= REPORT) this.report();
 		nextFrame((next) => this.frame(next));
@@ -202,6 +226,7 @@ export class Engine {
 		}
 		this.drawing = performance.now() - begin;
 		this.changed = false;
+		this.inspector.fresh = true;
 	}
 
 	report() {

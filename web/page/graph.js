@@ -9,7 +9,7 @@ export class Graph {
 		this.canvas = canvas;
 		this.times = [];
 		this.colors = {};
-		matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.colors = {}));
+		addEventListener('theme', () => (this.colors = {}));
 	}
 
 	clear() {

@@ -21,6 +21,7 @@ export class Input {
 		canvas.addEventListener('lostpointercapture', (event) => this.up(event));
 		canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
 		canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+		canvas.addEventListener('pointerleave', (event) => this.leave(event));
 		addEventListener('blur', () => this.cancel());
 	}
 
@@ -36,7 +37,8 @@ export class Input {
 		this.pointers.set(event.pointerId, at);
 		if (this.pointers.size === 1) {
 			this.single = event.pointerId;
-			this.say({ type: 'press', ...at, tool: event.button > 0 ? 'move' : this.tool() });
+			const finger = event.pointerType === 'touch' ? 'touch' : 'mouse';
+			this.say({ type: 'press', ...at, tool: event.button > 0 ? 'move' : this.tool(), finger, selects: event.button === 0 });
 		} else {
 			if (this.single !== null) this.say({ type: 'cancel' });
 			this.single = null;
@@ -47,10 +49,17 @@ export class Input {
 		const at = this.place(event);
 		this.cursor = at;
 		const before = this.pointers.get(event.pointerId);
+		if (event.pointerType === 'mouse') this.say({ type: 'hover', ...at, over: true });
 		if (!before) return;
 		if (event.pointerId === this.single) this.say({ type: 'move', ...at });
 		else if (this.single === null && this.pointers.size === 2) this.pinch(event.pointerId, before, at);
 		this.pointers.set(event.pointerId, at);
+	}
+
+	leave(event) {
+		if (event.pointerType !== 'mouse') return;
+		this.cursor = null;
+		this.say({ type: 'hover', over: false });
 	}
 
 	// One of two fingers moved: the picture follows their middle, and their distance.

@@ -10,8 +10,9 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run}]; names: of the keys of scenes; hold(bits): those that are down
+	// actions: [{key, shown, help, run, hold}]: run() at a press, hold(down) at press and release; names: of the keys of scenes; hold(bits): those that are down
 	constructor(actions, names, hold) {
+		this.held = new Set(); // actions whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
 		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
 		this.names = names;
@@ -20,7 +21,7 @@ export class Keys {
 		this.down = 0;
 		addEventListener('keydown', (event) => this.press(event));
 		addEventListener('keyup', (event) => this.lift(event));
-		addEventListener('blur', () => this.set(0));
+		addEventListener('blur', () => this.letGo());
 		this.describe(actions);
 	}
 
@@ -28,6 +29,11 @@ export class Keys {
 		if (down === this.down) return;
 		this.down = down;
 		this.hold(down);
+	}
+	// Keys that are let go in another window are not told.
+	letGo() {
+		this.set(0);
+		this.held.clear();
 	}
 	bit(event) {
 		const bit = this.codes.get(event.code);
@@ -47,12 +53,15 @@ export class Keys {
 		const action = this.actions.get(event.key);
 		if (!action || (event.repeat && !action.repeats)) return;
 		event.preventDefault();
-		action.run();
+		if (action.hold) this.held.add(action);
+		(action.run ?? action.hold)(true);
 	}
 
 	lift(event) {
 		const bit = this.bit(event);
 		if (bit) this.set(this.down & ~bit);
+		const action = this.actions.get(event.key);
+		if (this.held.delete(action)) action.hold(false);
 	}
 
 	// The keys of another scene: bits.
@@ -95,6 +104,7 @@ export class Keys {
 			.map(({ shown, help }) => element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, help)));
 		const fingers = [
 			['mouse', 'drag a body, or the picture beside all bodies; the right button always moves the picture'],
+			['click', 'the numbers of a body; beside all bodies: forget it'],
 			['wheel', 'zoom'],
 			['one finger', 'the same as the mouse'],
 			['two fingers', 'move and zoom'],

@@ -12,6 +12,7 @@ export class Picture {
 		this.density = 1; // px of the picture a px of the page
 		this.arrow = null; // m: x, y, x, y
 		this.rings = []; // {at, radius, born}
+		this.blast = null; // {at, radius()}: one that is held back; radius in px
 		this.styled = [0, 0, false, false];
 		this.fitted = true; // shows the whole scene, whatever its size
 		canvas.addEventListener('webglcontextlost', (event) => {
@@ -27,7 +28,7 @@ export class Picture {
 	}
 
 	get moving() {
-		return this.rings.length > 0;
+		return this.rings.length > 0 || this.blast !== null || this.module._page_follows() !== 0;
 	}
 
 	open() {
@@ -56,10 +57,12 @@ export class Picture {
 	}
 	fit() {
 		this.fitted = true;
+		this.module._page_follow(false);
 		this.module._page_fit();
 	}
 	pan(x, y) {
 		this.fitted = false;
+		this.module._page_follow(false);
 		this.module._page_pan(x, y);
 	}
 	zoom(x, y, factor) {
@@ -84,6 +87,7 @@ export class Picture {
 			const age = (now - born) / FLASH;
 			this.module._page_mark_ring(...at, 2 * radius * (0.4 + 0.6 * age), Math.round(220 * (1 - age)));
 		}
+		if (this.blast) this.module._page_mark_blast(...this.blast.at, this.blast.radius());
 		if (this.arrow) this.module._page_mark_arrow(...this.arrow);
 		this.core.check(this.module._page_draw());
 	}

@@ -36,6 +36,8 @@ export class Player {
 			case 'release':
 				m._page_release();
 				return true;
+			case 'pour':
+				return m._page_pour(v[0], v[1]);
 			case 'throw':
 				return m._page_throw(v[0], v[1], v[2], v[3], v[4]);
 			case 'blast':

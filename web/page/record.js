@@ -7,6 +7,7 @@
 
 const LENGTH = 1 / 4096; // m
 const SPEED = 1 / 256; // m/s
+const IMPULSE = 1 / 4096; // N s/m
 const position = [LENGTH, LENGTH];
 
 // units of the values; the first two are a position except for keys
@@ -15,8 +16,9 @@ export const KINDS = [
 	{ name: 'pull', units: position },
 	{ name: 'release', units: [] },
 	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // velocity, size
-	{ name: 'blast', units: [...position, LENGTH, SPEED] }, // radius, speed
+	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // radius, impulse
 	{ name: 'keys', units: [1] }, // bits by the keys of scene_keys.def
+	{ name: 'pour', units: position }, // until a release; a pull moves it
 ];
 const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// body.js -- the numbers of bodies as text: a few beside the cursor, and all of the one that a click selected.
+import { $, element } from './dom.js';
+import { note } from './notes.js';
+
+const BESIDE = 14; // px from the cursor
+
+// The first line is the name.
+function write(box, text) {
+	const [name, ...lines] = text.split('\n');
+	box.replaceChildren(element('b', {}, name), ...lines.map((line) => element('span', {}, line)));
+}
+
+export class Body {
+	constructor(follow, forget) {
+		this.follows = false;
+		this.box = $('body');
+		this.all = element('p', { class: 'lines all' });
+		this.few = element('p', { class: 'lines few' }); // where the screen is small
+		this.button = element('button', { id: 'follow', type: 'button', title: 'In the middle of the picture (k)', onclick: () => follow(!this.follows) });
+		const close = element('button', { id: 'forget', type: 'button', title: 'Forget it (esc)', onclick: forget }, 'forget');
+		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));
+	}
+
+	// numbers: {all, few, gone} or null
+	show(numbers, follows) {
+		this.follows = follows;
+		this.box.hidden = !numbers || numbers.gone;
+		if (!numbers) return;
+		if (numbers.gone) {
+			note(`${numbers.all}.`, { name: 'gone' });
+			return;
+		}
+		write(this.all, numbers.all);
+		write(this.few, numbers.few);
+		this.button.textContent = follows ? 'follow no more' : 'follow';
+		this.button.setAttribute('aria-pressed', String(follows));
+	}
+
+	// Beside the cursor, on its right and below it if there is room.
+	hover(text, cursor, density) {
+		const tip = $('tip');
+		tip.hidden = text === '' || !cursor;
+		if (tip.hidden) return;
+		write(tip, text);
+		const { offsetWidth: wide, offsetHeight: high } = tip;
+		const { clientWidth, clientHeight } = tip.parentElement;
+		const [x, y] = [cursor.x / density, cursor.y / density];
+		const left = x + BESIDE + wide > clientWidth ? x - BESIDE - wide : x + BESIDE;
+		const top = y + BESIDE + high > clientHeight ? y - BESIDE - high : y + BESIDE;
+		tip.style.transform = `translate(${Math.round(Math.max(0, left))}px, ${Math.round(Math.max(0, top))}px)`;
+	}
+}

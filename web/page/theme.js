@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// theme.js -- light or dark: as the system has it, until the visitor chooses. Says 'theme' to the window when it changes.
+import { $, dress } from './dom.js';
+
+const KEY = 'scree-theme';
+
+// What a visitor chose in an earlier visit; a browser may keep nothing.
+function remembered() {
+	try {
+		return localStorage.getItem(KEY);
+	} catch {
+		return null;
+	}
+}
+
+export class Theme {
+	constructor() {
+		this.system = matchMedia('(prefers-color-scheme: dark)');
+		this.chosen = remembered();
+		this.system.addEventListener('change', () => this.apply());
+		$('theme').addEventListener('click', () => this.choose(this.dark ? 'light' : 'dark'));
+		this.apply();
+	}
+
+	get dark() {
+		return this.chosen === 'dark' || (this.chosen !== 'light' && this.system.matches);
+	}
+
+	choose(name) {
+		this.chosen = name;
+		try {
+			localStorage.setItem(KEY, name);
+		} catch {
+			// it is chosen for this visit only
+		}
+		this.apply();
+	}
+
+	apply() {
+		document.documentElement.dataset.theme = this.dark ? 'dark' : 'light';
+		dress($('theme'), this.dark ? 'light' : 'dark', this.dark ? 'Light' : 'Dark');
+		const sheet = getComputedStyle(document.documentElement).getPropertyValue('--sheet').trim();
+		document.querySelector('meta[name=theme-color]').content = sheet;
+		dispatchEvent(new Event('theme'));
+	}
+}
