@@ -94,11 +94,12 @@ export class Browser {
 		}
 		throw new Error(`waited too long for: ${what}`);
 	}
-	// The mouse or one finger: phase is 'down', 'move' or 'up'.
+	// The mouse or one finger: phase is 'down', 'move' or 'up'; of the mouse also 'hover', with no button down.
 	point(pointer, phase, x, y) {
 		if (pointer === 'touch') return this.fingers(phase, [{ x, y }]);
-		const type = { down: 'mousePressed', move: 'mouseMoved', up: 'mouseReleased' }[phase];
-		const button = { button: 'left', buttons: phase === 'up' ? 0 : 1, clickCount: 1 };
+		const type = { down: 'mousePressed', move: 'mouseMoved', hover: 'mouseMoved', up: 'mouseReleased' }[phase];
+		const free = phase === 'up' || phase === 'hover';
+		const button = { button: phase === 'hover' ? 'none' : 'left', buttons: free ? 0 : 1, clickCount: 1 };
 		return this.cdp('Input.dispatchMouseEvent', { type, x, y, ...button });
 	}
 	fingers(phase, places) {

@@ -7,7 +7,7 @@ import { sleep } from './browser.mjs';
 const SMALL = [['count', '40']];
 
 // One scene, paused after some steps, with the picture of this window.
-async function begin(browser, name, settings, steps) {
+export async function begin(browser, name, settings, steps) {
 	await browser.run(
 		`const [name, settings, steps] = args;
 		await scree.load({ name, settings });
@@ -20,22 +20,28 @@ async function begin(browser, name, settings, steps) {
 	);
 }
 
-// px of the window over a body: the one that is the highest, so that nothing lies on it.
-async function overBody(browser) {
+// px of the window over a body: the highest one in the picture, so that nothing lies on it, or the one of a number.
+export async function overBody(browser, body = null) {
 	return browser.run(
 		`const places = await scree.host.ask({ type: 'places' });
-		let best = 0;
-		for (let k = 2; k < places.length; k += 2) if (places[k + 1] > places[best + 1]) best = k;
-		const at = await scree.host.ask({ type: 'project', x: places[best], y: places[best + 1] });
 		const box = document.getElementById('picture').getBoundingClientRect();
-		return { x: box.left + at[0] / scree.view.density, y: box.top + at[1] / scree.view.density, body: best };`,
+		const order = args[0] === null ? Array.from({ length: places.length / 2 }, (_, k) => 2 * k) : [args[0]];
+		for (const best of order.sort((a, b) => places[b + 1] - places[a + 1])) {
+			const at = await scree.host.ask({ type: 'project', x: places[best], y: places[best + 1] });
+			const [x, y] = at.map((px) => px / scree.view.density);
+			if (x > 0 && x < box.width && y > 5 && y < box.height) return { x: box.left + x, y: box.top + y, body: best };
+		}
+		throw new Error('no body is in the picture');`,
+		body,
 	);
 }
+export const middleOf = (browser) =>
+	browser.run(`const b = document.getElementById('picture').getBoundingClientRect(); return { x: Math.round(b.left + b.width / 2), y: Math.round(b.top + b.height / 2) }`);
 const places = (browser) => browser.run(`return scree.host.ask({ type: 'places' })`);
-const record = (browser) => browser.run(`return scree.host.ask({ type: 'record' })`);
+export const record = (browser) => browser.run(`return scree.host.ask({ type: 'record' })`);
 // chromedriver sorts the members of objects
 const plain = (actions) => actions.map(({ step: at, kind, values }) => `${at} ${kind} ${values}`).join('\n');
-const step = (browser, count) => browser.run(`await scree.host.ask({ type: 'steps', count: args[0] })`, count);
+export const step = (browser, count) => browser.run(`await scree.host.ask({ type: 'steps', count: args[0] })`, count);
 
 async function checkDrag(browser, pointer, check) {
 	await begin(browser, 'pile', SMALL, 150);
@@ -64,7 +70,7 @@ async function checkFingers(browser, check) {
 		return b[0] - a[0];
 	};
 	const before = await scale();
-	const box = await browser.run(`const b = document.getElementById('picture').getBoundingClientRect(); return { x: Math.round(b.left + b.width / 2), y: Math.round(b.top + b.height / 2) }`);
+	const box = await middleOf(browser);
 	const apart = (distance) => [-distance, distance].map((x) => ({ x: box.x + x, y: box.y }));
 	await browser.fingers('down', apart(30).slice(0, 1));
 	await browser.fingers('down', apart(30));
@@ -76,9 +82,10 @@ async function checkFingers(browser, check) {
 	check(actions.every(({ kind }) => kind === 'pick' || kind === 'release'), 'two fingers do nothing to bodies');
 }
 
-// A throw, a blast and a drag; then the link of it in a fresh page.
+// A throw, a blast, pouring and a drag; then the link of it in a fresh page. Returns the link and what was done.
 async function checkLink(browser, address, check) {
 	await begin(browser, 'pile', SMALL, 100);
+	await browser.run(`document.getElementById('notes').replaceChildren()`); // they lie over bodies
 	const at = await overBody(browser);
 	const drag = async (x, y, toX, toY) => {
 		await browser.point('mouse', 'down', x, y);
@@ -91,6 +98,20 @@ async function checkLink(browser, address, check) {
 	await browser.run(`document.querySelector('#tools input[value=blast]').click()`);
 	await drag(at.x, at.y + 20, at.x, at.y + 20);
 	await step(browser, 10);
+	await browser.run(`document.querySelector('#tools input[value=pour]').click()`);
+	const count = () => browser.run(`return scree.host.ask({ type: 'places' })`).then((list) => list.length / 2);
+	const before = await count();
+	const { x, y } = await middleOf(browser);
+	await browser.point('mouse', 'down', x, y - 60);
+	await step(browser, 15);
+	await browser.point('mouse', 'move', x + 40, y - 80);
+	await step(browser, 15);
+	await browser.point('mouse', 'up', x + 40, y - 80);
+	await step(browser, 1);
+	const poured = (await count()) - before;
+	check(poured > 4 && poured <= 4 * 30, `pouring adds bodies while it is held: ${poured}`);
+	await step(browser, 5);
+	check((await count()) === before + poured, 'and no longer');
 	await browser.run(`document.querySelector('#tools input[value=drag]').click()`);
 	const held = await overBody(browser);
 	await browser.point('mouse', 'down', held.x, held.y);
@@ -102,7 +123,7 @@ async function checkLink(browser, address, check) {
 	await step(browser, 15);
 	const mine = await record(browser);
 	const kinds = new Set(mine.actions.map(({ kind }) => kind));
-	check(['throw', 'blast', 'pick', 'pull', 'release'].every((kind) => kinds.has(kind)), `throw, blast and drag are recorded: ${[...kinds]}`);
+	check(['throw', 'blast', 'pour', 'pick', 'pull', 'release'].every((kind) => kinds.has(kind)), `throw, blast, pouring and drag are recorded: ${[...kinds]}`);
 	check(plain(decodeActions(encodeActions(mine.actions))) === plain(mine.actions), 'actions come out of a link as they went in');
 	const link = await browser.run(`return scree.share.make()`);
 	check(link.includes('&do=') && link.includes(mine.hash), `the link has actions and hash, in ${link.length} characters`);
@@ -124,6 +145,24 @@ async function checkLink(browser, address, check) {
 	await browser.go(`${address}#pile?count=40&do=AAAA~&at=3&hash=0123456789abcdef`);
 	await browser.until(`document.querySelector('.note[data-name=address]')`, 'a sentence about a damaged link');
 	await browser.until('document.body.dataset.ready', 'a scene in spite of the damaged link');
+	return { link: link.slice(link.indexOf('#')), ...mine };
+}
+
+// An explosion is as large as the time that its key was down.
+async function checkGrowth(browser, check) {
+	await begin(browser, 'pile', SMALL, 60);
+	const at = await middleOf(browser);
+	await browser.point('mouse', 'hover', at.x, at.y);
+	const press = (type) => browser.run(`document.getElementById('picture').dispatchEvent(new KeyboardEvent(args[0], { key: 'x', code: 'KeyX', bubbles: true }))`, type);
+	for (const wait of [0, 500]) {
+		await press('keydown');
+		await sleep(wait);
+		await press('keyup');
+	}
+	const { actions } = await record(browser);
+	const [small, large] = actions.map(({ values }) => values[2]);
+	check(actions.length === 2 && large > 1.8 * small, `an explosion that is held back grows: ${small} m, ${large} m`);
+	await browser.point('mouse', 'hover', 1, 1);
 }
 
 async function checkTime(browser, check) {
@@ -214,6 +253,7 @@ export function checkRecord(check) {
 		makeAction(900000, 'throw', [1, 2, -200, 199.99, 0.01]),
 		makeAction(900001, 'blast', [0, 0, 7, 14]),
 		makeAction(900001, 'release'),
+		makeAction(900002, 'pour', [0.5, -0.25]),
 	];
 	check(plain(decodeActions(encodeActions(actions))) === plain(actions), 'far places and late steps come out of a link as they went in');
 	check(encodeActions([]) === '' && decodeActions('').length === 0, 'nothing done is an empty text');
@@ -228,5 +268,6 @@ export async function checkHands(browser, address, expected, check) {
 	await checkCompare(browser, expected, check);
 	await checkLoss(browser, check);
 	await checkBad(browser, address, check);
-	await checkLink(browser, address, check);
+	await checkGrowth(browser, check);
+	return checkLink(browser, address, check);
 }

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { Browser, startServer } from './browser.mjs';
 import { checkHands, checkRecord } from './hands.mjs';
 import { checkHashes, nativeHashes } from './hashes.mjs';
+import { checkLooks } from './looks.mjs';
 import { checkPictures } from './pictures.mjs';
 
 const [scree, page, scratch] = process.argv.slice(2);
@@ -53,7 +54,9 @@ try {
 		check(!(await browser.run('return crossOriginIsolated')), 'the plain server is plain');
 		await checkPictures(browser, scree, scratch, check);
 	});
-	await timed('hands', () => checkHands(browser, `${common}`, expected, check));
+	await timed('looks', () => checkLooks(browser, check));
+	let played = null;
+	await timed('hands', async () => (played = await checkHands(browser, common, expected, check)));
 	await browser.cdp('Emulation.setDeviceMetricsOverride', { width: 320, height: 480, deviceScaleFactor: 1, mobile: false });
 	for (const [form, address, words] of [
 		['simd', common, 'SIMD, 1 thread'],
@@ -74,8 +77,10 @@ try {
 			OffscreenCanvas.prototype.getContext = () => null;`;
 		const { identifier } = await browser.cdp('Page.addScriptToEvaluateOnNewDocument', { source });
 		await browser.go('about:blank');
-		await browser.go(`${common}#billiards`);
-		await browser.until('globalThis.scree?.state?.step > 3', 'steps without a picture');
+		await browser.go(common + played.link);
+		await browser.until(`document.querySelector('.note[data-name=replayed]')`, 'a replay without a picture');
+		const { hash } = await browser.run(`return scree.host.ask({ type: 'record' })`);
+		check(hash === played.hash, `a link plays to the same hash without a picture: ${hash}, ${played.hash}`);
 		const told = await browser.run(`return document.querySelector('.note[data-name=picture]')?.textContent ?? ''`);
 		check(told.includes('no WebGL 2'), `a page without WebGL says so: "${told}"`);
 		await browser.cdp('Page.removeScriptToEvaluateOnNewDocument', { identifier });

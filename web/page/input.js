@@ -22,6 +22,7 @@ export class Input {
 		canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
 		canvas.addEventListener('contextmenu', (event) => event.preventDefault());
 		canvas.addEventListener('pointerleave', (event) => this.leave(event));
+		canvas.addEventListener('blur', () => canvas.classList.remove('pointed'));
 		addEventListener('blur', () => this.cancel());
 	}
 
@@ -33,6 +34,7 @@ export class Input {
 	down(event) {
 		const at = this.place(event);
 		this.canvas.focus({ preventScroll: true });
+		this.canvas.classList.add('pointed'); // no ring around the picture for those who see where they point
 		this.canvas.setPointerCapture(event.pointerId);
 		this.pointers.set(event.pointerId, at);
 		if (this.pointers.size === 1) {
