@@ -82,6 +82,15 @@ async function checkFingers(browser, check) {
 	check(actions.every(({ kind }) => kind === 'pick' || kind === 'release'), 'two fingers do nothing to bodies');
 }
 
+// Opens a link, and plays it faster than a visitor would see it.
+export async function replay(browser, link) {
+	await browser.go('about:blank');
+	await browser.go(link);
+	await browser.until('globalThis.scree?.source', 'the scene of a link');
+	await browser.run(`scree.say({ type: 'speed', rate: 10 })`);
+	await browser.until(`scree.state.paused && document.querySelector('.note[data-name=replayed]')`, 'the replay of a link');
+}
+
 // A throw, a blast, pouring and a drag; then the link of it in a fresh page. Returns the link and what was done.
 async function checkLink(browser, address, check) {
 	await begin(browser, 'pile', SMALL, 100);
@@ -128,17 +137,13 @@ async function checkLink(browser, address, check) {
 	const link = await browser.run(`return scree.share.make()`);
 	check(link.includes('&do=') && link.includes(mine.hash), `the link has actions and hash, in ${link.length} characters`);
 
-	await browser.go('about:blank');
-	await browser.go(address + link.slice(link.indexOf('#')));
-	await browser.until(`globalThis.scree?.state?.paused && document.querySelector('.note[data-name=replayed]')`, 'the replay');
+	await replay(browser, address + link.slice(link.indexOf('#')));
 	const replayed = await record(browser);
 	check(replayed.step === mine.step && replayed.hash === mine.hash, `the link plays to the same hash at step ${mine.step}: ${replayed.hash}, ${mine.hash}`);
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('good')`), 'and the page says so');
 
 	// a link of another version: the hash differs
-	await browser.go('about:blank');
-	await browser.go(address + link.slice(link.indexOf('#')).replace(mine.hash, '0123456789abcdef'));
-	await browser.until(`document.querySelector('.note[data-name=replayed]')`, 'the replay with another hash');
+	await replay(browser, address + link.slice(link.indexOf('#')).replace(mine.hash, '0123456789abcdef'));
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('bad')`), 'another hash is told');
 
 	await browser.go('about:blank');
@@ -197,10 +202,11 @@ async function checkKeys(browser, check) {
 	await step(browser, 20);
 	const mine = await record(browser);
 	check(plain(mine.actions) === '0 keys 2\n40 keys 0', `keys are recorded: ${plain(mine.actions)}`);
-	await browser.run(`await scree.host.ask({ type: 'restart', replay: true })`);
+	await browser.run(`scree.say({ type: 'speed', rate: 10 }); await scree.host.ask({ type: 'restart', replay: true })`);
 	await browser.until(`scree.state.paused && document.querySelector('.note[data-name=replayed]')`, 'the keys to be played again');
 	const again = await record(browser);
 	check(again.step === mine.step && again.hash === mine.hash, 'keys play to the same hash');
+	await browser.run(`scree.say({ type: 'speed', rate: 1 })`);
 }
 
 async function checkCompare(browser, expected, check) {

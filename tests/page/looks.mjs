@@ -74,6 +74,7 @@ async function checkGone(browser, check) {
 
 async function checkLegends(browser, check) {
 	await begin(browser, 'pile', SMALL, 60);
+	await browser.run(`scree.restyle()`);
 	const choose = async (name) => {
 		await browser.run(`[...document.querySelectorAll('#paints label')].find((label) => label.textContent === args[0]).querySelector('input').click(); await scree.host.ask({ type: 'look' })`, name);
 		return (await text(browser, 'legends')).replaceAll('\n', ' ');

@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, startServer } from './browser.mjs';
-import { checkHands, checkRecord } from './hands.mjs';
+import { checkHands, checkRecord, replay } from './hands.mjs';
 import { checkHashes, nativeHashes } from './hashes.mjs';
 import { checkLooks } from './looks.mjs';
 import { checkPictures } from './pictures.mjs';
@@ -76,9 +76,7 @@ try {
 			HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : get.call(this, kind, ...rest); };
 			OffscreenCanvas.prototype.getContext = () => null;`;
 		const { identifier } = await browser.cdp('Page.addScriptToEvaluateOnNewDocument', { source });
-		await browser.go('about:blank');
-		await browser.go(common + played.link);
-		await browser.until(`document.querySelector('.note[data-name=replayed]')`, 'a replay without a picture');
+		await replay(browser, common + played.link);
 		const { hash } = await browser.run(`return scree.host.ask({ type: 'record' })`);
 		check(hash === played.hash, `a link plays to the same hash without a picture: ${hash}, ${played.hash}`);
 		const told = await browser.run(`return document.querySelector('.note[data-name=picture]')?.textContent ?? ''`);
