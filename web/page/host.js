@@ -2,11 +2,12 @@
 // host.js -- where the engine runs: in a worker that draws into the canvas, else in the page itself.
 import { bestForm, bestThreads, FORMS } from './wasm.js';
 
-// Whether a worker can draw with WebGL 2.
+// Whether a worker can draw with WebGL 2 what the page can draw.
 function workersDraw() {
 	if (!globalThis.Worker || !HTMLCanvasElement.prototype.transferControlToOffscreen) return false;
+	const draws = (canvas) => Boolean(canvas.getContext('webgl2'));
 	try {
-		return Boolean(new OffscreenCanvas(1, 1).getContext('webgl2'));
+		return draws(new OffscreenCanvas(1, 1)) || !draws(document.createElement('canvas'));
 	} catch {
 		return false;
 	}
