@@ -110,7 +110,22 @@ async function checkTheme(browser, check) {
 	await browser.type('l');
 }
 
-export async function checkLooks(browser, check) {
+// Thumbnails are loaded when they are seen.
+async function checkThumbnails(browser, address, check) {
+	await browser.go('about:blank');
+	await browser.go(`${address}?form=simd#pile?count=40`);
+	await browser.until(`document.body.dataset.ready && document.querySelectorAll('#scenes img')[3].naturalWidth > 0`, 'the first thumbnails');
+	const loaded = () => browser.run(`return [...document.querySelectorAll('#scenes img')].filter((image) => image.complete && image.naturalWidth > 0).length`);
+	const all = await browser.run(`return document.querySelectorAll('#scenes img').length`);
+	const first = await loaded();
+	check(first > 2 && first < all / 2, `thumbnails that are loaded at first: ${first} of ${all}`);
+	await browser.run(`const list = document.getElementById('scenes'); list.scrollTo(list.scrollWidth, list.scrollHeight)`);
+	await browser.until(`[...document.querySelectorAll('#scenes img')].at(-1).naturalWidth > 0`, 'the last thumbnail');
+	check((await loaded()) < all, 'those in between are not loaded');
+}
+
+export async function checkLooks(browser, address, check) {
+	await checkThumbnails(browser, address, check);
 	await checkNumbers(browser, check);
 	await checkFollow(browser, check);
 	await checkGone(browser, check);

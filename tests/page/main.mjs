@@ -54,7 +54,7 @@ try {
 		check(!(await browser.run('return crossOriginIsolated')), 'the plain server is plain');
 		await checkPictures(browser, scree, scratch, check);
 	});
-	await timed('looks', () => checkLooks(browser, check));
+	await timed('looks', () => checkLooks(browser, common, check));
 	let played = null;
 	await timed('hands', async () => (played = await checkHands(browser, common, expected, check)));
 	await browser.cdp('Emulation.setDeviceMetricsOverride', { width: 320, height: 480, deviceScaleFactor: 1, mobile: false });

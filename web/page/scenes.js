@@ -14,6 +14,24 @@ export async function fetchScene(name) {
 	return response.text();
 }
 
+// Browsers load pictures from far outside of what is seen, where all of the list is.
+const NEAR = '120px';
+
+// Loads the thumbnails that are seen, and those near them.
+function loadWhenSeen(images) {
+	const observer = new IntersectionObserver(
+		(entries) => {
+			for (const { isIntersecting, target } of entries) {
+				if (!isIntersecting) continue;
+				target.src = target.dataset.file;
+				observer.unobserve(target);
+			}
+		},
+		{ root: $('scenes'), rootMargin: NEAR },
+	);
+	images.forEach((image) => observer.observe(image));
+}
+
 export function listScenes(scenes, choose) {
 	$('scenes')
 		.querySelector('ul')
@@ -34,13 +52,14 @@ export function listScenes(scenes, choose) {
 								choose(name);
 							},
 						},
-						element('img', { src: `thumbnails/${name}.png`, alt: '', loading: 'lazy', width: 144, height: 90 }),
+						element('img', { 'data-file': `thumbnails/${name}.png`, alt: '', width: 144, height: 90 }),
 						element('b', {}, name),
 						element('span', {}, title),
 					),
 				),
 			),
 		);
+	loadWhenSeen($('scenes').querySelectorAll('img'));
 }
 
 export function markScene(name) {
