@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// page.mjs -- page.mjs SCREE PAGE [ROUNDS]: milliseconds of steps in the page beside those of the command line, and frames a second.
+// page.mjs -- page.mjs SCREE PAGE [ROUNDS]: what steps of about 10,000 bodies cost in the page, beside the command line.
 //
-// Scenes of about 10,000 bodies, steps 100 to 300 with nothing drawn, in turns with the command line, so that what else the
-// machine does slows both; the median of the steps, and of the rounds. Then three seconds of each scene by the clock, drawn in
-// 320 x 200 pixels with bodies as points, because a Chromium without a graphics card draws on the same cores.
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { loadavg, tmpdir } from 'node:os';
+// Steps 100 to 300 of each scene, nothing drawn: CPU time of the worker, which hardly depends on what else the machine does, beside that
+// of the command line with one thread and vectors as wide; and by the clock, as the page shows them. Medians of the rounds. Then
+// three seconds of each scene drawn in 320 x 200 pixels with bodies as points, because a Chromium without a graphics card draws
+// on the same cores. Linux only: CPU times are read from /proc.
+import { spawnSync } from 'node:child_process';
+import { readdirSync, readFileSync } from 'node:fs';
+import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import { Browser, sleep, startServer } from '../../tests/page/browser.mjs';
 
@@ -16,32 +17,47 @@ const SCENES = {
 };
 const FIRST = 100, LAST = 300; // steps
 const [scree = 'build/scree', page = 'build/web', rounds = '3'] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), 'scree-page-'));
 const server = await startServer(new URL('../../web/serve.mjs', import.meta.url).pathname, page, false);
 const scenes = new Map(JSON.parse(readFileSync(join(page, 'scenes.json'), 'utf8')).map((scene) => [scene.name, scene]));
 
 const median = (list) => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
 
-// Milliseconds of the steps by the command line, with vectors as wide as those of WebAssembly.
-function native(name, threads) {
-	const file = join(folder, 'steps.csv');
+// s of CPU that the command line takes for the first steps of a scene
+function nativeTime(name, steps) {
 	const sets = scenes.get(name).parameters.flatMap(({ name: key, start }) => ['--set', `${key}=${SCENES[name][key] ?? start}`]);
-	const words = ['--steps', String(LAST), '--device', 'cpu', '--threads', String(threads), '--lanes', '4', '--csv', file];
-	execFileSync(scree, ['run', name, ...sets, ...words], { stdio: ['ignore', 'ignore', 'inherit'] });
-	const [head, ...rows] = readFileSync(file, 'utf8').trim().split('\n').map((row) => row.split(','));
-	return median(rows.slice(FIRST).map((row) => Number(row[head.indexOf('ms_step')])));
+	const words = ['hash', name, ...sets, '--steps', String(steps), '--device', 'cpu', '--threads', '1', '--lanes', '4'];
+	const { stderr } = spawnSync('bash', ['-c', 'TIMEFORMAT="%U %S"; time "$@" >/dev/null', 'bash', scree, ...words], { encoding: 'utf8' });
+	return stderr.trim().split(' ').reduce((sum, part) => sum + Number(part), 0);
+}
+const native = (name) => (1000 * (nativeTime(name, LAST) - nativeTime(name, FIRST))) / (LAST - FIRST);
+
+const children = (pid) => readdirSync(`/proc/${pid}/task`).flatMap((task) => readFileSync(`/proc/${pid}/task/${task}/children`, 'utf8').split(' ').filter(Boolean));
+const family = (pid) => [pid, ...children(pid).flatMap(family)];
+
+// ms of CPU that the workers of a browser have taken so far
+function workerTime(browser) {
+	let sum = 0;
+	for (const pid of family(browser.driver.pid))
+		for (const task of readdirSync(`/proc/${pid}/task`)) {
+			const folder = `/proc/${pid}/task/${task}`;
+			if (readFileSync(`${folder}/comm`, 'utf8').startsWith('DedicatedWorker')) sum += Number(readFileSync(`${folder}/schedstat`, 'utf8').split(' ')[0]) / 1e6;
+		}
+	return sum;
 }
 
-const inPage = (browser, name) =>
-	browser.run(
-		`const [name, settings, first, last] = args;
+// ms of a step: of CPU, and by the clock
+async function inPage(browser, name) {
+	await browser.run(
+		`const [name, settings, first] = args;
 		scree.say({ type: 'pause', paused: true });
 		await scree.load({ name, settings });
-		await scree.host.ask({ type: 'steps', count: first });
-		await scree.host.ask({ type: 'steps', count: last - first });
-		return { bodies: scree.state.bodies, times: scree.state.times };`,
-		name, Object.entries(SCENES[name]), FIRST, LAST,
+		await scree.host.ask({ type: 'steps', count: first });`,
+		name, Object.entries(SCENES[name]), FIRST,
 	);
+	const begin = workerTime(browser);
+	const state = await browser.run(`await scree.host.ask({ type: 'steps', count: args[0] }); return scree.state`, LAST - FIRST);
+	return { cpu: (workerTime(browser) - begin) / (LAST - FIRST), clock: median(state.times), bodies: state.bodies };
+}
 
 // What a visitor sees of the same steps: frames and steps a second, ms of drawing in the worker.
 async function drawn(browser) {
@@ -68,24 +84,26 @@ async function open(form) {
 	return browser;
 }
 
-const forms = [['one thread', await open('simd'), 1], ['two threads', await open('threads&threads=2'), 2]];
-for (const [words, browser, threads] of forms) {
-	console.log(`\n${words}\n| scene | bodies | page, ms | command line, ms | ratio | draw, ms | frames/s | steps/s | load |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |`);
-	for (const name of Object.keys(SCENES)) {
-		const [mine, others] = [[], []];
-		let bodies;
-		for (let k = 0; k < Number(rounds); ++k) {
-			const found = await inPage(browser, name);
-			bodies = found.bodies;
-			mine.push(median(found.times));
-			others.push(native(name, threads));
-		}
-		const seen = await drawn(browser);
-		const cells = [median(mine).toFixed(1), median(others).toFixed(1), (median(mine) / median(others)).toFixed(2), seen.drawing.toFixed(2)];
-		console.log(`| ${[name, bodies, ...cells, seen.frames.toFixed(0), seen.steps.toFixed(0), loadavg()[0].toFixed(1)].join(' | ')} |`);
+const row = (...cells) => console.log(`| ${cells.join(' | ')} |`);
+const column = (list, name, digits = 1) => median(list.map((each) => each[name])).toFixed(digits);
+
+const one = await open('simd');
+const two = await open('threads&threads=2');
+row('scene', 'bodies', 'page, ms of CPU', 'command line, ms of CPU', 'ratio', 'page by the clock, ms', 'the same with two threads', 'draw, ms', 'frames/s', 'steps/s', 'load');
+row(...Array(11).fill('---'));
+for (const name of Object.keys(SCENES)) {
+	const [mine, others, pairs] = [[], [], []];
+	for (let k = 0; k < Number(rounds); ++k) {
+		mine.push(await inPage(one, name));
+		others.push(native(name));
+		pairs.push(await inPage(two, name));
 	}
-	await browser.close();
+	const seen = await drawn(one);
+	const ratio = Number(column(mine, 'cpu', 3)) / median(others);
+	row(name, mine[0].bodies, column(mine, 'cpu'), median(others).toFixed(1), ratio.toFixed(2), column(mine, 'clock'), column(pairs, 'clock'),
+		seen.drawing.toFixed(2), seen.frames.toFixed(0), seen.steps.toFixed(0), loadavg()[0].toFixed(1));
 }
+await one.close();
+await two.close();
 server.child.removeAllListeners('exit');
 server.child.kill();
-rmSync(folder, { recursive: true });
