@@ -82,8 +82,9 @@ export class Input {
 		this.say(event.type === 'pointerup' ? { type: 'lift', ...this.place(event) } : { type: 'cancel' });
 	}
 
+	// Also for a tool whose key is down.
 	cancel() {
-		if (this.single !== null) this.say({ type: 'cancel' });
+		this.say({ type: 'cancel' });
 		this.single = null;
 		this.pointers.clear();
 	}
