@@ -148,14 +148,23 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 
 // Items of a run, one per work-item. Stages of one work-group per item, and rare ones, are launched by themselves: with the
 // former compilation for a CPU takes twice as long.
-#define CASE_ONE(name)                                   \
-	case STAGE_##name:                                   \
-		for (int i = run.begin + from; i < end; i += by) \
-			name##_item(&pools, i);                      \
+#define CASE_ONE(name)                       \
+	case STAGE_##name:                       \
+		for (int i = from; i < end; i += by) \
+			name##_item(p, i);               \
 		break;
 #define CASE_WIDE(name) CASE_ONE(name)
 #define CASE_ALONE(name)
 #define CASE_GROUP(name)
+APART void stage_items(const Pools* p, int stage, int from, int end, int by)
+{
+	switch (stage)
+	{
+#define X(name, width, box) CASE_##width(name)
+#include "stages/stages.def"
+#undef X
+	}
+}
 
 // End of a run. Its bound may change until the next barrier.
 INLINE int run_end(Run run, const Pools* p)
@@ -258,15 +267,10 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		++next;
 		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
-		switch (run.stage)
-		{
-#define X(name, width, box) CASE_##width(name)
-#include "stages/stages.def"
-#undef X
-		default:
-			if (!run_primitive(&pools, run, table, probes, &bench, &b, alone))
-				return;
-		}
+		if (run.stage >= 0 && run.stage < STAGE_COUNT)
+			stage_items(&pools, run.stage, run.begin + from, end, by);
+		else if (!run_primitive(&pools, run, table, probes, &bench, &b, alone))
+			return;
 		if (!alone && next == count)
 			break;
 		if (!run_barrier(&b, alone))
