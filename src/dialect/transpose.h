@@ -11,6 +11,8 @@
 #define TRANSPOSE_H
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #define ALL_LANES ((1u << LANES) - 1)
@@ -232,11 +234,25 @@ WIDE_INLINE Word lane_bits(Int lanes)
 	return (Word)_mm256_movemask_ps((Real)(lanes != 0));
 #elif LANES == 4 && defined(__SSE2__)
 	return (Word)_mm_movemask_ps((Real)(lanes != 0));
+#elif LANES == 4 && defined(__wasm_simd128__)
+	return wasm_i32x4_bitmask((v128_t)(lanes != 0));
 #else
 	Word bits = 0;
 	for (int k = 0; k < LANES; ++k)
 		bits |= (Word)(lanes[k] != 0) << k;
 	return bits;
+#endif
+}
+
+// a square root of each lane
+WIDE_INLINE Real root(Real x)
+{
+#if LANES == 4 && defined(__wasm_simd128__)
+	return (Real)wasm_f32x4_sqrt((v128_t)x); // clang keeps the loop below, through memory
+#else
+	for (int k = 0; k < LANES; ++k)
+		x[k] = __builtin_sqrtf(x[k]);
+	return x;
 #endif
 }
 

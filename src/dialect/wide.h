@@ -24,12 +24,6 @@ INLINE void store_keys(Word64* array, int i, Int high, Int low)
 	for (int k = 0; k < LANES; ++k)
 		array[i + k] = (Word64)(Word)high[k] << 32 | (Word64)(Word)low[k];
 }
-INLINE Real root(Real x)
-{
-	for (int k = 0; k < LANES; ++k)
-		x[k] = __builtin_sqrtf(x[k]);
-	return x;
-}
 #include "dialect/transpose.h"
 
 #endif
