@@ -51,7 +51,7 @@
 #include "dialect/opencl.h"
 #else
 #include "dialect/c.h"
-#if defined(__AVX2__) && LANES == 1
+#if (defined(__AVX2__) || defined(__wasm_simd128__)) && LANES == 1
 #include "dialect/overlaps.h"
 #endif
 #endif

@@ -1,7 +1,25 @@
 // SPDX-License-Identifier: MIT
-// overlaps.h -- one box against eight, at rest or moving, with AVX2; a part of dialect.h, whose words it uses.
+// overlaps.h -- one box against eight, at rest or moving, with AVX2 or in WebAssembly; a part of dialect.h, whose words it uses.
 #ifndef OVERLAPS_H
 #define OVERLAPS_H
+#ifdef __wasm_simd128__
+#include <wasm_simd128.h>
+
+// A box against one other at a time, in four lanes: with the upper bounds negated on both sides, all four comparisons are the same.
+// WebAssembly has no eight lanes, and transposing the boxes would take longer. The other tests need no more than scalar code.
+static inline Word overlaps8(const Float4* boxes, Float4 box)
+{
+	v128_t sign = wasm_f32x4_const(0.0f, 0.0f, -0.0f, -0.0f), most = wasm_f32x4_make(box.z, box.w, -box.x, -box.y);
+	Word hits = 0;
+	for (int k = 0; k < 8; ++k)
+	{
+		v128_t other = wasm_v128_xor(wasm_v128_load(boxes + k), sign);
+		hits |= (Word)(wasm_i32x4_bitmask(wasm_f32x4_le(other, most)) == 15) << k;
+	}
+	return hits;
+}
+#define OVERLAPS8
+#else
 #include <immintrin.h>
 
 static inline __m256 box_pair(const Float4* low, const Float4* high)
@@ -72,4 +90,5 @@ static inline Word apart8(const Float4* boxes, Float4 box, float most, float squ
 }
 #define BEAM8
 
+#endif
 #endif
