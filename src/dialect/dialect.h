@@ -22,9 +22,9 @@
 // Large parts of large kernels, without barriers. Where CALLS is defined they are calls: PoCL makes three copies of a kernel, and in
 // each of them three of what is between barriers that not all work-items reach, so that the persistent kernel took it minutes.
 #ifdef CALLS
-#define APART static __attribute__((noinline))
+#define OUT_OF_LINE static __attribute__((noinline))
 #else
-#define APART INLINE
+#define OUT_OF_LINE INLINE
 #endif
 
 // Code that few items need: inlined, it would use registers of all items. On a GPU a call uses them as well.

@@ -156,7 +156,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 #define CASE_WIDE(name) CASE_ONE(name)
 #define CASE_ALONE(name)
 #define CASE_GROUP(name)
-APART void stage_items(const Pools* p, int stage, int from, int end, int by)
+OUT_OF_LINE void stage_items(const Pools* p, int stage, int from, int end, int by)
 {
 	switch (stage)
 	{

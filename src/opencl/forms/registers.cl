@@ -141,7 +141,7 @@ INLINE void registers_bodies(const Pools* p, Registers* u)
 }
 
 // Loads a constraint and its bodies, but not its sides, and derives what the passes need.
-APART Registers registers_make(const Pools* p, KindPlace at, int slot)
+OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
 	Int2 bodies = edge_bodies_at(p, at.kind, at.place);
@@ -192,7 +192,7 @@ INLINE void registers_ready(Registers* u)
 }
 
 // A pass of solve.h over registers.
-APART void registers_pass(const Pools* p, int pass, Registers* u)
+OUT_OF_LINE void registers_pass(const Pools* p, int pass, Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
@@ -202,7 +202,7 @@ APART void registers_pass(const Pools* p, int pass, Registers* u)
 }
 
 // Stores what the next step needs.
-APART void registers_store_kept(const Pools* p, const Registers* u)
+OUT_OF_LINE void registers_store_kept(const Pools* p, const Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
@@ -272,7 +272,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #undef CONSTRAINT_KIND
 
 // Stores all of a constraint as number j. registers_update: only what a pass writes.
-APART void registers_store(const Registers* u, __global float4* stream, int n, int j)
+OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
 	{
@@ -291,7 +291,7 @@ APART void registers_store(const Registers* u, __global float4* stream, int n, i
 	stream_pairs(stream, n, j)[EDGE_PAIR * n] = make_float2(as_float(u->side[0].body), as_float(u->side[1].body));
 }
 
-APART void registers_update(const Registers* u, int pass, __global float4* stream, int n, int j)
+OUT_OF_LINE void registers_update(const Registers* u, int pass, __global float4* stream, int n, int j)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
@@ -311,7 +311,7 @@ INLINE Side side_load(int body, int sides)
 }
 
 // Loads task t, number j of the stream.
-APART Registers registers_load(const Pools* p, int t, __global float4* stream, int n, int j)
+OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* stream, int n, int j)
 {
 	Registers u;
 	int sides = -1;

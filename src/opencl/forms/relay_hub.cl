@@ -23,7 +23,7 @@ INLINE Side relay_side(const Pools* p, int body, int turn)
 }
 
 // Receives a body for pass q. False if its ticket did not come.
-APART bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body* b)
+OUT_OF_LINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body* b)
 {
 	float row[8];
 	volatile __global ulong* words = r->mailboxes + MAILBOX_WORDS * (ulong)side.body;
@@ -45,7 +45,7 @@ APART bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body*
 }
 
 // Sends a body from a hub of pass q with a new velocity: to its next hub, its first color or the next pass.
-APART void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
+OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
 {
 	Body b;
 	float row[8], m[8], base[4];
@@ -124,7 +124,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 }
 
 // Collects the parts of the body that sorted end i begins, if it is split, in a turn of pass q; as hub_merge.
-APART bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
+OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
 	if (spoke < 0)
