@@ -359,9 +359,9 @@ void print_ways(const Way* ways, int count)
 		print_message("no OpenCL: %s\n", scree_opencl_remedy());
 }
 
-static scree_world* open_story(const Story* story, const Way* way)
+scree_world* open_on(const Way* way, const scree_world_def* given)
 {
-	scree_world_def def = story->def;
+	scree_world_def def = *given;
 	def.device = way->device;
 	def.threads = way->threads;
 	def.lanes = way->lanes;
@@ -375,6 +375,12 @@ static scree_world* open_story(const Story* story, const Way* way)
 	unsetenv("SCREE_SOLVER");
 	if (status != SCREE_OK)
 		fail_msg("%s: %s", way->name, scree_error());
+	return world;
+}
+
+static scree_world* open_story(const Story* story, const Way* way)
+{
+	scree_world* world = open_on(way, &story->def);
 	story->build(world, story->context);
 	return world;
 }

@@ -110,6 +110,9 @@ typedef struct // where and how a world runs
 int list_ways(Way ways[MAX_WAYS]);
 void print_ways(const Way* ways, int count);
 
+// Creates a world there; of def all but device, threads and lanes counts.
+scree_world* open_on(const Way* way, const scree_world_def* def);
+
 typedef struct // a run that can be told again
 {
 	const char* name;

@@ -497,11 +497,7 @@ static const Layout layouts[] = {
 static void run_layout(const Layout* layout, const Way* way)
 {
 	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	scree_world* world = open_on(way, &def);
 	uint64_t seed = 77;
 	layout->build(world, &seed);
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, walks = 0;

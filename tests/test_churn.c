@@ -35,18 +35,10 @@ static void for_every_device(void (*check)(const Way* way))
 static scree_world* open_way(const Way* way, int contact_capacity, int contact_limit)
 {
 	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
 	def.gravity.y = 0.0f;
 	def.contact_capacity = contact_capacity;
 	def.contact_limit = contact_limit;
-	scree_world* world;
-	if (way->persistent)
-		setenv("SCREE_PERSISTENT", way->persistent, 1);
-	OK(scree_world_create(&def, &world));
-	unsetenv("SCREE_PERSISTENT");
-	return world;
+	return open_on(way, &def);
 }
 
 static scree_vec any_place(uint64_t* seed)

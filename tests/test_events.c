@@ -398,12 +398,8 @@ static Ledger tell_heap(const Way* way, int steps)
 {
 	Ledger ledger = {.stream = 14695981039346656037u};
 	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
 	def.contact_details = true;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	scree_world* world = open_on(way, &def);
 	scree_body bodies[HEAP];
 	uint64_t seed = 11;
 	add_floor(world);

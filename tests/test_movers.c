@@ -218,14 +218,7 @@ static void build_town(scree_world* world)
 static uint64_t hash_crowd(const Way* way, bool alone)
 {
 	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
-	if (way->persistent)
-		setenv("SCREE_PERSISTENT", way->persistent, 1);
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
-	unsetenv("SCREE_PERSISTENT");
+	scree_world* world = open_on(way, &def);
 	build_town(world);
 	scree_mover crowd[CROWD];
 	uint64_t seed = 3, hash = HASH_BEGIN;

@@ -59,10 +59,7 @@ static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
 	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
-	OK(scree_world_create(&def, &place.world));
+	place.world = open_on(way, &def);
 	uint64_t seed = 3, asked = 4, hash = HASH_BEGIN;
 	scree_body bodies[BODIES];
 	add_floor(place.world);

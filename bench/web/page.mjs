@@ -9,7 +9,7 @@ import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
-import { Browser, sleep, startServer } from '../../tests/page/browser.mjs';
+import { Browser, sleep, startServer, stop } from '../../tests/page/browser.mjs';
 
 // what differs from what the page begins them with
 const SCENES = {
@@ -105,5 +105,4 @@ for (const name of Object.keys(SCENES)) {
 }
 await one.close();
 await two.close();
-server.child.removeAllListeners('exit');
-server.child.kill();
+stop(server.child);

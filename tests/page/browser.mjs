@@ -34,6 +34,12 @@ function start(command, words, pattern) {
 export const startServer = (script, folder, plain) =>
 	start(process.execPath, [script, folder, '0', ...(plain ? ['plain'] : [])], /http:\/\/127\.0\.0\.1:(\d+)\//);
 
+// Ends a program that was started so.
+export function stop(child) {
+	child.removeAllListeners('exit');
+	child.kill();
+}
+
 // chromedriver takes a free port of IPv6 and then the same of IPv4, which may be taken.
 async function startDriver(trials = 5) {
 	try {
@@ -121,8 +127,7 @@ export class Browser {
 	}
 	async close() {
 		await this.call('DELETE', this.session).catch(() => {});
-		this.driver.removeAllListeners('exit');
-		this.driver.kill();
+		stop(this.driver);
 		rmSync(this.folder, { recursive: true, force: true, maxRetries: 5 });
 	}
 }

@@ -8,7 +8,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect, createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { sleep, startServer } from './browser.mjs';
+import { sleep, startServer, stop } from './browser.mjs';
 import { checkHashes, nativeHashes } from './hashes.mjs';
 
 const PATIENCE = 60000; // ms
@@ -109,8 +109,7 @@ try {
 	if (picture) writeFileSync(picture, Buffer.from(value, 'base64'));
 } finally {
 	await firefox.close();
-	server.child.removeAllListeners('exit');
-	server.child.kill();
+	stop(server.child);
 }
 console.log(failures > 0 ? `${failures} of ${checks} hashes differ` : `${checks} hashes are equal`);
 process.exit(failures > 0 ? 1 : 0);

@@ -2,7 +2,7 @@
 // main.mjs -- main.mjs SCREE PAGE SCRATCH: the tests of the page in Chromium; exit status 1 where one fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { Browser, startServer } from './browser.mjs';
+import { Browser, startServer, stop } from './browser.mjs';
 import { checkHands, checkRecord, replay } from './hands.mjs';
 import { checkHashes, nativeHashes } from './hashes.mjs';
 import { checkLooks } from './looks.mjs';
@@ -87,10 +87,7 @@ try {
 	check(complaints.length === 0, `the console has errors: ${complaints.join('; ')}`);
 } finally {
 	await browser.close();
-	for (const { child } of [isolated, plain]) {
-		child.removeAllListeners('exit');
-		child.kill();
-	}
+	for (const { child } of [isolated, plain]) stop(child);
 }
 console.log(failures > 0 ? `${failures} of ${checks} checks failed` : `${checks} checks are good`);
 process.exit(failures > 0 ? 1 : 0);
