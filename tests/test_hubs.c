@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "joint_support.h"
 #include "support.h"
 #include <math.h>
 #include <stdlib.h>
@@ -301,6 +302,27 @@ static void locked_hubs_carry(void** state)
 
 // Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many places,
 // all surfaces, something that drives it all: bodies are destroyed and come while it runs.
+// Joints count as contacts do: with a contact more, or with a joint more, all contacts of a body become spokes in the same step,
+// whatever else begins and ends in it.
+static void joints_make_hubs(void** state)
+{
+	(void)state;
+	const Stack s = {.crates = 31, .plates = 1, .density = 1.0f, .friction = 0.6f};
+	scree_world* world = open_world(-(float)G);
+	scree_body bodies[32];
+	add_stack(world, &s, bodies);
+	run_steps(world, 5);
+	assert_int_equal(counters_of(world).spokes, 0);
+	scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, bodies[0], NOBODY, 0.0f, PLATE, 0.0f);
+	scree_joint joint = add_joint(world, &def);
+	run_steps(world, 1);
+	assert_int_equal(counters_of(world).spokes, 32);
+	OK(scree_joint_destroy(world, joint));
+	run_steps(world, 1);
+	assert_int_equal(counters_of(world).spokes, 32);
+	scree_world_destroy(world);
+}
+
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -387,7 +409,7 @@ int main(void)
 	    cmocka_unit_test(impacts_keep_momentum), cmocka_unit_test(hubs_slide_by_coulomb),
 	    cmocka_unit_test(hubs_bounce),           cmocka_unit_test(hubs_resist_rolling),
 	    cmocka_unit_test(locked_hubs_carry),     cmocka_unit_test(combs_rest_on_combs),
-	    cmocka_unit_test(hubs_are_equal),
+	    cmocka_unit_test(joints_make_hubs),      cmocka_unit_test(hubs_are_equal),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,6 +26,25 @@ INLINE void edge_stir(const Pools* p, int kind)
 	raise_int(&p->counters->stirred[kind], 1);
 }
 
+// Counts a constraint that begins at a body. Where a body may have too many now, some of them with colors, hubs are searched
+// for (spoke.h). Every constraint that begins requests that itself. Others begin and end meanwhile, so that more may request it
+// than need it, and then nothing is found.
+INLINE void edge_count(const Pools* p, int body)
+{
+	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
+	    read_shared_word64(&p->color_mask[body]) != 0)
+		raise_int(&p->counters->gathered, p->counters->contacts);
+}
+
+// Counts and lists a constraint that begins; it gets a color later in the step.
+INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
+{
+	edge_count(p, bodies.x);
+	edge_count(p, bodies.y);
+	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
+	edge_stir(p, edge_kind(edge));
+}
+
 // Frees the color of an edge on its bodies.
 INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 {

@@ -17,6 +17,7 @@ STAGE(hub_enter)
 	edge_free_color(p, bodies, color);
 	p->contact_color[i] = COLORS;
 	raise_int(&p->counters->entered, 1);
+	edge_stir(p, CONSTRAINT_CONTACT);
 }
 
 // The number of a hub, -1 for a body that is none.

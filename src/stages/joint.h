@@ -84,12 +84,8 @@ STAGE(joint_update)
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
-	int a = p->joint_data[i].body_a, b = p->joint_data[i].body_b;
-	p->joint_bodies[i] = make_int2(a, b);
-	atomic_add_int(&p->touching[a], 1);
-	atomic_add_int(&p->touching[b], 1);
-	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_JOINT, i);
-	edge_stir(p, CONSTRAINT_JOINT);
+	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
 }
 
 // Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. It comes after

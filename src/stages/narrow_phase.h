@@ -21,15 +21,6 @@
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
-// Counts a contact that begins to touch. A body that may have too many contacts now, some of them with colors, requests
-// a search for hubs (spoke.h).
-INLINE void contact_count(const Pools* p, int body)
-{
-	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
-	    read_shared_word64(&p->color_mask[body]) != 0)
-		raise_int(&p->counters->gathered, p->counters->contacts);
-}
-
 // The old point that new point k inherits from: by feature, then the nearest within MATCH_DISTANCE; -1 for none. Points
 // in taken are excluded.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
@@ -162,16 +153,6 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	p->contact_manifold[i] = manifold;
 }
 
-// Counts and lists a contact that begins to touch; it gets a color later in the step.
-INLINE void narrow_phase_began(const Pools* p, int i)
-{
-	Int2 bodies = p->contact_bodies[i];
-	contact_count(p, bodies.x);
-	contact_count(p, bodies.y);
-	p->began[atomic_add_int(&p->counters->began, 1)] = edge_of(CONSTRAINT_CONTACT, i);
-	edge_stir(p, CONSTRAINT_CONTACT);
-}
-
 RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 {
 	Int2 pair = p->pair[i];
@@ -203,7 +184,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	if (!touching)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))
-		narrow_phase_began(p, i);
+		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
 }
 
 // Contacts between the one that is processed and the one whose rows are fetched, because pairs are anywhere in the

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // spoke.h -- which bodies are hubs, whose spoke a contact is, and where the spokes of a hub lie.
 //
-// A body with more than HUB_CONTACTS contacts becomes a hub when another contact begins: all of its contacts become
-// spokes, and stay spokes as long as they touch. This is a hysteresis: a number of contacts that varies does not switch
-// the layout back and forth.
+// A body with more than HUB_CONTACTS constraints, joints among them, becomes a hub: all of its contacts become spokes, and stay
+// spokes as long as they touch. This is a hysteresis: a number of contacts that varies does not switch the layout back and
+// forth.
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"

@@ -227,6 +227,8 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 			outcome.frozen += state_frozen(pair->worlds[0]);
 			if (!pair->infinite)
 				differs = outcome.differs = !state_finite(pair->worlds[0], outcome.sentence);
+			if (!differs)
+				differs = outcome.differs = !state_colored(pair->worlds[0], outcome.sentence);
 			if (pair->limits && !differs)
 				differs = outcome.differs = !state_limited(pair->worlds[0], outcome.sentence);
 		}

@@ -95,7 +95,9 @@ void pair_close(Pair* pair);
 Outcome pair_run(Pair* pair, const Program* program, FILE* details);
 void pair_forget(Pair* pair); // the next program gets new worlds
 
-// different.c: prints the fields of the pools in which two worlds differ.
+// different.c: the first items of a pool, which the caller frees.
+void* read_items(scree_world* world, int pool, int count);
+// Prints the fields of the pools in which two worlds differ.
 void different_print(scree_world* a, scree_world* b, FILE* file);
 // Whether all state of a world is finite; names the first that is not.
 bool state_finite(scree_world* world, char sentence[256]);
@@ -103,6 +105,9 @@ bool state_finite(scree_world* world, char sentence[256]);
 bool state_limited(scree_world* world, char sentence[256]);
 // how many bodies the last step froze
 int state_frozen(scree_world* world);
+
+// coloring.c: whether colors, counts and hubs fit each other; names the first that does not.
+bool state_colored(scree_world* world, char sentence[256]);
 
 // shrink.c: the shortest program found within so many seconds that differs as well.
 void program_shrink(Program* program, Pair* pair, double seconds);
