@@ -51,6 +51,10 @@ static void pause_core(void)
 	__builtin_ia32_pause();
 #elif defined(__aarch64__)
 	__asm__ volatile("yield");
+#elif defined(__wasm__)
+	// no such instruction: as many cycles of memory that is written and read
+	for (volatile int k = 0; k < 8; ++k)
+		;
 #endif
 }
 

@@ -186,6 +186,15 @@ async function checkTime(browser, check) {
 	const paused = await browser.run('return scree.state.step');
 	await sleep(300);
 	check((await browser.run('return scree.state.step')) === paused, 'nothing moves while it is paused');
+	const said = await browser.run(`
+		await new Promise((after) => setTimeout(after, 400));
+		let said = 0;
+		const show = scree.numbers.show;
+		scree.numbers.show = function (state) { ++said; show.call(this, state); };
+		await new Promise((after) => setTimeout(after, 600));
+		delete scree.numbers.show;
+		return said`);
+	check(said === 0, 'nothing is reported while it is paused');
 	await browser.run(`document.getElementById('restart').click()`);
 	const again = await record(browser);
 	check(again.step === 0 && again.hash === start.hash, 'from the start means the same world');

@@ -26,6 +26,7 @@ export class Engine {
 		this.history = []; // ms of the steps since the last report
 		this.changed = true; // something differs from the picture
 		this.reported = 0;
+		this.news = false; // something was drawn since the last report; a world at rest says nothing, so that the page rests too
 		this.frames = 0;
 		this.drawing = 0; // ms of the last frame's drawing
 		this.hashCost = 0;
@@ -213,7 +214,7 @@ export class Engine {
 		if (this.changed || this.picture.moving) this.draw();
 		this.inspector.look(this.pointer.busy);
 		++this.frames;
-		if (now - this.reported >= REPORT) this.report();
+		if (now - this.reported >= REPORT && (this.news || !this.paused)) this.report();
 		nextFrame((next) => this.frame(next));
 	}
 
@@ -226,6 +227,7 @@ export class Engine {
 		}
 		this.drawing = performance.now() - begin;
 		this.changed = false;
+		this.news = true;
 		this.inspector.fresh = true;
 	}
 
@@ -245,6 +247,7 @@ export class Engine {
 		}
 		this.history = [];
 		this.frames = 0;
+		this.news = false;
 		this.reported = now;
 		this.say(message);
 	}
