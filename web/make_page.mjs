@@ -48,7 +48,8 @@ function checkList() {
 
 checkList();
 for (const folder of ['scenes', 'thumbnails']) mkdirSync(join(out, folder), { recursive: true });
-for (const file of readdirSync(join(source, 'web/page'))) copyFileSync(join(source, 'web/page', file), join(out, file));
+for (const file of readdirSync(join(source, 'web/page')))
+	if (file !== 'package.json') copyFileSync(join(source, 'web/page', file), join(out, file));
 for (const form of ['scalar', 'simd', 'threads'])
 	for (const file of readdirSync(join(build, `wasm-${form}`)).filter((name) => name.startsWith(`scree-${form}.`)))
 		copyFileSync(join(build, `wasm-${form}`, file), join(out, file));

@@ -25,7 +25,7 @@ export function readLink(fragment) {
 	const settings = [...values].filter(([key]) => !RESERVED.includes(key));
 	const until = { step: Number(values.get('at')), hash: values.get('hash') ?? '' };
 	if (!values.has('do')) return { name: decodeURIComponent(name), settings, script: [], until: null };
-	if (!Number.isSafeInteger(until.step) || !/^[0-9a-f]{16}$/.test(until.hash))
+	if (!Number.isSafeInteger(until.step) || until.step < 0 || !/^[0-9a-f]{16}$/.test(until.hash))
 		throw new Error('the link is damaged: it has no step and hash of the one who made it');
 	return { name: decodeURIComponent(name), settings, script: decodeActions(values.get('do')), until };
 }
