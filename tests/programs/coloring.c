@@ -11,10 +11,19 @@
 
 typedef struct // what is known of the bodies
 {
-	const BodyState* state;
+	BodyState* state;
 	int* touching;   // constraints of a body, counted here
 	uint64_t* masks; // their colors
 } Counted;
+
+typedef struct // the constraints of a kind
+{
+	const char* name;
+	const KindLayout* layout;
+	int count;
+	int *colors, *places;
+	Int2* bodies;
+} Constraints;
 
 // Counts a constraint with its color at one of its bodies; false when its color is taken there.
 static bool count_end(Counted* counted, int body, int color)
@@ -28,39 +37,50 @@ static bool count_end(Counted* counted, int body, int color)
 	return free_here;
 }
 
-// Counts the constraints of a kind; false, with a sentence, when two of one color share a body.
-static bool count_kind(Counted* counted, const char* kind, const int* colors, const Int2* bodies, int count,
-                       char sentence[256])
+// Counts the constraints of a kind. Two of one color share no body that can move, and each lies among those of its color.
+static bool count_kind(Counted* counted, const Constraints* s, char sentence[256])
 {
-	for (int k = 0; k < count; ++k)
+	for (int k = 0; k < s->count; ++k)
 	{
-		if (colors[k] == COLOR_NONE)
+		int color = s->colors[k], place = s->places[k];
+		bool begun = color != COLOR_NONE;
+		if (begun ? place < s->layout->begin[color] || place >= s->layout->begin[color + 1] : place >= 0)
+		{
+			snprintf(sentence, 256, "%s %d has color %d and place %d, where that color is not", s->name, k, color,
+			         place);
+			return false;
+		}
+		if (!begun)
 			continue;
-		bool apart = count_end(counted, bodies[k].x, colors[k]);
-		if (count_end(counted, bodies[k].y, colors[k]) && apart)
+		bool apart = count_end(counted, s->bodies[k].x, color);
+		if (count_end(counted, s->bodies[k].y, color) && apart)
 			continue;
-		snprintf(sentence, 256, "%s %d of bodies %d and %d has color %d, which is taken there", kind, k, bodies[k].x,
-		         bodies[k].y, colors[k]);
+		snprintf(sentence, 256, "%s %d of bodies %d and %d has color %d, which is taken there", s->name, k,
+		         s->bodies[k].x, s->bodies[k].y, color);
 		return false;
 	}
 	return true;
 }
 
-// Whether the constraints of a kind lie among those of their color.
-static bool laid_out(const char* kind, const KindLayout* layout, const int* colors, const int* places, int count,
-                     char sentence[256])
+// What is written of the bodies is what was counted.
+static bool bodies_fit(scree_world* world, const Counted* counted, char sentence[256])
 {
-	for (int k = 0; k < count; ++k)
+	int used = world->bodies.used;
+	int* touching = read_items(world, POOL_touching, used);
+	Word64* masks = read_items(world, POOL_color_mask, used);
+	bool fits = true;
+	for (int k = 0; k < used && fits; ++k)
 	{
-		int color = colors[k], place = places[k];
-		bool there =
-		    color == COLOR_NONE ? place < 0 : place >= layout->begin[color] && place < layout->begin[color + 1];
-		if (there)
-			continue;
-		snprintf(sentence, 256, "%s %d has color %d and place %d, where that color is not", kind, k, color, place);
-		return false;
+		bool moves = counted->state[k].inv_mass > 0.0f;
+		fits = touching[k] == counted->touching[k] && (!moves || masks[k] == counted->masks[k]);
+		if (!fits)
+			snprintf(sentence, 256, "body %d has %d constraints and colors %llx, but %d and %llx are written", k,
+			         counted->touching[k], (unsigned long long)counted->masks[k], touching[k],
+			         (unsigned long long)masks[k]);
 	}
-	return true;
+	free(touching);
+	free(masks);
+	return fits;
 }
 
 static bool crowded(const Counted* counted, int body)
@@ -68,50 +88,55 @@ static bool crowded(const Counted* counted, int body)
 	return counted->touching[body] > HUB_CONTACTS && counted->state[body].inv_mass > 0.0f;
 }
 
+// All contacts of a crowded body are spokes.
+static bool hubs_fit(const Counted* counted, const Constraints* contacts, char sentence[256])
+{
+	for (int k = 0; k < contacts->count; ++k)
+	{
+		int color = contacts->colors[k];
+		Int2 bodies = contacts->bodies[k];
+		if (color == COLOR_NONE || color == COLORS || !(crowded(counted, bodies.x) || crowded(counted, bodies.y)))
+			continue;
+		int hub = crowded(counted, bodies.x) ? bodies.x : bodies.y;
+		snprintf(sentence, 256, "contact %d has color %d, but its body %d has %d constraints: it is no spoke", k, color,
+		         hub, counted->touching[hub]);
+		return false;
+	}
+	return true;
+}
+
 bool state_colored(scree_world* world, char sentence[256])
 {
 	Counters c;
 	world->backend->f->read(world->backend, POOL_counters, 0, 1, &c);
-	int used = world->bodies.used;
-	int* contact_colors = read_items(world, POOL_contact_color, c.contacts);
-	Int2* contact_bodies = read_items(world, POOL_contact_bodies, c.contacts);
-	int* contact_places = read_items(world, POOL_contact_place, c.contacts);
-	int* joint_places = read_items(world, POOL_joint_place, c.joints);
-	int* joint_colors = read_items(world, POOL_joint_color, c.joints);
-	Int2* joint_bodies = read_items(world, POOL_joint_bodies, c.joints);
-	BodyState* state = read_items(world, POOL_body, used);
-	int* touching = read_items(world, POOL_touching, used);
-	Word64* masks = read_items(world, POOL_color_mask, used);
-	Counted counted = {state, calloc((size_t)used + 1, sizeof(int)), calloc((size_t)used + 1, sizeof(uint64_t))};
+	const Constraints kinds[] = {
+#define CONSTRAINT_KIND(kind, Kind, KIND)               \
+	{#kind,                                             \
+	 &c.layout[CONSTRAINT_##KIND],                      \
+	 c.kind##s,                                         \
+	 read_items(world, POOL_##kind##_color, c.kind##s), \
+	 read_items(world, POOL_##kind##_place, c.kind##s), \
+	 read_items(world, POOL_##kind##_bodies, c.kind##s)},
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	};
+	size_t used = (size_t)world->bodies.used + 1;
+	Counted counted = {read_items(world, POOL_body, world->bodies.used), calloc(used, sizeof(int)),
+	                   calloc(used, sizeof(uint64_t))};
 	if (!counted.touching || !counted.masks)
 		abort();
-	bool fits = count_kind(&counted, "contact", contact_colors, contact_bodies, c.contacts, sentence) &&
-	            count_kind(&counted, "joint", joint_colors, joint_bodies, c.joints, sentence);
-	fits = fits &&
-	       laid_out("contact", &c.layout[CONSTRAINT_CONTACT], contact_colors, contact_places, c.contacts, sentence) &&
-	       laid_out("joint", &c.layout[CONSTRAINT_JOINT], joint_colors, joint_places, c.joints, sentence);
-	for (int k = 0; k < used && fits; ++k)
+	bool fits = true;
+	for (int kind = 0; kind < CONSTRAINT_KINDS && fits; ++kind)
+		fits = count_kind(&counted, &kinds[kind], sentence);
+	fits = fits && bodies_fit(world, &counted, sentence) && hubs_fit(&counted, &kinds[CONSTRAINT_CONTACT], sentence);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		bool moves = state[k].inv_mass > 0.0f;
-		fits = touching[k] == counted.touching[k] && (!moves || masks[k] == counted.masks[k]);
-		if (!fits)
-			snprintf(sentence, 256, "body %d has %d constraints and colors %llx, but %d and %llx are written", k,
-			         counted.touching[k], (unsigned long long)counted.masks[k], touching[k],
-			         (unsigned long long)masks[k]);
+		free(kinds[kind].colors);
+		free(kinds[kind].places);
+		free(kinds[kind].bodies);
 	}
-	for (int k = 0; k < c.contacts && fits; ++k)
-	{
-		Int2 bodies = contact_bodies[k];
-		bool colored = contact_colors[k] != COLOR_NONE && contact_colors[k] != COLORS;
-		fits = !colored || (!crowded(&counted, bodies.x) && !crowded(&counted, bodies.y));
-		if (!fits)
-			snprintf(sentence, 256, "contact %d has color %d, but its body %d has %d constraints: it is no spoke", k,
-			         contact_colors[k], crowded(&counted, bodies.x) ? bodies.x : bodies.y,
-			         counted.touching[crowded(&counted, bodies.x) ? bodies.x : bodies.y]);
-	}
-	void* all[] = {contact_places, joint_places, contact_colors, contact_bodies,   joint_colors, joint_bodies,
-	               state,          touching,     masks,          counted.touching, counted.masks};
-	for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k)
-		free(all[k]);
+	free(counted.state);
+	free(counted.touching);
+	free(counted.masks);
 	return fits;
 }

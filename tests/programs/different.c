@@ -49,7 +49,7 @@ static void print_field(FILE* file, const char* field, uint32_t a, uint32_t b)
 	fprintf(file, " %s %08x|%08x (%.9g|%.9g)", field, a, b, (double)x, (double)y);
 }
 
-void* read_items(scree_world* world, int pool, int count)
+void* read_items(scree_world* world, PoolId pool, int count)
 {
 	void* items = calloc((size_t)count + 1, pool_info[pool].bytes);
 	if (!items)

@@ -225,12 +225,10 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		if (!differs && moved && left[0].status == SCREE_OK && hashes)
 		{
 			outcome.frozen += state_frozen(pair->worlds[0]);
-			if (!pair->infinite)
-				differs = outcome.differs = !state_finite(pair->worlds[0], outcome.sentence);
-			if (!differs)
-				differs = outcome.differs = !state_colored(pair->worlds[0], outcome.sentence);
-			if (pair->limits && !differs)
-				differs = outcome.differs = !state_limited(pair->worlds[0], outcome.sentence);
+			bool good = (pair->infinite || state_finite(pair->worlds[0], outcome.sentence)) &&
+			            state_colored(pair->worlds[0], outcome.sentence) &&
+			            (!pair->limits || state_limited(pair->worlds[0], outcome.sentence));
+			differs = outcome.differs = !good;
 		}
 		if (!differs)
 			continue;

@@ -2,6 +2,7 @@
 // program.h -- random programs of calls on a world: made, written down, run on two worlds side by side, shrunk.
 #ifndef PROGRAM_H
 #define PROGRAM_H
+#include "backend/tables.h"
 #include "scree/scree.h"
 #include <stdbool.h>
 #include <stdint.h>
@@ -96,7 +97,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details);
 void pair_forget(Pair* pair); // the next program gets new worlds
 
 // different.c: the first items of a pool, which the caller frees.
-void* read_items(scree_world* world, int pool, int count);
+void* read_items(scree_world* world, PoolId pool, int count);
 // Prints the fields of the pools in which two worlds differ.
 void different_print(scree_world* a, scree_world* b, FILE* file);
 // Whether all state of a world is finite; names the first that is not.
