@@ -10,7 +10,7 @@
 
 static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
 
-LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f}; }
+LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f, false}; }
 
 Lab* lab_open(Validation* v, const LabDef* def)
 {
@@ -131,6 +131,7 @@ int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, fl
 {
 	int body = lab_put(lab, SCREE_BODY_DYNAMIC, surface, x, y, angle);
 	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
+	lab->bodies[body].thrown = true;
 	return body;
 }
 

@@ -21,6 +21,7 @@ typedef struct
 	float dt;          // s
 	int substeps;
 	float max_speed; // m/s
+	bool bullets;    // where an engine has such a flag, bodies that are thrown have it
 } LabDef;
 
 typedef struct // a collidable of a body
@@ -36,6 +37,7 @@ typedef struct
 	float mass;       // kg; 0 unless the body is dynamic
 	float inertia;    // kg m^2 about the center
 	scree_vec center; // of mass, in the body's frame
+	bool thrown;      // by lab_throw
 } LabBody;
 
 typedef struct

@@ -57,6 +57,7 @@ static bool create_one(State* state, const Lab* lab, int index)
 	def.linearDamping = from->linear_damping;
 	def.angularDamping = from->angular_damping;
 	def.gravityScale = from->gravity_scale;
+	def.isBullet = lab->def.bullets && body->thrown;
 	def.motionLocks =
 	    (b2MotionLocks){from->locks & SCREE_LOCK_X, from->locks & SCREE_LOCK_Y, from->locks & SCREE_LOCK_ROTATION};
 	state->bodies[index] = b2CreateBody(state->world, &def);

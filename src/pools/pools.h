@@ -57,6 +57,7 @@
 
 // of a body's thickness: how far it may go in a step before guard tests its path
 #define GUARD_TRAVEL 0.5f
+#define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
 // fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64

@@ -8,7 +8,7 @@
 // Walks visit leaves in rising order, so a walk can stop at any leaf and continue elsewhere.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
-#include "stages/filter.h"
+#include "stages/apart.h"
 #include "stages/tree.h"
 #include "stages/wave.h"
 
@@ -36,10 +36,7 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	// most neighbors are known pairs
 	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->moved[j] & MOVED_BOX) && j < i))
 		return 1;
-	int body = p->collidable_body[i];
-	if (body >= 0 && body == p->collidable_body[j])
-		return 1;
-	if (!kinds_meet(p->collidable_kind[i], p->collidable_kind[j]) || !filter_accepts(p->filter[i], p->filter[j]))
+	if (apart_by(p, i, j, APART_PAIR))
 		return 1;
 	int place = atomic_add_int(&p->counters->pairs, 1);
 	int a = i < j ? i : j, b = i < j ? j : i;

@@ -7,9 +7,9 @@
 #define CONTACT_H
 #include "constraints/contact_one.h"
 #include "dialect/finite.h"
+#include "stages/apart.h"
 #include "stages/item.h"
 #include "stages/joint.h"
-#include "stages/rule.h"
 
 // Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
 // and so on no device.
@@ -77,20 +77,6 @@ STAGE(contact_pack_end)
 	(void)i;
 }
 
-// Which of two collidables is the first of a pair: a moving one before one that does not move, then the smaller, then
-// the lower index. The manifold is found in its frame and the solver's arms are from its center, so they are exact where
-// it matters: far from the center of a floor, the arms of a circle would be off by 1e-7 of the distance, and it would
-// roll.
-INLINE int contact_first(const Pools* p, int a, int b)
-{
-	int still_a = p->collidable_kind[a] < KIND_DYNAMIC, still_b = p->collidable_kind[b] < KIND_DYNAMIC;
-	if (still_a != still_b)
-		return still_a ? b : a;
-	float reach_a = p->attribute[p->collidable_attribute[a]].reach,
-	      reach_b = p->attribute[p->collidable_attribute[b]].reach;
-	return reach_b < reach_a ? b : a;
-}
-
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
 // Of a pair: friction, restitution, rolling lever, tangent speed; the same for either order.
@@ -106,31 +92,47 @@ INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attrib
 	                   surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
+// The bits of a contact that say whether its bodies respond to each other, as long as the user changes no joint and no pair.
+INLINE Word contact_parts(const Pools* p, Int2 pair)
+{
+	int apart = apart_by(p, pair.x, pair.y, APART_DETECTED | APART_JOINED);
+	return apart == APART_DETECTED ? CONTACT_DETECTED : apart ? CONTACT_JOINED : 0u;
+}
+
 STAGE(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
 	// the last contact for which no slot was free is the last of all
 	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
-	int first = contact_first(p, a, b);
-	if (first == b)
-	{
-		b = a;
-		a = first;
-	}
+	Int2 pair = apart_pair(p, a, b);
+	a = pair.x;
+	b = pair.y;
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
 	item_clear(p, PER_CONTACT, slot);
-	p->pair[slot] = make_int2(a, b);
+	p->pair[slot] = pair;
 	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
-	p->contact_flags[slot] = CONTACT_FRESH | touch_reports(p, make_int2(a, b)) |
-	                         (body_a < 0 || body_b < 0                    ? CONTACT_DETECTED
-	                          : joint_parts(p, make_int2(body_a, body_b)) ? CONTACT_JOINED
-	                                                                      : 0u);
+	p->contact_flags[slot] = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
 	p->contact_place[slot] = -1;
 	p->contact_surface[slot] =
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
+}
+
+// Pairs changed: contact i ends or begins.
+STAGE(contact_join)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || p->pair[i].x < 0)
+		return;
+	if (flags & CONTACT_DETECTED)
+		return;
+	Word joined = contact_parts(p, p->pair[i]);
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
+		return;
+	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
 // Some collidable got another attribute, or reports other events: what contacts take from their collidables is computed again, also

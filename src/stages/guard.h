@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// guard.h -- a body that the solver would move through something static stops inside its surface.
+// guard.h -- a body that the solver would move through something stops inside its surface.
 //
 // A contact is made before bodies meet, by the velocities at the beginning of a step (sweep.h). A body that is struck or
-// turned within the step goes elsewhere, where it may have no contact. So the path of a body that went further than a
-// share of its thickness is swept against the static collidables along it: by its own displacement alone, so that no
-// order matters. The body moves along its path until it is a little inside the surface. Its velocity stays, and the next
-// step has a contact for it.
+// turned within the step goes elsewhere, where it may have no contact, or none at the corner that it turns to. So the path of a body that
+// went further than a share of its thickness is swept against the collidables along it. The body moves along its path until it is a
+// little inside the surface. Its velocity stays, and the next step has a contact for it.
+//
+// Static collidables stop it by its own displacement alone. Dynamic ones move in the same time by theirs, and of two only those stop that
+// go towards the other one where they meet: what goes away must go on, or it would be run through. No order matters, as all that is read
+// is from before.
 //
 // Such bodies are few, and the work per body is long: finalize lists them for a stage of their own. Within finalize it
 // used registers for all bodies of a GPU: 1M in motion took 0.159 ms instead of 0.043 ms on an H200. Several work-items
@@ -15,9 +18,8 @@
 // Erin Catto, Continuous Collision, GDC 2013: static shapes stop moving ones, at a target inside the surface.
 #ifndef GUARD_H
 #define GUARD_H
-#include "stages/filter.h"
-#include "stages/rule.h"
-#include "stages/sweep.h"
+#include "stages/apart.h"
+#include "stages/guard_time.h"
 #include "stages/transform.h"
 #include "stages/tree.h"
 
@@ -25,8 +27,6 @@
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
-// m: how much deeper a body may be that was deeper before; and how closely the target is met
-#define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
 
 typedef struct // where a path ends
 {
@@ -44,88 +44,116 @@ INLINE GuardStop guard_stop(float share, Vec normal, int index)
 	return stop;
 }
 
-// The share of the step after which b is too deep in a: deeper than before by so much, and deeper than deepest, m. normal gets the
-// direction from a to b there.
-RARE float guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper, float deepest,
-                      Vec* normal)
+// The distance that points of something may go, of which swing is by its turn, m.
+INLINE float guard_far(Vec path, float swing) { return absolute(path.x) + absolute(path.y) + swing; }
+
+// How the body of a dynamic collidable went in the step.
+INLINE Advance guard_went(const Pools* p, int body)
 {
-	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
-	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Closing closing = sweep_between(a, way_a, b, way_b);
-	Vec axes = vec(a.c, a.s);
-	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
-	float time = 0.0f, target = 0.0f;
-	for (int round = 0; round < SWEEP_ROUNDS; ++round)
-	{
-		Manifold m = collide(shape_a, shape_b, f, sweep_reach(closing, axes, time));
-		float gap = minimum(m.separation[0], m.separation[1]);
-		if (round == 0)
-		{
-			target = minimum(gap, 0.0f) - deeper;
-			target = maximum(target, -deepest);
-			target = minimum(target, gap - GUARD_TOLERANCE);
-		}
-		*normal = vec_turn(axes, m.normal);
-		if (m.count > 0 && gap <= target)
-			return time;
-		float speed = sweep_speed(closing, *normal, time), left = gap - target + GUARD_TOLERANCE;
-		if (m.count == 0 || !(speed * (1.0f - time) > left))
-			return 1.0f;
-		time = time + left / speed;
-		sweep_frame(a, b, closing, time, &f);
-	}
-	return time;
+	BodyState state = p->body[body];
+	Advance advance;
+	advance.path = vec(state.dx, state.dy);
+	advance.turn = state.da;
+	return advance;
+}
+
+// The way of a collidable, with its body's displacement.
+INLINE Sweep guard_way(const Pools* p, WorldShape s, Advance advance)
+{
+	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
+	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
 // Of what does not move.
-INLINE Sweep guard_rest(const GLOBAL Attribute* shape)
+INLINE Sweep guard_rest(const Pools* p, WorldShape s)
 {
-	Sweep rests;
+	Advance rests;
 	rests.path = vec(0.0f, 0.0f);
-	rests.center = vec(0.0f, 0.0f);
 	rests.turn = 0.0f;
-	rests.reach = shape->reach - shape->radius;
-	return rests;
+	s.center_x = s.center_y = 0.0f;
+	return guard_way(p, s, rests);
 }
 
-// The share of its path that collidable i moves, with its body's displacement. Leaves are not in the same order everywhere: of
-// equal shares, the lower index counts.
+// Whether the second of two that met goes towards the first one there.
+INLINE int guard_yields(Sweep way, GuardMeeting met)
+{
+	Vec arm = vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
+	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, arm))) < 0.0f;
+}
+
+typedef struct // a collidable on its path
+{
+	int index;
+	float thickness, swing; // m
+	WorldShape from;
+	Sweep way;
+	Float4 box;
+} GuardPath;
+
+// Where the path of a collidable ends by what is in its way, j, if that comes before least. Leaves are not in the same order everywhere:
+// of equal shares, the lower index counts.
+INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
+{
+	int i = g->index, moves = p->collidable_kind[j] == KIND_DYNAMIC;
+	if (!moves && p->collidable_kind[j] != KIND_STATIC)
+		return least;
+	Advance went;
+	Vec apart = g->way.path;
+	if (moves)
+	{
+		int body = p->collidable_body[j];
+		went = guard_went(p, body);
+		apart = vec_sub(apart, went.path);
+		float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
+		if (!(guard_far(apart, swing) > GUARD_CROSS * g->thickness))
+			return least;
+	}
+	if (apart_by(p, i, j, APART_ALL))
+		return least;
+	WorldShape other = p->world_shape[j];
+	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
+	GuardMeeting met =
+	    guard_time(p, other, goes, g->from, g->way, GUARD_DEPTH * g->thickness, GUARD_DEEPEST * g->thickness);
+	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
+		return least;
+	if (moves && !guard_yields(g->way, met))
+		return least;
+	if (p->step.rules && (rule_lets(p, j, i, apart) || rule_lets(p, i, j, vec_neg(apart))))
+		return least;
+	return guard_stop(met.time, met.normal, j);
+}
+
+// The share of its path that collidable i moves, with its body's displacement.
 INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 {
-	WorldShape world_shape = p->world_shape[i];
-	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
-	float thickness = p->thickness[world_shape.attribute];
-	Sweep way;
-	way.path = path;
-	way.turn = turn;
-	way.center = vec(world_shape.center_x, world_shape.center_y);
-	way.reach = attribute->reach - attribute->radius + absolute(way.center.x) + absolute(way.center.y);
-	float swing = absolute(turn) * way.reach;
-	if (p->collidable_kind[i] & KIND_SENSOR ||
-	    !(absolute(path.x) + absolute(path.y) + swing > GUARD_TRAVEL * thickness))
-		return guard_stop(1.0f, vec(0.0f, 0.0f), 0);
-
-	Float4 box = world_box(world_shape, attribute, 0.0f);
-	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
-	box = box_grow(box_union(box, then), swing);
-	const GLOBAL Tree* tree = p->tree + 1;
 	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
-	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
-	for (int first = tree_next(p, tree, box, &walk); first >= 0; first = tree_next(p, tree, box, &walk))
-		for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
-		{
-			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
-			if (p->collidable_kind[j] != KIND_STATIC || !filter_accepts(p->filter[i], p->filter[j]))
-				continue;
-			if (p->step.rules && rule_lets(p, j, i, path))
-				continue;
-			Vec normal = vec(0.0f, 0.0f);
-			WorldShape stands = p->world_shape[j];
-			float share = guard_time(p, stands, guard_rest(p->attribute + stands.attribute), world_shape, way,
-			                         GUARD_DEPTH * thickness, GUARD_DEEPEST * thickness, &normal);
-			if (share < least.share || (share == least.share && share < 1.0f && j < least.index))
-				least = guard_stop(share, normal, j);
-		}
+	GuardPath g;
+	Advance advance;
+	advance.path = path;
+	advance.turn = turn;
+	g.index = i;
+	g.from = p->world_shape[i];
+	g.thickness = p->thickness[g.from.attribute];
+	g.way = guard_way(p, g.from, advance);
+	g.swing = absolute(turn) * g.way.reach;
+	float far = guard_far(path, g.swing);
+	if (p->collidable_kind[i] & KIND_SENSOR || !(far > GUARD_TRAVEL * g.thickness))
+		return least;
+
+	Float4 box = world_box(g.from, p->attribute + g.from.attribute, 0.0f);
+	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
+	g.box = box_grow(box_union(box, then), g.swing);
+	// one call for both trees, as in guard
+	for (int t = far > GUARD_CROSS * g.thickness ? 0 : 1; t < 2; ++t)
+	{
+		const GLOBAL Tree* tree = p->tree + t;
+		if (tree->leaves == 0)
+			continue;
+		TreeWalk walk = tree_walk(p, tree, g.box, 0, 0, 0x7fffffff);
+		for (int first = tree_next(p, tree, g.box, &walk); first >= 0; first = tree_next(p, tree, g.box, &walk))
+			for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
+				least = guard_leaf(p, &g, p->leaf[tree->leaf_begin + first + tree_lowest(leaves)], least);
+	}
 	return least;
 }
 
@@ -158,7 +186,8 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	if (!(far + swing * p->step.guard_reach > p->step.guard_way))
 		return 0;
 	Guarded guarded = p->guarded[body];
-	return far + swing * guarded.reach > guarded.way && p->tree[1].leaves > 0;
+	float way = p->tree[1].leaves > 0 ? guarded.way : GUARD_CROSS / GUARD_TRAVEL * guarded.way;
+	return far + swing * guarded.reach > way;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.

@@ -154,22 +154,6 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 	return at < count && p->joined[at] == key;
 }
 
-// Pairs changed: contact i ends or begins.
-STAGE(contact_join)
-{
-	Word flags = p->contact_flags[i];
-	if (i >= p->counters->live || p->pair[i].x < 0)
-		return;
-	// where a side has no body, its index is that of the world
-	if (flags & CONTACT_DETECTED)
-		return;
-	Word joined = joint_parts(p, p->contact_bodies[i]) ? CONTACT_JOINED : 0u;
-	// a contact that parted is released by the narrow phase, but not one that is fresh
-	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
-		return;
-	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
-}
-
 // ---------------------------------------------------------------------------------------------------------------
 // thresholds
 // ---------------------------------------------------------------------------------------------------------------

@@ -19,6 +19,8 @@ RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 	return pair;
 }
 
+INLINE int rule_ignores(MaterialPair pair) { return pair.sets & MATERIAL_IGNORED; }
+
 // The surface of a contact (contact_surface), by its materials.
 INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
 {
@@ -104,7 +106,7 @@ STAGE(contact_rule)
 		MaterialPair materials = rule_materials(p, pair.x, pair.y);
 		if (flags & CONTACT_FRESH)
 			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
-		apart = materials.sets & MATERIAL_IGNORED ? CONTACT_IGNORED : 0u;
+		apart = rule_ignores(materials) ? CONTACT_IGNORED : 0u;
 	}
 	// most contacts stay as they are
 	int platform = !apart && (one_way_is(p, pair.x) || one_way_is(p, pair.y));
@@ -122,15 +124,10 @@ STAGE(contact_rule)
 		p->contact_flags[i] = (flags & ~CONTACT_ANSWERS) | answer;
 }
 
-// Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
+// Whether a platform, a, lets b through, for guard, which meets pairs without a contact. way: of b against a in the step, m.
 RARE int rule_lets(const Pools* p, int a, int b, Vec way)
 {
-	if (p->step.asks && ask_finds(p->refused, p->counters->refused, ask_key(make_int2(b, a))))
-		return 1;
-	if (p->step.excluded > 0 && joint_parts(p, make_int2(p->collidable_body[a], p->collidable_body[b])))
-		return 1;
-	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||
-	       (one_way_is(p, a) && !one_way_holds(p, a, b, way, ONE_WAY_PAST));
+	return rule_platform(p, a, b) && !one_way_holds(p, a, b, way, ONE_WAY_PAST);
 }
 
 #endif

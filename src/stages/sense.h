@@ -9,6 +9,7 @@
 #ifndef SENSE_H
 #define SENSE_H
 #include "constraints/angle.h"
+#include "stages/apart.h"
 #include "stages/convex_sum.h"
 #include "stages/query_tree.h"
 #include "stages/sweep.h"
@@ -186,8 +187,7 @@ INLINE Word sense_kinds(Word bits)
 
 typedef struct // a search for the visits of a sensor
 {
-	int query, sensor, body;
-	Filter filter;
+	int query, sensor;
 	Word kinds;
 	WorldShape at; // at the end
 	Float4 box;    // of its way
@@ -197,8 +197,8 @@ typedef struct // a search for the visits of a sensor
 INLINE void sense_leaf(const Pools* p, const Sense* s, Seen seen)
 {
 	Found visit = query_nothing();
-	if ((seen.kinds & s->kinds) && seen.collidable != s->sensor && !(s->body >= 0 && seen.body == s->body) &&
-	    filter_accepts(s->filter, p->filter[seen.collidable]) && sense_visit(p, s->sensor, s->at, seen, &visit))
+	if ((seen.kinds & s->kinds) && seen.collidable != s->sensor &&
+	    !apart_by(p, s->sensor, seen.collidable, APART_SEEN) && sense_visit(p, s->sensor, s->at, seen, &visit))
 		query_append(p, s->query, &visit, 1);
 }
 
@@ -241,11 +241,10 @@ STAGE(sense)
 	int parts = p->argument, part = i % parts;
 	s.query = i / parts;
 	s.sensor = p->query[s.query].ignored_generation;
-	s.body = p->collidable_body[s.sensor];
-	s.filter = p->filter[s.sensor];
-	if (p->collidable_kind[s.sensor] == KIND_DEAD || !(s.filter.reports & SENSOR_BITS))
+	Word reports = p->filter[s.sensor].reports;
+	if (p->collidable_kind[s.sensor] == KIND_DEAD || !(reports & SENSOR_BITS))
 		return;
-	s.kinds = sense_kinds(s.filter.reports);
+	s.kinds = sense_kinds(reports);
 	s.at = collidable_place(p, s.sensor);
 	s.box = query_way_box(p, s.sensor, s.at);
 	for (int t = 0; t < 2; ++t)

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// apart.h -- every reason why two collidables do not collide, and which stages ask for which.
+//
+// The broad phase asks for what no step changes, and makes no contact. A contact is made of a pair that other reasons keep apart, as
+// these may end while it lasts: its flags hold the answer (CONTACT_DETECTED, CONTACT_APART), and all that works with contacts goes by
+// them: manifolds, sweeps of fast pairs, events. Guard meets pairs that have no contact, and asks for all reasons. A sensor touches
+// nothing, so it sees whatever joints and rules say: it asks for bodies and filters alone (docs/events.md).
+#ifndef APART_H
+#define APART_H
+#include "stages/filter.h"
+#include "stages/rule.h"
+
+// reasons, the cheap ones first; sets of them are what a stage asks for
+#define APART_KIND     1  // neither can move, one is a sensor, or disabled
+#define APART_BODY     2  // both are of one body
+#define APART_FILTER   4  // categories and masks, or a group
+#define APART_DETECTED 8  // one has no body: it is made for detection
+#define APART_JOINED   16 // a joint, a filter joint, or the user, who excluded the pair of bodies
+#define APART_MATERIAL 32 // the pair of their materials is ignored
+#define APART_REFUSED  64 // the user was asked, and did not allow it
+#define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER)                        // no contact
+#define APART_LASTING  (APART_PAIR | APART_DETECTED)                                   // no contact that acts
+#define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // whatever is between them
+#define APART_SEEN     (APART_BODY | APART_FILTER)                                     // a sensor does not see it
+
+// Which of two collidables is the first of a pair: a moving one before one that does not move, then the smaller, then
+// the lower index. The manifold is found in its frame and the solver's arms are from its center, so they are exact where
+// it matters: far from the center of a floor, the arms of a circle would be off by 1e-7 of the distance, and it would
+// roll.
+INLINE Int2 apart_pair(const Pools* p, int i, int j)
+{
+	int a = i < j ? i : j, b = i < j ? j : i;
+	int still_a = p->collidable_kind[a] < KIND_DYNAMIC, still_b = p->collidable_kind[b] < KIND_DYNAMIC;
+	float reach_a = p->attribute[p->collidable_attribute[a]].reach,
+	      reach_b = p->attribute[p->collidable_attribute[b]].reach;
+	int turned = still_a != still_b ? still_a : reach_b < reach_a;
+	return turned ? make_int2(b, a) : make_int2(a, b);
+}
+
+// The first reason among those asked for that keeps i and j apart, or 0. One-way platforms are asked last, by rule_lets, as it takes
+// long to find out where they are.
+INLINE int apart_by(const Pools* p, int i, int j, int reasons)
+{
+	int a = p->collidable_body[i], b = p->collidable_body[j];
+	if (reasons & APART_BODY && a >= 0 && a == b)
+		return APART_BODY;
+	if (reasons & APART_KIND && !kinds_meet(p->collidable_kind[i], p->collidable_kind[j]))
+		return APART_KIND;
+	if (reasons & APART_FILTER && !filter_accepts(p->filter[i], p->filter[j]))
+		return APART_FILTER;
+	if (reasons & APART_DETECTED && (a < 0 || b < 0))
+		return APART_DETECTED;
+	if (reasons & APART_JOINED && a >= 0 && b >= 0 && joint_parts(p, make_int2(a, b)))
+		return APART_JOINED;
+	if (reasons & APART_MATERIAL && p->step.material_pairs > 0 && rule_ignores(rule_materials(p, i, j)))
+		return APART_MATERIAL;
+	if (reasons & APART_REFUSED && p->step.asks &&
+	    ask_finds(p->refused, p->counters->refused, ask_key(apart_pair(p, i, j))))
+		return APART_REFUSED;
+	return 0;
+}
+
+#endif

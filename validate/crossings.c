@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// crossings.c -- nothing thin and fast crosses a thin wall that is a dynamic body itself.
+//
+// Each trial has its own place in one world without gravity: an upright wall of 4 m, free to move, and a body thrown at its middle. A
+// body crosses where its center changes sides of the wall's middle plane between the wall's ends, and stays there. What goes around
+// an end is no longer looked at. Box2D's thrown bodies are bullets.
+#include "props.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define APART  15.0 // m between trials
+#define HALF   2.0  // m, half the height of a wall
+#define STEPS  20
+#define COLUMN 64 // trials side by side; far away, places are rounded
+
+typedef enum
+{
+	ROD,
+	CAPSULE,
+	BALL,
+	KINDS
+} Kind;
+static const char* const kinds[KINDS] = {"rods of 6 cm that spin at 50 rad/s", "capsules", "balls of 6 cm"};
+
+typedef struct
+{
+	int wall, body;
+	int side;   // of the wall's middle plane on which the body began: -1 or 1
+	bool gone;  // went around an end
+	bool there; // on the other side
+} Trial;
+
+static scree_attribute_def body_of(Kind kind)
+{
+	switch (kind)
+	{
+	case ROD:
+		return box_of(0.4, 0.03);
+	case CAPSULE:
+		return capsule_of(0.15, 0.03);
+	default:
+		return circle_of(0.03);
+	}
+}
+
+// Where the center of a body is in the frame of its wall.
+static scree_vec in_wall(const Lab* lab, const Trial* t)
+{
+	scree_pose wall = lab->poses[t->wall], body = lab->poses[t->body];
+	float x = body.position.x - wall.position.x, y = body.position.y - wall.position.y;
+	return (scree_vec){wall.rotation.c * x + wall.rotation.s * y, wall.rotation.c * y - wall.rotation.s * x};
+}
+
+static void look(const Lab* lab, Trial* t)
+{
+	if (getenv("TRACE") && t->wall / 2 == atoi(getenv("TRACE")))
+	{
+		scree_vec q = in_wall(lab, t);
+		scree_velocity w = lab->velocities[t->wall], b = lab->velocities[t->body];
+		fprintf(
+		    stderr,
+		    "x %.4f y %.4f wallangle %.3f wallpos %.3f %.3f v %.2f %.2f w %.2f | body v %.2f %.2f w %.2f ang %.3f\n",
+		    q.x, q.y, atan2(lab->poses[t->wall].rotation.s, lab->poses[t->wall].rotation.c),
+		    lab->poses[t->wall].position.x, lab->poses[t->wall].position.y, w.linear.x, w.linear.y, w.angular,
+		    b.linear.x, b.linear.y, b.angular, atan2(lab->poses[t->body].rotation.s, lab->poses[t->body].rotation.c));
+	}
+	scree_vec at = in_wall(lab, t);
+	t->gone = t->gone || fabs((double)at.y) > HALF - 0.1;
+	if (!t->gone)
+		t->there = (at.x > 0.0f ? 1 : -1) != t->side;
+}
+
+// Thrown at walls of a thickness, m, whose density is so many times that of the body.
+static void throw_at(Validation* v, Kind kind, double thickness, double density, double slow, double fast, int runs)
+{
+	begin(v, "%s at %g to %g m/s against dynamic walls of %g cm, density %g", kinds[kind], slow, fast,
+	      100.0 * thickness, density);
+	LabDef def = lab_def();
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	def.bullets = true;
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def barrier = box_of(0.5 * thickness, HALF), body = body_of(kind);
+	barrier.density = (float)density;
+	Trial* trials = require_memory(calloc((size_t)runs, sizeof *trials));
+	uint64_t seed = 17;
+	for (int k = 0; k < runs; ++k)
+	{
+		double x = APART * (k % COLUMN - COLUMN / 2), y = APART * (k / COLUMN - runs / COLUMN / 2);
+		double speed = random_between(&seed, slow, fast), angle = random_between(&seed, -3.14, 3.14);
+		double off = random_between(&seed, -1.0, 1.0), spin = random_between(&seed, -20.0, 20.0);
+		double away = 0.6 + random_between(&seed, 0.0, speed / 60.0), slant = random_between(&seed, -0.3, 0.3);
+		if (kind == ROD)
+			spin = spin < 0.0 ? -50.0 : 50.0;
+		trials[k].wall = lab_put(lab, SCREE_BODY_DYNAMIC, &barrier, (float)x, (float)y, 0.0f);
+		trials[k].body = lab_throw(lab, &body, (float)(x - away), (float)(y + off - away * slant), (float)angle,
+		                           (scree_velocity){{(float)speed, (float)(speed * slant)}, (float)spin});
+		trials[k].side = -1;
+	}
+	for (int step = 0; step < STEPS; ++step)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		for (int k = 0; k < runs; ++k)
+			look(lab, &trials[k]);
+	}
+	int through = 0;
+	for (int k = runs - 1; k >= 0; --k)
+	{
+		if (!trials[k].there)
+			continue;
+		++through;
+		where(v, "trial %d of %d", k, runs);
+	}
+	row(v, "through the wall", through, "", AT_MOST, 0.0);
+	lab_close(lab);
+	free(trials);
+}
+
+void crossings_experiment(Validation* v)
+{
+	static const double thicknesses[] = {0.02, 0.06, 0.1}, densities[] = {0.3, 1.0, 10.0, 100.0};
+	int runs = v->quick ? 20 : 280;
+	for (Kind kind = ROD; kind < KINDS; ++kind)
+		for (int t = 0; t < 3; ++t)
+			for (int d = v->quick ? 2 : 0; d < (v->quick ? 3 : 4); ++d)
+				throw_at(v, kind, thicknesses[t], densities[d], kind == ROD ? 2.0 : 50.0, kind == ROD ? 60.0 : 200.0,
+				         runs);
+}
