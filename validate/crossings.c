@@ -6,7 +6,6 @@
 // an end is no longer looked at. Box2D's thrown bodies are bullets.
 #include "props.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #define APART  15.0 // m between trials
@@ -54,17 +53,6 @@ static scree_vec in_wall(const Lab* lab, const Trial* t)
 
 static void look(const Lab* lab, Trial* t)
 {
-	if (getenv("TRACE") && t->wall / 2 == atoi(getenv("TRACE")))
-	{
-		scree_vec q = in_wall(lab, t);
-		scree_velocity w = lab->velocities[t->wall], b = lab->velocities[t->body];
-		fprintf(
-		    stderr,
-		    "x %.4f y %.4f wallangle %.3f wallpos %.3f %.3f v %.2f %.2f w %.2f | body v %.2f %.2f w %.2f ang %.3f\n",
-		    q.x, q.y, atan2(lab->poses[t->wall].rotation.s, lab->poses[t->wall].rotation.c),
-		    lab->poses[t->wall].position.x, lab->poses[t->wall].position.y, w.linear.x, w.linear.y, w.angular,
-		    b.linear.x, b.linear.y, b.angular, atan2(lab->poses[t->body].rotation.s, lab->poses[t->body].rotation.c));
-	}
 	scree_vec at = in_wall(lab, t);
 	t->gone = t->gone || fabs((double)at.y) > HALF - 0.1;
 	if (!t->gone)
@@ -119,7 +107,7 @@ static void throw_at(Validation* v, Kind kind, double thickness, double density,
 
 void crossings_experiment(Validation* v)
 {
-	static const double thicknesses[] = {0.02, 0.06, 0.1}, densities[] = {0.3, 1.0, 10.0, 100.0};
+	static const double thicknesses[] = {0.02, 0.06, 0.1}, densities[] = {3.0, 10.0, 30.0, 100.0};
 	int runs = v->quick ? 20 : 280;
 	for (Kind kind = ROD; kind < KINDS; ++kind)
 		for (int t = 0; t < 3; ++t)
