@@ -24,7 +24,7 @@ typedef enum // what a pool has an item for
 	PER_RENDER_ROW,  // collidable, as a renderer sees it
 	PER_LISTED,      // contact of a body that the user asks for
 	PER_EVENT,       // contact of a world in which some collidable reports
-	PER_ASKED,       // contact of a world in which some collidable asks
+	PER_ASKED,       // contact of a world in which some collidable asks, or is a one-way platform
 	PER_ALLOWED,     // pair of collidables that may touch
 	PER_HELD,        // body of a world in which some collidable asks
 	PER_SEEN,        // leaf, as queries see it

@@ -37,7 +37,7 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 	return turned ? make_int2(b, a) : make_int2(a, b);
 }
 
-// The first reason among those asked for that keeps i and j apart, or 0. One-way platforms are asked last, by rule_lets, as it takes
+// The first reason among those asked for that keeps i and j apart, or 0. One-way platforms are asked last, by apart_lets, as it takes
 // long to find out where they are.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 {
@@ -58,6 +58,21 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	    ask_finds(p->refused, p->counters->refused, ask_key(apart_pair(p, i, j))))
 		return APART_REFUSED;
 	return 0;
+}
+
+// The key of a contact that a one-way platform lets through: among those of contacts that were refused, but the other way round.
+INLINE Word64 apart_passes_key(Int2 pair) { return ask_key(make_int2(pair.y, pair.x)); }
+
+// Whether a platform, a, lets b through, for guard. A contact that it holds goes on. What passes, or has no contact as the boxes are
+// apart, is held if it is above by the way that it went. way: of b against a in the step, m.
+RARE int apart_lets(const Pools* p, int a, int b, Vec way)
+{
+	if (!rule_platform(p, a, b))
+		return 0;
+	if (box_overlap(p->box[a], p->box[b]) &&
+	    !ask_finds(p->refused, p->counters->refused, apart_passes_key(apart_pair(p, a, b))))
+		return 0;
+	return !one_way_holds(p, a, b, way, ONE_WAY_PAST);
 }
 
 #endif

@@ -10,11 +10,16 @@
 #include "stages/finalize.h"
 #include "stages/guard.h"
 
-// Contact i, after the narrow phase: it is listed when it has points. Those that were refused are made keys, for guard.
+// Contact i, after the narrow phase: it is listed when it has points. Those that were refused, or that a one-way
+// platform lets through, are made keys, for guard.
 STAGE(contact_ask)
 {
 	Word flags = p->contact_flags[i];
-	if (i >= p->counters->live || !(flags & CONTACT_ASKS) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))
+	if (i >= p->counters->live)
+		return;
+	if (flags & CONTACT_PASSES)
+		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_passes_key(p->pair[i]);
+	if (!(flags & CONTACT_ASKS) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))
 		return;
 	if (flags & CONTACT_REFUSED)
 	{

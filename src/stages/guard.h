@@ -118,7 +118,7 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 		return least;
 	if (moves && !guard_yields(g->way, met))
 		return least;
-	if (p->step.rules && (rule_lets(p, j, i, apart) || rule_lets(p, i, j, vec_neg(apart))))
+	if (p->step.rules && (apart_lets(p, j, i, apart) || apart_lets(p, i, j, vec_neg(apart))))
 		return least;
 	return guard_stop(met.time, met.normal, j);
 }

@@ -124,10 +124,4 @@ STAGE(contact_rule)
 		p->contact_flags[i] = (flags & ~CONTACT_ANSWERS) | answer;
 }
 
-// Whether a platform, a, lets b through, for guard, which meets pairs without a contact. way: of b against a in the step, m.
-RARE int rule_lets(const Pools* p, int a, int b, Vec way)
-{
-	return rule_platform(p, a, b) && !one_way_holds(p, a, b, way, ONE_WAY_PAST);
-}
-
 #endif

@@ -110,7 +110,7 @@ static void join(RunList* list, int joints, int excluded, int bodies)
 	runs_add(list, STAGE_joint_pair, 0, pairs, count, pairs);
 }
 
-// The user is asked about contacts that begin. What they refused is sorted for guard.
+// The user is asked about contacts that begin. What they refused, and what one-way platforms let through, is sorted for guard.
 static void ask(RunList* list, const Step* step, int bodies)
 {
 	int contacts = step->contact_capacity, bits = index_bits(step->collidables);
@@ -118,7 +118,8 @@ static void ask(RunList* list, const Step* step, int bodies)
 	runs_add_sort(list, contacts, COUNT(refused), 0, bits);
 	runs_add_sort(list, contacts, COUNT(refused), 32, 32 + bits);
 	runs_add(list, STAGE_refused_pair, 0, contacts, COUNT(refused), 0);
-	runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
+	if (step->asks)
+		runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
 }
 
 static void narrow_phase(RunList* list, const Step* step, bool reports)
@@ -259,7 +260,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		if (joints)
 			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
 		narrow_phase(list, step, pipeline->reports);
-		if (step->asks)
+		if (step->asks || pipeline->platforms)
 			ask(list, step, request->bodies);
 		if (joints)
 			update_joints(list, c->joints);

@@ -8,13 +8,14 @@
 scree_status events_reserve(Pipeline* pipeline, const StepRequest* request)
 {
 	pipeline->reports = pipeline->reports || request->reports;
+	Backend* b = pipeline->backend;
+	if (pipeline->asks || pipeline->platforms)
+		TRY(pipeline_reserve(pipeline, PER_ASKED, b->capacity[PER_CONTACT]));
 	if (!pipeline->reports)
 		return SCREE_OK;
-	Backend* b = pipeline->backend;
 	TRY(pipeline_reserve(pipeline, PER_EVENT, b->capacity[PER_CONTACT]));
 	if (!pipeline->asks)
 		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, PER_ASKED, b->capacity[PER_CONTACT]));
 	TRY(pipeline_reserve(pipeline, PER_HELD, request->bodies));
 	if (request->allowed_count == 0)
 		return SCREE_OK;

@@ -85,7 +85,7 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	}
 	if (!status && per == PER_CONTACT && pipeline->reports)
 		status = resize(pipeline, PER_EVENT, wanted);
-	if (!status && per == PER_CONTACT && pipeline->asks)
+	if (!status && per == PER_CONTACT && (pipeline->asks || pipeline->platforms))
 		status = resize(pipeline, PER_ASKED, wanted);
 	if (!status)
 		status = resize(pipeline, per, wanted);
