@@ -26,7 +26,7 @@ Lab* lab_open(Validation* v, const LabDef* def)
 	return lab;
 }
 
-// Creates the bodies that were added since the last step. False if the validation has failed.
+// Creates the bodies and joints that were added since the last step. False if the validation has failed.
 static bool ready(Lab* lab)
 {
 	Validation* v = lab->validation;
@@ -35,6 +35,8 @@ static bool ready(Lab* lab)
 		check(lab, v->engine->create(lab->state, lab, lab->created, lab->count - lab->created));
 		lab->created = lab->count;
 	}
+	for (; !v->broken && lab->joined < lab->joint_count; ++lab->joined)
+		check(lab, v->engine->join(lab->state, &lab->joints[lab->joined]));
 	return !v->broken;
 }
 
@@ -62,6 +64,7 @@ void lab_close(Lab* lab)
 		v->engine->close(lab->state);
 	free(lab->bodies);
 	free(lab->parts);
+	free(lab->joints);
 	free(lab->poses);
 	free(lab->velocities);
 	free(lab);
@@ -133,6 +136,16 @@ int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, fl
 	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
 	lab->bodies[body].thrown = true;
 	return body;
+}
+
+void lab_join(Lab* lab, const scree_joint_def* def, int a, int b)
+{
+	if (lab->joint_count == lab->joint_capacity)
+	{
+		lab->joint_capacity = lab->joint_capacity ? 2 * lab->joint_capacity : 16;
+		lab->joints = require_memory(realloc(lab->joints, (size_t)lab->joint_capacity * sizeof *lab->joints));
+	}
+	lab->joints[lab->joint_count++] = (LabJoint){*def, a, b};
 }
 
 bool lab_try(Lab* lab)
@@ -228,6 +241,28 @@ static bool measure(const Lab* lab, void* state, scree_counters* counters)
 	int frozen = 0;
 	return scree_lab.create(state, lab, 0, lab->count) && scree_lab.step(state, MOMENT, 1, &frozen) &&
 	       scree_lab_counters(state, counters);
+}
+
+// Where an anchor is in the world. Poses are those of bodies, not of their centers.
+static void anchor_of(const Lab* lab, int body, scree_vec anchor, double at[2])
+{
+	scree_pose pose = lab->poses[body];
+	double x = (double)anchor.x, y = (double)anchor.y, c = (double)pose.rotation.c, s = (double)pose.rotation.s;
+	at[0] = (double)pose.position.x + (c * x - s * y);
+	at[1] = (double)pose.position.y + (s * x + c * y);
+}
+
+double lab_gap(const Lab* lab)
+{
+	double most = 0.0;
+	for (int k = 0; k < lab->joint_count; ++k)
+	{
+		double a[2], b[2];
+		anchor_of(lab, lab->joints[k].a, lab->joints[k].def.frame_a.position, a);
+		anchor_of(lab, lab->joints[k].b, lab->joints[k].def.frame_b.position, b);
+		most = fmax(most, hypot(b[0] - a[0], b[1] - a[1]));
+	}
+	return most;
 }
 
 double lab_overlap(Lab* lab, int* touching)

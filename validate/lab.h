@@ -15,6 +15,9 @@ int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count
 int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle);
 int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity);
 
+// Adds a joint between two bodies, which the engine creates before the next step.
+void lab_join(Lab* lab, const scree_joint_def* def, int a, int b);
+
 void lab_step(Lab* lab, int steps);
 bool lab_try(Lab* lab); // takes one step; a failure is printed but does not end the validation
 void lab_read(Lab* lab);
@@ -31,6 +34,7 @@ double lab_kinetic(const Lab* lab, int body); // J, 0 unless dynamic
 double lab_speed(const Lab* lab, int body);   // m/s
 scree_vec lab_center(const Lab* lab, int body);
 double lab_fastest(const Lab* lab, int* body); // m/s, of dynamic bodies; body may be null
+double lab_gap(const Lab* lab);                // m, the largest distance between the two anchors of a joint
 
 // Measures the deepest overlap of all bodies, m, and the number of touching contacts (touching may be null). All poses are
 // copied into a new Scree world, at rest and without gravity, which takes one very short step. So the measurement is the same
