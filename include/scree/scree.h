@@ -310,7 +310,7 @@ typedef struct scree_counters
 	int nonfinite;         // bodies frozen in the last step because their state became infinite or NaN, for instance by
 	                       // an infinite force. A body that reaches 1e8 m stops there
 	int held;              // bodies that were stopped in the last step because they would have tunneled through
-	                       // something static
+	                       // something static or dynamic
 	float penetration;     // deepest overlap at the start of the last step, m
 	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
