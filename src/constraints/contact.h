@@ -139,7 +139,7 @@ INLINE Real pair_approach(ContactArms c, int k, Vec n)
 // m: the separation of point k now
 INLINE Real pair_gap(const ContactArms* c, int k, Real separation)
 {
-	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
+	Vec moved = vec_sub(body_shift(c->b, c->rb[k]), body_shift(c->a, c->ra[k]));
 	return separation + vec_dot(moved, c->n);
 }
 
@@ -154,29 +154,32 @@ typedef struct // the goal of a point's impulse: a velocity bias, m/s, and its s
 } PairGoal;
 
 // The goal of a point with separation s. Without soft, in the relaxing pass, the overlap is ignored, which removes the velocity
-// that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are stiffer, so that nothing
-// sinks into the ground.
-INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
+// that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are firmer, so that nothing
+// sinks into the ground. exact: other constraints of the bodies are solved with this one, so it is firm at any depth.
+INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
 
 	// speculative: no push before the gap closes within the substep
-	Real bias = choose(splat(0.0f), s * step->inv_h, apart);
-	Real mass_scale = splat(1.0f), impulse_scale = splat(0.0f);
-	if (soft)
-	{
-		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate),
-		                   splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
-		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
-		mass_scale =
-		    choose(choose(splat(step->soft.mass_scale), splat(step->stiff.mass_scale), fixed), mass_scale, apart);
-		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed),
-		                       impulse_scale, apart);
-	}
 	PairGoal goal;
-	goal.bias = bias;
-	goal.mass_scale = mass_scale;
-	goal.impulse_scale = impulse_scale;
+	goal.bias = choose(splat(0.0f), s * step->inv_h, apart);
+	goal.mass_scale = splat(1.0f);
+	goal.impulse_scale = splat(0.0f);
+	if (!soft)
+		return goal;
+
+	// A limited push needs more time, but ends at the force of the whole spring: otherwise deep bodies would cluster, because
+	// more overlap would not push harder. So impulses leak more slowly by the same factor.
+	Real more = choose(splat(step->firm_pair.more), splat(step->firm_fixed.more), fixed);
+	Real depth = choose(splat(step->firm_pair.depth), splat(step->firm_fixed.depth), fixed);
+	Real firm = exact ? s : maximum(s, -depth);
+	Real push = step->contact.mass_scale * step->contact.bias_rate * (s + more * firm);
+	Real most = splat(-step->push_speed);
+	Int limited = push < most;
+	Real leak = step->contact.impulse_scale * choose(splat(1.0f), most / push, limited);
+	goal.bias = choose(maximum(push, most), goal.bias, apart);
+	goal.mass_scale = choose(splat(step->contact.mass_scale), goal.mass_scale, apart);
+	goal.impulse_scale = choose(leak, goal.impulse_scale, apart);
 	return goal;
 }
 
@@ -186,22 +189,54 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-// The normal impulse of one point with separation s. Returns the new accumulated impulse, never negative. A point that will
-// bounce (rebound > 0) and has not touched within this substep gets none in the relaxing pass. Otherwise it would bounce too
-// early, or not at all.
-INLINE Real pair_normal(ContactArms* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
+// Points that have less than this share of a mass to themselves nearly coincide, and are solved one after the other.
+#define PAIR_OWN 0.001f
+
+// The normal impulses of both points, solved together, never negative: a linear complementarity problem with two unknowns. Point by
+// point, a box would turn by each pass, and a push that is taken back would leave a part of itself. gap: separations, m; mass:
+// effective masses, kg. A point that will bounce (rebound > 0) and has not touched within this substep gets none in the relaxing
+// pass. Otherwise it would bounce too early, or not at all.
+INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
+                         const Real rebound[2], Real impulse[2])
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
-	PairGoal goal = pair_goal(s, fixed, step, soft);
-	Real change = -mass * (goal.mass_scale * pair_approach(*c, k, c->n) + goal.bias) - goal.impulse_scale * old;
-	Real impulse = push_of(old + change);
-	if (step->bounces && !soft)
-		impulse = choose(impulse, splat(0.0f), pair_waits(s, old, rebound));
-	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
-	return impulse;
+	Real zero = splat(0.0f), lever_a[2], lever_b[2];
+	Real change[2], yield[2]; // what a point's impulse changes by alone; its response to a velocity
+	for (int k = 0; k < 2; ++k)
+	{
+		PairGoal goal = pair_goal(gap[k], fixed, step, soft, 0);
+		lever_a[k] = vec_cross(c->ra[k], c->n);
+		lever_b[k] = vec_cross(c->rb[k], c->n);
+		Real approach = vec_dot(vec_sub(c->b.v, c->a.v), c->n) + (c->b.w * lever_b[k] - c->a.w * lever_a[k]);
+		change[k] = -mass[k] * (goal.mass_scale * approach + goal.bias) - goal.impulse_scale * impulse[k];
+		yield[k] = mass[k] * goal.mass_scale;
+		if (step->bounces && !soft)
+		{
+			Int waits = pair_waits(gap[k], impulse[k], rebound[k]);
+			change[k] = choose(change[k], zero, waits);
+			yield[k] = choose(yield[k], zero, waits);
+		}
+	}
+
+	// the velocity that a unit impulse at one point causes at the other
+	Real cross = c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * lever_a[0] * lever_a[1] +
+	             c->b.inv_inertia * lever_b[0] * lever_b[1];
+	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
+
+	// both push, unless the second would pull; then the first alone, and the second again with what the first did
+	Real second = choose(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
+	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
+	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
+	impulse[0] = impulse[0] + first;
+	impulse[1] = impulse[1] + second;
+	Vec push = vec_scale(first + second, c->n);
+	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, push));
+	c->a.w = c->a.w - c->a.inv_inertia * (lever_a[0] * first + lever_a[1] * second);
+	c->b.v = vec_add(c->b.v, vec_scale(c->b.inv_mass, push));
+	c->b.w = c->b.w + c->b.inv_inertia * (lever_b[0] * first + lever_b[1] * second);
 }
 
-// One point's friction: Coulomb's cone with the normal impulse of the previous pass.
+// One point's friction: Coulomb's cone with the normal impulse of the relaxing pass.
 INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
 	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
@@ -326,34 +361,40 @@ INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
 	if (p->step.bounces)
 		pair_meet(p, i, c, u->gap1, u->gap2, u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
 		          &u->normal_impulse2);
-	u->normal_impulse1 = pair_normal(c, 0, u->gap1, u->normal_mass1, u->normal_impulse1, &p->step, 1, splat(0.0f));
-	u->normal_impulse2 = pair_normal(c, 1, u->gap2, u->normal_mass2, u->normal_impulse2, &p->step, 1, splat(0.0f));
+	Real gap[2] = {u->gap1, u->gap2}, mass[2] = {u->normal_mass1, u->normal_mass2},
+	     impulse[2] = {u->normal_impulse1, u->normal_impulse2};
+	pair_normals(c, gap, mass, &p->step, 1, gap, impulse);
+	u->normal_impulse1 = impulse[0];
+	u->normal_impulse2 = impulse[1];
 }
 
 // Masses and separations that are not held are derived where they are used. Deriving all of them first needs more registers
 // than a CPU has; the pass then takes 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact* u)
 {
-	Real speed = splat(0.0f), rebound1 = splat(0.0f), rebound2 = splat(0.0f);
+	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
 	if (p->step.rolls)
 		speed = load(&contact_rare(p, tangent_speed, i), 0);
 	if (p->step.bounces)
 	{
-		rebound1 = load(&contact_rare(p, rebound1, i), 0);
-		rebound2 = load(&contact_rare(p, rebound2, i), 0);
+		rebound[0] = load(&contact_rare(p, rebound1, i), 0);
+		rebound[1] = load(&contact_rare(p, rebound2, i), 0);
 	}
 
-	// friction first: keeping bodies apart matters more, so it has the last word
+	Real gaps[2], masses[2], impulse[2] = {u->normal_impulse1, u->normal_impulse2};
+	gaps[0] = held ? u->gap1 : pair_gap(c, 0, u->separation1);
+	gaps[1] = held ? u->gap2 : pair_gap(c, 1, u->separation2);
+	masses[0] = held ? u->normal_mass1 : pair_mass(c, 0, c->n);
+	masses[1] = held ? u->normal_mass2 : pair_mass(c, 1, c->n);
+	pair_normals(c, gaps, masses, &p->step, 0, rebound, impulse);
+	u->normal_impulse1 = impulse[0];
+	u->normal_impulse2 = impulse[1];
+
+	// friction after the load: the biased pass pushes overlap out as well, and friction is not due to that
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
 	u->tangent_impulse2 = pair_tangent(c, 1, mass, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
-	Real gap = held ? u->gap1 : pair_gap(c, 0, u->separation1);
-	mass = held ? u->normal_mass1 : pair_mass(c, 0, c->n);
-	u->normal_impulse1 = pair_normal(c, 0, gap, mass, u->normal_impulse1, &p->step, 0, rebound1);
-	gap = held ? u->gap2 : pair_gap(c, 1, u->separation2);
-	mass = held ? u->normal_mass2 : pair_mass(c, 1, c->n);
-	u->normal_impulse2 = pair_normal(c, 1, gap, mass, u->normal_impulse2, &p->step, 0, rebound2);
 	if (p->step.rolls)
 		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
 	if (STEP_RARE(p->step))
