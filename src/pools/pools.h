@@ -276,6 +276,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_EXTRAS     0xeee           // limits, springs and motors
 #define JOINT_RADIAL     0x1000          // its axis lies along the line between the two anchors
 #define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring
+#define JOINT_SPRINGS    0xe444          // springs and soft locks
 #define JOINT_TURNS      0x10000         // its axis turns with body a
 #define JOINT_COUPLED    0x20000         // it is a gear or a pulley, whose coordinate along is that of a coupling
 

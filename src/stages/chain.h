@@ -29,11 +29,11 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 #define CHAIN_GIVE 1.00001f
 
 // The equations of a joint: diagonal block, right side; and what couples it with others.
-INLINE void chain_build(const Pools* p, int spot, int pass, const ChainLink* link)
+INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, const ChainLink* link)
 {
 	chain_keep_pose(p, spot, &link->c);
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
-	JointSystem s = joint_system(pass == PASS_BIAS, most, &link->u, &link->c);
+	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, 1, most, &link->u, &link->c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
 	CHAIN_PUT(p, d[1], spot, s.cross[0]);
@@ -113,7 +113,7 @@ INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, in
 			chain_store(p, chain, at.spot, &link);
 		}
 		if (builds)
-			chain_build(p, at.spot, pass, &link);
+			chain_build(p, chain, at.spot, pass, &link);
 	}
 }
 
