@@ -37,7 +37,7 @@
 	{                                                                                                           \
 		JointDriveData from = p->joint_data[slot].drive[k];                                                     \
 		float share = joint_share_free(u, &c, k);                                                               \
-		JointSpring s = joint_spring_of(p, from.spring_hertz, from.spring_ratio, share);                        \
+		JointSpring s = joint_spring_of(p, from.spring_hertz, from.spring_ratio, share, beside);                \
 		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                        \
 		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                    \
 		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                          \
@@ -47,7 +47,7 @@
 	{                                                                                                           \
 		JointLock from = p->joint_data[slot].lock[k];                                                           \
 		float share = joint_share_free(u, &c, k);                                                               \
-		JointSpring s = joint_spring_of(p, from.hertz, from.ratio, share);                                      \
+		JointSpring s = joint_spring_of(p, from.hertz, from.ratio, share, beside);                              \
 		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                            \
 		u->rate_##of = s.pull * p->step.inv_h / answer;                                                         \
 		u->soft_##of = share * (1.0f - answer) / answer;                                                        \
@@ -61,6 +61,19 @@ INLINE float joint_most(const Pools* p, float force)
 {
 	float impulse = force * p->step.h;
 	return impulse <= MOST_IMPULSE ? impulse : MOST_IMPULSE;
+}
+
+// Constraints of a body, contacts too; 0 of what cannot move.
+INLINE int joint_beside(const Pools* p, int body, float inv_mass) { return inv_mass > 0.0f ? p->touching[body] : 0; }
+
+// The most springs that a body of joint i may have, were all its constraints like this joint; at least 1.
+INLINE float joint_springs_beside(const Pools* p, int i, int modes, const JointPose* c)
+{
+	int a = joint_beside(p, joint_row(p, body_a, i), c->a.inv_mass), springs = 0;
+	int b = joint_beside(p, joint_row(p, body_b, i), c->b.inv_mass), most = a > b ? a : b;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		springs += (modes & (JOINT_SPRING(k) | JOINT_SOFT(k))) != 0;
+	return (float)(springs > 1 ? springs : 1) * (float)(most > 1 ? most : 1);
 }
 
 // Springs and soft locks: their coefficients follow from how much the coordinate yields at the poses of the step's start.
@@ -77,6 +90,7 @@ INLINE void joint_setup_springs(const Pools* p, int i, Joint* u)
 	joint_pose(u, &c);
 	coupling_pose(p, i, u, &c);
 	path_pose(p, i, u, &c);
+	float beside = joint_springs_beside(p, i, modes, &c);
 	JOINT_SPRING_SETUP(along, JOINT_ALONG)
 	JOINT_SPRING_SETUP(across, JOINT_ACROSS)
 	JOINT_SPRING_SETUP(angle, JOINT_ANGLE)

@@ -18,11 +18,13 @@
 
 // of the substep rate: a stiffer spring would not get stiffer, but shake
 #define JOINT_STIFFEST 0.25f
-// rad per substep: up to here, at a twelfth of the substep rate, springs have the damping that they are given. Stiffer ones have
-// at least SPRING_CALMS times the rest of their angle as damping ratio: without it some springs between the same bodies would add
-// energy, 2 at a quarter of the substep rate.
-#define SPRING_FREE  0.523598776f
-#define SPRING_CALMS 0.75f
+// Squares of the angle per substep, o h, up to which springs have the damping that they are given: a twelfth of the substep rate; or
+// so much that all constraints of a body together, were they such springs, turn by less than a body's motion within a substep can
+// follow, the square of 2. Stiffer springs are damped by at least SPRING_CALMS times the rest: without it 2 springs at a quarter of
+// the substep rate between the same bodies would add energy, or 15 at a twelfth.
+#define SPRING_FREE   0.274155678f
+#define SPRING_SHARED 3.2f
+#define SPRING_CALMS  0.75f
 // square of the angle per substep of a spring that does next to nothing, and is taken as none
 #define SPRING_LEAST 1.0e-20f
 // share of its own yield to which the rigid locks of a joint may reduce that of a coordinate: below it is rounding
@@ -58,15 +60,17 @@ typedef struct
 } JointSpring;
 
 // Of so many hertz with a damping ratio. share: the yield of the coordinate while the rigid locks of its joint hold, as a share of
-// its own. Frequency and ratio are meant for the latter.
-INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share)
+// its own. Frequency and ratio are meant for the latter. beside: constraints of the body of the joint that has the most, times
+// springs of the joint.
+INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
 	Real own = splat(TURN) * (p->step.h * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real angle = own * root(share), square = angle * angle;
 	Int acts = square > splat(SPRING_LEAST);
 	square = choose(one, square, acts);
-	Real decay = maximum(ratio * own * share, splat(SPRING_CALMS) * angle * (angle - splat(SPRING_FREE)));
+	Real free = minimum(splat(SPRING_FREE), SPRING_SHARED / beside);
+	Real decay = maximum(ratio * own * share, splat(SPRING_CALMS) * (square - free));
 	Real rest = (angle - decay) * (angle + decay);
 	Int over = rest < zero;
 
