@@ -26,7 +26,7 @@ Lab* lab_open(Validation* v, const LabDef* def)
 	return lab;
 }
 
-// Creates the bodies that were added since the last step. False if the validation has failed.
+// Creates the bodies and joints that were added since the last step. False if the validation has failed.
 static bool ready(Lab* lab)
 {
 	Validation* v = lab->validation;
@@ -35,6 +35,8 @@ static bool ready(Lab* lab)
 		check(lab, v->engine->create(lab->state, lab, lab->created, lab->count - lab->created));
 		lab->created = lab->count;
 	}
+	for (; !v->broken && lab->joined < lab->joint_count; ++lab->joined)
+		check(lab, v->engine->join(lab->state, &lab->joints[lab->joined]));
 	return !v->broken;
 }
 
@@ -62,6 +64,7 @@ void lab_close(Lab* lab)
 		v->engine->close(lab->state);
 	free(lab->bodies);
 	free(lab->parts);
+	free(lab->joints);
 	free(lab->poses);
 	free(lab->velocities);
 	free(lab);
@@ -132,6 +135,16 @@ int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, fl
 	int body = lab_put(lab, SCREE_BODY_DYNAMIC, surface, x, y, angle);
 	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
 	return body;
+}
+
+void lab_join(Lab* lab, const scree_joint_def* def, int a, int b)
+{
+	if (lab->joint_count == lab->joint_capacity)
+	{
+		lab->joint_capacity = lab->joint_capacity ? 2 * lab->joint_capacity : 16;
+		lab->joints = require_memory(realloc(lab->joints, (size_t)lab->joint_capacity * sizeof *lab->joints));
+	}
+	lab->joints[lab->joint_count++] = (LabJoint){*def, a, b};
 }
 
 bool lab_try(Lab* lab)

@@ -15,6 +15,9 @@ int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count
 int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle);
 int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity);
 
+// Adds a joint between two bodies, which the engine creates before the next step.
+void lab_join(Lab* lab, const scree_joint_def* def, int a, int b);
+
 void lab_step(Lab* lab, int steps);
 bool lab_try(Lab* lab); // takes one step; a failure is printed but does not end the validation
 void lab_read(Lab* lab);

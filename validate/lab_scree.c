@@ -159,6 +159,16 @@ static bool create(void* context, const Lab* lab, int first, int count)
 	return find_firsts(state, lab, first, count) && create_some(state, lab, NULL, first, count);
 }
 
+static bool join(void* context, const LabJoint* joint)
+{
+	State* state = context;
+	scree_joint_def def = joint->def;
+	scree_joint created;
+	def.body_a = state->bodies[joint->a];
+	def.body_b = state->bodies[joint->b];
+	return report(scree_joint_create(state->world, &def, &created));
+}
+
 static bool replace(void* context, const Lab* lab, const int* bodies, int count)
 {
 	State* state = context;
@@ -227,5 +237,5 @@ bool scree_lab_counters(void* context, scree_counters* counters)
 	return report(scree_world_get_counters(state->world, counters));
 }
 
-const LabEngine scree_lab = {"scree", open, create, replace, set_poses, set_velocity, push,
-                             step,    read, wait,   hash,    bytes,     close};
+const LabEngine scree_lab = {"scree", open, create, join, replace, set_poses, set_velocity,
+                             push,    step, read,   wait, hash,    bytes,     close};

@@ -40,6 +40,12 @@ typedef struct
 
 typedef struct
 {
+	scree_joint_def def; // without its bodies
+	int a, b;            // bodies
+} LabJoint;
+
+typedef struct
+{
 	const char* device; // as in scree_world_def
 	int threads, lanes;
 	bool allow_unequal_bits;
@@ -51,6 +57,7 @@ typedef struct
 	const char* name;
 	void* (*open)(const LabOptions* options, const LabDef* def); // null on failure
 	bool (*create)(void* state, const Lab* lab, int first, int count);
+	bool (*join)(void* state, const LabJoint* joint); // of types that all engines have: of Box2D 3
 	// destroys these bodies and creates them again as the lab defines them now; nothing else changes
 	bool (*replace)(void* state, const Lab* lab, const int* bodies, int count);
 	bool (*set_poses)(void* state, const int* bodies, const scree_pose* poses, int count);
@@ -73,7 +80,9 @@ struct Lab
 	LabPart* parts;
 	scree_pose* poses; // of all bodies; lab_read writes them
 	scree_velocity* velocities;
+	LabJoint* joints;
 	int count, capacity, created, part_count, part_capacity;
+	int joint_count, joint_capacity, joined;
 	int frozen; // bodies that the engine froze, in all steps
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lab_box2d.c -- Box2D v3 as the engine of a lab: its defaults, with continuous collision, without sleep.
 #include "lab_box2d.h"
+#include "box2d_joint.h"
 #include "box2d_shape.h"
 #include <math.h>
 #include <stdio.h>
@@ -88,6 +89,12 @@ static bool create(void* context, const Lab* lab, int first, int count)
 	return true;
 }
 
+static bool join(void* context, const LabJoint* joint)
+{
+	State* state = context;
+	return box2d_add_joint(state->world, &joint->def, state->bodies[joint->a], state->bodies[joint->b]);
+}
+
 static bool replace(void* context, const Lab* lab, const int* bodies, int count)
 {
 	State* state = context;
@@ -167,5 +174,5 @@ static double bytes(void* context)
 	return (double)b2World_GetCounters(state->world).byteCount;
 }
 
-const LabEngine box2d_lab = {"box2d", open, create, replace, set_poses, set_velocity, push,
-                             step,    read, wait,   hash,    bytes,     close};
+const LabEngine box2d_lab = {"box2d", open, create, join, replace, set_poses, set_velocity,
+                             push,    step, read,   wait, hash,    bytes,     close};
