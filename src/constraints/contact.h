@@ -49,6 +49,7 @@
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
 	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                      \
+	X(energy, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                 \
 	X(rebound1, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	/* N s: normal impulses of all substeps */                                                       \
@@ -278,14 +279,19 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. cross is the velocity
-// that a unit impulse at one point causes at the other. If the points nearly coincide, the first takes the whole impulse.
+// 1/kg: the normal velocity that a unit impulse at one point causes at the other
+INLINE Real pair_cross(const ContactArms* c)
+{
+	return c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
+	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+}
+
+// Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. If the
+// points nearly coincide, the first takes the whole impulse.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
-	Real cross = c->a.inv_mass + c->b.inv_mass +
-	             c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
-	             c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+	Real cross = pair_cross(c);
 	Real share = 1.0f - cross * mass1 * cross * mass2;
 	Int one = share < splat(0.001f);
 	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
@@ -320,6 +326,45 @@ INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
 	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
 }
 
+// J: of the motion of two bodies relative to each other. A body that cannot move is at rest: what it does to the other one is no
+// matter of energy. Uniform gravity does not change it where both move.
+INLINE Real pair_energy(const ContactArms* c)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), mass = c->a.inv_mass + c->b.inv_mass;
+	Int moves_a = c->a.inv_mass > zero, moves_b = c->b.inv_mass > zero;
+	Int turns_a = c->a.inv_inertia > zero, turns_b = c->b.inv_inertia > zero;
+	Vec a = vec_choose(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
+	    b = vec_choose(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
+	Real energy = vec_dot(v, v) / choose(one, mass, mass > zero);
+	energy = energy + choose(zero, c->a.w * c->a.w / choose(one, c->a.inv_inertia, turns_a), turns_a);
+	energy = energy + choose(zero, c->b.w * c->b.w / choose(one, c->b.inv_inertia, turns_b), turns_b);
+	return 0.5f * energy;
+}
+
+// J: at most gained by both points, of whose speeds the squares grew by so much
+INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
+{
+	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
+	return 0.5f * maximum(maximum(more1, more2), zero) / choose(splat(1.0f), mass, mass > zero);
+}
+
+// Which part of two bounces may act so that two bodies have no more energy than before they met (most). Contacts of a body that
+// bounce in one step are solved one after the other, so later ones may have to push harder than the bodies came.
+INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
+                       Real impulse2)
+{
+	Real zero = splat(0.0f), one = splat(1.0f);
+	Real slope = speed[0] * impulse1 + speed[1] * impulse2;
+	Real yields = impulse1 * impulse1 / choose(one, mass[0], mass[0] > zero) +
+	              impulse2 * impulse2 / choose(one, mass[1], mass[1] > zero) +
+	              2.0f * pair_cross(c) * impulse1 * impulse2;
+	Real left = maximum(most - pair_energy(c), zero);
+	Int more = (slope + 0.5f * yields > left) & (yields > zero);
+	Real square = slope * slope + 2.0f * yields * left;
+	Real part = (root(choose(zero, square, more & (square > zero))) - slope) / choose(one, yields, more);
+	return choose(one, minimum(maximum(part, zero), one), more);
+}
+
 // Restitution of the points that got an impulse. A point that bounces separates, so the next step must not be warm started
 // with its impulse.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
@@ -329,8 +374,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	Real rebound1 = load(&contact_rare(p, rebound1, i), 0), rebound2 = load(&contact_rare(p, rebound2, i), 0);
 	Real total1 = load(&contact_rare(p, total_impulse1, i), 0), total2 = load(&contact_rare(p, total_impulse2, i), 0);
 	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
-	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
-	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
+	Real leave1 = bounce_speed(&p->step, rebound1, fall, gap1), leave2 = bounce_speed(&p->step, rebound2, fall, gap2);
+	Real speed[2] = {pair_approach(*c, 0, c->n), pair_approach(*c, 1, c->n)}, mass[2] = {mass1, mass2};
+	Real lack1 = leave1 - speed[0], lack2 = leave2 - speed[1];
 	Real alone1 = choose(zero, push_of(mass1 * lack1), hit1);
 	Real alone2 = choose(zero, push_of(mass2 * lack2), hit2);
 	Real impulse1, impulse2;
@@ -338,6 +384,14 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
 	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
 	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
+
+	// what gravity adds in half a substep is no gain
+	Real more1 = choose(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
+	     more2 = choose(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
+	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
+	Real part = pair_share(c, most, speed, mass, impulse1, impulse2);
+	impulse1 = push_of(part * impulse1);
+	impulse2 = push_of(part * impulse2);
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(impulse1, c->n));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
 	store(&contact_rare(p, total_impulse1, i), 0, total1 + impulse1);
