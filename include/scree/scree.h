@@ -901,6 +901,8 @@ typedef enum scree_coordinate // of frame B in frame A
 	SCREE_ANGLE,
 } scree_coordinate;
 
+// Soft locks and springs swing and decay as their frequency and damping ratio say, up to a twelfth of the substep rate. Stiffer ones,
+// and many on one body, are damped more, so that none adds energy.
 typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the angle
 {
 	float target; // at which a lock holds it, to which a spring pulls it; default 0
