@@ -240,6 +240,22 @@ INLINE void joint_ready(const Body* a, const Body* b, Joint* u)
 	(void)u;
 }
 
+// m/s: a correction across a path up to so many times what the path's bend needs in a substep is none of a body placed elsewhere
+#define JOINT_BENDS 8.0f
+
+// A bead that is pulled back to its path from afar turns around the path's center, and would get faster as its circle shrinks. Where
+// it is pulled faster than by a bend, its speed along stays: the axis along turns by bend h along in the substep, and takes with it
+// so much of the speed across. The impulse is given once, and not as a part of those that are warm started.
+INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
+{
+	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
+	Real turn = p->step.h * c->bend * along, yield = joint_yield_linear(c, JOINT_ALONG);
+	Int pulled = c->railed & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) & (yield > zero) &
+	             (absolute(across) > splat(JOINT_BENDS) * absolute(turn * along)) & (absolute(turn) < splat(1.0f));
+	Real impulse = hold_of(-(turn * across) / choose(splat(1.0f), yield, pulled));
+	joint_give_where(u, c, joint_impulse(c, choose(zero, impulse, pulled), zero, zero), pulled);
+}
+
 INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body* a, Body* b)
 {
 	(void)held;
@@ -262,6 +278,8 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		Real x[3];
 		joint_solve(&system, c.mass, x);
 		joint_hold(u, &c, x);
+		if (pass == PASS_BIAS && c.rails)
+			joint_keep_along(p, u, &c);
 		if (pass == PASS_RELAX && p->step.drives)
 			joint_peak(p, i, u, &c);
 	}
