@@ -121,6 +121,8 @@
 	JOINT_DRIVE_ROWS(X, along)                                              \
 	JOINT_DRIVE_ROWS(X, across)                                             \
 	JOINT_DRIVE_ROWS(X, angle)                                              \
+	/* 1: it has springs, and its bodies have no other constraints */       \
+	X(springs_alone, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
 	/* N s, N m s: the largest of all substeps */                           \
 	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
 	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \

@@ -37,7 +37,7 @@
 	{                                                                                                           \
 		JointDriveData from = p->joint_data[slot].drive[k];                                                     \
 		float share = joint_share_free(u, &c, k);                                                               \
-		JointSpring s = joint_spring_of(p, from.spring_hertz, from.spring_ratio, share, beside);                \
+		JointSpring s = joint_spring_of(p, from.spring_hertz, from.spring_ratio, share, beside, alone);         \
 		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                        \
 		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                    \
 		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                          \
@@ -47,7 +47,7 @@
 	{                                                                                                           \
 		JointLock from = p->joint_data[slot].lock[k];                                                           \
 		float share = joint_share_free(u, &c, k);                                                               \
-		JointSpring s = joint_spring_of(p, from.hertz, from.ratio, share, beside);                              \
+		JointSpring s = joint_spring_of(p, from.hertz, from.ratio, share, beside, alone);                       \
 		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                            \
 		u->rate_##of = s.pull * p->step.inv_h / answer;                                                         \
 		u->soft_##of = share * (1.0f - answer) / answer;                                                        \
@@ -66,14 +66,20 @@ INLINE float joint_most(const Pools* p, float force)
 // Constraints of a body, contacts too; 0 of what cannot move.
 INLINE int joint_beside(const Pools* p, int body, float inv_mass) { return inv_mass > 0.0f ? p->touching[body] : 0; }
 
-// The most springs that a body of joint i may have, were all its constraints like this joint; at least 1.
-INLINE float joint_springs_beside(const Pools* p, int i, int modes, const JointPose* c)
+// Constraints of the body of joint i that has the most; at least 1.
+INLINE int joint_most_beside(const Pools* p, int i, const JointPose* c)
 {
-	int a = joint_beside(p, joint_row(p, body_a, i), c->a.inv_mass), springs = 0;
+	int a = joint_beside(p, joint_row(p, body_a, i), c->a.inv_mass);
 	int b = joint_beside(p, joint_row(p, body_b, i), c->b.inv_mass), most = a > b ? a : b;
+	return most > 1 ? most : 1;
+}
+
+INLINE int joint_springs_of(int modes)
+{
+	int springs = 0;
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		springs += (modes & (JOINT_SPRING(k) | JOINT_SOFT(k))) != 0;
-	return (float)(springs > 1 ? springs : 1) * (float)(most > 1 ? most : 1);
+	return springs;
 }
 
 // Springs and soft locks: their coefficients follow from how much the coordinate yields at the poses of the step's start.
@@ -90,7 +96,9 @@ INLINE void joint_setup_springs(const Pools* p, int i, Joint* u)
 	joint_pose(u, &c);
 	coupling_pose(p, i, u, &c);
 	path_pose(p, i, u, &c);
-	float beside = joint_springs_beside(p, i, modes, &c);
+	int most = joint_most_beside(p, i, &c);
+	float beside = (float)most * (float)joint_springs_of(modes), alone = most > 1 ? 0.0f : 1.0f;
+	joint_rare(p, springs_alone, i) = alone;
 	JOINT_SPRING_SETUP(along, JOINT_ALONG)
 	JOINT_SPRING_SETUP(across, JOINT_ACROSS)
 	JOINT_SPRING_SETUP(angle, JOINT_ANGLE)
@@ -99,6 +107,7 @@ INLINE void joint_setup_springs(const Pools* p, int i, Joint* u)
 INLINE void joint_setup_rare(const Pools* p, int i, Joint* u)
 {
 	int slot = p->joint_place_slot[i], modes = (int)p->joint_data[slot].modes;
+	joint_rare(p, springs_alone, i) = 0.0f;
 	joint_rare(p, peak_force, i) = 0.0f;
 	joint_rare(p, peak_torque, i) = 0.0f;
 	if (!p->step.drives)

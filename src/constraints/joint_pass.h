@@ -59,12 +59,14 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 // otherwise a spring on an arm would swing more slowly, and be damped by the locks. Only the rest of their impulses is soft:
 //
 //     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
+//
+// Only where no other constraint holds the bodies: two such joints of a body would take turns in adding energy.
 INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real cross[3],
                                const Real softness[3], const Real speed[3], JointSystem* s)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), pull[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real own[3], other[3];
-	Int rigid[3], springs = joint_has(u, JOINT_SPRINGS);
+	Int rigid[3], springs = load(&joint_rare(p, springs_alone, i), 0) > zero;
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		own[k] = joint_yield(c, k);
