@@ -188,6 +188,50 @@ static void springs_together_gain_nothing(void** state)
 			}
 }
 
+// Arms in a row, each on a spring or a soft lock of the angle, swing for a minute and gain nothing.
+static void arms_in_a_row_gain_nothing(void** state)
+{
+	(void)state;
+	static const int counts[] = {2, 3, 4, 10};
+	static const double hertz[] = {5.0, 10.0, 20.0, 40.0};
+	for (int lock = 0; lock < 2; ++lock)
+		for (int n = 0; n < 4; ++n)
+			for (int i = 0; i < 4; ++i)
+			{
+				scree_world* world = open_world(0.0f);
+				scree_body arms[10];
+				double energy = 0.0;
+				for (int k = 0; k < counts[n]; ++k)
+				{
+					arms[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.5f + (float)k, 0.0f);
+					scree_velocity v = {{0.0f, 0.05f * (0.5f + (float)k)}, 0.05f};
+					OK(scree_body_set_velocity(world, arms[k], v));
+					scree_mass mass = mass_of(world, arms[k]);
+					energy +=
+					    0.5 * (double)(mass.mass * v.linear.y * v.linear.y + mass.inertia * v.angular * v.angular);
+					scree_joint_def def = scree_joint_def_make(lock ? SCREE_JOINT_WELD : SCREE_JOINT_REVOLUTE);
+					def.body_a = k ? arms[k - 1] : NOBODY;
+					def.body_b = arms[k];
+					def.frame_a.position.x = k ? 0.5f : 0.0f;
+					def.frame_b.position.x = -0.5f;
+					set_spring(&def.coordinates[SCREE_ANGLE], lock, hertz[i], 0.0);
+					add_joint(world, &def);
+				}
+				for (int step = 0; step < (quick() ? 600 : 3600); ++step)
+				{
+					double now = 0.0;
+					run_steps(world, 1);
+					for (int k = 0; k < counts[n]; ++k)
+					{
+						scree_velocity v = velocity_of(world, arms[k]);
+						now += 0.1 * (double)(v.linear.x * v.linear.x + v.linear.y * v.linear.y);
+					}
+					assert_true(now < 1.05 * energy);
+				}
+				scree_world_destroy(world);
+			}
+}
+
 // A soft lock pulls a body back that was placed far away, and no faster than max_speed.
 static void soft_locks_after_a_jump(void** state)
 {
@@ -222,6 +266,7 @@ int main(void)
 	    cmocka_unit_test(springs_carry),
 	    cmocka_unit_test(springs_together_gain_nothing),
 	    cmocka_unit_test(soft_locks_after_a_jump),
+	    cmocka_unit_test(arms_in_a_row_gain_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
