@@ -171,15 +171,16 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 
 	// A limited push needs more time, but ends at the force of the whole spring: otherwise deep bodies would cluster, because
 	// more overlap would not push harder. So impulses leak more slowly by the same factor.
-	Real more = choose(splat(step->firm_pair.more), splat(step->firm_fixed.more), fixed);
-	Real depth = choose(splat(step->firm_pair.depth), splat(step->firm_fixed.depth), fixed);
-	Real firm = exact ? s : maximum(s, -depth);
-	Real push = step->contact.mass_scale * step->contact.bias_rate * (s + more * firm);
-	Real most = splat(-step->push_speed);
-	Int limited = push < most;
-	Real leak = step->contact.impulse_scale * choose(splat(1.0f), most / push, limited);
+	Real rate = choose(splat(step->pair.mass_scale * step->pair.bias_rate),
+	                   splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
+	Real firm = choose(splat(step->pair.firm), splat(step->fixed.firm), fixed);
+	Real depth = choose(splat(step->pair.depth), splat(step->fixed.depth), fixed);
+	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
+	Real leak = choose(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
+	leak = leak * choose(splat(1.0f), most / push, push < most);
+	Real mass_scale = choose(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
 	goal.bias = choose(maximum(push, most), goal.bias, apart);
-	goal.mass_scale = choose(splat(step->contact.mass_scale), goal.mass_scale, apart);
+	goal.mass_scale = choose(mass_scale, goal.mass_scale, apart);
 	goal.impulse_scale = choose(leak, goal.impulse_scale, apart);
 	return goal;
 }

@@ -533,12 +533,8 @@ typedef struct // one tree of the broad phase, as the host sees it
 typedef struct // stiffness of a contact: Erin Catto, Soft Constraints, GDC 2011
 {
 	float bias_rate, mass_scale, impulse_scale;
+	float firm, depth; // bias_rate is larger by this share of itself up to this overlap, m
 } Softness;
-
-typedef struct // how much stiffer a contact is up to a depth, m: by this factor and one
-{
-	float more, depth;
-} Firmness;
 
 // Kinds of constraints. An edge is a constraint of any kind: the kind in the bits above its slot.
 enum
@@ -557,29 +553,28 @@ typedef struct // constants of one step, passed by value to every stage
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
-	Softness contact;               // beyond the depth of firmness
-	Firmness firm_pair, firm_fixed; // of bodies that can move; with one that cannot
-	float h_ratio;                  // h over that of the last step that took time
-	int rolls;                      // some attribute has restitution, rolling resistance or tangent speed
-	int details;                    // the user wants to know what contacts did in the step
-	int reports;                    // some collidable reports touches or hits
-	int rules;                      // some pair may be subject to a rule
-	int material_pairs;             // rows of the pool material_pair
-	int excluded;                   // rows of the pool excluded
-	int asks;                       // some collidable asks
-	int allowed;                    // rows of the pool allowed
-	float hit_speed;                // m/s: slower approaches are no hits
-	float hit_impulse;              // N s: nor are smaller impulses
-	int bounces;                    // some attribute has restitution
-	int joints;                     // there may be joints among the constraints
-	int chain_places;               // spots of chains
-	int drives;        // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
-	int couplings;     // some joint is a gear or a pulley
-	int paths;         // some joint follows a path
-	int round;         // some attribute has a radius
-	float guard_way;   // m: lower bound of all Guarded.way of the world
-	float guard_reach; // m: upper bound of all Guarded.reach
-	int collidables;   // slots in use
+	Softness pair, fixed; // of contacts between bodies that can move; with one that cannot
+	float h_ratio;        // h over that of the last step that took time
+	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
+	int details;          // the user wants to know what contacts did in the step
+	int reports;          // some collidable reports touches or hits
+	int rules;            // some pair may be subject to a rule
+	int material_pairs;   // rows of the pool material_pair
+	int excluded;         // rows of the pool excluded
+	int asks;             // some collidable asks
+	int allowed;          // rows of the pool allowed
+	float hit_speed;      // m/s: slower approaches are no hits
+	float hit_impulse;    // N s: nor are smaller impulses
+	int bounces;          // some attribute has restitution
+	int joints;           // there may be joints among the constraints
+	int chain_places;     // spots of chains
+	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	int couplings;        // some joint is a gear or a pulley
+	int paths;            // some joint follows a path
+	int round;            // some attribute has a radius
+	float guard_way;      // m: lower bound of all Guarded.way of the world
+	float guard_reach;    // m: upper bound of all Guarded.reach
+	int collidables;      // slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
 	int contact_limit;       // most contacts that the world may have

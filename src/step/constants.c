@@ -10,27 +10,24 @@
 // box's weight is thrown apart at 0.22, and so are a cart of 500 kg on wheels of 1.6 kg and balls that are pressed together.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
-// Light loads need no such limit. Up to the overlap under so many times a body's own weight a contact is stiffer, by these factors of
+// Light loads need no such limit. Up to the overlap under so many times a body's own weight a contact is firmer, by these factors of
 // its frequency: between bodies that can move, and with one that cannot. So stacks sink less, and what is heavier rests on the soft
-// part of the spring. The factors are those of 52 and 104 Hz at 240 substeps a second: stiffer, a pyramid of base 100 does not
-// come to rest.
+// part of the spring. The damping is that of the firm part, so that impacts do not get deeper. The factors are those of 52 and
+// 104 Hz at 240 substeps a second: with firmer ones a pyramid of base 100 does not come to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
 
-// Soft constraint of so many hertz and damping ratio in substeps of h: Catto, Soft Constraints, GDC 2011.
-static Softness softness(float hertz, float ratio, float h)
+// Of so many hertz and a damping ratio, in substeps of h, with a firm part: Catto, Soft Constraints, GDC 2011.
+static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
 {
-	float omega = 6.28318531f * hertz;
-	float a1 = 2.0f * ratio + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
-	return (Softness){.bias_rate = omega / a1, .mass_scale = a2 * a3, .impulse_scale = a3};
-}
-
-// gravity: m/s^2; omega: rad/s, of the soft part
-static Firmness firmness(float factor, float gravity, float omega)
-{
-	float stiffer = factor * factor;
-	return (Firmness){.more = stiffer - 1.0f, .depth = FIRM_WEIGHTS * gravity / (stiffer * omega * omega)};
+	float omega = 6.28318531f * hertz, stiffer = firm * firm;
+	float a1 = 2.0f * ratio * firm + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
+	return (Softness){.bias_rate = omega / a1,
+	                  .mass_scale = a2 * a3,
+	                  .impulse_scale = a3,
+	                  .firm = stiffer - 1.0f,
+	                  .depth = FIRM_WEIGHTS * gravity / (stiffer * omega * omega)};
 }
 
 void step_places(Step* step, const Backend* b)
@@ -50,6 +47,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	float stiffest = CONTACT_STIFFEST * rate;
 	float hertz = tuning->contact_hertz < stiffest ? tuning->contact_hertz : stiffest;
+	float ratio = tuning->contact_damping_ratio;
 	float gravity = sqrtf(request->gravity.x * request->gravity.x + request->gravity.y * request->gravity.y);
 
 	// a rotation above pi per step, or pi / 4 per substep, cannot be told from one in the other direction
@@ -65,9 +63,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
 	    .push_speed = tuning->contact_push_speed,
 	    .restitution_threshold = tuning->restitution_threshold,
-	    .contact = moves ? softness(hertz, tuning->contact_damping_ratio, h) : (Softness){0},
-	    .firm_pair = moves ? firmness(FIRM_PAIR, gravity, 6.28318531f * hertz) : (Firmness){0},
-	    .firm_fixed = moves ? firmness(FIRM_FIXED, gravity, 6.28318531f * hertz) : (Firmness){0},
+	    .pair = moves ? softness(hertz, ratio, h, FIRM_PAIR, gravity) : (Softness){0},
+	    .fixed = moves ? softness(hertz, ratio, h, FIRM_FIXED, gravity) : (Softness){0},
 	    .rolls = pipeline->rolls,
 	    .details = request->details || request->reports,
 	    .reports = request->reports,
