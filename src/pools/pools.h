@@ -116,9 +116,10 @@
 #define CONTACT_REFUSED 2097152u // the answer was no, or none
 #define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
+#define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
 #define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
 #define CONTACT_LASTS \
-	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS) // what narrow_phase leaves alone
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew

@@ -121,11 +121,17 @@ static void ask(RunList* list, const Step* step, int bodies)
 	runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
 }
 
-static void narrow_phase(RunList* list, const Step* step, bool reports)
+static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
+	RunList* list = &pipeline->list;
+	if (pipeline->platforms)
+	{
+		runs_add(list, STAGE_sunk_begin, 0, bodies, NO_COUNT, 0);
+		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
+	}
 	if (step->rules)
 		runs_add(list, STAGE_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
-	if (reports)
+	if (pipeline->reports)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
@@ -258,7 +264,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		broad_phase(list, step);
 		if (joints)
 			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
-		narrow_phase(list, step, pipeline->reports);
+		narrow_phase(pipeline, step, request->bodies);
 		if (step->asks)
 			ask(list, step, request->bodies);
 		if (joints)

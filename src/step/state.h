@@ -65,6 +65,7 @@ typedef struct
 	bool mixed;   // some collidable got another attribute of its shape, or reports other events, since the last step
 	bool reports; // some collidable has ever reported touches or hits
 	bool rules;   // some attribute is a one-way platform, or some pair of materials or bodies was set
+	bool platforms; // some attribute is a one-way platform
 	int material_pairs, excluded; // rows of these pools
 	bool asks;                    // some collidable has ever asked
 	bool begun;                   // the current step has changed something on the device

@@ -96,7 +96,7 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 	if (plain->shape.radius != 0.0f)
 		world->pipeline.round = true;
 	if (plain->one_way.x != 0.0f || plain->one_way.y != 0.0f)
-		world->pipeline.rules = world->ruled = true;
+		world->pipeline.rules = world->pipeline.platforms = world->ruled = true;
 	world->ruled |= plain->material != 0;
 	return index;
 }
