@@ -125,21 +125,50 @@ typedef struct // a visitor, as its platform sees it
 	int below, beside;
 } OneWayPlace;
 
+// The pose of visitor b in the frame of platform a.
+INLINE Frame one_way_frame(WorldShape a, WorldShape b)
+{
+	Vec axes = vec(a.c, a.s);
+	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
+}
+
+INLINE Vec one_way_up(const Pools* p, WorldShape a) { return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y); }
+
 // Where visitor b is of platform a, by their poses now. way: as above, in the world. known: ONE_WAY_*
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Vec axes = vec(a.c, a.s), up = vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
-	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
-	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
-	way = vec_turn_back(axes, way);
+	Vec up = one_way_up(p, a);
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
+	way = vec_turn_back(vec(a.c, a.s), way);
 	OneWayPlace place;
 	place.height = one_way_height(shape_a, up, shape_b, f, 0.0f, way, one_way_depth(p, b, known));
 	OneWaySpan platform = one_way_span(shape_a, own, up), visitor = one_way_span(shape_b, f, up);
 	place.below = visitor.high < platform.high;
 	place.beside = !one_way_meet(platform, visitor);
 	return place;
+}
+
+// m: how deep visitor b is in platform a, which held it, by their poses now: under the upper side under which it is least deep. 0 if
+// it has left the platform. Its middle is outside.
+RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
+{
+	const GLOBAL Attribute* platform = p->attribute + a.attribute;
+	const GLOBAL Attribute* visitor = p->attribute + b.attribute;
+	Vec up = one_way_up(p, a);
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
+	OneWaySpan whole = one_way_span(platform, own, up), span = one_way_span(visitor, f, up);
+	float depth = minimum(whole.high - span.low, p->thickness[b.attribute]);
+	if (span.high < whole.high || !one_way_meet(whole, span))
+		return 0.0f;
+	for (int k = 0; platform->count > 1 && k < platform->count; ++k)
+	{
+		Vec n = shape_normal(platform, k);
+		if (vec_dot(n, up) > ONE_WAY_UPPER)
+			depth = minimum(depth, one_way_span(platform, own, n).high - one_way_span(visitor, f, n).low);
+	}
+	return depth;
 }
 
 // Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.

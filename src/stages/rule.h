@@ -72,23 +72,30 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 	return passes ? CONTACT_PASSES | (past ? 0u : CONTACT_HIGH) : 0u;
 }
 
-// Body i, before it is known which platforms held it.
+// Body i, before it is known which platforms hold it.
 STAGE(sunk_begin) { p->sunk[i] = 0; }
 
-// Contact i, by what it was in the last step: how deep its platform holds the visitor.
+// Contact i, which is what it was in the last step: how deep its platform holds the visitor.
 STAGE(contact_sunk)
 {
-	Word flags = p->contact_flags[i];
+	Word flags = p->contact_flags[i], none = CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS;
 	Int2 pair = p->pair[i];
-	if (i >= p->counters->live || pair.x < 0 || !(flags & CONTACT_COUNT) || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
+	if (i >= p->counters->live || pair.x < 0 || flags & none)
 		return;
-	Float4 normal = p->contact_manifold[i].normal;
-	int depth = float_bits(maximum(-minimum(normal.z, normal.w), ONE_WAY_TOUCH));
 	for (int side = 0; side < 2; ++side)
 	{
 		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
-		if (rule_platform(p, a, b))
-			atomic_max_int(&p->sunk[p->collidable_body[b]], depth);
+		if (!rule_platform(p, a, b))
+			continue;
+		float depth = one_way_sunk(p, p->world_shape[a], p->world_shape[b]);
+		if (flags & CONTACT_COUNT)
+		{
+			Float4 normal = p->contact_manifold[i].normal;
+			depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
+		}
+		// depths that are not negative are ordered like their bits
+		if (depth > 0.0f)
+			atomic_max_int(&p->sunk[p->collidable_body[b]], float_bits(depth));
 	}
 }
 
