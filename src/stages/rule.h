@@ -75,12 +75,13 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 // Body i, before it is known which platforms hold it.
 STAGE(sunk_begin) { p->sunk[i] = 0; }
 
-// Contact i, which is what it was in the last step: how deep its platform holds the visitor.
+// Contact i: how deep its platform holds the visitor. It runs before contact_rule, when contacts are what they were in the last step,
+// and again after the narrow phase, for guard.
 STAGE(contact_sunk)
 {
-	Word flags = p->contact_flags[i], none = CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS;
+	Word flags = p->contact_flags[i];
 	Int2 pair = p->pair[i];
-	if (i >= p->counters->live || pair.x < 0 || flags & none)
+	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
 		return;
 	for (int side = 0; side < 2; ++side)
 	{

@@ -135,6 +135,8 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+	if (pipeline->platforms)
+		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 }
 
 // Constraints of joints begin and end.
