@@ -117,7 +117,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
 			if (p->collidable_kind[j] != KIND_STATIC || !filter_accepts(p->filter[i], p->filter[j]))
 				continue;
-			if (p->step.rules && rule_lets(p, j, i, path))
+			if (p->step.rules && rule_lets(p, j, i, path, swing))
 				continue;
 			Vec normal = vec(0.0f, 0.0f);
 			WorldShape stands = p->world_shape[j];

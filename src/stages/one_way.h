@@ -23,7 +23,8 @@
 #define ONE_WAY_TOUCH 1.0e-9f
 
 // what is known of a contact when it is looked at
-#define ONE_WAY_NEW  0 // the boxes did not overlap in the last step, or the visitor was higher than the platform, but not over it
+#define ONE_WAY_NEW \
+	0 // the boxes did not overlap in the last step, or the visitor was higher than the platform, but not over it
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // it held it, but they do not touch
 // cosine: sides that face up by more are upper ones. The walls of a box must not count, whatever the rounding of its corners
@@ -108,14 +109,14 @@ INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL
 
 // How deep visitor b may be. A load may press it into platforms that hold it, and the next one takes it over as deep as it is,
 // and deeper by what guard allows in a step.
-INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known)
+INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
 {
 	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
-	OneWayDepth depth = {minimum(ONE_WAY_SLOP, ONE_WAY_SHARE * thickness), 0.0f};
+	OneWayDepth depth = {minimum(ONE_WAY_SLOP, ONE_WAY_SHARE * thickness), swing};
 	if (known == ONE_WAY_NEW || sunk > 0.0f)
 		depth.slop = maximum(depth.slop, sunk + ONE_WAY_FRESH * thickness);
 	if (sunk > 0.0f)
-		depth.late = depth.slop;
+		depth.late = depth.slop + swing;
 	return depth;
 }
 
@@ -132,10 +133,14 @@ INLINE Frame one_way_frame(WorldShape a, WorldShape b)
 	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 }
 
-INLINE Vec one_way_up(const Pools* p, WorldShape a) { return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y); }
+INLINE Vec one_way_up(const Pools* p, WorldShape a)
+{
+	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
+}
 
-// Where visitor b is of platform a, by their poses now. way: as above, in the world. known: ONE_WAY_*
-RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, int known)
+// Where visitor b is of platform a, by their poses now. way: as above, in the world. swing: how far its points may be off it, m. known:
+// ONE_WAY_*
+RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -143,7 +148,7 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
 	way = vec_turn_back(vec(a.c, a.s), way);
 	OneWayPlace place;
-	place.height = one_way_height(shape_a, up, shape_b, f, 0.0f, way, one_way_depth(p, b, known));
+	place.height = one_way_height(shape_a, up, shape_b, f, 0.0f, way, one_way_depth(p, b, known, swing));
 	OneWaySpan platform = one_way_span(shape_a, own, up), visitor = one_way_span(shape_b, f, up);
 	place.below = visitor.high < platform.high;
 	place.beside = !one_way_meet(platform, visitor);
@@ -172,13 +177,13 @@ RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 }
 
 // Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.
-INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, int known)
+INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
 {
 	for (int k = p->guarded[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
 	{
 		if (k - 1 == b || p->collidable_kind[k - 1] & KIND_SENSOR)
 			continue;
-		OneWayPlace place = one_way_place(p, a, p->world_shape[k - 1], way, known);
+		OneWayPlace place = one_way_place(p, a, p->world_shape[k - 1], way, swing, known);
 		if (place.height != ONE_WAY_ABOVE && !place.beside)
 			return 1;
 	}
@@ -188,13 +193,13 @@ INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, int kno
 INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
 
 // ONE_WAY_HELD if platform a holds b in the step, else what is known of b in the next one. known: ONE_WAY_*
-INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, int known)
+INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
 {
 	WorldShape platform = p->world_shape[a];
-	OneWayPlace place = one_way_place(p, platform, p->world_shape[b], way, known);
+	OneWayPlace place = one_way_place(p, platform, p->world_shape[b], way, swing, known);
 	int above = place.height == ONE_WAY_ABOVE;
 	if (known == ONE_WAY_HELD ? above || !(place.below || place.beside)
-	                          : above && !one_way_through(p, platform, b, way, known))
+	                          : above && !one_way_through(p, platform, b, way, swing, known))
 		return ONE_WAY_HELD;
 	return place.height == ONE_WAY_HIGH ? ONE_WAY_NEW : ONE_WAY_PAST;
 }

@@ -65,7 +65,7 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
 		if (!rule_platform(p, a, b))
 			continue;
-		int found = one_way_finds(p, a, b, rule_way(p, a, b), known);
+		int found = one_way_finds(p, a, b, rule_way(p, a, b), 0.0f, known);
 		passes |= found != ONE_WAY_HELD;
 		past |= found == ONE_WAY_PAST;
 	}
@@ -81,7 +81,8 @@ STAGE(contact_sunk)
 {
 	Word flags = p->contact_flags[i];
 	Int2 pair = p->pair[i];
-	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
+	if (i >= p->counters->live || pair.x < 0 ||
+	    flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
 		return;
 	for (int side = 0; side < 2; ++side)
 	{
@@ -154,15 +155,16 @@ STAGE(contact_rule)
 		p->contact_flags[i] = (flags & ~(CONTACT_ANSWERS | CONTACT_HIGH)) | answer | apart;
 }
 
-// Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m.
-RARE int rule_lets(const Pools* p, int a, int b, Vec way)
+// Whether something static, a, lets b through whatever is between them, for guard. way: of b in the step, m. swing: by how much more its points
+// may move, m.
+RARE int rule_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (p->step.asks && ask_finds(p->refused, p->counters->refused, ask_key(make_int2(b, a))))
 		return 1;
 	if (p->step.excluded > 0 && joint_parts(p, make_int2(p->collidable_body[a], p->collidable_body[b])))
 		return 1;
 	return rule_materials(p, a, b).sets & MATERIAL_IGNORED ||
-	       (one_way_is(p, a) && one_way_finds(p, a, b, way, ONE_WAY_PAST) != ONE_WAY_HELD);
+	       (one_way_is(p, a) && one_way_finds(p, a, b, way, swing, ONE_WAY_PAST) != ONE_WAY_HELD);
 }
 
 #endif
