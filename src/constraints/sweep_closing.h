@@ -38,7 +38,25 @@ typedef struct // of b against a
 	Vec bend;   // m: how that changes
 	Real swing; // m: how much faster another point of it may be
 	Real most;  // m: how far any two points of the pair may draw near
+	Real grain; // factor of the tolerances of the pair
+	Real within; // m: the separation from which on it has points
 } Closing;
+
+// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
+INLINE Real sweep_grain(Int moved)
+{
+	Real grain = splat(1.0f);
+	for (int level = 0; level < GRAIN_LEVELS; ++level)
+		grain = choose(grain, 0.5f * grain, (moved & (MOVED_GRAIN << level)) != 0);
+	return grain;
+}
+
+// m: the separation from which on a pair has points: the speculative distance, less for small bodies, but never less than gravity closes
+// in a step.
+INLINE Real sweep_within(const Step* step, Real grain)
+{
+	return maximum(SPECULATIVE_DISTANCE * grain, splat(step->fall));
+}
 
 // a member of the attributes with these indices; member is that of attribute 0
 INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
@@ -91,6 +109,8 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	c.bend = vec_neg(vec_spin(frame, apart));
 	c.swing = absolute(sb.turn - sa.turn) * minimum(sa.reach, sb.reach);
 	c.most = absolute(c.near.x) + absolute(c.near.y) + c.swing;
+	c.grain = splat(1.0f);
+	c.within = splat(SPECULATIVE_DISTANCE);
 	return c;
 }
 

@@ -90,6 +90,11 @@
 #define MOVED_BOX 1 // its box differs from old_box
 #define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
 #define MOVED_ON  4 // it is not at rest in this step
+// Each of these is set for a dynamic collidable that is thinner than so many halves of GRAIN_SIZE. Of a pair, the tolerances of
+// contacts are halved once for each that either has: they would exceed the smaller body.
+#define MOVED_GRAIN  8 // the first one
+#define GRAIN_LEVELS 5
+#define MOVED_GRAINS (MOVED_GRAIN * ((1 << GRAIN_LEVELS) - 1))
 
 // kinds of collidables
 #define KIND_DEAD      0
@@ -554,6 +559,7 @@ typedef struct // constants of one step, passed by value to every stage
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
+	float fall; // m: how far gravity may move what rests, in a step, and more
 	Softness pair, fixed; // of contacts between bodies that can move; with one that cannot
 	float h_ratio;        // h over that of the last step that took time
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed

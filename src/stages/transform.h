@@ -6,6 +6,9 @@
 #include "stages/box.h"
 #include "stages/sweep.h"
 
+// m: thinner bodies have finer tolerances. Twice the speculative distance
+#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
+
 // Clears the counters of one step.
 STAGE(step_begin)
 {
@@ -102,6 +105,18 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
+// The MOVED_GRAIN bits of a dynamic collidable whose nearest side is so far from its centroid, m. What has no thickness is a segment:
+// others come to rest on it, it does not.
+INLINE int transform_grains(float thickness)
+{
+	int grains = 0;
+	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
+		return 0;
+	for (int level = 0; level < GRAIN_LEVELS; ++level, thickness = 2.0f * thickness)
+		grains |= thickness < 0.5f * GRAIN_SIZE ? MOVED_GRAIN << level : 0;
+	return grains;
+}
+
 // Lists collidables that left their box or were placed.
 LIST_STAGE(transform, moved_list, moved)
 {
@@ -125,16 +140,17 @@ LIST_STAGE(transform, moved_list, moved)
 	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
 	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
-	int how = 0;
+	int how = p->collidable_kind[i] == KIND_DYNAMIC ? transform_grains(p->thickness[world_shape.attribute]) : 0;
 	if (moves)
 	{
 		Sweep sweep = sweep_of(p, world_shape, attribute);
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
-		if (travel > 0.5f * SWEEP_REST)
-			how = MOVED_ON;
-		if (travel > 0.5f * SPECULATIVE_DISTANCE)
+		float grain = sweep_grain(how);
+		if (travel > 0.5f * SWEEP_REST * grain)
+			how |= MOVED_ON;
+		if (travel > 0.5f * sweep_within(&p->step, grain))
 		{
 			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
 			// step needs no margin

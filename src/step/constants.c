@@ -4,6 +4,9 @@
 #include "step/crowd.h"
 #include <math.h>
 
+// Small bodies have contacts from this many times the distance that gravity moves them in a step.
+#define FALL_SHARE 1.5f
+
 // Stiffness of contacts, as a share of the substep rate, at most. A light body that carries a heavy one passes its load on by
 // impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and h the substep. Only
 // what is softer than that is damped: at this share a contact has 0.55 of it. A pyramid of ten rows under a box of 100 times a
@@ -50,6 +53,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	float ratio = tuning->contact_damping_ratio;
 	float gravity = sqrtf(request->gravity.x * request->gravity.x + request->gravity.y * request->gravity.y);
 
+	float fall = FALL_SHARE * (fabsf(request->gravity.x) + fabsf(request->gravity.y)) * dt * dt;
+
 	// a rotation above pi per step, or pi / 4 per substep, cannot be told from one in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
@@ -62,6 +67,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .max_speed = tuning->max_speed,
 	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
 	    .push_speed = tuning->contact_push_speed,
+	    .fall = fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE,
 	    .restitution_threshold = tuning->restitution_threshold,
 	    .pair = moves ? softness(hertz, ratio, h, FIRM_PAIR, gravity) : (Softness){0},
 	    .fixed = moves ? softness(hertz, ratio, h, FIRM_FIXED, gravity) : (Softness){0},
