@@ -4,6 +4,9 @@
 #define AHEAD_H
 #include "stages/sweep.h"
 
+// Cosine of the normals of two poses: what passes a corner turns its normal by a right angle at most, and rounding.
+#define PAST_THROUGH (-0.5f)
+
 typedef struct // a manifold and the poses that it is of
 {
 	Manifold m;
@@ -29,9 +32,8 @@ RARE Ahead ahead_later(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
-	// a pair that passes a corner turns its normal by less than a right angle; a thin shape that has gone through has it the other way
-	// around, and would be pushed out there
-	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < 0.0f)
+	// a thin shape that has not passed a corner but gone through has its normal the other way around, and would be pushed out there
+	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < PAST_THROUGH)
 		return now;
 	later.ahead = 1;
 	return later;

@@ -5,7 +5,7 @@
 #include <math.h>
 
 // Small bodies have contacts from this many times the distance that gravity moves them in a step.
-#define FALL_SHARE 1.5f
+#define FALL_SHARE 0.5f
 
 // Stiffness of contacts, as a share of the substep rate, at most. A light body that carries a heavy one passes its load on by
 // impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and h the substep. Only
