@@ -34,11 +34,11 @@ typedef struct // of a collidable and its body
 typedef struct // of b against a
 {
 	Sweep a, b;
-	Vec near;   // m: velocity of the center of the smaller one against the larger one, with which it turns
-	Vec bend;   // m: how that changes
-	Real swing; // m: how much faster another point of it may be
-	Real most;  // m: how far any two points of the pair may draw near
-	Real grain; // factor of the tolerances of the pair
+	Vec near;    // m: velocity of the center of the smaller one against the larger one, with which it turns
+	Vec bend;    // m: how that changes
+	Real swing;  // m: how much faster another point of it may be
+	Real most;   // m: how far any two points of the pair may draw near
+	Real grain;  // factor of the tolerances of the pair
 	Real within; // m: the separation from which on it has points
 } Closing;
 
@@ -111,6 +111,16 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	c.most = absolute(c.near.x) + absolute(c.near.y) + c.swing;
 	c.grain = splat(1.0f);
 	c.within = splat(SPECULATIVE_DISTANCE);
+	return c;
+}
+
+// The closing of a pair with finer tolerances. What stops one of two fast bodies within the step may make them meet, though they do not
+// approach: so they have points as far apart as they move.
+INLINE Closing sweep_fine(const Step* step, Closing c, Real grain)
+{
+	Real way_a = absolute(c.a.path.x) + absolute(c.a.path.y), way_b = absolute(c.b.path.x) + absolute(c.b.path.y);
+	c.grain = grain;
+	c.within = minimum(maximum(sweep_within(step, grain), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
 	return c;
 }
 

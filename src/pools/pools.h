@@ -123,8 +123,9 @@
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
 #define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
 #define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
-#define CONTACT_LASTS \
-	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH) // what narrow_phase leaves alone
+#define CONTACT_LASTS                                                         \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | \
+	 CONTACT_HIGH) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -559,7 +560,7 @@ typedef struct // constants of one step, passed by value to every stage
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
-	float fall; // m: how far gravity may move what rests, in a step, and more
+	float fall;           // m: how far gravity may move what rests, in a step, and more
 	Softness pair, fixed; // of contacts between bodies that can move; with one that cannot
 	float h_ratio;        // h over that of the last step that took time
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed

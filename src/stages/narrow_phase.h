@@ -72,7 +72,8 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 // Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
 // only. far: the pair may approach by more than the speculative distance. rolls gets the MANIFOLD_* bits of a manifold
 // that follows its corners.
-INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, float grain, Word* rolls)
+INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, float grain,
+                               Word* rolls)
 {
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Vec turn = vec(a.c, a.s);
@@ -84,12 +85,12 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	found_at.ahead = 0;
 	Closing closing;
 	closing.most = 0.0f;
-	float within = sweep_within(&p->step, grain);
+	closing.within = sweep_within(&p->step, grain);
 	if (far)
 		closing = sweep_closing(p, a, b, grain);
-	if (closing.most > within)
+	if (closing.most > sweep_within(&p->step, grain))
 		return ahead_meeting(p, a, b, closing, found_at);
-	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(within));
+	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
 	if (answers && found_at.m.count > 0)
 	{
 		if (!far)
@@ -142,7 +143,8 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 }
 
 // Writes a manifold. flags are those of the new one.
-INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b, float grain)
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b,
+                               float grain)
 {
 	const Manifold* m = &at->m;
 	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
@@ -150,9 +152,9 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	manifold.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
 	manifold.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
 	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
-	manifold.then =
-	    make_float4(at->axes.x, at->axes.y, a->reach,
-	                at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap, grain, sweep_within(&p->step, grain)));
+	manifold.then = make_float4(
+	    at->axes.x, at->axes.y, a->reach,
+	    at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap, grain, sweep_within(&p->step, grain)));
 	p->contact_manifold[i] = manifold;
 }
 

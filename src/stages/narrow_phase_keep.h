@@ -97,7 +97,9 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > SWEEP_LAG * c->grain);
 	Int in_place = (slide <= SWEEP_LAG * c->grain) & (c->shift <= splat(TURN_SHARE) * c->limit);
 	Int passes = c->on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
-	Word anew = wanders & lane_bits(passes | (c->far & (closing.most > sweep_within(&p->step, c->grain))));
+	Word anew =
+	    wanders &
+	    lane_bits(passes | (c->far & ((closing.most > splat(SPECULATIVE_DISTANCE)) | (c->grain < splat(1.0f)))));
 
 	Word along = wanders & ~anew & lane_bits(c->on & lags);
 	for (int k = 0; along >> k != 0; ++k)

@@ -44,9 +44,7 @@ INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, Real gr
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Closing closing = sweep_between(a, sa, b, sb);
-	closing.grain = grain;
-	closing.within = sweep_within(&p->step, grain);
-	return closing;
+	return sweep_fine(&p->step, closing, grain);
 }
 
 // The most by which any two points of the pair may approach along a normal from a to b, m per step.

@@ -62,9 +62,9 @@ typedef struct
 	int idle;            // steps since pools were last looked at for room to give back
 	int sparse;          // steps with few contacts for their slots
 	bool jumps;          // the user placed or created something since the last step: boxes may jump
-	bool mixed;   // some collidable got another attribute of its shape, or reports other events, since the last step
-	bool reports; // some collidable has ever reported touches or hits
-	bool rules;   // some attribute is a one-way platform, or some pair of materials or bodies was set
+	bool mixed;     // some collidable got another attribute of its shape, or reports other events, since the last step
+	bool reports;   // some collidable has ever reported touches or hits
+	bool rules;     // some attribute is a one-way platform, or some pair of materials or bodies was set
 	bool platforms; // some attribute is a one-way platform
 	int material_pairs, excluded; // rows of these pools
 	bool asks;                    // some collidable has ever asked
