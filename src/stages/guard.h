@@ -27,7 +27,6 @@
 #define GUARD_DEEPEST 0.75f
 // m: how much deeper a body may be that was deeper before; and how closely the target is met
 #define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
-#define GUARD_SHORT     0.2f // of that depth, for thin bodies
 
 typedef struct // where a path ends
 {
@@ -55,7 +54,7 @@ RARE float guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, S
 	Closing closing = sweep_between(a, way_a, b, way_b);
 	Vec axes = vec(a.c, a.s);
 	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
-	float time = 0.0f, target = 0.0f, tolerance = minimum(GUARD_TOLERANCE, GUARD_SHORT * deeper);
+	float time = 0.0f, target = 0.0f;
 	for (int round = 0; round < SWEEP_ROUNDS; ++round)
 	{
 		Manifold m = collide(shape_a, shape_b, f, sweep_reach(closing, axes, time));
@@ -64,12 +63,12 @@ RARE float guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, S
 		{
 			target = minimum(gap, 0.0f) - deeper;
 			target = maximum(target, -deepest);
-			target = minimum(target, gap - tolerance);
+			target = minimum(target, gap - GUARD_TOLERANCE);
 		}
 		*normal = vec_turn(axes, m.normal);
 		if (m.count > 0 && gap <= target)
 			return time;
-		float speed = sweep_speed(closing, *normal, time), left = gap - target + tolerance;
+		float speed = sweep_speed(closing, *normal, time), left = gap - target + GUARD_TOLERANCE;
 		if (m.count == 0 || !(speed * (1.0f - time) > left))
 			return 1.0f;
 		time = time + left / speed;
