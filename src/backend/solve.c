@@ -52,6 +52,8 @@ void solve_list(const Solve* solve, RunList* list)
 		if (solve->rare[kind])
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
 	}
+	if (solve->chains > 0)
+		runs_add(list, STAGE_chain_begin, 0, solve->chains, bound, 0);
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
 	{
 		int before = schedule_before(solve->substeps, q);

@@ -28,6 +28,7 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_query_nearest] = CHUNK_ITEMS,
     [STAGE_sense] = 1,
     [STAGE_hub] = 1,
+    [STAGE_chain_begin] = DEALT,
     [STAGE_chain] = DEALT,
     [STAGE_chain_end] = DEALT,
     [STAGE_hash_bodies] = 16,

@@ -141,8 +141,6 @@ INLINE Chain chain_number(const Pools* p, int i)
 
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	if (pass == PASS_WARM_START)
-		chain_begin(p, &chain);
 	// even joints, odd joints, even joints: the equations hold velocities after all joints did what is their own
 	int owns = pass != PASS_RELAX || p->step.drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
@@ -176,6 +174,19 @@ GROUP_STAGE(chain)
 			chain.at.stride = 1;
 			chain_pass(p, chain, p->argument);
 		}
+	}
+}
+
+// Before any constraint starts the step: one that did so with a link's own inertia would turn it by another angle than the chain,
+// which has the inertia of the step, takes back. That is a kick in every step, and ropes were torn through their pegs.
+GROUP_STAGE(chain_begin)
+{
+	(void)bench;
+	int first = p->chain[i].item;
+	for (int k = 0; k < p->chain[first].parts; ++k)
+	{
+		Chain chain = chain_number(p, first + k);
+		chain_stretch(p, &chain);
 	}
 }
 
