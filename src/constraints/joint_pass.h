@@ -141,13 +141,13 @@ INLINE void joint_solve(const JointSystem* s, Real mass, Real x[3])
 	x[0] = (s->goal[0] / s->yield[0] - l01 * x[1]) - l02 * x[2];
 }
 
-// Adds a solution to the impulses of the locks. What is not locked has none.
-INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3])
+// Adds a solution to the impulses of the locks. What is not locked has none; turns: where the angle has one.
+INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), joint_has(u, JOINT_LOCKED(0)));
 	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), joint_has(u, JOINT_LOCKED(1)));
-	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), joint_has(u, JOINT_LOCKED(2)));
+	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), turns);
 	joint_give(u, c,
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
@@ -279,7 +279,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		JointSystem system = joint_system(p, i, pass == PASS_BIAS, 0, START_SHARE * p->step.max_speed, u, &c);
 		Real x[3];
 		joint_solve(&system, c.mass, x);
-		joint_hold(u, &c, x);
+		joint_hold(u, &c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 		if (pass == PASS_BIAS && c.rails)
 			joint_keep_along(p, u, &c);
 		if (pass == PASS_RELAX && p->step.drives)

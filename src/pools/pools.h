@@ -388,6 +388,7 @@ typedef struct // MAX_LANES joints in the systems of their chains: working data 
 	float tension[2][MAX_LANES];                 // kg m^2: what its pull adds to the inertia of its bodies
 	float own_a[MAX_LANES], own_b[MAX_LANES];    // 1/(kg m^2): inverse inertias of its bodies
 	float step_a[MAX_LANES], step_b[MAX_LANES];  // the same for the step, with the tension
+	float slack[MAX_LANES];                      // 1/(kg m^2): softness of the damping of a free angle; 0 for none
 } ChainBlock;
 
 // a component of the joint at a spot

@@ -28,6 +28,25 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 // picks the smallest; since it multiplies changes of impulses only, it does not make the chain softer.
 #define CHAIN_GIVE 1.00001f
 
+// Whether the free angle of a joint is damped: in both passes, by an impulse of its own.
+INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
+{
+	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
+}
+
+INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSystem* s)
+{
+	const JointPose* c = &link->c;
+	Real softness = CHAIN_AT(p, slack, spot), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
+	Int damps = chain_damps(p, spot, &link->u);
+	s->yield[2] = choose(s->yield[2], ia + ib + softness, damps);
+	s->goal[2] = choose(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
+	s->cross[1] = choose(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
+	s->cross[2] = choose(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
+	s->locked[2] = s->locked[2] | damps;
+	return damps;
+}
+
 // The equations of a joint: diagonal block, right side; and what couples it with others.
 INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, const ChainLink* link)
 {
@@ -35,6 +54,7 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
 	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, 1, most, &link->u, &link->c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
+	Int slack = chain_damp(p, spot, link, &s);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
 	CHAIN_PUT(p, d[1], spot, s.cross[0]);
 	CHAIN_PUT(p, d[2], spot, s.cross[1]);
@@ -44,7 +64,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	for (int k = 0; k < 3; ++k)
 	{
 		CHAIN_PUT(p, r[k], spot, s.goal[k]);
-		locks = locks + choose(zero, splat((float)(1 << k)), joint_has(&link->u, JOINT_LOCKED(k)));
+		Int locked = joint_has(&link->u, JOINT_LOCKED(k));
+		locks = locks + choose(zero, splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
 		holds = holds + choose(zero, splat((float)(1 << k)), s.locked[k]);
 	}
 	CHAIN_PUT(p, locks, spot, locks);
@@ -92,7 +113,7 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	ChainLink link;
 	chain_load_kept(p, chain, spot, &link);
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
-	joint_hold(&link.u, &link.c, x);
+	joint_hold(&link.u, &link.c, x, joint_has(&link.u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link.u));
 	if (pass == PASS_RELAX && p->step.drives)
 		joint_peak(p, chain->begin + spot, &link.u, &link.c);
 	chain_store(p, chain, spot, &link);
