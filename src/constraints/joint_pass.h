@@ -21,6 +21,7 @@
 typedef struct // of the locks: yield x = goal
 {
 	Real yield[3], cross[3]; // diagonal; 01, 02, 12
+	Real soft[3], soft_cross[3];   // of these, what they yield without their bodies: softness
 	Real goal[3];
 	Int locked[3];
 } JointSystem;
@@ -110,6 +111,7 @@ INLINE JointSystem joint_system(const Pools* p, int i, int soft, int chained, fl
 		if (soft)
 			speed[k] = speed[k] + choose(within(back, most[k]), back, joint_has(u, JOINT_SOFT(k)));
 		s.yield[k] = choose(one, own + softer[k], s.locked[k]);
+		s.soft[k] = softer[k];
 	}
 	joint_crosses(c, cross);
 	Real softer01 = joint_soft_pair(u, softness, 0, 1) * cross[0],
@@ -120,6 +122,9 @@ INLINE JointSystem joint_system(const Pools* p, int i, int soft, int chained, fl
 	                softer02 * impulse[0] + softer12 * impulse[1] + softer[2] * impulse[2]};
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		s.goal[k] = choose(zero, -(soft ? speed[k] + back[k] : speed[k]), s.locked[k]);
+	s.soft_cross[0] = choose(zero, softer01, s.locked[0] & s.locked[1]);
+	s.soft_cross[1] = choose(zero, softer02, s.locked[0] & s.locked[2]);
+	s.soft_cross[2] = choose(zero, softer12, s.locked[1] & s.locked[2]);
 	s.cross[0] = choose(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
 	s.cross[1] = choose(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
 	s.cross[2] = choose(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);

@@ -359,8 +359,8 @@ typedef struct // 272 bytes: a joint as the user wants it
 typedef struct // 32 bytes: a chain, or some side by side
 {
 	int first;  // spot of joint 0
-	int count;  // joints of the longest one
-	int odds;   // spots from joint 0 to joint 1
+	int count;  // joints of the longest one; nodes of a branch
+	int odds;   // spots from joint 0 to joint 1; of a branch, its node 0 in the pool
 	int stride; // spots between neighbors in a row: 1, or MAX_LANES
 	int length; // joints of a row, with inert ones at its end
 	int bits;   // of the number of rows, at least 1
@@ -372,6 +372,16 @@ typedef struct // 32 bytes: a chain, or some side by side
 #define CHAIN_SPOT(c, k)                                                                           \
 	((c)->first + ((k)&1) * (c)->odds + (((k) >> 1) & ((1 << (c)->bits >> 1) - 1)) * (c)->length + \
 	 ((k) >> (c)->bits) * (c)->stride)
+
+typedef struct // 32 bytes: a body of a branch, and its joint toward the root. Nodes are in the order of their distance from the root
+{
+	int body;         // its index
+	int side;         // of the body at the joint: 0 for a, 1 for b
+	int up;           // the node that it hangs on, from the first of the branch on; -1 for none that moves
+	int first, count; // nodes that hang on it
+	int begin, end;   // nodes as far from the root
+	int unused;
+} BranchNode;
 
 typedef struct // MAX_LANES joints in the systems of their chains: working data of a pass
 {

@@ -9,8 +9,8 @@
 #define CHAIN_H
 #include "stages/chain_stiff.h"
 
-// What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
-INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
+// What does not depend on the velocities: warm start; what turned arms are worth.
+INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 {
 	if (pass == PASS_WARM_START)
 	{
@@ -20,6 +20,12 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 	}
 	if (pass == PASS_BIAS)
 		joint_turn(p, place, &link->u, &link->c);
+}
+
+// What does not depend on the other joints of the chain: this, and limits, springs, motors.
+INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
+{
+	chain_start(p, place, pass, link);
 	if (pass != PASS_WARM_START)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
@@ -40,6 +46,7 @@ INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSyst
 	Real softness = CHAIN_AT(p, slack, spot), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
 	Int damps = chain_damps(p, spot, &link->u);
 	s->yield[2] = choose(s->yield[2], ia + ib + softness, damps);
+	s->soft[2] = choose(s->soft[2], softness, damps);
 	s->goal[2] = choose(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
 	s->cross[1] = choose(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
 	s->cross[2] = choose(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
@@ -107,13 +114,20 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 		}
 }
 
+// Adds a solution to the impulses of a joint, that of a damped angle too.
+INLINE void chain_hold(const Pools* p, int spot, const Real x[3], ChainLink* link)
+{
+	Int turns = joint_has(&link->u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link->u);
+	joint_hold(&link->u, &link->c, x, turns);
+}
+
 // Gives the bodies of a joint the impulses of the solution.
 INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 {
 	ChainLink link;
 	chain_load_kept(p, chain, spot, &link);
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
-	joint_hold(&link.u, &link.c, x, joint_has(&link.u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link.u));
+	chain_hold(p, spot, x, &link);
 	if (pass == PASS_RELAX && p->step.drives)
 		joint_peak(p, chain->begin + spot, &link.u, &link.c);
 	chain_store(p, chain, spot, &link);
