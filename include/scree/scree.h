@@ -314,6 +314,9 @@ typedef struct scree_counters
 	float penetration;     // deepest overlap at the start of the last step, m
 	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
+	float joint_gap;       // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
+	                       // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More
+	                       // than some mm in a world at rest means that joints shake or are overloaded
 } scree_counters;
 
 // bodies, dynamic_bodies, collidables and attributes are current; the other counters are those of the last step.

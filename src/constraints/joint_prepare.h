@@ -103,6 +103,27 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
+// The widest gap seen, for the user's counters: what rigid locks of distances are off. gap is from anchor to anchor.
+INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
+{
+	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
+	Real zero = splat(0.0f), off[2];
+	off[0] = vec_dot(gap, axis) - u->length;
+	off[1] = vec_cross(axis, gap);
+	for (int k = 0; k < 2; ++k)
+	{
+		Int counts = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k) | JOINT_COUPLED) == 0);
+		off[k] = choose(zero, off[k], counts);
+	}
+	Real square = off[0] * off[0] + off[1] * off[1];
+	Real most = splat(bits_float(read_shared(&p->counters->joint_gap)));
+	Word wider = lane_bits((square > most * most) & (square <= splat(MOST_FLOAT)));
+	Real width = wider ? root(square) : zero;
+	for (int k = 0; wider >> k != 0; ++k)
+		if (wider >> k & 1)
+			atomic_max_int(&p->counters->joint_gap, float_bits(lane(width, k)));
+}
+
 // All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
 INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 {
@@ -142,6 +163,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->arm_b_y = b.arm.y;
 	u->gap_x = gap.x;
 	u->gap_y = gap.y;
+	joint_count_gap(p, u, gap);
 
 	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));
 	u->angle = u->turned - target[JOINT_ANGLE];

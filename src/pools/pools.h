@@ -653,6 +653,7 @@ typedef struct
 	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color: 0 if none began or ended
 	int arranged;                  // 1 if all that changed was laid out
 	int penetration;               // bits of the deepest overlap, m
+	int joint_gap;                 // bits of the widest gap of a joint, m
 	int nonfinite;                 // bodies frozen because their state was not finite
 	int first_nonfinite;           // lowest index of these
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several

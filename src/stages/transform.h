@@ -45,6 +45,7 @@ STAGE(step_begin)
 	c->entered = 0;
 	c->guarded = 0;
 	c->penetration = 0;
+	c->joint_gap = 0;
 	c->joint_events = 0;
 	c->touches_began = 0;
 	c->waiting = 0;
