@@ -242,6 +242,28 @@ static bool measure(const Lab* lab, void* state, scree_counters* counters)
 	       scree_lab_counters(state, counters);
 }
 
+// Where an anchor is in the world. Poses are those of bodies, not of their centers.
+static void anchor_of(const Lab* lab, int body, scree_vec anchor, double at[2])
+{
+	scree_pose pose = lab->poses[body];
+	double x = (double)anchor.x, y = (double)anchor.y, c = (double)pose.rotation.c, s = (double)pose.rotation.s;
+	at[0] = (double)pose.position.x + (c * x - s * y);
+	at[1] = (double)pose.position.y + (s * x + c * y);
+}
+
+double lab_gap(const Lab* lab)
+{
+	double most = 0.0;
+	for (int k = 0; k < lab->joint_count; ++k)
+	{
+		double a[2], b[2];
+		anchor_of(lab, lab->joints[k].a, lab->joints[k].def.frame_a.position, a);
+		anchor_of(lab, lab->joints[k].b, lab->joints[k].def.frame_b.position, b);
+		most = fmax(most, hypot(b[0] - a[0], b[1] - a[1]));
+	}
+	return most;
+}
+
 double lab_overlap(Lab* lab, int* touching)
 {
 	lab_read(lab);

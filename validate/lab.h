@@ -34,6 +34,7 @@ double lab_kinetic(const Lab* lab, int body); // J, 0 unless dynamic
 double lab_speed(const Lab* lab, int body);   // m/s
 scree_vec lab_center(const Lab* lab, int body);
 double lab_fastest(const Lab* lab, int* body); // m/s, of dynamic bodies; body may be null
+double lab_gap(const Lab* lab);                // m, the largest distance between the two anchors of a joint
 
 // Measures the deepest overlap of all bodies, m, and the number of touching contacts (touching may be null). All poses are
 // copied into a new Scree world, at rest and without gravity, which takes one very short step. So the measurement is the same
