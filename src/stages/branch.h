@@ -19,11 +19,13 @@
 // David Baraff, Linear-Time Dynamics using Lagrange Multipliers, 1996: sparse elimination from leaf to root.
 #ifndef BRANCH_H
 #define BRANCH_H
-#include "stages/chain.h"
+#include "stages/branch_drive.h"
 
 // Share of what the upper body yields, for a lower one that cannot move: nothing else is in the way there. It multiplies changes of
 // impulses only, so that a joint does not get softer.
 #define BRANCH_GIVE 1.0e-3f
+// How often a pass is solved anew because a motor or a limit reached its bound, at most.
+#define BRANCH_TRIALS 4
 
 typedef struct
 {
@@ -200,7 +202,7 @@ INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode n
 }
 
 // Takes node k out, whose own nodes are: what it is to the body above.
-INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass)
+INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int drives)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
 	BranchBody body = branch_body(p, branch, node);
@@ -212,6 +214,8 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass)
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
 	JointSystem s = joint_system(pass == PASS_BIAS, most, &link.u, c);
 	chain_damp(p, spot, &link, &s);
+	int held = drives ? branch_drives(p, branch->chain.begin + spot, pass == PASS_BIAS, &link, &s) : 0;
+	chain_at(p, holds, spot) = (float)held;
 	float here[3][3], there[3][3], m[6], inverse[6], goal[3], y[3], answer[3][3];
 	branch_rows(c, b, s.locked, here);
 	branch_rows(c, !b, s.locked, there);
@@ -285,13 +289,13 @@ INLINE void branch_down(const Pools* p, const Branch* branch, int k)
 		BRANCH_AT(p, branch, x[q], k) += change[q];
 }
 
-INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
+INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int drives)
 {
 	for (int begin, end = branch->chain.at.count; end > 0; end = begin)
 	{
 		begin = BRANCH_NODE(p, branch, end - 1).begin;
 		BRANCH_SOME(k, begin, end)
-		branch_up(p, branch, k, pass);
+		branch_up(p, branch, k, pass, drives);
 		group_meet();
 	}
 	for (int begin = 0, end; begin < branch->chain.at.count; begin = end)
@@ -301,12 +305,42 @@ INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 		branch_down(p, branch, k);
 		group_meet();
 	}
+}
+
+// Sets drives of which the solution wants more than they give to their bounds, and nothing else. Whether there are any.
+INLINE int branch_bound(const Pools* p, const Branch* branch)
+{
+	int found = 0;
+	BRANCH_EACH(k, branch)
+	{
+		int spot = branch->chain.at.first + k, held = (int)chain_at(p, holds, spot);
+		ChainLink link;
+		chain_load_kept(p, &branch->chain, spot, &link);
+		float x[3] = {BRANCH_AT(p, branch, r[0], k), BRANCH_AT(p, branch, r[1], k), BRANCH_AT(p, branch, r[2], k)};
+		chain_at(p, other, spot) = (float)branch_beyond(p, branch->chain.begin + spot, held, x, &link);
+		branch_keep(p, branch, k, &link);
+	}
+	branch_gather(p, branch);
+	for (int k = 0; k < branch->chain.at.count; ++k)
+		found |= BRANCH_AT(p, branch, other, k) > 0.0f;
+	group_meet();
+	return found;
+}
+
+INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
+{
+	// what reached its bound is left out, and the rest is solved anew; in the end the locks alone, which have no bounds
+	int trials = p->step.drives ? BRANCH_TRIALS : 0;
+	branch_solve(p, branch, pass, trials > 0);
+	while (trials > 0 && branch_bound(p, branch))
+		branch_solve(p, branch, pass, --trials > 0);
 	BRANCH_EACH(k, branch)
 	{
 		int spot = branch->chain.at.first + k;
 		ChainLink link;
 		chain_load_kept(p, &branch->chain, spot, &link);
 		Real x[3] = {BRANCH_AT(p, branch, r[0], k), BRANCH_AT(p, branch, r[1], k), BRANCH_AT(p, branch, r[2], k)};
+		branch_drive(p, branch->chain.begin + spot, (int)chain_at(p, holds, spot), x, &link);
 		chain_hold(p, spot, x, &link);
 		if (pass == PASS_RELAX && p->step.drives)
 			joint_peak(p, branch->chain.begin + spot, &link.u, &link.c);
