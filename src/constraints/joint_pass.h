@@ -20,8 +20,8 @@
 
 typedef struct // of the locks: yield x = goal
 {
-	Real yield[3], cross[3]; // diagonal; 01, 02, 12
-	Real soft[3], soft_cross[3];   // of these, what they yield without their bodies: softness
+	Real yield[3], cross[3];     // diagonal; 01, 02, 12
+	Real soft[3], soft_cross[3]; // of these, what they yield without their bodies: softness
 	Real goal[3];
 	Int locked[3];
 } JointSystem;

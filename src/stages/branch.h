@@ -41,10 +41,10 @@ INLINE Branch branch_number(const Pools* p, int i)
 	return branch;
 }
 
-#define BRANCH_EACH(k, tree)         BRANCH_SOME(k, 0, (tree)->chain.at.count)
-#define BRANCH_SOME(k, begin, end)   for (int k = (begin) + part_lane(); k < (end); k += part_width())
-#define BRANCH_NODE(p, tree, k)      ((p)->branch[(tree)->nodes + (k)])
-#define BRANCH_AT(p, tree, row, k)   chain_at(p, row, (tree)->chain.at.first + (k))
+#define BRANCH_EACH(k, tree)       BRANCH_SOME(k, 0, (tree)->chain.at.count)
+#define BRANCH_SOME(k, begin, end) for (int k = (begin) + part_lane(); k < (end); k += part_width())
+#define BRANCH_NODE(p, tree, k)    ((p)->branch[(tree)->nodes + (k)])
+#define BRANCH_AT(p, tree, row, k) chain_at(p, row, (tree)->chain.at.first + (k))
 
 // Loops over nodes that hang on node k.
 #define BRANCH_BELOW(c, node) for (int c = (node).first; c < (node).first + (node).count; ++c)
@@ -201,6 +201,32 @@ INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode n
 	return body;
 }
 
+// An angle of a branch is rigid. So what its joint yields along and across, of which the softness is a share, is without the turn
+// that the angle does not allow: with it, light ends of long arms would sag.
+INLINE void branch_stiffen(const Joint* u, JointSystem* s)
+{
+	float impulse[2] = {u->impulse_along, u->impulse_across}, share[2] = {1.0f, 1.0f};
+	if (!(s->locked[2] && joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) && s->soft[2] == 0.0f))
+		return;
+	for (int k = 0; k < 2; ++k)
+	{
+		float own = s->yield[k] - s->soft[k], turn = s->cross[1 + k] * (s->cross[1 + k] / s->yield[2]);
+		if (s->locked[k] && !joint_has(u, JOINT_SOFT(k)) && own > turn)
+			share[k] = (own - turn) / own;
+	}
+	if (share[0] == 1.0f && share[1] == 1.0f)
+		return;
+	s->goal[0] += s->soft_cross[0] * impulse[1];
+	s->goal[1] += s->soft_cross[0] * impulse[0];
+	s->soft_cross[0] = 0.0f;
+	for (int k = 0; k < 2; ++k)
+	{
+		float less = share[k] * s->soft[k];
+		s->goal[k] += (s->soft[k] - less) * impulse[k];
+		s->soft[k] = less;
+	}
+}
+
 // Takes node k out, whose own nodes are: what it is to the body above.
 INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int drives)
 {
@@ -213,6 +239,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 	chain_keep_pose(p, spot, c);
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
 	JointSystem s = joint_system(pass == PASS_BIAS, most, &link.u, c);
+	branch_stiffen(&link.u, &s);
 	chain_damp(p, spot, &link, &s);
 	int held = drives ? branch_drives(p, branch->chain.begin + spot, pass == PASS_BIAS, &link, &s) : 0;
 	chain_at(p, holds, spot) = (float)held;

@@ -65,7 +65,8 @@ static float weight_of(const scree_world* world, int joint, int hub)
 		{
 			int other = joint_of_end(next), there = chain_other_body(world, other, bodies[k]);
 			const HostJoint* more = world->host_joints + other;
-			if (other == from[k] || there == hub || !welded(more) || !chain_acts(world, other) || !chain_moves(world, there))
+			if (other == from[k] || there == hub || !welded(more) || !chain_acts(world, other) ||
+			    !chain_moves(world, there))
 				continue;
 			int at = more->bodies[0] != bodies[k];
 			const scree_pose* ends[2] = {&more->def.frame_a, &more->def.frame_b};

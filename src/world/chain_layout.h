@@ -12,9 +12,9 @@ typedef struct // a chain
 
 typedef struct
 {
-	int* joints;    // of all chains, in order
-	ChainRow* rows; // will be sorted
-	int count;      // chains
+	int* joints;       // of all chains, in order
+	ChainRow* rows;    // will be sorted
+	int count;         // chains
 	BranchNode* nodes; // of all branches; a row of them for each
 	int* node_joints;  // of each, -1 for none
 	ChainRow* branches;
