@@ -122,7 +122,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 			Vec normal = vec(0.0f, 0.0f);
 			WorldShape stands = p->world_shape[j];
 			float share = guard_time(p, stands, guard_rest(p->attribute + stands.attribute), world_shape, way,
-			                         GUARD_DEPTH * thickness, GUARD_DEEPEST * thickness, &normal);
+			                         minimum(GUARD_DEPTH * thickness, STOP_DEPTH), GUARD_DEEPEST * thickness, &normal);
 			if (share < least.share || (share == least.share && share < 1.0f && j < least.index))
 				least = guard_stop(share, normal, j);
 		}
