@@ -40,7 +40,8 @@ static bool is_spoke(const Graph* g, Int2 ends)
 }
 
 // Contacts of crowded bodies give their colors back. Then sequential greedy: each contact in the order of falling priority
-// takes the lowest color free on both bodies; the highest when one of them cannot move; those of crowded bodies none.
+// takes the lowest color free on both bodies, the highest when one of them cannot move, the last ones only where that is static;
+// those of crowded bodies none.
 static void color_greedily(Graph* g)
 {
 	for (int k = 0; k < g->contacts; ++k)

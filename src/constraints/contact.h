@@ -412,7 +412,7 @@ INLINE Real pair_start(const Step* step, Real impulse, Real mass)
 }
 
 // m: depth beyond which a body does not sink into what cannot move, whatever presses it; two parts of five of what Box2D lets in
-#define STOP_DEPTH 0.01f
+#define STOP_DEPTH 0.005f
 // rounds over both points: a point that is stopped turns the other one inward, by a quarter of its speed for a rod
 #define STOP_ROUNDS 3
 
