@@ -688,7 +688,7 @@ typedef struct scree_mass
 
 // The mass is computed from the densities of the collidables; a dynamic body with zero mass gets 1 kg and cannot
 // rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
-// gets an attribute with another shape or density. Its mass is 1e-15 to 1e30 kg; its
+// gets an attribute with another shape or density; it holds again after the body was of another type. Its mass is 1e-15 to 1e30 kg; its
 // inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
 // that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);

@@ -25,6 +25,8 @@
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
+// m: how much deeper at most; less holds more bodies of a pile, which then overlap more
+#define GUARD_MOST 0.015f
 // m: how much deeper a body may be that was deeper before; and how closely the target is met
 #define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
 
@@ -122,7 +124,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 			Vec normal = vec(0.0f, 0.0f);
 			WorldShape stands = p->world_shape[j];
 			float share = guard_time(p, stands, guard_rest(p->attribute + stands.attribute), world_shape, way,
-			                         minimum(GUARD_DEPTH * thickness, STOP_DEPTH), GUARD_DEEPEST * thickness, &normal);
+			                         minimum(GUARD_DEPTH * thickness, GUARD_MOST), GUARD_DEEPEST * thickness, &normal);
 			if (share < least.share || (share == least.share && share < 1.0f && j < least.index))
 				least = guard_stop(share, normal, j);
 		}
