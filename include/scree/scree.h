@@ -688,8 +688,8 @@ typedef struct scree_mass
 
 // The mass is computed from the densities of the collidables; a dynamic body with zero mass gets 1 kg and cannot
 // rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
-// gets an attribute with another shape or density; it holds again after the body was of another type. Its mass is 1e-15 to 1e30 kg; its
-// inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
+// gets an attribute with another shape or density; it holds again after the body was of another type. Its mass is
+// 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
 // that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
@@ -1401,11 +1401,12 @@ typedef struct scree_mover
 	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along
 	scree_vec carried;       // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
 	scree_collidable wall;   // the last wall, ceiling or steep slope that stopped it, or null
-	scree_vec wall_normal;   // unit vector from the wall to it, or 0
+	scree_vec wall_normal;   // unit vector from the wall to it, or 0. Of a mover that is crushed: 0, and wall is what it overlaps
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
-// ground down, ride on what moves below them, and are pushed out of what moves into them. They do not collide with each other, and push
+// ground down, ride on what moves below them, and are pushed out of what moves into them. One that nothing can push out, as between a lift
+// and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing. They do not collide with each other, and push
 // no body: give wall an impulse yourself. Add gravity to the velocity of those in the air. A velocity against up is dropped on ground; one
 // along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
 // on every device. Components of velocities are at most SCREE_HUGE. Fails without a change to movers.
