@@ -102,7 +102,7 @@ static void joints_yield_to_what_is_static(void** state)
 		OK(scree_bodies_set_targets(world, &def.body_a, &to, 1));
 		run_steps(world, 1);
 		scree_vec at = position_of(world, def.body_b);
-		assert_true(hypotf(at.x, at.y) < 2.8f); // its middle; the ring's is at 3
+		assert_true(hypotf(at.x, at.y) < 2.9f); // its middle; the ring is at 2.99 to 3
 	}
 	scree_world_destroy(world);
 }
@@ -123,7 +123,7 @@ static void hubs_yield_to_what_is_static(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	scree_body press, plate = add_plate(world, &press);
-	for (int step = 0; step < 180; ++step)
+	for (int step = 0; step < 120; ++step)
 	{
 		OK(scree_body_set_velocity(world, press, (scree_velocity){{0.5f, 0.0f}, 0.0f}));
 		run_steps(world, 1);

@@ -411,7 +411,8 @@ INLINE Real pair_start(const Step* step, Real impulse, Real mass)
 	return minimum(impulse, START_SHARE * step->max_speed * mass);
 }
 
-// m: depth beyond which a body does not sink into what cannot move, whatever presses it; two parts of five of what Box2D lets in
+// m: depth beyond which a body does not sink into what cannot move, whatever presses it. With 10 mm a capsule in a corner is 26 mm deep, with
+// 5 mm 21
 #define STOP_DEPTH 0.005f
 // rounds over both points: a point that is stopped turns the other one inward, by a quarter of its speed for a rod
 #define STOP_ROUNDS 3
