@@ -411,39 +411,6 @@ INLINE Real pair_start(const Step* step, Real impulse, Real mass)
 	return minimum(impulse, START_SHARE * step->max_speed * mass);
 }
 
-// m: depth beyond which a body does not sink into what cannot move, whatever presses it. With 10 mm a capsule in a corner is 26 mm deep, with
-// 5 mm 21
-#define STOP_DEPTH 0.005f
-// rounds over both points: a point that is stopped turns the other one inward, by a quarter of its speed for a rod
-#define STOP_ROUNDS 3
-
-// Whether points of contacts with something immovable are so deep that they may need to be stopped.
-INLINE Int pair_pressed(const ContactArms* c, const Contact* u)
-{
-	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
-	return fixed & (minimum(u->gap1, u->gap2) < splat(-0.5f * STOP_DEPTH));
-}
-
-// Stops the points of pressed contacts that would be deeper than STOP_DEPTH after the substep. A soft contact forgets a share of its
-// impulse in every pass, so it gives way to what presses on for long: a body between something kinematic and a wall would sink
-// into the wall until the bias makes up for that, by 5 to 50 cm.
-INLINE void pair_stop(const Step* step, ContactArms* c, Contact* u, Int pressed)
-{
-	Real* impulse[2] = {&u->normal_impulse1, &u->normal_impulse2};
-	Real gap[2] = {u->gap1, u->gap2}, mass[2] = {u->normal_mass1, u->normal_mass2};
-	for (int k = 0; k < 2 * STOP_ROUNDS; ++k)
-	{
-		int point = k & 1;
-		Real left = gap[point] + STOP_DEPTH, old = *impulse[point];
-		Real room = choose(maximum(step->fixed.bias_rate * left, splat(-step->push_speed)), left * step->inv_h,
-		                   left > splat(0.0f));
-		Real stop = push_of(old - mass[point] * (pair_approach(*c, point, c->n) + room));
-		stop = choose(old, maximum(old, stop), pressed);
-		body_push(&c->a, c->ra[point], &c->b, c->rb[point], vec_scale(stop - old, c->n));
-		*impulse[point] = stop;
-	}
-}
-
 INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
 {
 	if (p->step.bounces)
@@ -454,9 +421,6 @@ INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
 	pair_normals(c, gap, mass, &p->step, 1, gap, impulse);
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
-	Int pressed = pair_pressed(c, u);
-	if (lane_bits(pressed))
-		pair_stop(&p->step, c, u, pressed);
 }
 
 // Masses and separations that are not held are derived where they are used. Deriving all of them first needs more registers

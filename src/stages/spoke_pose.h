@@ -17,6 +17,9 @@
 // points, the many of a comb would need more rounds of Newton's method: 3 combs of 80 teeth sink by 28 mm.
 #define PRESSED_YIELD 0.001f
 
+// m: a spoke that is deeper in something that cannot move leaks less of its impulse, and none at this depth
+#define STOP_DEPTH 0.005f
+
 // 1/kg: a smaller inverse mass counts as immovable. Its inverse is a finite float
 #define LEAST_RESISTS 1.0e-37f
 
@@ -83,7 +86,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	PairGoal goal = pair_goal(gap, fixed, &p->step, what == HUB_SOFT, 1);
 	if (what == HUB_SOFT)
 	{
-		// what pair_stop does for other contacts: what presses something static, or kinematic, gets no deeper than STOP_DEPTH
+		// What presses something static, or kinematic, gets no deeper than STOP_DEPTH: the impulse leaks less.
 		Real yields = minimum(maximum((gap + STOP_DEPTH) * (2.0f / STOP_DEPTH), splat(0.0f)), splat(1.0f));
 		goal.impulse_scale = choose(goal.impulse_scale, yields * goal.impulse_scale, fixed);
 	}
