@@ -51,11 +51,14 @@ INLINE Real sweep_grain(Int moved)
 	return grain;
 }
 
+// The same of the distance from which on a pair has points.
+INLINE Real sweep_room(Int moved) { return sweep_grain(moved >> GRAIN_LEVELS); }
+
 // m: the separation from which on a pair has points: the speculative distance, less for small bodies, but never less than gravity closes
 // in a step.
-INLINE Real sweep_within(const Step* step, Real grain)
+INLINE Real sweep_within(const Step* step, Real room)
 {
-	return maximum(SPECULATIVE_DISTANCE * grain, splat(step->fall));
+	return maximum(SPECULATIVE_DISTANCE * room, splat(step->fall));
 }
 
 // a member of the attributes with these indices; member is that of attribute 0
@@ -116,11 +119,12 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 
 // The closing of a pair with finer tolerances. What stops one of two fast bodies within the step may make them meet, though they do not
 // approach: so they have points as far apart as they move.
-INLINE Closing sweep_fine(const Step* step, Closing c, Real grain)
+INLINE Closing sweep_fine(const Step* step, Closing c, Int moved)
 {
 	Real way_a = absolute(c.a.path.x) + absolute(c.a.path.y), way_b = absolute(c.b.path.x) + absolute(c.b.path.y);
-	c.grain = grain;
-	c.within = minimum(maximum(sweep_within(step, grain), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
+	c.grain = sweep_grain(moved);
+	c.within =
+	    minimum(maximum(sweep_within(step, sweep_room(moved)), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
 	return c;
 }
 

@@ -94,7 +94,9 @@
 // contacts are halved once for each that either has: they would exceed the smaller body.
 #define MOVED_GRAIN  8 // the first one
 #define GRAIN_LEVELS 5
-#define MOVED_GRAINS (MOVED_GRAIN * ((1 << GRAIN_LEVELS) - 1))
+// The same of its reach, for the distance from which on a pair has points: a long thin body needs those of both ends.
+#define MOVED_REACH  (MOVED_GRAIN << GRAIN_LEVELS)
+#define MOVED_GRAINS (MOVED_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 
 // kinds of collidables
 #define KIND_DEAD      0

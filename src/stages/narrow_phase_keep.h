@@ -78,6 +78,7 @@ typedef struct // LANES contacts, and how their collidables moved since their ma
 	Vec then_a;        // rotation of a then
 	Real shift, limit; // m: how far, and for how far the manifold is kept
 	Real grain;        // factor of the tolerances of the pair
+	Real room;         // of the distance from which on it has points
 } Keep;
 
 // Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
@@ -97,9 +98,8 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > SWEEP_LAG * c->grain);
 	Int in_place = (slide <= SWEEP_LAG * c->grain) & (c->shift <= splat(TURN_SHARE) * c->limit);
 	Int passes = c->on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
-	Word anew =
-	    wanders &
-	    lane_bits(passes | (c->far & ((closing.most > splat(SPECULATIVE_DISTANCE)) | (c->grain < splat(1.0f)))));
+	Word anew = wanders &
+	            lane_bits(passes | (c->far & ((closing.most > splat(SPECULATIVE_DISTANCE)) | (c->room < splat(1.0f)))));
 
 	Word along = wanders & ~anew & lane_bits(c->on & lags);
 	for (int k = 0; along >> k != 0; ++k)
@@ -146,6 +146,7 @@ WIDE_STAGE(narrow_phase_keep)
 
 	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
 	c.grain = sweep_grain(moved);
+	c.room = sweep_room(moved);
 	c.far = (moved & MOVED_FAR) != 0;
 	c.on = ((moved & MOVED_ON) != 0) & points;
 	Word wanders = there & stays & ~apart & lane_bits(answers & (c.far | c.on));

@@ -40,11 +40,11 @@ INLINE Closing sweep_between(WorldShape a, Sweep sa, WorldShape b, Sweep sb)
 	return sweep_apart(vec(b.x - a.x, b.y - a.y), sa, sb);
 }
 
-INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, Real grain)
+INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, Int moved)
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Closing closing = sweep_between(a, sa, b, sb);
-	return sweep_fine(&p->step, closing, grain);
+	return sweep_fine(&p->step, closing, moved);
 }
 
 // The most by which any two points of the pair may approach along a normal from a to b, m per step.
