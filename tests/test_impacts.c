@@ -255,7 +255,7 @@ static void fast_rims_at_walls(void** state)
 		add(world, SCREE_BODY_STATIC, box_shape(0.01f, 300.0f), (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_body rim = add_rim(world, boxes[k % 6], 2.0f, (scree_vec){-random_between(&seed, 2.5f, 8.0f), 0.0f});
 		float speed = random_between(&seed, 100.0f, 300.0f);
-		throw(world, rim, speed, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -20.0f, 20.0f));
+		throw(world, rim, speed, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -60.0f, 60.0f));
 		for (int step = 0; step < 20; ++step)
 		{
 			run_steps(world, 1);

@@ -56,7 +56,7 @@
 #define SPECULATIVE_DISTANCE 0.02f
 
 // of a body's thickness: how far it may go in a step before guard tests its path
-#define GUARD_TRAVEL 0.5f
+#define GUARD_TRAVEL 0.2f
 // fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64
