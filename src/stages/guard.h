@@ -119,6 +119,8 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 			int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
 			if (p->collidable_kind[j] != KIND_STATIC || !filter_accepts(p->filter[i], p->filter[j]))
 				continue;
+			if (p->step.joints && joint_parts(p, make_int2(p->collidable_body[i], p->collidable_body[j])))
+				continue;
 			if (p->step.rules && rule_lets(p, j, i, path, swing))
 				continue;
 			Vec normal = vec(0.0f, 0.0f);
