@@ -77,10 +77,10 @@ static scree_status transform(Pipeline* pipeline, const Step* step)
 			return status;
 		state->touched = true;
 	}
-	// the static tree changes only when the user moved something in it
+	// the static tree changes only when the user moved something in it, or when the device put its leaves in order
 	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
-	if (pipeline->trees[1].touched)
-		tree_refit(list, &pipeline->trees[1].tree, 1, NO_COUNT);
+	if (pipeline->trees[1].touched || pipeline->jumps)
+		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
 	return SCREE_OK;
 }
