@@ -314,9 +314,9 @@ typedef struct scree_counters
 	float penetration;     // deepest overlap at the start of the last step, m
 	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
-	float joint_gap;       // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
-	                       // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More
-	                       // than some mm in a world at rest means that joints shake or are overloaded
+	float joint_gap; // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
+	                 // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More
+	                 // than some mm in a world at rest means that joints shake or are overloaded
 } scree_counters;
 
 // bodies, dynamic_bodies, collidables and attributes are current; the other counters are those of the last step.
@@ -1401,7 +1401,8 @@ typedef struct scree_mover
 	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along
 	scree_vec carried;       // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
 	scree_collidable wall;   // the last wall, ceiling or steep slope that stopped it, or null
-	scree_vec wall_normal;   // unit vector from the wall to it, or 0. Of a mover that is crushed: 0, and wall is what it overlaps
+	scree_vec
+	    wall_normal; // unit vector from the wall to it, or 0. Of a mover that is crushed: 0, and wall is what it overlaps
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
