@@ -17,7 +17,7 @@ typedef struct // of all steps
 	double seconds; // of the steps
 	double stages[STAGE_COLUMNS];
 	double scans; // s: of the rays of the scene
-	float penetration;
+	float penetration, joint_gap;
 	int nonfinite;
 } Totals;
 
@@ -41,6 +41,8 @@ static void add_record(Totals* totals, const Record* record)
 		totals->stages[k] += (double)record->stages[k];
 	if (record->counters.penetration > totals->penetration)
 		totals->penetration = record->counters.penetration;
+	if (record->counters.joint_gap > totals->joint_gap)
+		totals->joint_gap = record->counters.joint_gap;
 	totals->nonfinite += record->counters.nonfinite;
 }
 
@@ -80,6 +82,7 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		printf("  %-12s %.4f\n", simulation->pipeline->stages[k], totals->stages[k] / steps);
 	printf("%-14s %.4f m, the deepest seen\n", "penetration", (double)totals->penetration);
+	printf("%-14s %.4f m, the widest seen\n", "joint gap", (double)totals->joint_gap);
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
 	printf("%-14s %016" PRIx64 "\n", "hash", hash);

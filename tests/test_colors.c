@@ -18,6 +18,7 @@ typedef struct
 {
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
+	int kind[MOST_BODIES]; // of those that cannot move
 	Word64 mask[MOST_BODIES];
 	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
@@ -40,7 +41,8 @@ static bool is_spoke(const Graph* g, Int2 ends)
 }
 
 // Contacts of crowded bodies give their colors back. Then sequential greedy: each contact in the order of falling priority
-// takes the lowest color free on both bodies; the highest when one of them cannot move; those of crowded bodies none.
+// takes the lowest color free on both bodies, the highest when one of them cannot move, the last ones only where that is static;
+// those of crowded bodies none.
 static void color_greedily(Graph* g)
 {
 	for (int k = 0; k < g->contacts; ++k)
@@ -65,6 +67,10 @@ static void color_greedily(Graph* g)
 		}
 		bool both = g->moves[ends.x] && g->moves[ends.y];
 		int color = both ? 0 : COLORS - 1, last = both ? COLORS : -1, next = both ? 1 : -1;
+		Word64 taken = (g->moves[ends.x] ? g->mask[ends.x] : 0) | (g->moves[ends.y] ? g->mask[ends.y] : 0);
+		bool room = (~taken & (Word64)COLOR_MASK >> STATIC_COLORS) != 0;
+		if (!both && room && g->kind[ends.y] != KIND_STATIC)
+			color = COLORS - 1 - STATIC_COLORS;
 		for (; color != last; color += next)
 			if (!((g->moves[ends.x] && g->mask[ends.x] >> color & 1) ||
 			      (g->moves[ends.y] && g->mask[ends.y] >> color & 1)))
@@ -97,6 +103,8 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	put(b, POOL_touching, g->bodies, g->touching);
 	put(b, POOL_contact_bodies, g->contacts, g->ends);
 	put(b, POOL_contact_color, g->contacts, g->color);
+	put(b, POOL_pair, g->contacts, g->ends);
+	put(b, POOL_collidable_kind, g->bodies, g->kind);
 	put(b, POOL_began, g->began_count, g->began);
 	run_one(b, &step, STAGE_hub_enter, g->contacts, COUNT(crowded), 0);
 	int done = 0;
@@ -249,12 +257,14 @@ static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fix
 	g->contacts = contacts;
 	for (int k = 0; k < bodies; ++k)
 		g->moves[k] = k > 0 && k % fixed_one_in != 0;
+	for (int k = 0; k < bodies; ++k)
+		g->kind[k] = g->moves[k] ? KIND_DYNAMIC : k % 3 ? KIND_STATIC : KIND_KINEMATIC;
 	for (int k = 0; k < contacts; ++k)
 	{
 		Int2* ends = g->ends + k;
 		do
 			*ends = make_int2(random_below(seed, bodies), random_below(seed, bodies));
-		while (ends->x == ends->y || !(g->moves[ends->x] || g->moves[ends->y]));
+		while (ends->x == ends->y || !g->moves[ends->x]);
 		g->color[k] = COLOR_NONE;
 	}
 	for (int half = 0; half < 2; ++half)

@@ -139,8 +139,8 @@ static void make_chain(Pools* p)
 	                 .max_speed = 400.0f,
 	                 .max_spin = 100.0f,
 	                 .push_speed = 3.0f,
-	                 .soft = {8.0f, 0.9f, 0.1f},
-	                 .stiff = {16.0f, 0.95f, 0.05f}};
+	                 .pair = {8.0f, 0.9f, 0.1f, 0.5f, 0.002f},
+	                 .fixed = {16.0f, 0.95f, 0.05f, 3.0f, 0.001f}};
 	for (int k = 0; k < CHAIN; ++k)
 	{
 		bool moves = k % 7 != 3;

@@ -46,8 +46,8 @@ static void springs_push_or_pull(void** state)
 			assert_true(pulls ? joint_state_of(world, joint).force.x < -1.0f
 			                  : joint_state_of(world, joint).force.x > 1.0f);
 			run_steps(world, 17);
-			// an implicit step takes some energy of a spring without damping
-			NEAR(velocity_of(world, body).linear.x, pulls ? -0.95 : 0.95, 0.05);
+			// a spring without damping gives back all energy
+			NEAR(velocity_of(world, body).linear.x, pulls ? -1.0 : 1.0, 1e-4);
 			scree_world_destroy(world);
 		}
 }

@@ -107,6 +107,58 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_joint_set_coordinate(world, joints[(k + some) % count], SCREE_ANGLE, &at));
 }
 
+// Light hubs with heavy arms of two parts, welded, hinged with limits and motors, some of which break; two hubs beside each other,
+// one in a net with its arms joined at their ends, ropes and a chain of twelve that hang on them.
+static void build_branches(scree_world* world, const void* context)
+{
+	(void)context;
+	add_floor(world);
+	scree_body before = NOBODY;
+	for (int w = 0; w < 5; ++w)
+	{
+		float x = 3.0f * (float)w, y = 4.0f;
+		scree_attribute_def light = surface_of(circle_shape(0.15f));
+		light.density = 0.3f;
+		scree_body hub = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &light), x, y, 0.0f), ends[6];
+		if (w != 3)
+			join(world, SCREE_JOINT_WELD, w == 2 ? before : NOBODY, hub, x - (w == 2 ? 1.5f : 0.0f), y);
+		before = hub;
+		for (int k = 0; k < 6; ++k)
+		{
+			scree_rot q = scree_rot_make(6.28318531f * (float)k / 6.0f + 0.1f * (float)w);
+			scree_body above = hub;
+			for (int n = 0; n < 2; ++n)
+			{
+				float near = 0.15f + 0.8f * (float)n, middle = near + 0.4f;
+				scree_body part = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, x + middle * q.c, y + middle * q.s);
+				scree_joint_def def =
+				    joint_def_at(world, (w + k) % 3 ? SCREE_JOINT_REVOLUTE : SCREE_JOINT_WELD, k % 2 ? part : above,
+				                 k % 2 ? above : part, x + near * q.c, y + near * q.s, 0.1f * (float)k);
+				scree_joint_coordinate* angle = &def.coordinates[SCREE_ANGLE];
+				angle->motor = w % 2 == 0 && !angle->locked;
+				angle->motor_speed = 0.2f * (float)(k % 3);
+				angle->motor_max = 0.5f + (float)k;
+				angle->limited = k % 2 == 0 && !angle->locked;
+				angle->lower = -0.1f;
+				angle->upper = 0.3f;
+				def.breaks = k == 5 && n == 1;
+				def.force_threshold = def.breaks ? 3.0f : 3.4e38f;
+				add_joint(world, &def);
+				above = part;
+			}
+			ends[k] = above;
+			if (w == 4 && k > 0)
+				join(world, SCREE_JOINT_REVOLUTE, ends[k - 1], ends[k], x, y);
+		}
+	}
+	for (int k = 0; k < 12; ++k)
+	{
+		scree_body part = add_box(world, SCREE_BODY_DYNAMIC, 0.15f, 0.05f, 12.3f + 0.3f * (float)k, 4.0f);
+		join(world, SCREE_JOINT_REVOLUTE, before, part, 12.15f + 0.3f * (float)k, 4.0f);
+		before = part;
+	}
+}
+
 // Trains of gears with racks and winches, ropes over pulleys, tackles: of all drives, of ratios and bases that change, on
 // bodies that are moved, disabled and change their type.
 #define WHEELS 9
@@ -414,6 +466,7 @@ static void joints_are_equal(void** state)
 	     .context = form_scene("joint hubs")},
 	    {.name = "wheel", .steps = 30, .build = build_wheel, .act = act_wheel},
 	    {.name = "chains", .steps = 60, .build = build_chains, .act = act_chains},
+	    {.name = "branches", .steps = 60, .build = build_branches, .act = act_chains},
 	    {.name = "couplings", .steps = 48, .build = build_couplings, .act = act_couplings},
 	    {.name = "paths", .steps = 48, .build = build_paths, .act = act_paths},
 	    {.name = "path hubs", .steps = 30, .build = build_paths, .act = act_paths, .context = &many},

@@ -410,6 +410,41 @@ static void at_the_end_of_the_world(void** state)
 	scree_world_destroy(world);
 }
 
+// Between a lift and a ceiling a mover is crushed: it stays below the ceiling and reports what it cannot get out of, without a
+// normal. When the lift goes down again, the mover stands on it.
+static void lifts_crush(void** state)
+{
+	(void)state;
+	for (float speed = 0.5f; speed < 40.0f; speed *= 2.0f)
+	{
+		scree_world* world = open_world(0.0f);
+		add_box(world, SCREE_BODY_STATIC, 5.0f, 0.5f, 0.0f, 4.5f);
+		scree_body lift = add_box(world, SCREE_BODY_KINEMATIC, 2.0f, 0.25f, 0.0f, -0.25f);
+		scree_mover m = mover_at(0.0f, HALF + 0.01f);
+		walk_frames(world, NULL, &m, 0.0f, 30);
+		bool crushed = false;
+		for (float top = 0.0f; top < 3.6f; top += speed * STEP)
+		{
+			OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, speed}, 0.0f}));
+			walk_frames(world, NULL, &m, 0.0f, 1);
+			assert_true(m.position.y + HALF < 4.0f && m.position.y > 0.0f);
+			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
+		}
+		assert_true(crushed);
+		assert_true(m.velocity.x == 0.0f && m.velocity.y == 0.0f);
+		while (position_of(world, lift).y > 1.0f)
+		{
+			OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, -2.0f}, 0.0f}));
+			walk_frames(world, NULL, &m, 0.0f, 1);
+		}
+		OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
+		walk_frames(world, NULL, &m, 0.0f, 120);
+		NEAR(m.position.y, position_of(world, lift).y + 0.25f + HALF + 0.01f, 1e-3);
+		assert_false(scree_collidable_is_null(m.ground));
+		scree_world_destroy(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -419,6 +454,7 @@ int main(void)
 	    cmocka_unit_test(walks_on_slopes),
 	    cmocka_unit_test(rides_on_platforms),
 	    cmocka_unit_test(is_pushed),
+	    cmocka_unit_test(lifts_crush),
 	    cmocka_unit_test(crowds_are_equal_everywhere),
 	    cmocka_unit_test(hostile_movers),
 	    cmocka_unit_test(jumps_through_platforms),

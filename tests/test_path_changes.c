@@ -344,6 +344,36 @@ static void placing_moves_frame_b(void** state)
 	scree_world_destroy(world);
 }
 
+// A bead at 5 m/s on a ring, whose body is placed elsewhere: it comes back to the ring, and is no faster than before.
+static void jumps_of_the_path_add_no_speed(void** state)
+{
+	(void)state;
+	static const float jumps[][2] = {{0.5f, 0.0f},  {2.0f, 0.0f},  {2.0f, 2.0f},
+	                                 {-3.0f, 1.0f}, {10.0f, 0.0f}, {0.0f, 10.0f}};
+	for (int k = 0; k < 6; ++k)
+		for (int way = 0; way < 4; ++way)
+		{
+			scree_world* world = open_world(0.0f);
+			float radius = way & 1 ? 1.0f : 5.0f;
+			scree_path path = add_circle(world, (double)radius, 0.0, 0.0, 24);
+			scree_body ring = add_box(world, SCREE_BODY_KINEMATIC, 0.1f, 0.1f, 0.0f, 0.0f);
+			scree_body bead = add_wagon(world, path, 0.0f, 0.1f, 5.0f);
+			scree_joint_def def = path_def(path, ring, bead);
+			def.coordinates[SCREE_ANGLE].locked = way & 2;
+			scree_joint joint = add_joint(world, &def);
+			run_steps(world, 30);
+			GOOD(scree_body_set_pose(world, ring, (scree_pose){{jumps[k][0], jumps[k][1]}, {1.0f, 0.0f}}));
+			for (int n = 0; n < 90; ++n)
+			{
+				run_steps(world, 1);
+				scree_vec v = velocity_of(world, bead).linear;
+				assert_true(hypotf(v.x, v.y) < 5.5f);
+			}
+			NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], 0.0, 0.01);
+			scree_world_destroy(world);
+		}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -354,6 +384,7 @@ int main(void)
 	    cmocka_unit_test(crossings_keep_the_branch),
 	    cmocka_unit_test(placed_bodies_look_around),
 	    cmocka_unit_test(paths_move_with_bodies),
+	    cmocka_unit_test(jumps_of_the_path_add_no_speed),
 	    cmocka_unit_test(paths_come_and_go),
 	    cmocka_unit_test(joints_rest_and_break),
 	    cmocka_unit_test(placing_moves_frame_b),

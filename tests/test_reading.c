@@ -76,7 +76,7 @@ static void tuning_between_steps(void** state)
 	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), 0.0f, 5.5f, 0.0f);
 	scree_tuning tuning;
 	OK(scree_world_get_tuning(world, &tuning));
-	assert_true(tuning.max_speed == 400.0f && tuning.contact_hertz == 52.0f);
+	assert_true(tuning.max_speed == 400.0f && tuning.contact_hertz == 40.0f);
 	run_steps(world, 30);
 	assert_true(velocity_of(world, body).linear.y < -4.0f);
 	tuning.max_speed = 2.0f;

@@ -64,9 +64,9 @@ static void a_box_on_the_floor(void** state)
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 2 + 1);
-	// Prepare and 76: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, rebounds 8. Warm start and 4, bias and 8, relax and 40.
-	// Bounce 92: 48 with gaps, fall 4, rebounds 8, totals twice 16, impulses 16.
-	assert_int_equal(traffic.constraint_bytes, 256 + 68 + 2 * (72 + 124) + 92);
+	// Prepare and 80: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, energy 4, rebounds 8. Warm start and 4, bias and 8, relax and 40.
+	// Bounce 96: 48 with gaps, fall 4, energy 4, rebounds 8, totals twice 16, impulses 16.
+	assert_int_equal(traffic.constraint_bytes, 260 + 68 + 2 * (72 + 124) + 96);
 	// prepare reads a body's state, motion and colors
 	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));
 	scree_world_destroy(world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bounce.c -- balls of restitution 1 keep their energy, and others rise to the height that they should.
+// bounce.c -- balls of restitution 1 keep their energy, others rise to the height that they should, and gases gain nothing.
 //
 // Both engines integrate with v += g h, y += v h in substeps of h seconds. Then y + v^2 / 2g - v h / 2 is constant in free
 // flight. It is the height of the apex, so that any step gives it.
@@ -127,6 +127,50 @@ static void rebound(Validation* v, double restitution)
 	row(v, "most rebound of what it should be", 100.0 * most, "%", AT_MOST, 101.0);
 }
 
+// Boxes of restitution 1 without friction and gravity in a closed room: their energy after a minute.
+static void gas(Validation* v, int count, double wide)
+{
+	LabDef def = lab_def();
+	def.gravity.y = 0.0f;
+	begin(v, "%d boxes of restitution 1 in a room of %g m", count, wide);
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def wall = box_of(wide, wide), box = box_of(0.25, 0.25);
+	wall.restitution = box.restitution = 1.0f;
+	wall.friction = box.friction = 0.0f;
+	float far = (float)(1.5 * wide);
+	for (int side = 0; side < 4; ++side)
+		lab_put(lab, SCREE_BODY_STATIC, &wall,
+		        side == 0   ? far
+		        : side == 1 ? -far
+		                    : 0.0f,
+		        side == 2   ? far
+		        : side == 3 ? -far
+		                    : 0.0f,
+		        0.0f);
+	uint64_t seed = 7;
+	double before = 0.0, now = 0.0, most = 0.0;
+	for (int k = 0; k < count; ++k)
+	{
+		scree_velocity push = {{(float)random_between(&seed, -5.0, 5.0), (float)random_between(&seed, -5.0, 5.0)},
+		                       (float)random_between(&seed, -2.0, 2.0)};
+		int body = lab_throw(lab, &box, (float)(wide / 6.0 * (k % 5 - 2)), (float)(wide / 5.0 * (k / 5 - 1.5)),
+		                     0.3f * (float)k, push);
+		before += lab_kinetic(lab, body);
+	}
+	for (int second = 0; second < (v->quick ? 10 : 60); ++second)
+	{
+		lab_step(lab, 60);
+		lab_read(lab);
+		now = 0.0;
+		for (int k = 0; k < count; ++k)
+			now += lab_kinetic(lab, 4 + k);
+		most = fmax(most, now);
+	}
+	row(v, "most energy", 100.0 * most / before, "%", AT_MOST, 102.0);
+	row(v, "energy at the end", 100.0 * now / before, "%", SHOWN, 0.0);
+	lab_close(lab);
+}
+
 void bounce_experiment(Validation* v)
 {
 	static const double restitutions[] = {1.0, 0.3, 0.5, 0.7, 0.8, 0.9};
@@ -139,4 +183,6 @@ void bounce_experiment(Validation* v)
 	}
 	for (int k = 0; k < (v->quick ? 2 : 6); ++k)
 		rebound(v, restitutions[k]);
+	gas(v, 2, 4.0);
+	gas(v, 20, 10.0);
 }

@@ -206,8 +206,8 @@ typedef struct scree_world_def
 	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16; 0 (default): the widest that the processor supports
 	bool allow_unequal_bits; // accept a device whose results are not bit-identical; default false
 	bool timings;            // measure each stage (scree_world_get_timings); slows down a GPU slightly; default false
-	float contact_hertz;     // contact stiffness, Hz, 1e-3 to 1e6, default 52; limited to 0.22 of the substep rate
-	float contact_damping_ratio; // 0 to 1e6, default 15
+	float contact_hertz;     // contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate
+	float contact_damping_ratio; // 0 to 1e6, default 10
 	float contact_push_speed;    // maximum speed that pushes overlap out, m/s, 0 to SCREE_HUGE, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
 	float max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_HUGE, default 400. Rotation is limited to pi
@@ -314,6 +314,9 @@ typedef struct scree_counters
 	float penetration;     // deepest overlap at the start of the last step, m
 	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
+	float joint_gap; // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
+	                 // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More
+	                 // than some mm in a world at rest means that joints shake or are overloaded
 } scree_counters;
 
 // bodies, dynamic_bodies, collidables and attributes are current; the other counters are those of the last step.
@@ -392,7 +395,8 @@ typedef struct scree_shape
 } scree_shape;
 
 // Make a shape; lengths in m. Each fails with SCREE_ERROR_INVALID if a value is not finite, a size is below 1 mm, or a
-// coordinate exceeds SCREE_HUGE.
+// coordinate exceeds SCREE_HUGE. Bodies of 4 cm and more suit the solver best; smaller ones, down to 2 mm, come to rest too, heaps of
+// them with at least 4 substeps (docs/solver.md, "Small bodies").
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
@@ -684,8 +688,8 @@ typedef struct scree_mass
 
 // The mass is computed from the densities of the collidables; a dynamic body with zero mass gets 1 kg and cannot
 // rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
-// gets an attribute with another shape or density. Its mass is 1e-15 to 1e30 kg; its
-// inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
+// gets an attribute with another shape or density; it holds again after the body was of another type. Its mass is
+// 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
 // that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
@@ -901,6 +905,8 @@ typedef enum scree_coordinate // of frame B in frame A
 	SCREE_ANGLE,
 } scree_coordinate;
 
+// Soft locks and springs swing and decay as their frequency and damping ratio say, up to a twelfth of the substep rate. Stiffer ones,
+// and many on one body, are damped more, so that none adds energy.
 typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the angle
 {
 	float target; // at which a lock holds it, to which a spring pulls it; default 0
@@ -1395,11 +1401,13 @@ typedef struct scree_mover
 	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along
 	scree_vec carried;       // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
 	scree_collidable wall;   // the last wall, ceiling or steep slope that stopped it, or null
-	scree_vec wall_normal;   // unit vector from the wall to it, or 0
+	scree_vec
+	    wall_normal; // unit vector from the wall to it, or 0. Of a mover that is crushed: 0, and wall is what it overlaps
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
-// ground down, ride on what moves below them, and are pushed out of what moves into them. They do not collide with each other, and push
+// ground down, ride on what moves below them, and are pushed out of what moves into them. One that nothing can push out, as between a lift
+// and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing. They do not collide with each other, and push
 // no body: give wall an impulse yourself. Add gravity to the velocity of those in the air. A velocity against up is dropped on ground; one
 // along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
 // on every device. Components of velocities are at most SCREE_HUGE. Fails without a change to movers.

@@ -41,7 +41,7 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 	TRY(world_check(world, function));
 	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
 	TRY(edits_reserve(world, function, 0, 0, 2));
-	mass_set(world, (int)body.index, mass);
+	mass_own(world, (int)body.index, mass);
 	return SCREE_OK;
 }
 
@@ -55,6 +55,6 @@ scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodie
 		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
 	TRY(edits_reserve(world, function, 0, 0, 2 * count));
 	for (int k = 0; k < count; ++k)
-		mass_set(world, (int)bodies[k].index, masses[k]);
+		mass_own(world, (int)bodies[k].index, masses[k]);
 	return SCREE_OK;
 }

@@ -28,7 +28,8 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .held = c->held,
 	                      .penetration = bits_float(c->penetration),
 	                      .steps = pipeline->steps,
-	                      .device_bytes = world->backend->bytes};
+	                      .device_bytes = world->backend->bytes,
+	                      .joint_gap = bits_float(c->joint_gap)};
 	for (int color = 0; color < COLORS; ++color)
 	{
 		bool used = false;

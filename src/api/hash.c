@@ -29,7 +29,14 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// The hash of the targets, the disabled bodies, the paths, the visits, the materials, the exclusions, the answers and the fields, which only
+// The device has the mass of a body only while it is dynamic.
+static Word64 hash_own_mass(int body, scree_mass mass)
+{
+	return hash_float4(hash_begin(HASH_OWN_MASS, body),
+	                   make_float4(mass.mass, mass.inertia, mass.center.x, mass.center.y));
+}
+
+// The hash of the targets, the disabled bodies, the masses that the user set, the paths, the visits, the materials, the exclusions, the answers and the fields, which only
 // the host knows.
 static uint64_t hidden_hash(const scree_world* world)
 {
@@ -39,6 +46,9 @@ static uint64_t hidden_hash(const scree_world* world)
 	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
 		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
 			sum += hash_disabled(world, k);
+	for (int k = 0; k < world->bodies.used && world->own_masses; ++k)
+		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].own_mass.mass > 0.0f)
+			sum += hash_own_mass(k, world->host_bodies[k].own_mass);
 	for (int k = 0; k < world->paths.used; ++k)
 		if (slots_in_use(&world->paths, k))
 			sum += hash_mix(hash_begin(HASH_PATH, k) + world->host_paths[k].name);

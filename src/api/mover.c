@@ -129,6 +129,7 @@ static void begin(const Walk* walk, const scree_mover* mover, scree_pose now, fl
 	w->way = add_scaled((scree_vec){0.0f, 0.0f}, dt, velocity);
 	w->rest = w->carried;
 	w->ground = SCREE_NULL_COLLIDABLE;
+	w->crushed = !scree_collidable_is_null(mover->wall) && mover->wall_normal.x == 0.0f && mover->wall_normal.y == 0.0f;
 }
 
 static void end(const Walker* w, scree_pose ground, float dt, scree_mover* mover)
@@ -150,6 +151,7 @@ static scree_status move(Walk* walk, scree_mover* movers, scree_pose* poses, flo
 	TRY(ground_poses(walk, poses));
 	for (int k = 0; k < walk->count; ++k)
 		begin(walk, movers + k, poses[k], dt, walk->walkers + k);
+	TRY(walk_crushed(walk));
 	TRY(walk_slide(walk)); // with the ground, which they may overlap by now
 	TRY(walk_recover(walk));
 	for (int k = 0; k < walk->count; ++k)

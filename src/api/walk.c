@@ -117,6 +117,34 @@ static void meet(const Walk* walk, Walker* w, scree_collidable collidable, scree
 	w->last = normal;
 }
 
+// A walker stays where it was when the call began, out of what is static. While it is crushed, nothing pushes it: what has passed its
+// middle would push it out on the other side.
+static void crush(const Walk* walk, int k, scree_collidable by)
+{
+	walk->walkers[k] = (Walker){.at = walk->movers[k].position, .wall = by, .crushed = true};
+}
+
+scree_status walk_crushed(Walk* walk)
+{
+	walk->asked = 0;
+	for (int k = 0; k < walk->count; ++k)
+		if (walk->walkers[k].crushed)
+			ask(walk, k, walk->walkers[k].at, (scree_vec){0});
+	if (walk->asked == 0)
+		return SCREE_OK;
+	TRY(scree_world_find_nearest(walk->world, &walk->seen, &walk->shape, walk->probes, walk->asked, walk->def->skin,
+	                             walk->found));
+	for (int k = 0; k < walk->asked; ++k)
+	{
+		const scree_found* found = walk->found + k;
+		if (found->hit && found->fraction < -TOUCH)
+			crush(walk, walk->of[k], found->collidable);
+		else
+			walk->walkers[walk->of[k]].crushed = false;
+	}
+	return SCREE_OK;
+}
+
 scree_status walk_recover(Walk* walk)
 {
 	for (int round = 0; round < RECOVER_ROUNDS; ++round)
@@ -125,7 +153,13 @@ scree_status walk_recover(Walk* walk)
 		int asked = round == 0 ? walk->count : walk->asked;
 		walk->asked = 0;
 		for (int k = 0; k < asked; ++k)
-			ask(walk, round == 0 ? k : walk->of[k], walk->walkers[round == 0 ? k : walk->of[k]].at, (scree_vec){0});
+		{
+			int i = round == 0 ? k : walk->of[k];
+			if (!walk->walkers[i].crushed)
+				ask(walk, i, walk->walkers[i].at, (scree_vec){0});
+		}
+		if (walk->asked == 0)
+			break;
 		TRY(scree_world_find_nearest(walk->world, &walk->seen, &walk->shape, walk->probes, walk->asked, walk->def->skin,
 		                             walk->found));
 		int moved = 0;
@@ -136,6 +170,11 @@ scree_status walk_recover(Walk* walk)
 			if (lacks <= TOUCH)
 				continue;
 			Walker* w = walk->walkers + walk->of[k];
+			if (round == RECOVER_ROUNDS - 1 && found->fraction < -TOUCH)
+			{
+				crush(walk, walk->of[k], found->collidable);
+				continue;
+			}
 			w->at = within_world(add_scaled(w->at, lacks, found->normal));
 			meet(walk, w, found->collidable, found->normal);
 			w->ground = SCREE_NULL_COLLIDABLE;
@@ -268,7 +307,7 @@ scree_status walk_stand(Walk* walk)
 	{
 		const Walker* w = walk->walkers + k;
 		float reach = 2.0f * def->skin + (w->stood ? def->snap : 0.0f);
-		if (dot(w->velocity, def->up) <= 0.0f && scree_collidable_is_null(w->ground))
+		if (!w->crushed && dot(w->velocity, def->up) <= 0.0f && scree_collidable_is_null(w->ground))
 			ask(walk, k, w->at, add_scaled((scree_vec){0}, -reach, def->up));
 	}
 	if (walk->asked == 0)

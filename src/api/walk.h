@@ -16,7 +16,8 @@ typedef struct // one mover in a call
 	scree_vec kept;     // m/s: its velocity before that
 	scree_vec wall_normal, normal;
 	scree_collidable wall, ground;
-	bool stood; // on ground when the call began, and does not jump
+	bool crushed; // overlaps what it could not get out of: it stays where it was
+	bool stood;   // on ground when the call began, and does not jump
 } Walker;
 
 typedef struct // a call
@@ -45,7 +46,11 @@ static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 	return (scree_vec){a.x + s * b.x, a.y + s * b.y};
 }
 
-// Moves walkers out of what they overlap, until they keep their distance from everything or 8 rounds have passed.
+// Before anything moves: those that were crushed stay so while they overlap anything.
+scree_status walk_crushed(Walk* walk);
+
+// Moves walkers out of what they overlap, until they keep their distance from everything or 8 rounds have passed. Those that overlap
+// something then are crushed.
 scree_status walk_recover(Walk* walk);
 
 // Moves them along what is left of their way. They slide along what they meet, and climb steps.

@@ -10,11 +10,11 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// a run a color and kind, two a turn of hubs and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 3) + 2 * CONSTRAINT_KINDS + 8;
+	// a run a color and kind, two a turn of hubs, chains, branches, and one over the bodies in a pass; before and after them a few
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 4) + 2 * CONSTRAINT_KINDS + 11;
 }
 
-// A pass over the hubs, then the colors, then the chains. Whether any body is split is known on the host only when nothing
+// A pass over the hubs, then the colors, then chains and branches. Whether any body is split is known on the host only when nothing
 // changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
@@ -39,6 +39,8 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 		}
 	if (solve->chains > 0)
 		runs_add(list, STAGE_chain, 0, solve->chains, bound, pass);
+	if (solve->branches > 0)
+		runs_add(list, STAGE_branch, solve->chains, solve->chains + solve->branches, bound, pass);
 }
 
 void solve_list(const Solve* solve, RunList* list)
@@ -52,6 +54,10 @@ void solve_list(const Solve* solve, RunList* list)
 		if (solve->rare[kind])
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
 	}
+	if (solve->chains > 0)
+		runs_add(list, STAGE_chain_begin, 0, solve->chains, bound, 0);
+	if (solve->branches > 0)
+		runs_add(list, STAGE_branch_begin, solve->chains, solve->chains + solve->branches, bound, 0);
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
 	{
 		int before = schedule_before(solve->substeps, q);
@@ -63,6 +69,8 @@ void solve_list(const Solve* solve, RunList* list)
 	}
 	if (solve->chains > 0)
 		runs_add(list, STAGE_chain_end, 0, solve->chains, bound, 0);
+	if (solve->branches > 0)
+		runs_add(list, STAGE_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
 	runs_add(list, STAGE_finalize, 0, solve->bodies, bound, 0);
 	runs_add(list, STAGE_guard, 0, solve->collidables, COUNT(guarded), 0);
 	if (solve->rare[CONSTRAINT_JOINT])

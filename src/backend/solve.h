@@ -16,6 +16,7 @@ typedef struct
 	bool bounces;                // as in Step
 	bool bare;                   // some body with joints may have no collidables, and so no leaf in a tree
 	int chains, chain_places;    // rows of joints that are solved together, and places in them
+	int branches;                // trees of joints that are solved together, behind the chains
 	const Counters* counters;    // with the layout of the constraints
 	int bound; // counter that is 0 when that is not the layout after all, or NO_COUNT; then nothing may be done
 } Solve;

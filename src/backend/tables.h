@@ -35,6 +35,7 @@ typedef enum // how many lanes process an item of a stage
 	WIDTH_WIDE,  // one call processes as many items as there are lanes
 	WIDTH_ALONE, // as WIDTH_ONE, for what is rare or on request: the persistent kernel of OpenCL does without it
 	WIDTH_GROUP, // a worker, or a group of work-items; its lanes share the item
+	WIDTH_TEAM,  // the same, but that a worker does it with one lane
 } Width;
 
 typedef enum // the boxes of the figure

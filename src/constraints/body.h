@@ -55,6 +55,10 @@ INLINE Vec body_displacement(Body b, Vec r)
 	return vec(b.d.x + (b.versine * r.x - b.sine * r.y), b.d.y + (b.sine * r.x + b.versine * r.y));
 }
 
+// The same without the second order of the turn, as contacts take it: the surface of a wheel does not leave the ground when the
+// wheel turns, though the point that touched does. Rows of contacts are prepared so that gaps are exact at the end of the step.
+INLINE Vec body_shift(Body b, Vec r) { return vec_add(b.d, vec_spin(b.da, r)); }
+
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }
 
 // Applies impulse j to body b at r, and its opposite to body a.

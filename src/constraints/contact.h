@@ -49,6 +49,7 @@
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
 	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                      \
+	X(energy, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                 \
 	X(rebound1, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	/* N s: normal impulses of all substeps */                                                       \
@@ -139,7 +140,7 @@ INLINE Real pair_approach(ContactArms c, int k, Vec n)
 // m: the separation of point k now
 INLINE Real pair_gap(const ContactArms* c, int k, Real separation)
 {
-	Vec moved = vec_sub(body_displacement(c->b, c->rb[k]), body_displacement(c->a, c->ra[k]));
+	Vec moved = vec_sub(body_shift(c->b, c->rb[k]), body_shift(c->a, c->ra[k]));
 	return separation + vec_dot(moved, c->n);
 }
 
@@ -154,29 +155,33 @@ typedef struct // the goal of a point's impulse: a velocity bias, m/s, and its s
 } PairGoal;
 
 // The goal of a point with separation s. Without soft, in the relaxing pass, the overlap is ignored, which removes the velocity
-// that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are stiffer, so that nothing
-// sinks into the ground.
-INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft)
+// that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are firmer, so that nothing
+// sinks into the ground. exact: other constraints of the bodies are solved with this one, so it is firm at any depth.
+INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
 
 	// speculative: no push before the gap closes within the substep
-	Real bias = choose(splat(0.0f), s * step->inv_h, apart);
-	Real mass_scale = splat(1.0f), impulse_scale = splat(0.0f);
-	if (soft)
-	{
-		Real rate = choose(splat(step->soft.mass_scale * step->soft.bias_rate),
-		                   splat(step->stiff.mass_scale * step->stiff.bias_rate), fixed);
-		bias = choose(maximum(rate * s, splat(-step->push_speed)), bias, apart);
-		mass_scale =
-		    choose(choose(splat(step->soft.mass_scale), splat(step->stiff.mass_scale), fixed), mass_scale, apart);
-		impulse_scale = choose(choose(splat(step->soft.impulse_scale), splat(step->stiff.impulse_scale), fixed),
-		                       impulse_scale, apart);
-	}
 	PairGoal goal;
-	goal.bias = bias;
-	goal.mass_scale = mass_scale;
-	goal.impulse_scale = impulse_scale;
+	goal.bias = choose(splat(0.0f), s * step->inv_h, apart);
+	goal.mass_scale = splat(1.0f);
+	goal.impulse_scale = splat(0.0f);
+	if (!soft)
+		return goal;
+
+	// A limited push needs more time, but ends at the force of the whole spring: otherwise deep bodies would cluster, because
+	// more overlap would not push harder. So impulses leak more slowly by the same factor.
+	Real rate = choose(splat(step->pair.mass_scale * step->pair.bias_rate),
+	                   splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
+	Real firm = choose(splat(step->pair.firm), splat(step->fixed.firm), fixed);
+	Real depth = choose(splat(step->pair.depth), splat(step->fixed.depth), fixed);
+	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
+	Real leak = choose(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
+	leak = leak * choose(splat(1.0f), most / push, push < most);
+	Real mass_scale = choose(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
+	goal.bias = choose(maximum(push, most), goal.bias, apart);
+	goal.mass_scale = choose(mass_scale, goal.mass_scale, apart);
+	goal.impulse_scale = choose(leak, goal.impulse_scale, apart);
 	return goal;
 }
 
@@ -186,22 +191,54 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-// The normal impulse of one point with separation s. Returns the new accumulated impulse, never negative. A point that will
-// bounce (rebound > 0) and has not touched within this substep gets none in the relaxing pass. Otherwise it would bounce too
-// early, or not at all.
-INLINE Real pair_normal(ContactArms* c, int k, Real s, Real mass, Real old, const Step* step, int soft, Real rebound)
+// Points that have less than this share of a mass to themselves nearly coincide, and are solved one after the other.
+#define PAIR_OWN 0.001f
+
+// The normal impulses of both points, solved together, never negative: a linear complementarity problem with two unknowns. Point by
+// point, a box would turn by each pass, and a push that is taken back would leave a part of itself. gap: separations, m; mass:
+// effective masses, kg. A point that will bounce (rebound > 0) and has not touched within this substep gets none in the relaxing
+// pass. Otherwise it would bounce too early, or not at all.
+INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
+                         const Real rebound[2], Real impulse[2])
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
-	PairGoal goal = pair_goal(s, fixed, step, soft);
-	Real change = -mass * (goal.mass_scale * pair_approach(*c, k, c->n) + goal.bias) - goal.impulse_scale * old;
-	Real impulse = push_of(old + change);
-	if (step->bounces && !soft)
-		impulse = choose(impulse, splat(0.0f), pair_waits(s, old, rebound));
-	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->n));
-	return impulse;
+	Real zero = splat(0.0f), lever_a[2], lever_b[2];
+	Real change[2], yield[2]; // what a point's impulse changes by alone; its response to a velocity
+	for (int k = 0; k < 2; ++k)
+	{
+		PairGoal goal = pair_goal(gap[k], fixed, step, soft, 0);
+		lever_a[k] = vec_cross(c->ra[k], c->n);
+		lever_b[k] = vec_cross(c->rb[k], c->n);
+		Real approach = vec_dot(vec_sub(c->b.v, c->a.v), c->n) + (c->b.w * lever_b[k] - c->a.w * lever_a[k]);
+		change[k] = -mass[k] * (goal.mass_scale * approach + goal.bias) - goal.impulse_scale * impulse[k];
+		yield[k] = mass[k] * goal.mass_scale;
+		if (step->bounces && !soft)
+		{
+			Int waits = pair_waits(gap[k], impulse[k], rebound[k]);
+			change[k] = choose(change[k], zero, waits);
+			yield[k] = choose(yield[k], zero, waits);
+		}
+	}
+
+	// the velocity that a unit impulse at one point causes at the other
+	Real cross = c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * lever_a[0] * lever_a[1] +
+	             c->b.inv_inertia * lever_b[0] * lever_b[1];
+	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
+
+	// both push, unless the second would pull; then the first alone, and the second again with what the first did
+	Real second = choose(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
+	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
+	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
+	impulse[0] = impulse[0] + first;
+	impulse[1] = impulse[1] + second;
+	Vec push = vec_scale(first + second, c->n);
+	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, push));
+	c->a.w = c->a.w - c->a.inv_inertia * (lever_a[0] * first + lever_a[1] * second);
+	c->b.v = vec_add(c->b.v, vec_scale(c->b.inv_mass, push));
+	c->b.w = c->b.w + c->b.inv_inertia * (lever_b[0] * first + lever_b[1] * second);
 }
 
-// One point's friction: Coulomb's cone with the normal impulse of the previous pass.
+// One point's friction: Coulomb's cone with the normal impulse of the relaxing pass.
 INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
 	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
@@ -243,14 +280,19 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. cross is the velocity
-// that a unit impulse at one point causes at the other. If the points nearly coincide, the first takes the whole impulse.
+// 1/kg: the normal velocity that a unit impulse at one point causes at the other
+INLINE Real pair_cross(const ContactArms* c)
+{
+	return c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
+	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+}
+
+// Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. If the
+// points nearly coincide, the first takes the whole impulse.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
-	Real cross = c->a.inv_mass + c->b.inv_mass +
-	             c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
-	             c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+	Real cross = pair_cross(c);
 	Real share = 1.0f - cross * mass1 * cross * mass2;
 	Int one = share < splat(0.001f);
 	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
@@ -285,6 +327,45 @@ INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
 	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
 }
 
+// J: of the motion of two bodies relative to each other. A body that cannot move is at rest: what it does to the other one is no
+// matter of energy. Uniform gravity does not change it where both move.
+INLINE Real pair_energy(const ContactArms* c)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), mass = c->a.inv_mass + c->b.inv_mass;
+	Int moves_a = c->a.inv_mass > zero, moves_b = c->b.inv_mass > zero;
+	Int turns_a = c->a.inv_inertia > zero, turns_b = c->b.inv_inertia > zero;
+	Vec a = vec_choose(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
+	    b = vec_choose(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
+	Real energy = vec_dot(v, v) / choose(one, mass, mass > zero);
+	energy = energy + choose(zero, c->a.w * c->a.w / choose(one, c->a.inv_inertia, turns_a), turns_a);
+	energy = energy + choose(zero, c->b.w * c->b.w / choose(one, c->b.inv_inertia, turns_b), turns_b);
+	return 0.5f * energy;
+}
+
+// J: at most gained by both points, of whose speeds the squares grew by so much
+INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
+{
+	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
+	return 0.5f * maximum(maximum(more1, more2), zero) / choose(splat(1.0f), mass, mass > zero);
+}
+
+// Which part of two bounces may act so that two bodies have no more energy than before they met (most). Contacts of a body that
+// bounce in one step are solved one after the other, so later ones may have to push harder than the bodies came.
+INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
+                       Real impulse2)
+{
+	Real zero = splat(0.0f), one = splat(1.0f);
+	Real slope = speed[0] * impulse1 + speed[1] * impulse2;
+	Real yields = impulse1 * impulse1 / choose(one, mass[0], mass[0] > zero) +
+	              impulse2 * impulse2 / choose(one, mass[1], mass[1] > zero) +
+	              2.0f * pair_cross(c) * impulse1 * impulse2;
+	Real left = maximum(most - pair_energy(c), zero);
+	Int more = (slope + 0.5f * yields > left) & (yields > zero);
+	Real square = slope * slope + 2.0f * yields * left;
+	Real part = (root(choose(zero, square, more & (square > zero))) - slope) / choose(one, yields, more);
+	return choose(one, minimum(maximum(part, zero), one), more);
+}
+
 // Restitution of the points that got an impulse. A point that bounces separates, so the next step must not be warm started
 // with its impulse.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
@@ -294,8 +375,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	Real rebound1 = load(&contact_rare(p, rebound1, i), 0), rebound2 = load(&contact_rare(p, rebound2, i), 0);
 	Real total1 = load(&contact_rare(p, total_impulse1, i), 0), total2 = load(&contact_rare(p, total_impulse2, i), 0);
 	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
-	Real lack1 = bounce_speed(&p->step, rebound1, fall, gap1) - pair_approach(*c, 0, c->n);
-	Real lack2 = bounce_speed(&p->step, rebound2, fall, gap2) - pair_approach(*c, 1, c->n);
+	Real leave1 = bounce_speed(&p->step, rebound1, fall, gap1), leave2 = bounce_speed(&p->step, rebound2, fall, gap2);
+	Real speed[2] = {pair_approach(*c, 0, c->n), pair_approach(*c, 1, c->n)}, mass[2] = {mass1, mass2};
+	Real lack1 = leave1 - speed[0], lack2 = leave2 - speed[1];
 	Real alone1 = choose(zero, push_of(mass1 * lack1), hit1);
 	Real alone2 = choose(zero, push_of(mass2 * lack2), hit2);
 	Real impulse1, impulse2;
@@ -303,6 +385,14 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
 	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
 	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
+
+	// what gravity adds in half a substep is no gain
+	Real more1 = choose(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
+	     more2 = choose(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
+	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
+	Real part = pair_share(c, most, speed, mass, impulse1, impulse2);
+	impulse1 = push_of(part * impulse1);
+	impulse2 = push_of(part * impulse2);
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(impulse1, c->n));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
 	store(&contact_rare(p, total_impulse1, i), 0, total1 + impulse1);
@@ -326,34 +416,40 @@ INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
 	if (p->step.bounces)
 		pair_meet(p, i, c, u->gap1, u->gap2, u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
 		          &u->normal_impulse2);
-	u->normal_impulse1 = pair_normal(c, 0, u->gap1, u->normal_mass1, u->normal_impulse1, &p->step, 1, splat(0.0f));
-	u->normal_impulse2 = pair_normal(c, 1, u->gap2, u->normal_mass2, u->normal_impulse2, &p->step, 1, splat(0.0f));
+	Real gap[2] = {u->gap1, u->gap2}, mass[2] = {u->normal_mass1, u->normal_mass2},
+	     impulse[2] = {u->normal_impulse1, u->normal_impulse2};
+	pair_normals(c, gap, mass, &p->step, 1, gap, impulse);
+	u->normal_impulse1 = impulse[0];
+	u->normal_impulse2 = impulse[1];
 }
 
 // Masses and separations that are not held are derived where they are used. Deriving all of them first needs more registers
 // than a CPU has; the pass then takes 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact* u)
 {
-	Real speed = splat(0.0f), rebound1 = splat(0.0f), rebound2 = splat(0.0f);
+	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
 	if (p->step.rolls)
 		speed = load(&contact_rare(p, tangent_speed, i), 0);
 	if (p->step.bounces)
 	{
-		rebound1 = load(&contact_rare(p, rebound1, i), 0);
-		rebound2 = load(&contact_rare(p, rebound2, i), 0);
+		rebound[0] = load(&contact_rare(p, rebound1, i), 0);
+		rebound[1] = load(&contact_rare(p, rebound2, i), 0);
 	}
 
-	// friction first: keeping bodies apart matters more, so it has the last word
+	Real gaps[2], masses[2], impulse[2] = {u->normal_impulse1, u->normal_impulse2};
+	gaps[0] = held ? u->gap1 : pair_gap(c, 0, u->separation1);
+	gaps[1] = held ? u->gap2 : pair_gap(c, 1, u->separation2);
+	masses[0] = held ? u->normal_mass1 : pair_mass(c, 0, c->n);
+	masses[1] = held ? u->normal_mass2 : pair_mass(c, 1, c->n);
+	pair_normals(c, gaps, masses, &p->step, 0, rebound, impulse);
+	u->normal_impulse1 = impulse[0];
+	u->normal_impulse2 = impulse[1];
+
+	// friction after the load: the biased pass pushes overlap out as well, and friction is not due to that
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
 	u->tangent_impulse2 = pair_tangent(c, 1, mass, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
-	Real gap = held ? u->gap1 : pair_gap(c, 0, u->separation1);
-	mass = held ? u->normal_mass1 : pair_mass(c, 0, c->n);
-	u->normal_impulse1 = pair_normal(c, 0, gap, mass, u->normal_impulse1, &p->step, 0, rebound1);
-	gap = held ? u->gap2 : pair_gap(c, 1, u->separation2);
-	mass = held ? u->normal_mass2 : pair_mass(c, 1, c->n);
-	u->normal_impulse2 = pair_normal(c, 1, gap, mass, u->normal_impulse2, &p->step, 0, rebound2);
 	if (p->step.rolls)
 		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
 	if (STEP_RARE(p->step))

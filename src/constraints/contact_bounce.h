@@ -57,6 +57,17 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	return choose(zero, restitution * root(choose(splat(1.0f), square, bounces)), bounces);
 }
 
+// J: with which two bodies meet, and what they fall until then.
+INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), safe = choose(one, e, e > zero);
+	Real meet1 = rebound1 / safe, meet2 = rebound2 / safe;
+	Real more1 = choose(zero, meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
+	     more2 = choose(zero, meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
+	Real energy = pair_energy(c) + pair_gained(c, more1, more2);
+	return choose(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
+}
+
 // m/s^2: with the largest gap and step the square of a speed is still finite
 #define MOST_FALL 1.0e18f
 
@@ -64,7 +75,7 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 {
 	Real e = load(&contact_rare(p, restitution, i), 0), zero = splat(0.0f), fall = zero, rebound1 = zero,
-	     rebound2 = zero;
+	     rebound2 = zero, energy = zero;
 	Int elastic = e > zero;
 	if (lane_bits(elastic))
 	{
@@ -77,9 +88,11 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 			fall = choose(zero, falls, nears & (falls >= splat(-MOST_FALL)) & (falls <= splat(MOST_FALL)));
 			rebound1 = choose(zero, prepare_rebound(&p->step, e, at.speed[0], fall, u->separation1), nears);
 			rebound2 = choose(zero, prepare_rebound(&p->step, e, at.speed[1], fall, u->separation2), nears);
+			energy = prepare_energy(&at.arms, e, at.speed, rebound1, rebound2);
 		}
 	}
 	store(&contact_rare(p, fall, i), 0, fall);
+	store(&contact_rare(p, energy, i), 0, energy);
 	store(&contact_rare(p, rebound1, i), 0, rebound1);
 	store(&contact_rare(p, rebound2, i), 0, rebound2);
 }

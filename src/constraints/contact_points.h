@@ -7,6 +7,7 @@
 // Determination of the greatest height consistent with stability that a vertical pole or mast can be made, 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
+#include "constraints/angle.h"
 #include "dialect/vec.h"
 #include "pools/pools.h"
 
@@ -33,13 +34,11 @@ INLINE ContactPoints contact_points_choose(ContactPoints a, ContactPoints b, Int
 	return a;
 }
 
-// displacement of a point at an arm from the center of mass when its body turns
-INLINE Vec contact_points_swing(Vec turn, Vec arm) { return vec_sub(vec_turn(turn, arm), arm); }
-
-// The part of the motion of an arm that is still to come, for a body that will turn so far and has the arm then.
+// The part of the motion of an arm that is still to come, for a body that will turn so far and has the arm then: how the solver
+// moves the arm (body_shift), less how it will move.
 INLINE Vec contact_points_ahead(Vec turn, Vec arm)
 {
-	return vec_sub(contact_points_swing(turn, arm), contact_points_swing(turn, vec_turn_back(turn, arm)));
+	return vec_sub(vec_spin(vec_angle(turn), arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
 // From rows of the pools world_shape and contact_manifold; manifold has both rows of the contact, one behind the other.

@@ -23,57 +23,60 @@
 #define IN_TURNS (IN_BIAS | IN_RELAX)
 
 // what every pass streams
-#define JOINT_ROWS(X)                                                         \
-	/* at the start of the step: axis; m: anchors from the centers of mass */ \
-	X(axis_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                   \
-	X(axis_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                   \
-	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
-	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
-	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
-	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                  \
-	/* m: from anchor to anchor; of a radial joint: what its lock holds */    \
-	X(gap_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	X(gap_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                   \
-	/* rad: the angle, less that at which it is locked */                     \
-	X(angle, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	/* rad: the angle over all turns */                                       \
-	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                     \
-	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */         \
-	X(modes, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                    \
-	X(rate_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
-	X(rate_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)              \
-	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
-	X(soft_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
-	X(soft_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)              \
-	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)               \
-	/* N s, N m s */                                                          \
-	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                  \
-	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                 \
-	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                  \
-	/* how many times START_SHARE the impulses at the start were worth */     \
-	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)              \
-	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */  \
-	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
-	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
-	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)       \
+#define JOINT_ROWS(X)                                                            \
+	/* at the start of the step: axis; m: anchors from the centers of mass */    \
+	X(axis_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(axis_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	/* m: from anchor to anchor; of a radial joint: what its lock holds */       \
+	X(gap_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
+	X(gap_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
+	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                      \
+	/* rad: the angle, less that at which it is locked */                        \
+	X(angle, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
+	/* rad: the angle over all turns */                                          \
+	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                        \
+	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */            \
+	X(modes, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
+	X(rate_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	X(rate_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	X(soft_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	X(soft_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
+	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
+	/* N s, N m s */                                                             \
+	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                     \
+	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
+	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                     \
+	/* how many times START_SHARE the impulses at the start were worth */        \
+	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                 \
+	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */     \
+	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
+	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
+	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// what a limit, a spring and a motor along one coordinate need: in m or rad, 1/s, N s or N m s
-#define JOINT_DRIVE_ROWS(X, of)                                        \
-	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)        \
-	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)        \
-	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
-	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
-	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)       \
-	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
-	X(of##_spring_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
-	X(of##_spring_least, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE) \
-	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)  \
-	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)        \
-	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
-	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)      \
-	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)     \
+// what a limit, a spring and a motor along one coordinate need: in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
+// its softness in the relaxing pass.
+#define JOINT_DRIVE_ROWS(X, of)                                          \
+	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)         \
+	X(of##_spring_answer, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)   \
+	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)     \
+	X(of##_spring_keeps, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)    \
+	X(of##_spring_relaxes, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE) \
+	X(of##_spring_least, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
+	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)    \
+	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)        \
+	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)       \
 	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
 // of gears and pulleys (coupling.h)
@@ -118,6 +121,8 @@
 	JOINT_DRIVE_ROWS(X, along)                                              \
 	JOINT_DRIVE_ROWS(X, across)                                             \
 	JOINT_DRIVE_ROWS(X, angle)                                              \
+	/* 1: it has springs, and its bodies have no other constraints */       \
+	X(springs_alone, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
 	/* N s, N m s: the largest of all substeps */                           \
 	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
 	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \

@@ -2,12 +2,12 @@
 // joint_drive.h -- limits, springs and motors of a joint, each along one coordinate.
 #ifndef JOINT_DRIVE_H
 #define JOINT_DRIVE_H
-#include "constraints/joint.h"
+#include "constraints/joint_spring.h"
 
 typedef struct // the rows of one coordinate
 {
 	Real lower, upper, limit_rate, limit_soft;
-	Real target, spring_rate, spring_soft, spring_least, spring_most;
+	Real target, spring_answer, spring_rate, spring_keeps, spring_relaxes, spring_least, spring_most;
 	Real speed, motor_most;
 	Real limit_impulse, spring_impulse, motor_impulse;
 } JointDrive;
@@ -18,8 +18,10 @@ typedef struct // the rows of one coordinate
 	d.limit_rate = load(&joint_rare(p, of##_limit_rate, i), 0);         \
 	d.limit_soft = load(&joint_rare(p, of##_limit_soft, i), 0);         \
 	d.target = load(&joint_rare(p, of##_target, i), 0);                 \
+	d.spring_answer = load(&joint_rare(p, of##_spring_answer, i), 0);   \
 	d.spring_rate = load(&joint_rare(p, of##_spring_rate, i), 0);       \
-	d.spring_soft = load(&joint_rare(p, of##_spring_soft, i), 0);       \
+	d.spring_keeps = load(&joint_rare(p, of##_spring_keeps, i), 0);     \
+	d.spring_relaxes = load(&joint_rare(p, of##_spring_relaxes, i), 0); \
 	d.spring_least = load(&joint_rare(p, of##_spring_least, i), 0);     \
 	d.spring_most = load(&joint_rare(p, of##_spring_most, i), 0);       \
 	d.speed = load(&joint_rare(p, of##_speed, i), 0);                   \
@@ -76,12 +78,19 @@ INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 // The impulses along coordinate k.
 INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d->motor_impulse + d->limit_impulse; }
 
-// The impulse of a spring: soft in both passes, because it is no error to be corrected.
+// The impulse of a spring (joint_spring.h).
 INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
 {
-	Real stiff = yield + d->spring_soft * yield;
-	Real change = -(speed + d->spring_rate * error + d->spring_soft * yield * d->spring_impulse) / stiff;
+	Real change = -(d->spring_answer * speed + d->spring_rate * error) / yield - d->spring_keeps * d->spring_impulse;
 	return hold_of(d->spring_impulse + change);
+}
+
+// The same in the relaxing pass. A spring at its bound stays there: how far it would go beyond is known in the biased pass only.
+INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
+{
+	Real old = d->spring_impulse;
+	full = full | (old <= d->spring_least) | (old >= d->spring_most);
+	return choose(hold_of(old - d->spring_relaxes * speed / yield), old, full);
 }
 
 INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
@@ -104,8 +113,9 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, Real yield, Real sp
 	return sign * push_of(old - (sign * speed + bias + yields * yield * old) / (yield + yields * yield));
 }
 
-// Solves the spring, the motor and the limit of coordinate k, one after the other.
-INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointPose* c)
+// Solves the spring, the motor and the limit of coordinate k, one after the other. full: springs that are bounded together are at
+// their bound.
+INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint* u, JointPose* c)
 {
 	JointDrive d = joint_drive_load(p, i, k), old = d;
 	Real zero = splat(0.0f), yield = joint_yield(c, k), speed = joint_speed(c, k);
@@ -114,7 +124,8 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Joint* u, JointP
 	Int spring = joint_has(u, JOINT_SPRING(k)) & yields, motor = joint_has(u, JOINT_MOTOR(k)) & yields,
 	    limit = joint_has(u, JOINT_LIMITED(k)) & yields;
 	Int together = joint_has(u, k == JOINT_ANGLE ? 0 : JOINT_ELLIPTIC);
-	Real pull = joint_spring(&d, safe, speed, c->value[k] - d.target);
+	Real pull = soft ? joint_spring(&d, safe, speed, c->value[k] - d.target)
+	                 : joint_spring_relaxed(&d, safe, speed, full & together);
 	d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
 	speed = speed + yield * (d.spring_impulse - old.spring_impulse);
 	Real drive = hold_of(d.motor_impulse - (speed - d.speed) / safe);
@@ -168,12 +179,27 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give_where(u, c, j, together);
 }
 
+// square of the share of an ellipse from which on it is reached, but for rounding
+#define JOINT_FULL 0.9999f
+
+// Whether the springs along and across, bounded together, are at their bound.
+INLINE Int joint_springs_full(const Pools* p, int i)
+{
+	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
+	Real share_x = joint_share(x.spring_impulse, maximum(x.spring_most, -x.spring_least));
+	Real share_y = joint_share(y.spring_impulse, maximum(y.spring_most, -y.spring_least));
+	return share_x * share_x + share_y * share_y > splat(JOINT_FULL);
+}
+
 // Solves springs, motors and limits.
 INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose* c)
 {
+	Int full = splat(0.0f) > splat(0.0f);
+	if (!soft && p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
+		full = joint_springs_full(p, i);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		if (joint_drives(p, u, k))
-			joint_drive(p, i, k, soft, u, c);
+			joint_drive(p, i, k, soft, full, u, c);
 	if (p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 		joint_drive_together(p, i, u, c);
 }

@@ -2,7 +2,9 @@
 // joint_one.h -- stages of joints that take one joint at a time: limits, springs and motors of the step.
 #ifndef JOINT_ONE_H
 #define JOINT_ONE_H
+#include "constraints/coupling.h"
 #include "constraints/coupling_one.h"
+#include "constraints/path.h"
 #include "constraints/path_one.h"
 
 // The rows of one coordinate. What the user took from it since the last step loses its impulse: whether a pass looks at a
@@ -16,10 +18,7 @@
 		joint_softness(p, p->joint_data[slot].hertz, p->joint_data[slot].ratio, 1.0f, &rate, &soft); \
 		joint_rare(p, of##_limit_rate, i) = rate;                                                    \
 		joint_rare(p, of##_limit_soft, i) = soft;                                                    \
-		joint_softness(p, from.spring_hertz, from.spring_ratio, 1.0f, &rate, &soft);                 \
 		joint_rare(p, of##_target, i) = p->joint_data[slot].lock[k].target;                          \
-		joint_rare(p, of##_spring_rate, i) = rate;                                                   \
-		joint_rare(p, of##_spring_soft, i) = soft;                                                   \
 		joint_rare(p, of##_spring_least, i) = -joint_most(p, -from.spring_least);                    \
 		joint_rare(p, of##_spring_most, i) = joint_most(p, from.spring_most);                        \
 		joint_rare(p, of##_speed, i) = from.speed;                                                   \
@@ -32,6 +31,31 @@
 			joint_rare(p, of##_motor_impulse, i) = 0.0f;                                             \
 	}
 
+// The spring of one coordinate, or its soft lock.
+#define JOINT_SPRING_SETUP(of, k)                                                                               \
+	if (modes & JOINT_SPRING(k))                                                                                \
+	{                                                                                                           \
+		JointDriveData from = p->joint_data[slot].drive[k];                                                     \
+		float share = joint_share_free(u, &c, k);                                                               \
+		JointSpring s = joint_spring_of(p, from.spring_hertz, from.spring_ratio, share, beside, alone);         \
+		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                        \
+		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                    \
+		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                          \
+		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                              \
+	}                                                                                                           \
+	if (modes & JOINT_SOFT(k))                                                                                  \
+	{                                                                                                           \
+		JointLock from = p->joint_data[slot].lock[k];                                                           \
+		float share = joint_share_free(u, &c, k);                                                               \
+		JointSpring s = joint_spring_of(p, from.hertz, from.ratio, share, beside, alone);                       \
+		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                            \
+		u->rate_##of = s.pull * p->step.inv_h / answer;                                                         \
+		u->soft_##of = share * (1.0f - answer) / answer;                                                        \
+		joint_row(p, rate_##of, i) = u->rate_##of;                                                              \
+		joint_row(p, soft_##of, i) = u->soft_##of;                                                              \
+		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST); \
+	}
+
 // The impulse of a force within a substep.
 INLINE float joint_most(const Pools* p, float force)
 {
@@ -39,9 +63,51 @@ INLINE float joint_most(const Pools* p, float force)
 	return impulse <= MOST_IMPULSE ? impulse : MOST_IMPULSE;
 }
 
-INLINE void joint_setup_rare(const Pools* p, int i, const Joint* u)
+// Constraints of a body, contacts too; 0 of what cannot move.
+INLINE int joint_beside(const Pools* p, int body, float inv_mass) { return inv_mass > 0.0f ? p->touching[body] : 0; }
+
+// Constraints of the body of joint i that has the most; at least 1.
+INLINE int joint_most_beside(const Pools* p, int i, const JointPose* c)
+{
+	int a = joint_beside(p, joint_row(p, body_a, i), c->a.inv_mass);
+	int b = joint_beside(p, joint_row(p, body_b, i), c->b.inv_mass), most = a > b ? a : b;
+	return most > 1 ? most : 1;
+}
+
+INLINE int joint_springs_of(int modes)
+{
+	int springs = 0;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		springs += (modes & (JOINT_SPRING(k) | JOINT_SOFT(k))) != 0;
+	return springs;
+}
+
+// Springs and soft locks: their coefficients follow from how much the coordinate yields at the poses of the step's start.
+INLINE void joint_setup_springs(const Pools* p, int i, Joint* u)
 {
 	int slot = p->joint_place_slot[i], modes = (int)p->joint_data[slot].modes;
+	JointPose c;
+	c.a = body_gather(p, joint_row(p, body_a, i));
+	c.b = body_gather(p, joint_row(p, body_b, i));
+	c.a.d = c.b.d = vec(0.0f, 0.0f);
+	c.a.da = c.b.da = 0.0f;
+	body_turn(&c.a);
+	body_turn(&c.b);
+	joint_pose(u, &c);
+	coupling_pose(p, i, u, &c);
+	path_pose(p, i, u, &c);
+	int most = joint_most_beside(p, i, &c);
+	float beside = (float)most * (float)joint_springs_of(modes), alone = most > 1 ? 0.0f : 1.0f;
+	joint_rare(p, springs_alone, i) = alone;
+	JOINT_SPRING_SETUP(along, JOINT_ALONG)
+	JOINT_SPRING_SETUP(across, JOINT_ACROSS)
+	JOINT_SPRING_SETUP(angle, JOINT_ANGLE)
+}
+
+INLINE void joint_setup_rare(const Pools* p, int i, Joint* u)
+{
+	int slot = p->joint_place_slot[i], modes = (int)p->joint_data[slot].modes;
+	joint_rare(p, springs_alone, i) = 0.0f;
 	joint_rare(p, peak_force, i) = 0.0f;
 	joint_rare(p, peak_torque, i) = 0.0f;
 	if (!p->step.drives)
@@ -53,7 +119,8 @@ INLINE void joint_setup_rare(const Pools* p, int i, const Joint* u)
 		coupling_setup(p, i);
 	if (modes & JOINT_RAILED)
 		path_setup(p, i);
-	(void)u;
+	if (modes & JOINT_SPRINGS)
+		joint_setup_springs(p, i, u);
 }
 
 // What is counted of turns: of a joint that is at no place, because it rests, at its slot.

@@ -20,7 +20,8 @@
 
 typedef struct // of the locks: yield x = goal
 {
-	Real yield[3], cross[3]; // diagonal; 01, 02, 12
+	Real yield[3], cross[3];     // diagonal; 01, 02, 12
+	Real soft[3], soft_cross[3]; // of these, what they yield without their bodies: softness
 	Real goal[3];
 	Int locked[3];
 } JointSystem;
@@ -41,45 +42,94 @@ INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j
 	return choose(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
 }
 
-// The equations of the locks: in the biased pass as soft as each is, in the relaxing pass rigid, but for those that are
-// springs. A coordinate that is not locked has a row of the identity.
-INLINE JointSystem joint_system(int soft, float fastest, const Joint* u, const JointPose* c)
+// How soft locks are. In the relaxing pass those are rigid that are no springs; springs damp (joint_spring.h).
+INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Real softness[3])
+{
+	Real zero = splat(0.0f);
+	softness[0] = soft ? u->soft_along : zero;
+	softness[1] = soft ? u->soft_across : zero;
+	softness[2] = soft ? u->soft_angle : zero;
+	if (soft || !p->step.drives || !lane_bits(joint_has(u, JOINT_SOFT(0) | JOINT_SOFT(1) | JOINT_SOFT(2))))
+		return;
+	softness[0] = choose(zero, load(&joint_rare(p, along_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(0)));
+	softness[1] = choose(zero, load(&joint_rare(p, across_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(1)));
+	softness[2] = choose(zero, load(&joint_rare(p, angle_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(2)));
+}
+
+// Rigid locks beside springs. The springs' pull on the locks is known, so the locks hold against it as if they did not yield:
+// otherwise a spring on an arm would swing more slowly, and be damped by the locks. Only the rest of their impulses is soft:
+//
+//     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
+//
+// Only where no other constraint holds the bodies: two such joints of a body would take turns in adding energy.
+INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real cross[3],
+                               const Real softness[3], const Real speed[3], JointSystem* s)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), pull[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
+	Real own[3], other[3];
+	Int rigid[3], springs = load(&joint_rare(p, springs_alone, i), 0) > zero;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		own[k] = joint_yield(c, k);
+		rigid[k] = springs & s->locked[k] & (joint_has(u, JOINT_SOFT(k)) == 0);
+		if (joint_drives(p, u, k))
+			pull[k] = choose(pull[k], joint_drive_load(p, i, k).spring_impulse, joint_has(u, JOINT_SPRING(k)));
+	}
+	other[0] = cross[0] * pull[1] + cross[1] * pull[2];
+	other[1] = cross[0] * pull[0] + cross[2] * pull[2];
+	other[2] = cross[1] * pull[0] + cross[2] * pull[1];
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		Real answer = one / (one + softness[k]), kept = softness[k] * answer;
+		s->goal[k] = choose(s->goal[k], -(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
+		s->yield[k] = choose(s->yield[k], own[k], rigid[k]);
+	}
+	s->cross[0] = choose(s->cross[0], choose(zero, cross[0], s->locked[0] & s->locked[1]), rigid[0] | rigid[1]);
+	s->cross[1] = choose(s->cross[1], choose(zero, cross[1], s->locked[0] & s->locked[2]), rigid[0] | rigid[2]);
+	s->cross[2] = choose(s->cross[2], choose(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
+}
+
+// The equations of the locks. A coordinate that is not locked has a row of the identity. Only rigid locks correct errors at a
+// bounded speed: a spring pulls as it should. chained: other joints are solved together with this one.
+INLINE JointSystem joint_system(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
+                                const JointPose* c)
 {
 	JointSystem s;
-	Real zero = splat(0.0f), one = splat(1.0f), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
+	Real zero = splat(0.0f), one = splat(1.0f), cross[3], softness[3], speed[3], softer[3];
 	Real most[3] = {splat(fastest), splat(fastest), splat(JOINT_CORRECTION)};
 	Real impulse[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
-	Real softness[3] = {u->soft_along, u->soft_across, u->soft_angle};
 	Real error[3] = {c->value[0] - u->length, c->value[1], c->value[2]};
-	Real speed[3], softer[3];
+	joint_softnesses(p, i, soft, u, softness);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		Int yields = soft ? joint_has(u, JOINT_LOCKED(k)) : joint_has(u, JOINT_SOFT(k));
-		Real own = joint_yield(c, k);
+		Real own = joint_yield(c, k), back = rate[k] * error[k];
 		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
-		softness[k] = choose(zero, softness[k], yields & s.locked[k]);
+		softness[k] = choose(zero, softness[k], s.locked[k]);
 		softer[k] = joint_softer(softness[k], own);
-		speed[k] = joint_speed(c, k) + within(choose(zero, rate[k], yields) * error[k], most[k]);
+		speed[k] = joint_speed(c, k);
+		if (soft)
+			speed[k] = speed[k] + choose(within(back, most[k]), back, joint_has(u, JOINT_SOFT(k)));
 		s.yield[k] = choose(one, own + softer[k], s.locked[k]);
+		s.soft[k] = softer[k];
 	}
-	Real k01 = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
-	Real k02 = ia * c->lever_a[0] + ib * c->lever_b[0], k12 = ia * c->lever_a[1] + ib * c->lever_b[1];
-	if (c->rails)
-	{
-		k02 = choose(k02, k02 - c->bend * joint_yield(c, JOINT_ALONG), c->railed);
-		k12 = choose(k12, k12 - c->bend * k01, c->railed);
-	}
-	Real softer01 = joint_soft_pair(u, softness, 0, 1) * k01, softer02 = joint_soft_pair(u, softness, 0, 2) * k02,
-	     softer12 = joint_soft_pair(u, softness, 1, 2) * k12;
+	joint_crosses(c, cross);
+	Real softer01 = joint_soft_pair(u, softness, 0, 1) * cross[0],
+	     softer02 = joint_soft_pair(u, softness, 0, 2) * cross[1],
+	     softer12 = joint_soft_pair(u, softness, 1, 2) * cross[2];
 	Real back[3] = {softer[0] * impulse[0] + softer01 * impulse[1] + softer02 * impulse[2],
 	                softer01 * impulse[0] + softer[1] * impulse[1] + softer12 * impulse[2],
 	                softer02 * impulse[0] + softer12 * impulse[1] + softer[2] * impulse[2]};
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		s.goal[k] = choose(zero, -(speed[k] + back[k]), s.locked[k]);
-	s.cross[0] = choose(zero, k01 + softer01, s.locked[0] & s.locked[1]);
-	s.cross[1] = choose(zero, k02 + softer02, s.locked[0] & s.locked[2]);
-	s.cross[2] = choose(zero, k12 + softer12, s.locked[1] & s.locked[2]);
+		s.goal[k] = choose(zero, -(soft ? speed[k] + back[k] : speed[k]), s.locked[k]);
+	s.soft_cross[0] = choose(zero, softer01, s.locked[0] & s.locked[1]);
+	s.soft_cross[1] = choose(zero, softer02, s.locked[0] & s.locked[2]);
+	s.soft_cross[2] = choose(zero, softer12, s.locked[1] & s.locked[2]);
+	s.cross[0] = choose(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
+	s.cross[1] = choose(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
+	s.cross[2] = choose(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);
+	if (soft && !chained && p->step.drives && lane_bits(joint_has(u, JOINT_SPRINGS)))
+		joint_hold_springs(p, i, u, c, cross, softness, speed, &s);
 	return s;
 }
 
@@ -96,13 +146,13 @@ INLINE void joint_solve(const JointSystem* s, Real mass, Real x[3])
 	x[0] = (s->goal[0] / s->yield[0] - l01 * x[1]) - l02 * x[2];
 }
 
-// Adds a solution to the impulses of the locks. What is not locked has none.
-INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3])
+// Adds a solution to the impulses of the locks. What is not locked has none; turns: where the angle has one.
+INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), joint_has(u, JOINT_LOCKED(0)));
 	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), joint_has(u, JOINT_LOCKED(1)));
-	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), joint_has(u, JOINT_LOCKED(2)));
+	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), turns);
 	joint_give(u, c,
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
@@ -197,6 +247,22 @@ INLINE void joint_ready(const Body* a, const Body* b, Joint* u)
 	(void)u;
 }
 
+// m/s: a correction across a path up to so many times what the path's bend needs in a substep is none of a body placed elsewhere
+#define JOINT_BENDS 8.0f
+
+// A bead that is pulled back to its path from afar turns around the path's center, and would get faster as its circle shrinks. Where
+// it is pulled faster than by a bend, its speed along stays: the axis along turns by bend h along in the substep, and takes with it
+// so much of the speed across. The impulse is given once, and not as a part of those that are warm started.
+INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
+{
+	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
+	Real turn = p->step.h * c->bend * along, yield = joint_yield_linear(c, JOINT_ALONG);
+	Int pulled = c->railed & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) & (yield > zero) &
+	             (absolute(across) > splat(JOINT_BENDS) * absolute(turn * along)) & (absolute(turn) < splat(1.0f));
+	Real impulse = hold_of(-(turn * across) / choose(splat(1.0f), yield, pulled));
+	joint_give_where(u, c, joint_impulse(c, choose(zero, impulse, pulled), zero, zero), pulled);
+}
+
 INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body* a, Body* b)
 {
 	(void)held;
@@ -215,10 +281,12 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 		if (pass == PASS_BIAS)
 			joint_turn(p, i, u, &c);
 		joint_drive_all(p, i, pass == PASS_BIAS, u, &c);
-		JointSystem system = joint_system(pass == PASS_BIAS, START_SHARE * p->step.max_speed, u, &c);
+		JointSystem system = joint_system(p, i, pass == PASS_BIAS, 0, START_SHARE * p->step.max_speed, u, &c);
 		Real x[3];
 		joint_solve(&system, c.mass, x);
-		joint_hold(u, &c, x);
+		joint_hold(u, &c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
+		if (pass == PASS_BIAS && c.rails)
+			joint_keep_along(p, u, &c);
 		if (pass == PASS_RELAX && p->step.drives)
 			joint_peak(p, i, u, &c);
 	}

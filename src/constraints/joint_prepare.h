@@ -3,9 +3,7 @@
 #ifndef JOINT_PREPARE_H
 #define JOINT_PREPARE_H
 #include "constraints/angle.h"
-#include "constraints/joint.h"
-
-#define TURN 6.28318531f
+#include "constraints/joint_spring.h"
 
 // Four numbers of joint `slot`, at a place in JointData.
 INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
@@ -16,9 +14,8 @@ INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 // The nearest whole number of a number below 2^22.
 INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
 
-// Softness of so many hertz with a damping ratio: Catto, Soft Constraints, GDC 2011. Stiffer than a share of the substep
-// rate it would not get stiffer, but shake. rate is 1/s.
-#define JOINT_STIFFEST 0.25f
+// Softness of a rigid lock or a limit of so many hertz with a damping ratio, whose velocity is removed in the relaxing pass: Catto,
+// Soft Constraints, GDC 2011. rate is 1/s.
 // of 1 / a2, which may be infinite
 #define JOINT_SOFTEST 1.0e30f
 // Joints of a chain are solved exactly, and can be so many times as stiff. Their errors are corrected at the rate of other
@@ -35,22 +32,18 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	*soft = choose(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
-// The softness of the lock of coordinate k, of a joint with a stiffness of its own.
-INLINE void joint_lock(const Pools* p, const Real lock[4], const Real joint[4], int k, Int chained, Real* rate,
-                       Real* soft)
+// The softness of the lock of coordinate k. That of a soft lock is set with the rare rows.
+INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, Real* rate, Real* soft)
 {
-	Int own = lock[1] > splat(0.0f);
-	Real hertz = choose(joint[0], lock[1], own), ratio = choose(joint[1], lock[2], own);
-	Int rigid = chained & (own == 0);
 	Real chain_rate, chain_soft;
-	joint_softness(p, hertz, ratio, splat(1.0f), rate, soft);
-	joint_softness(p, hertz, ratio, splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
-	*soft = choose(*soft, chain_soft, rigid);
+	joint_softness(p, joint[0], joint[1], splat(1.0f), rate, soft);
+	joint_softness(p, joint[0], joint[1], splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
+	*soft = choose(*soft, chain_soft, chained);
 
 	// Angles of a chain need not yield at all: a welded beam does not sag. Translations must: the pull of a bridge of planks
 	// without slack has no limit otherwise.
 	if (k == JOINT_ANGLE)
-		*soft = choose(*soft, splat(0.0f), rigid);
+		*soft = choose(*soft, splat(0.0f), chained);
 }
 
 typedef struct // where a frame is in the world
@@ -110,6 +103,27 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
+// The widest gap seen, for the user's counters: what rigid locks of distances are off. gap is from anchor to anchor.
+INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
+{
+	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
+	Real zero = splat(0.0f), off[2];
+	off[0] = vec_dot(gap, axis) - u->length;
+	off[1] = vec_cross(axis, gap);
+	for (int k = 0; k < 2; ++k)
+	{
+		Int counts = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k) | JOINT_COUPLED) == 0);
+		off[k] = choose(zero, off[k], counts);
+	}
+	Real square = off[0] * off[0] + off[1] * off[1];
+	Real most = splat(bits_float(read_shared(&p->counters->joint_gap)));
+	Word wider = lane_bits((square > most * most) & (square <= splat(MOST_FLOAT)));
+	Real width = wider ? root(square) : zero;
+	for (int k = 0; wider >> k != 0; ++k)
+		if (wider >> k & 1)
+			atomic_max_int(&p->counters->joint_gap, float_bits(lane(width, k)));
+}
+
 // All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
 INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 {
@@ -149,13 +163,14 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->arm_b_y = b.arm.y;
 	u->gap_x = gap.x;
 	u->gap_y = gap.y;
+	joint_count_gap(p, u, gap);
 
 	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));
 	u->angle = u->turned - target[JOINT_ANGLE];
 	Int chained = there & (gather_int((const GLOBAL int*)p->joint_spot, slot) >= 0);
-	joint_lock(p, lock[JOINT_ALONG], joint, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);
-	joint_lock(p, lock[JOINT_ACROSS], joint, JOINT_ACROSS, chained, &u->rate_across, &u->soft_across);
-	joint_lock(p, lock[JOINT_ANGLE], joint, JOINT_ANGLE, chained, &u->rate_angle, &u->soft_angle);
+	joint_lock(p, joint, JOINT_ALONG, chained, &u->rate_along, &u->soft_along);
+	joint_lock(p, joint, JOINT_ACROSS, chained, &u->rate_across, &u->soft_across);
+	joint_lock(p, joint, JOINT_ANGLE, chained, &u->rate_angle, &u->soft_angle);
 	u->given_x = zero;
 	u->given_y = zero;
 	u->given_a = zero;

@@ -31,6 +31,7 @@ typedef struct // of a body until the end of the step, from the origin of collid
 {
 	Vec center, then; // center of mass, now and then, m
 	Vec turn;         // cos, sin
+	Real angle;       // rad
 	Vec axes;         // of its collidable, now
 	Vec origin;       // of its collidable, now, m
 } Rolling;
@@ -44,6 +45,7 @@ INLINE Rolling rolling_of(Vec origin, const Real world_shape[8], Advance advance
 	r.center = vec_add(origin, vec(world_shape[4], world_shape[5]));
 	r.then = vec_add(r.center, advance.path);
 	r.turn = vec_rotation(advance.turn);
+	r.angle = advance.turn;
 	return r;
 }
 
@@ -54,10 +56,7 @@ INLINE Vec rolling_arm(Rolling r, Vec place)
 }
 
 // displacement of the place that the solver takes to be at an arm
-INLINE Vec rolling_moves(Rolling r, Vec arm)
-{
-	return vec_add(vec_sub(r.then, r.center), contact_points_swing(r.turn, arm));
-}
+INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
 // The corner of a core that a feature names: more exact than the point that was found. Not every feature is a corner.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)

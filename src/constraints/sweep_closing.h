@@ -34,11 +34,32 @@ typedef struct // of a collidable and its body
 typedef struct // of b against a
 {
 	Sweep a, b;
-	Vec near;   // m: velocity of the center of the smaller one against the larger one, with which it turns
-	Vec bend;   // m: how that changes
-	Real swing; // m: how much faster another point of it may be
-	Real most;  // m: how far any two points of the pair may draw near
+	Vec near;    // m: velocity of the center of the smaller one against the larger one, with which it turns
+	Vec bend;    // m: how that changes
+	Real swing;  // m: how much faster another point of it may be
+	Real most;   // m: how far any two points of the pair may draw near
+	Real grain;  // factor of the tolerances of the pair
+	Real within; // m: the separation from which on it has points
 } Closing;
+
+// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
+INLINE Real sweep_grain(Int moved)
+{
+	Real grain = splat(1.0f);
+	for (int level = 0; level < GRAIN_LEVELS; ++level)
+		grain = choose(grain, 0.5f * grain, (moved & (MOVED_GRAIN << level)) != 0);
+	return grain;
+}
+
+// The same of the distance from which on a pair has points.
+INLINE Real sweep_room(Int moved) { return sweep_grain(moved >> GRAIN_LEVELS); }
+
+// m: the separation from which on a pair has points: the speculative distance, less for small bodies, but never less than gravity closes
+// in a step.
+INLINE Real sweep_within(const Step* step, Real room)
+{
+	return maximum(SPECULATIVE_DISTANCE * room, splat(step->fall));
+}
 
 // a member of the attributes with these indices; member is that of attribute 0
 INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
@@ -91,6 +112,19 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	c.bend = vec_neg(vec_spin(frame, apart));
 	c.swing = absolute(sb.turn - sa.turn) * minimum(sa.reach, sb.reach);
 	c.most = absolute(c.near.x) + absolute(c.near.y) + c.swing;
+	c.grain = splat(1.0f);
+	c.within = splat(SPECULATIVE_DISTANCE);
+	return c;
+}
+
+// The closing of a pair with finer tolerances. What stops one of two fast bodies within the step may make them meet, though they do not
+// approach: so they have points as far apart as they move.
+INLINE Closing sweep_fine(const Step* step, Closing c, Int moved)
+{
+	Real way_a = absolute(c.a.path.x) + absolute(c.a.path.y), way_b = absolute(c.b.path.x) + absolute(c.b.path.y);
+	c.grain = sweep_grain(moved);
+	c.within =
+	    minimum(maximum(sweep_within(step, sweep_room(moved)), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
 	return c;
 }
 

@@ -24,6 +24,7 @@
 #define ENTRY_GROUP(name) STAGE_JOIN(name, LANES)
 #endif
 #define ENTRY_ALONE(name) ENTRY_ONE(name)
+#define ENTRY_TEAM(name)  ENTRY_ONE(name)
 
 // clang-format off
 const StageFunction TABLE[STAGE_COUNT] = {

@@ -28,8 +28,12 @@ static const int chunks[STAGE_COUNT] = {
     [STAGE_query_nearest] = CHUNK_ITEMS,
     [STAGE_sense] = 1,
     [STAGE_hub] = 1,
+    [STAGE_chain_begin] = DEALT,
     [STAGE_chain] = DEALT,
     [STAGE_chain_end] = DEALT,
+    [STAGE_branch_begin] = DEALT,
+    [STAGE_branch] = DEALT,
+    [STAGE_branch_end] = DEALT,
     [STAGE_hash_bodies] = 16,
     [STAGE_hash_collidables] = 16,
 #define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_layout] = CHUNK_ITEMS, [STAGE_##kind##_hash] = 16,
@@ -140,7 +144,7 @@ static int smallest_shared(const Cpu* cpu, int stage)
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
 		// a hub takes as long as many items: two are shared wherever anything is
-		if (stage_widths[stage] == WIDTH_GROUP)
+		if (stage_widths[stage] >= WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[stage])
 			return cpu->grain;

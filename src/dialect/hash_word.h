@@ -33,6 +33,7 @@ INLINE Word64 hash_float4(Word64 h, Float4 v)
 #define HASH_EXCLUDED            10
 #define HASH_ALLOWED             12
 #define HASH_FIELD               13
+#define HASH_OWN_MASS            14
 #define HASH_CONSTRAINT(kind)    (3 + 8 * (kind))
 INLINE Word64 hash_begin(int tag, int item) { return hash_word(hash_word((Word64)0, (Word)tag), (Word)item); }
 

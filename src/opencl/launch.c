@@ -80,7 +80,7 @@ scree_status stage_run_within(OpenCl* d, const Run* run, size_t groups_a_unit)
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
 	size_t items = (size_t)(run->end - run->begin);
-	size_t groups = stage_widths[run->stage] == WIDTH_GROUP ? items : (items + kernel->group - 1) / kernel->group;
+	size_t groups = stage_widths[run->stage] >= WIDTH_GROUP ? items : (items + kernel->group - 1) / kernel->group;
 	size_t most = (size_t)d->device.about.units * groups_a_unit;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
 }

@@ -259,7 +259,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(program_build(d->context, &d->device, program_options, opencl_program, opencl_program_length, &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
-		TRY(kernel_create(d, stage_names[i], stage_widths[i] == WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
+		TRY(kernel_create(d, stage_names[i], stage_widths[i] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
 	if (d->resident)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));

@@ -156,6 +156,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 #define CASE_WIDE(name, p) CASE_ONE(name, p)
 #define CASE_ALONE(name, p)
 #define CASE_GROUP(name, p)
+#define CASE_TEAM(name, p)
 
 // On PoCL the stages are a call, which returns whether the run is one of a stage. On an H200 the same function, inlined, made steps of
 // 10,000 boxes some 3 % longer than cases in the kernel.

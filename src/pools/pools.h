@@ -56,7 +56,7 @@
 #define SPECULATIVE_DISTANCE 0.02f
 
 // of a body's thickness: how far it may go in a step before guard tests its path
-#define GUARD_TRAVEL 0.5f
+#define GUARD_TRAVEL 0.2f
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
 // fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
@@ -91,6 +91,13 @@
 #define MOVED_BOX 1 // its box differs from old_box
 #define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
 #define MOVED_ON  4 // it is not at rest in this step
+// Each of these is set for a dynamic collidable that is thinner than so many halves of GRAIN_SIZE. Of a pair, the tolerances of
+// contacts are halved once for each that either has: they would exceed the smaller body.
+#define MOVED_GRAIN  8 // the first one
+#define GRAIN_LEVELS 5
+// The same of its reach, for the distance from which on a pair has points: a long thin body needs those of both ends.
+#define MOVED_REACH  (MOVED_GRAIN << GRAIN_LEVELS)
+#define MOVED_GRAINS (MOVED_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 
 // kinds of collidables
 #define KIND_DEAD      0
@@ -117,9 +124,11 @@
 #define CONTACT_REFUSED 2097152u // the answer was no, or none
 #define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
+#define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
 #define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
-#define CONTACT_LASTS \
-	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS) // what narrow_phase leaves alone
+#define CONTACT_LASTS                                                         \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | \
+	 CONTACT_HIGH) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -277,6 +286,7 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define JOINT_EXTRAS     0xeee           // limits, springs and motors
 #define JOINT_RADIAL     0x1000          // its axis lies along the line between the two anchors
 #define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring
+#define JOINT_SPRINGS    0xe444          // springs and soft locks
 #define JOINT_TURNS      0x10000         // its axis turns with body a
 #define JOINT_COUPLED    0x20000         // it is a gear or a pulley, whose coordinate along is that of a coupling
 
@@ -352,8 +362,8 @@ typedef struct // 272 bytes: a joint as the user wants it
 typedef struct // 32 bytes: a chain, or some side by side
 {
 	int first;  // spot of joint 0
-	int count;  // joints of the longest one
-	int odds;   // spots from joint 0 to joint 1
+	int count;  // joints of the longest one; nodes of a branch
+	int odds;   // spots from joint 0 to joint 1; of a branch, its node 0 in the pool
 	int stride; // spots between neighbors in a row: 1, or MAX_LANES
 	int length; // joints of a row, with inert ones at its end
 	int bits;   // of the number of rows, at least 1
@@ -365,6 +375,16 @@ typedef struct // 32 bytes: a chain, or some side by side
 #define CHAIN_SPOT(c, k)                                                                           \
 	((c)->first + ((k)&1) * (c)->odds + (((k) >> 1) & ((1 << (c)->bits >> 1) - 1)) * (c)->length + \
 	 ((k) >> (c)->bits) * (c)->stride)
+
+typedef struct // 32 bytes: a body of a branch, and its joint toward the root. Nodes are in the order of their distance from the root
+{
+	int body;         // its index
+	int side;         // of the body at the joint: 0 for a, 1 for b
+	int up;           // the node that it hangs on, from the first of the branch on; -1 for none that moves
+	int first, count; // nodes that hang on it
+	int begin, end;   // nodes as far from the root
+	int unused;
+} BranchNode;
 
 typedef struct // MAX_LANES joints in the systems of their chains: working data of a pass
 {
@@ -381,6 +401,7 @@ typedef struct // MAX_LANES joints in the systems of their chains: working data 
 	float tension[2][MAX_LANES];                 // kg m^2: what its pull adds to the inertia of its bodies
 	float own_a[MAX_LANES], own_b[MAX_LANES];    // 1/(kg m^2): inverse inertias of its bodies
 	float step_a[MAX_LANES], step_b[MAX_LANES];  // the same for the step, with the tension
+	float slack[MAX_LANES];                      // 1/(kg m^2): softness of the damping of a free angle; 0 for none
 } ChainBlock;
 
 // a component of the joint at a spot
@@ -533,6 +554,7 @@ typedef struct // one tree of the broad phase, as the host sees it
 typedef struct // stiffness of a contact: Erin Catto, Soft Constraints, GDC 2011
 {
 	float bias_rate, mass_scale, impulse_scale;
+	float firm, depth; // bias_rate is larger by this share of itself up to this overlap, m
 } Softness;
 
 // Kinds of constraints. An edge is a constraint of any kind: the kind in the bits above its slot.
@@ -552,7 +574,8 @@ typedef struct // constants of one step, passed by value to every stage
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
-	Softness soft, stiff; // of contacts between moving bodies; of contacts with bodies that cannot move
+	float fall;           // m: how far gravity may move what rests, in a step, and more
+	Softness pair, fixed; // of contacts between bodies that can move; with one that cannot
 	float h_ratio;        // h over that of the last step that took time
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step
@@ -633,6 +656,7 @@ typedef struct
 	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color: 0 if none began or ended
 	int arranged;                  // 1 if all that changed was laid out
 	int penetration;               // bits of the deepest overlap, m
+	int joint_gap;                 // bits of the widest gap of a joint, m
 	int nonfinite;                 // bodies frozen because their state was not finite
 	int first_nonfinite;           // lowest index of these
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several

@@ -19,6 +19,7 @@ typedef enum // what a pool has an item for
 	PER_PATH_SAMPLE, // sample of a path
 	PER_CHAIN,       // joints that are solved together
 	PER_CHAIN_BLOCK, // MAX_LANES spots of a chain
+	PER_BRANCH,      // body of a branch
 	PER_SPOKE,       // contact of a hub
 	PER_SPOKE_BLOCK, // of MAX_LANES of them
 	PER_RENDER_ROW,  // collidable, as a renderer sees it

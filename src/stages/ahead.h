@@ -4,6 +4,9 @@
 #define AHEAD_H
 #include "stages/sweep.h"
 
+// Cosine of the normals of two poses: what passes a corner turns its normal by a right angle at most, and rounding.
+#define PAST_THROUGH (-0.5f)
+
 typedef struct // a manifold and the poses that it is of
 {
 	Manifold m;
@@ -25,10 +28,13 @@ RARE Ahead ahead_later(const Pools* p, WorldShape a, WorldShape b, Closing closi
 {
 	Ahead later = now;
 	Vec turn = sweep_frame(a, b, closing, time, &later.f);
-	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(SPECULATIVE_DISTANCE));
+	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(closing.within));
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
+	// a thin shape that has not passed a corner but gone through has its normal the other way around, and would be pushed out there
+	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < PAST_THROUGH)
+		return now;
 	later.ahead = 1;
 	return later;
 }
@@ -41,9 +47,9 @@ INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing clos
 	if (now.m.count == 0)
 		return now;
 	Real closes = -vec_dot(vec_turn(now.axes, now.m.normal), closing.near);
-	if (!(closes > SWEEP_REST))
+	if (!(closes > SWEEP_REST * closing.grain))
 		return now;
-	Real time = maximum(sweep_end(&p->step), PAST_MOTION / closing.most);
+	Real time = maximum(sweep_end(&p->step), PAST_MOTION * closing.grain / closing.most);
 	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
 	return said > -PAST_ERROR ? now : ahead_later(p, a, b, closing, now, time, said);
 }
@@ -52,7 +58,7 @@ INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing clos
 // nearer than circles around them; a little more than their distance covers rounding.
 INLINE int ahead_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
 {
-	Real most = SPECULATIVE_DISTANCE + closing.swing + root(vec_dot(closing.near, closing.near));
+	Real most = closing.within + closing.swing + root(vec_dot(closing.near, closing.near));
 	Real reach = (a->reach + b->reach + most) * 1.001f + LINEAR_SLOP;
 	return vec_dot(apart, apart) > reach * reach;
 }
@@ -67,24 +73,24 @@ INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing c
 	now.m = no_manifold();
 	if (ahead_away(shape_a, shape_b, closing, start.f.position))
 		return now;
-	Real time = 0.0f;
+	Real time = 0.0f, depth = SWEEP_DEPTH * closing.grain;
 	for (int round = 0; round < SWEEP_ROUNDS; ++round)
 	{
 		then.m = collide(shape_a, shape_b, then.f, sweep_reach(closing, then.axes, time));
 		Real gap = minimum(then.m.separation[0], then.m.separation[1]);
-		if (gap <= (round + 1 < SWEEP_ROUNDS ? -SWEEP_DEPTH : SPECULATIVE_DISTANCE))
+		if (gap <= (round + 1 < SWEEP_ROUNDS ? -depth : closing.within))
 		{
 			then.ahead = 1;
 			return then;
 		}
 		// an approach that the forces of one step may cause is kept without a meeting, or nothing would roll or slide
 		// fast on a floor
-		if (round == 0 && gap <= LINEAR_SLOP)
+		if (round == 0 && gap <= LINEAR_SLOP * closing.grain)
 			now.m = then.m;
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);
-		if (then.m.count == 0 || !(speed * (1.0f - time) > gap + 2.0f * SWEEP_DEPTH))
+		if (then.m.count == 0 || !(speed * (1.0f - time) > gap + 2.0f * depth))
 			break;
-		time = time + (gap + 2.0f * SWEEP_DEPTH) / speed;
+		time = time + (gap + 2.0f * depth) / speed;
 		then.axes = vec_turn(sweep_frame(a, b, closing, time, &then.f), start.axes);
 	}
 	return ahead_past(p, a, b, closing, now);

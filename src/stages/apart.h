@@ -64,15 +64,16 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 INLINE Word64 apart_passes_key(Int2 pair) { return ask_key(make_int2(pair.y, pair.x)); }
 
 // Whether a platform, a, lets b through, for guard. A contact that it holds goes on. What passes, or has no contact as the boxes are
-// apart, is held if it is above by the way that it went. way: of b against a in the step, m.
-RARE int apart_lets(const Pools* p, int a, int b, Vec way)
+// apart, is held if it is above by the way that it went. way: of b against a in the step, m. swing: by
+// how much more its points may move, m.
+RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))
 		return 0;
 	if (box_overlap(p->box[a], p->box[b]) &&
 	    !ask_finds(p->refused, p->counters->refused, apart_passes_key(apart_pair(p, a, b))))
 		return 0;
-	return !one_way_holds(p, a, b, way, ONE_WAY_PAST);
+	return one_way_finds(p, a, b, way, swing, ONE_WAY_PAST) != ONE_WAY_HELD;
 }
 
 #endif

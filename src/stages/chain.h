@@ -9,8 +9,8 @@
 #define CHAIN_H
 #include "stages/chain_stiff.h"
 
-// What does not depend on the other joints of the chain: warm start; what turned arms are worth; limits, springs, motors.
-INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
+// What does not depend on the velocities: warm start; what turned arms are worth.
+INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 {
 	if (pass == PASS_WARM_START)
 	{
@@ -20,6 +20,12 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 	}
 	if (pass == PASS_BIAS)
 		joint_turn(p, place, &link->u, &link->c);
+}
+
+// What does not depend on the other joints of the chain: this, and limits, springs, motors.
+INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
+{
+	chain_start(p, place, pass, link);
 	if (pass != PASS_WARM_START)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
@@ -28,13 +34,34 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 // picks the smallest; since it multiplies changes of impulses only, it does not make the chain softer.
 #define CHAIN_GIVE 1.00001f
 
+// Whether the free angle of a joint is damped: in both passes, by an impulse of its own.
+INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
+{
+	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
+}
+
+INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSystem* s)
+{
+	const JointPose* c = &link->c;
+	Real softness = CHAIN_AT(p, slack, spot), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
+	Int damps = chain_damps(p, spot, &link->u);
+	s->yield[2] = choose(s->yield[2], ia + ib + softness, damps);
+	s->soft[2] = choose(s->soft[2], softness, damps);
+	s->goal[2] = choose(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
+	s->cross[1] = choose(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
+	s->cross[2] = choose(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
+	s->locked[2] = s->locked[2] | damps;
+	return damps;
+}
+
 // The equations of a joint: diagonal block, right side; and what couples it with others.
-INLINE void chain_build(const Pools* p, int spot, int pass, const ChainLink* link)
+INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, const ChainLink* link)
 {
 	chain_keep_pose(p, spot, &link->c);
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
-	JointSystem s = joint_system(pass == PASS_BIAS, most, &link->u, &link->c);
+	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, 1, most, &link->u, &link->c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
+	Int slack = chain_damp(p, spot, link, &s);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
 	CHAIN_PUT(p, d[1], spot, s.cross[0]);
 	CHAIN_PUT(p, d[2], spot, s.cross[1]);
@@ -44,7 +71,8 @@ INLINE void chain_build(const Pools* p, int spot, int pass, const ChainLink* lin
 	for (int k = 0; k < 3; ++k)
 	{
 		CHAIN_PUT(p, r[k], spot, s.goal[k]);
-		locks = locks + choose(zero, splat((float)(1 << k)), joint_has(&link->u, JOINT_LOCKED(k)));
+		Int locked = joint_has(&link->u, JOINT_LOCKED(k));
+		locks = locks + choose(zero, splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
 		holds = holds + choose(zero, splat((float)(1 << k)), s.locked[k]);
 	}
 	CHAIN_PUT(p, locks, spot, locks);
@@ -86,13 +114,20 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 		}
 }
 
+// Adds a solution to the impulses of a joint, that of a damped angle too.
+INLINE void chain_hold(const Pools* p, int spot, const Real x[3], ChainLink* link)
+{
+	Int turns = joint_has(&link->u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link->u);
+	joint_hold(&link->u, &link->c, x, turns);
+}
+
 // Gives the bodies of a joint the impulses of the solution.
 INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 {
 	ChainLink link;
 	chain_load_kept(p, chain, spot, &link);
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
-	joint_hold(&link.u, &link.c, x);
+	chain_hold(p, spot, x, &link);
 	if (pass == PASS_RELAX && p->step.drives)
 		joint_peak(p, chain->begin + spot, &link.u, &link.c);
 	chain_store(p, chain, spot, &link);
@@ -113,7 +148,7 @@ INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, in
 			chain_store(p, chain, at.spot, &link);
 		}
 		if (builds)
-			chain_build(p, at.spot, pass, &link);
+			chain_build(p, chain, at.spot, pass, &link);
 	}
 }
 
@@ -141,8 +176,6 @@ INLINE Chain chain_number(const Pools* p, int i)
 
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	if (pass == PASS_WARM_START)
-		chain_begin(p, &chain);
 	// even joints, odd joints, even joints: the equations hold velocities after all joints did what is their own
 	int owns = pass != PASS_RELAX || p->step.drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
@@ -176,6 +209,19 @@ GROUP_STAGE(chain)
 			chain.at.stride = 1;
 			chain_pass(p, chain, p->argument);
 		}
+	}
+}
+
+// Before any constraint starts the step: one that did so with a link's own inertia would turn it by another angle than the chain,
+// which has the inertia of the step, takes back. That is a kick in every step, and ropes were torn through their pegs.
+GROUP_STAGE(chain_begin)
+{
+	(void)bench;
+	int first = p->chain[i].item;
+	for (int k = 0; k < p->chain[first].parts; ++k)
+	{
+		Chain chain = chain_number(p, first + k);
+		chain_stretch(p, &chain);
 	}
 }
 

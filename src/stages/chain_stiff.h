@@ -11,6 +11,10 @@
 #define CHAIN_STIFF_H
 #include "stages/chain_link.h"
 
+// Damping of a free angle that is below this share of its inertia is none: it must not overflow what it is added to.
+#define CHAIN_SLACKEST 1.0e12f
+#define CHAIN_SLOW     0.02f
+
 // kg m^2: what the pull of a joint adds to the inertia of its bodies; and what these are
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
@@ -62,6 +66,19 @@ INLINE Real chain_inertia(Real inverse, Real tension)
 	return choose(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
+// A free angle between two links that move is damped, as much as substeps do not follow the string that the links are. An implicit
+// integration of the tension damps turns by its inertia t in a substep. Of that, the share is taken by which t enlarges the
+// inertia: t / (I + t). It is small for a pendulum, which loses nothing, and large for neighbors that turn to and fro. The impulse
+// acts between the two links, so that a whirled rope keeps its momentum.
+INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
+{
+	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);
+	Real t = maximum(minimum(CHAIN_AT(p, tension[0], spot), CHAIN_AT(p, tension[1], spot)), zero), more = t * inverse;
+	Real damping = t * more / (splat(CHAIN_SLOW) + more), least = splat(1.0f / CHAIN_SLACKEST);
+	Int damps = bodies->moves_a & bodies->moves_b & (damping * inverse > least) & (damping <= splat(MOST_FLOAT));
+	return choose(zero, splat(1.0f) / damping, damps);
+}
+
 // The inertias of joints' bodies for the step; and which body they share with the joint before them.
 INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 {
@@ -73,6 +90,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	Real mass_a = body_gather(p, bodies.a).inv_mass, mass_b = body_gather(p, bodies.b).inv_mass;
 	bodies.moves_a = mass_a > zero;
 	bodies.moves_b = mass_b > zero;
+	ChainBodies own = bodies;
 	bodies.tension_a = CHAIN_AT(p, tension[0], spot);
 	bodies.tension_b = CHAIN_AT(p, tension[1], spot);
 	ChainShared shared = chain_share(p, chain_neighbor(chain, place.row, place.n, -1), &bodies);
@@ -81,6 +99,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	     step_b = chain_inertia(CHAIN_AT(p, own_b, spot), bodies.tension_b);
 	CHAIN_PUT(p, step_a, spot, step_a);
 	CHAIN_PUT(p, step_b, spot, step_b);
+	CHAIN_PUT(p, slack, spot, chain_slack(p, spot, &own));
 	CHAIN_PUT(p, side, spot, choose(zero, one, shared.here_b));
 	CHAIN_PUT(p, other, spot, choose(one, zero, shared.there_a));
 	CHAIN_PUT(p, inv_mass, spot, choose(choose(zero, mass_b, shared.here_b), mass_a, shared.here_a));
@@ -104,7 +123,7 @@ INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float
 		p->body[joint_row(p, body_b, place)].inv_inertia = inverse_b;
 }
 
-INLINE void chain_begin(const Pools* p, const Chain* chain)
+INLINE void chain_stretch(const Pools* p, const Chain* chain)
 {
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(at, chain, odd)

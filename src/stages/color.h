@@ -9,7 +9,8 @@
 // falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
 // touch are colored in a step, usually a few.
 //
-// Contacts with bodies that cannot move take the highest free color: they are solved last, so their result stands. The
+// Contacts with bodies that cannot move take the highest free color: they are solved last, so their result stands. The last colors
+// are for contacts with static bodies: of two immovable bodies that press a third one, the static one holds. The
 // contacts of hubs (spoke.h) take no color and no part in the rounds; every other contact finds a free color. So a body
 // with thousands of new contacts costs no rounds.
 #ifndef COLOR_H
@@ -65,6 +66,17 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 	return (mask_a | mask_b) == (Word64)COLOR_MASK;
 }
 
+// The last colors of a body, which other constraints take only if no other color is free. A body that is pressed by something
+// kinematic against something static cannot obey both: the one that is solved last holds. Four collidables of a level that meet in
+// a corner have their own color each.
+#define STATIC_COLORS 8
+
+// Whether an edge is a contact with a static body. What does not move is the second collidable of a pair.
+INLINE int color_holds(const Pools* p, int edge)
+{
+	return edge_kind(edge) == CONSTRAINT_CONTACT && p->collidable_kind[p->pair[edge_slot(edge)].y] == KIND_STATIC;
+}
+
 STAGE(color_claim)
 {
 	int edge = color_source(p, i);
@@ -115,6 +127,9 @@ STAGE(color_assign)
 		*color_left(p, round, place) = edge;
 		return;
 	}
+	Word64 early = free & (Word64)COLOR_MASK >> STATIC_COLORS;
+	if (early != 0 && !color_holds(p, edge))
+		free = early;
 	Word64 bit = moves_a && moves_b ? free & (~free + (Word64)1) : (Word64)1 << (63 - leading_zeros(free));
 	edge_set_color(p, edge, 63 - leading_zeros(bit));
 	if (moves_a)

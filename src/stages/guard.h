@@ -27,6 +27,8 @@
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
+// m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
+#define GUARD_MOST 0.015f
 
 typedef struct // where a path ends
 {
@@ -112,13 +114,14 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 		return least;
 	WorldShape other = p->world_shape[j];
 	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
-	GuardMeeting met =
-	    guard_time(p, other, goes, g->from, g->way, GUARD_DEPTH * g->thickness, GUARD_DEEPEST * g->thickness);
+	float deeper = GUARD_DEPTH * g->thickness;
+	deeper = moves ? deeper : minimum(deeper, GUARD_MOST);
+	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness);
 	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
 		return least;
 	if (moves && !guard_yields(g->way, met))
 		return least;
-	if (p->step.rules && (apart_lets(p, j, i, apart) || apart_lets(p, i, j, vec_neg(apart))))
+	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
 		return least;
 	return guard_stop(met.time, met.normal, j);
 }

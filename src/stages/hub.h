@@ -243,9 +243,9 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* b
 // The kind of block number k of a pass; -1 behind the last.
 INLINE int hub_what(const Step* step, int pass, int k)
 {
-	// friction first, as in relax_pass; rolling resistance last, from the load after that
+	// friction and rolling resistance follow the load, as in pair_relax
 	if (pass == PASS_WARM_START || pass == PASS_RELAX)
-		return k == 0 ? HUB_FRICTION : k == 1 ? HUB_NORMAL : k == 2 && step->rolls ? HUB_ROLL : -1;
+		return k == 0 ? HUB_NORMAL : k == 1 ? HUB_FRICTION : k == 2 && step->rolls ? HUB_ROLL : -1;
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
 }
 

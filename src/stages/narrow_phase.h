@@ -45,15 +45,16 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 }
 
 // The shift up to which a manifold is kept, m.
-INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap)
+INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap,
+                                   float grain, float within)
 {
 	int count = (int)(flags & CONTACT_COUNT);
 	if (count == 0)
-		return STAY_DISTANCE + maximum(gap - SPECULATIVE_DISTANCE, 0.0f);
+		return STAY_DISTANCE * grain + maximum(gap - within, 0.0f);
 	if (flags & CONTACT_DETECTED)
-		return STAY_DISTANCE;
+		return STAY_DISTANCE * grain;
 	float distance = count == 2 || (flags & MANIFOLD_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
-	return minimum(distance, HOLD_SHARE * minimum(a->reach, b->reach));
+	return minimum(distance * grain, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
 // Whether the boxes of a pair parted. Then its contact is released.
@@ -71,7 +72,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 // Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
 // only. far: the pair may approach by more than the speculative distance. rolls gets the MANIFOLD_* bits of a manifold
 // that follows its corners.
-INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, Word* rolls)
+INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int moved, Word* rolls)
 {
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Vec turn = vec(a.c, a.s);
@@ -83,15 +84,16 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	found_at.ahead = 0;
 	Closing closing;
 	closing.most = 0.0f;
+	closing.within = sweep_within(&p->step, sweep_room(moved));
 	if (far)
-		closing = sweep_closing(p, a, b);
-	if (closing.most > SPECULATIVE_DISTANCE)
+		closing = sweep_closing(p, a, b, moved);
+	if (closing.most > sweep_within(&p->step, sweep_room(moved)))
 		return ahead_meeting(p, a, b, closing, found_at);
-	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(SPECULATIVE_DISTANCE));
+	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
 	if (answers && found_at.m.count > 0)
 	{
 		if (!far)
-			closing = sweep_closing(p, a, b);
+			closing = sweep_closing(p, a, b, moved);
 		found_at = ahead_past(p, a, b, closing, found_at);
 		if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
 			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
@@ -140,7 +142,7 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 }
 
 // Writes a manifold. flags are those of the new one.
-INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b)
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b, int moved)
 {
 	const Manifold* m = &at->m;
 	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
@@ -148,8 +150,10 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	manifold.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
 	manifold.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
 	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
-	manifold.then =
-	    make_float4(at->axes.x, at->axes.y, a->reach, at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap));
+	manifold.then = make_float4(at->axes.x, at->axes.y, a->reach,
+	                            at->ahead ? -1.0f
+	                                      : narrow_phase_distance(a, b, flags, m->gap, sweep_grain(moved),
+	                                                              sweep_within(&p->step, sweep_room(moved))));
 	p->contact_manifold[i] = manifold;
 }
 
@@ -173,14 +177,14 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
 	Word rolls = 0;
 	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
-	Ahead at = narrow_phase_find(p, a, b, answers, far, &rolls);
+	Ahead at = narrow_phase_find(p, a, b, answers, far, moved, &rolls);
 	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
 	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
 	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | rolls | overlaps;
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
-	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute);
+	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved);
 	if (!touching)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))

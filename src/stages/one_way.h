@@ -19,13 +19,21 @@
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
+// m: a visitor that touches a platform is at least so deep in it
+#define ONE_WAY_TOUCH 1.0e-9f
 
 // what is known of a contact when it is looked at
-#define ONE_WAY_NEW  0 // the boxes did not overlap in the last step
+#define ONE_WAY_NEW \
+	0 // the boxes did not overlap in the last step, or the visitor was higher than the platform, but not over it
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // it held it, but they do not touch
 // cosine: sides that face up by more are upper ones. The walls of a box must not count, whatever the rounding of its corners
 #define ONE_WAY_UPPER 0.1f
+
+// how high a visitor is
+#define ONE_WAY_LOW   0
+#define ONE_WAY_HIGH  1 // higher than an upper side
+#define ONE_WAY_ABOVE 2 // and over it, or it gets there in the step
 
 typedef struct // of a shape along a direction, and across it, m
 {
@@ -53,24 +61,34 @@ RARE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
 
 INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right && b.left <= a.right; }
 
-// Whether a visitor is over a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
-RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, float slop)
+typedef struct // how deep a visitor may be in a platform that holds it, m
+{
+	float slop; // now
+	float late; // where it gets over the platform in the step
+} OneWayDepth;
+
+// How high a visitor is against a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
+RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWayDepth depth)
 {
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
-	if (!(gap >= -slop))
-		return 0;
+	if (!(gap >= -depth.slop))
+		return ONE_WAY_LOW;
 	// what is not at the height of the side yet counts where it gets there
-	if (gap > slop && closes > gap)
-		from = to = gap / closes;
+	if (gap > depth.slop && closes > gap)
+	{
+		from = gap / closes;
+		to = minimum((gap + depth.late) / closes, 1.0f);
+	}
 	visitor.left += minimum(from * slides, to * slides);
 	visitor.right += maximum(from * slides, to * slides);
-	return one_way_meet(side, visitor);
+	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Whether a visitor at a frame, with a margin around its shape, is above a platform whose direction is up, or gets there by its way.
-INLINE int one_way_above(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
-                         float margin, Vec way, float slop)
+// How high a visitor at a frame, with a margin around its shape, is against a platform whose direction is up.
+INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
+                          float margin, Vec way, OneWayDepth depth)
 {
+	int most = ONE_WAY_LOW;
 	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
 	// its upper sides, and last its whole width
 	for (int k = platform->count > 1 ? 0 : platform->count; k <= platform->count; ++k)
@@ -83,45 +101,90 @@ INLINE int one_way_above(const GLOBAL Attribute* platform, Vec up, const GLOBAL 
 		span.low -= margin;
 		span.left -= margin;
 		span.right += margin;
-		if (one_way_over(side, span, n, way, slop))
-			return 1;
+		int height = one_way_over(side, span, n, way, depth);
+		most = height > most ? height : most;
 	}
-	return 0;
+	return most;
+}
+
+// How deep visitor b may be. A load may press it into platforms that hold it, and the next one takes it over as deep as it is,
+// and deeper by what guard allows in a step.
+INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
+{
+	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
+	OneWayDepth depth = {minimum(ONE_WAY_SLOP, ONE_WAY_SHARE * thickness), swing};
+	if (known == ONE_WAY_NEW || sunk > 0.0f)
+		depth.slop = maximum(depth.slop, sunk + ONE_WAY_FRESH * thickness);
+	if (sunk > 0.0f)
+		depth.late = depth.slop + swing;
+	return depth;
 }
 
 typedef struct // a visitor, as its platform sees it
 {
-	int above, below, beside;
+	int height; // ONE_WAY_LOW, ONE_WAY_HIGH or ONE_WAY_ABOVE
+	int below, beside;
 } OneWayPlace;
 
-// Where visitor b is of platform a, by their poses now. way: as above, in the world. known: ONE_WAY_*
-RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, int known)
+// The pose of visitor b in the frame of platform a.
+INLINE Frame one_way_frame(WorldShape a, WorldShape b)
+{
+	Vec axes = vec(a.c, a.s);
+	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
+}
+
+INLINE Vec one_way_up(const Pools* p, WorldShape a)
+{
+	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
+}
+
+// Where visitor b is of platform a, by their poses now. way: as above, in the world. swing: how far its points may be off it, m. known:
+// ONE_WAY_*
+RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Vec axes = vec(a.c, a.s), up = vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
-	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
-	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
-	float thickness = p->thickness[b.attribute], slop = minimum(ONE_WAY_SLOP, ONE_WAY_SHARE * thickness);
-	slop = known == ONE_WAY_NEW ? maximum(slop, ONE_WAY_FRESH * thickness) : slop;
-	way = vec_turn_back(axes, way);
+	Vec up = one_way_up(p, a);
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
+	way = vec_turn_back(vec(a.c, a.s), way);
 	OneWayPlace place;
-	place.above = one_way_above(shape_a, up, shape_b, f, 0.0f, way, slop);
+	place.height = one_way_height(shape_a, up, shape_b, f, 0.0f, way, one_way_depth(p, b, known, swing));
 	OneWaySpan platform = one_way_span(shape_a, own, up), visitor = one_way_span(shape_b, f, up);
 	place.below = visitor.high < platform.high;
 	place.beside = !one_way_meet(platform, visitor);
 	return place;
 }
 
+// m: how deep visitor b is in platform a, which held it, by their poses now: under the upper side under which it is least deep. 0 if
+// it has left the platform. Its middle is outside.
+RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
+{
+	const GLOBAL Attribute* platform = p->attribute + a.attribute;
+	const GLOBAL Attribute* visitor = p->attribute + b.attribute;
+	Vec up = one_way_up(p, a);
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
+	OneWaySpan whole = one_way_span(platform, own, up), span = one_way_span(visitor, f, up);
+	float depth = minimum(whole.high - span.low, p->thickness[b.attribute]);
+	if (span.high < whole.high || !one_way_meet(whole, span))
+		return 0.0f;
+	for (int k = 0; platform->count > 1 && k < platform->count; ++k)
+	{
+		Vec n = shape_normal(platform, k);
+		if (vec_dot(n, up) > ONE_WAY_UPPER)
+			depth = minimum(depth, one_way_span(platform, own, n).high - one_way_span(visitor, f, n).low);
+	}
+	return depth;
+}
+
 // Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.
-INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, int known)
+INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
 {
 	for (int k = p->guarded[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
 	{
 		if (k - 1 == b || p->collidable_kind[k - 1] & KIND_SENSOR)
 			continue;
-		OneWayPlace place = one_way_place(p, a, p->world_shape[k - 1], way, known);
-		if (!place.above && !place.beside)
+		OneWayPlace place = one_way_place(p, a, p->world_shape[k - 1], way, swing, known);
+		if (place.height != ONE_WAY_ABOVE && !place.beside)
 			return 1;
 	}
 	return 0;
@@ -129,14 +192,16 @@ INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, int kno
 
 INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
 
-// Whether platform a holds b in the step. known: ONE_WAY_*
-INLINE int one_way_holds(const Pools* p, int a, int b, Vec way, int known)
+// ONE_WAY_HELD if platform a holds b in the step, else what is known of b in the next one. known: ONE_WAY_*
+INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
 {
 	WorldShape platform = p->world_shape[a];
-	OneWayPlace place = one_way_place(p, platform, p->world_shape[b], way, known);
-	if (known == ONE_WAY_HELD)
-		return place.above || !(place.below || place.beside);
-	return place.above && !one_way_through(p, platform, b, way, known);
+	OneWayPlace place = one_way_place(p, platform, p->world_shape[b], way, swing, known);
+	int above = place.height == ONE_WAY_ABOVE;
+	if (known == ONE_WAY_HELD ? above || !(place.below || place.beside)
+	                          : above && !one_way_through(p, platform, b, way, swing, known))
+		return ONE_WAY_HELD;
+	return place.height == ONE_WAY_HIGH ? ONE_WAY_NEW : ONE_WAY_PAST;
 }
 
 #endif

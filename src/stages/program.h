@@ -25,6 +25,7 @@
 #include "stages/solve.h"
 #include "stages/overflow.h"
 #include "stages/chain.h"
+#include "stages/branch.h"
 #include "stages/hub.h"
 #include "stages/guard.h"
 #include "stages/finalize.h"

@@ -108,7 +108,9 @@ INLINE int query_passes(const Pools* p, Seen seen, Frame f, float radius, Vec pa
 		return 0;
 	if (form == QUERY_NEAREST ? hit->fraction < -ONE_WAY_SLOP : hit->inside)
 		return 1;
-	return !one_way_above(platform, vec(rule.up_x, rule.up_y), &p->query_plan->shape, f, radius, path, ONE_WAY_SLOP);
+	Vec up = vec(rule.up_x, rule.up_y);
+	OneWayDepth depth = {ONE_WAY_SLOP, 0.0f};
+	return one_way_height(platform, up, &p->query_plan->shape, f, radius, path, depth) != ONE_WAY_ABOVE;
 }
 
 INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, Found* found)

@@ -53,21 +53,54 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
-// Whether contact i passes because a side of it is a one-way platform.
-RARE int rule_passes(const Pools* p, Int2 pair, Word flags)
+// CONTACT_PASSES if contact i passes because a side of it is a one-way platform, and CONTACT_HIGH if it may be held anew.
+RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 {
-	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED) ? ONE_WAY_NEW
-	            : flags & CONTACT_PASSES                  ? ONE_WAY_PAST
-	                                                      : ONE_WAY_HELD;
+	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
+	            : flags & CONTACT_PASSES                                 ? ONE_WAY_PAST
+	                                                                     : ONE_WAY_HELD;
+	int passes = 0, past = 0;
 	if (known == ONE_WAY_HELD && flags & CONTACT_COUNT)
 		return 0;
 	for (int side = 0; side < 2; ++side)
 	{
 		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
-		if (rule_platform(p, a, b) && !one_way_holds(p, a, b, rule_way(p, a, b), known))
-			return 1;
+		if (!rule_platform(p, a, b))
+			continue;
+		int found = one_way_finds(p, a, b, rule_way(p, a, b), 0.0f, known);
+		passes |= found != ONE_WAY_HELD;
+		past |= found == ONE_WAY_PAST;
 	}
-	return 0;
+	return passes ? CONTACT_PASSES | (past ? 0u : CONTACT_HIGH) : 0u;
+}
+
+// Body i, before it is known which platforms hold it.
+STAGE(sunk_begin) { p->sunk[i] = 0; }
+
+// Contact i: how deep its platform holds the visitor. It runs before contact_rule, when contacts are what they were in the last step,
+// and again after the narrow phase, for guard.
+STAGE(contact_sunk)
+{
+	Word flags = p->contact_flags[i];
+	Int2 pair = p->pair[i];
+	if (i >= p->counters->live || pair.x < 0 ||
+	    flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
+		return;
+	for (int side = 0; side < 2; ++side)
+	{
+		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
+		if (!rule_platform(p, a, b))
+			continue;
+		float depth = one_way_sunk(p, p->world_shape[a], p->world_shape[b]);
+		if (flags & CONTACT_COUNT)
+		{
+			Float4 normal = p->contact_manifold[i].normal;
+			depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
+		}
+		// depths that are not negative are ordered like their bits
+		if (depth > 0.0f)
+			atomic_max_int(&p->sunk[p->collidable_body[b]], float_bits(depth));
+	}
 }
 
 INLINE Word64 ask_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }
@@ -115,13 +148,13 @@ STAGE(contact_rule)
 	// a contact that parted is released by the narrow phase, but not one that is fresh
 	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
 		return;
-	if (platform && rule_passes(p, pair, flags))
-		apart = CONTACT_PASSES;
+	if (platform)
+		apart = rule_passes(p, pair, flags);
 	int acts = flags & CONTACT_ASKS && !(answer & CONTACT_ASKS);
-	if ((flags & (CONTACT_PASSES | CONTACT_IGNORED)) != apart || acts)
+	if (((flags ^ apart) & (CONTACT_PASSES | CONTACT_IGNORED)) || acts)
 		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
 	else
-		p->contact_flags[i] = (flags & ~CONTACT_ANSWERS) | answer;
+		p->contact_flags[i] = (flags & ~(CONTACT_ANSWERS | CONTACT_HIGH)) | answer | apart;
 }
 
 #endif

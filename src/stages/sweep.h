@@ -40,10 +40,11 @@ INLINE Closing sweep_between(WorldShape a, Sweep sa, WorldShape b, Sweep sb)
 	return sweep_apart(vec(b.x - a.x, b.y - a.y), sa, sb);
 }
 
-INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b)
+INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, Int moved)
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
-	return sweep_between(a, sa, b, sb);
+	Closing closing = sweep_between(a, sa, b, sb);
+	return sweep_fine(&p->step, closing, moved);
 }
 
 // The most by which any two points of the pair may approach along a normal from a to b, m per step.
@@ -55,7 +56,7 @@ INLINE Real sweep_speed(Closing c, Vec normal, Real time)
 // The points of a manifold that count at a time, in the frame of a, whose axes are turned by a rotation.
 INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 {
-	Reach r = reach_of(SPECULATIVE_DISTANCE);
+	Reach r = reach_of(c.within);
 	r.near = vec_scale(1.0f - time, vec_turn_back(axes, vec_add(c.near, vec_scale(time, c.bend))));
 	r.swing = (1.0f - time) * c.swing;
 	return r;

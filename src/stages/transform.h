@@ -6,6 +6,11 @@
 #include "stages/box.h"
 #include "stages/sweep.h"
 
+// m: thinner bodies have finer tolerances. Twice the speculative distance
+#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
+// of a reach that counts as thickness
+#define REACH_SHARE 0.125f
+
 // Clears the counters of one step.
 STAGE(step_begin)
 {
@@ -42,6 +47,7 @@ STAGE(step_begin)
 	c->entered = 0;
 	c->guarded = 0;
 	c->penetration = 0;
+	c->joint_gap = 0;
 	c->joint_events = 0;
 	c->touches_began = 0;
 	c->waiting = 0;
@@ -102,6 +108,24 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
+// Bits for a length of half a collidable, m: from the first one on.
+INLINE int transform_bits(float length, int first)
+{
+	int bits = 0;
+	for (int level = 0; level < GRAIN_LEVELS; ++level, length = 2.0f * length)
+		bits |= length < 0.5f * GRAIN_SIZE ? first << level : 0;
+	return bits;
+}
+
+// The MOVED_GRAIN and MOVED_REACH bits of a dynamic collidable whose nearest side is so far from its centroid, m. What has no thickness
+// is a segment: others come to rest on it, it does not.
+INLINE int transform_grains(float thickness, float reach)
+{
+	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
+		return 0;
+	return transform_bits(thickness, MOVED_GRAIN) | transform_bits(REACH_SHARE * reach, MOVED_REACH);
+}
+
 // Lists collidables that left their box or were placed.
 LIST_STAGE(transform, moved_list, moved)
 {
@@ -125,16 +149,19 @@ LIST_STAGE(transform, moved_list, moved)
 	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
 	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
-	int how = 0;
+	int how = p->collidable_kind[i] == KIND_DYNAMIC
+	              ? transform_grains(p->thickness[world_shape.attribute], attribute->reach)
+	              : 0;
 	if (moves)
 	{
 		Sweep sweep = sweep_of(p, world_shape, attribute);
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
-		if (travel > 0.5f * SWEEP_REST)
-			how = MOVED_ON;
-		if (travel > 0.5f * SPECULATIVE_DISTANCE)
+		float grain = sweep_grain(how), room = sweep_room(how);
+		if (travel > 0.5f * SWEEP_REST * grain)
+			how |= MOVED_ON;
+		if (travel > 0.5f * sweep_within(&p->step, room))
 		{
 			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
 			// step needs no margin

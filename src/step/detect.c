@@ -77,10 +77,10 @@ static scree_status transform(Pipeline* pipeline, const Step* step)
 			return status;
 		state->touched = true;
 	}
-	// the static tree changes only when the user moved something in it
+	// the static tree changes only when the user moved something in it, or when the device put its leaves in order
 	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
-	if (pipeline->trees[1].touched)
-		tree_refit(list, &pipeline->trees[1].tree, 1, NO_COUNT);
+	if (pipeline->trees[1].touched || pipeline->jumps)
+		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
 	return SCREE_OK;
 }
@@ -122,14 +122,22 @@ static void ask(RunList* list, const Step* step, int bodies)
 		runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
 }
 
-static void narrow_phase(RunList* list, const Step* step, bool reports)
+static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
+	RunList* list = &pipeline->list;
+	if (pipeline->platforms)
+	{
+		runs_add(list, STAGE_sunk_begin, 0, bodies, NO_COUNT, 0);
+		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
+	}
 	if (step->rules)
 		runs_add(list, STAGE_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
-	if (reports)
+	if (pipeline->reports)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+	if (pipeline->platforms)
+		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 }
 
 // Constraints of joints begin and end.
@@ -259,7 +267,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		broad_phase(list, step);
 		if (joints)
 			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
-		narrow_phase(list, step, pipeline->reports);
+		narrow_phase(pipeline, step, request->bodies);
 		if (step->asks || pipeline->platforms)
 			ask(list, step, request->bodies);
 		if (joints)

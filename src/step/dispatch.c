@@ -60,6 +60,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .bounces = step->bounces,
 	               .bare = pipeline->bare,
 	               .chains = pipeline->chains,
+	               .branches = pipeline->branches,
 	               .chain_places = pipeline->chain_places,
 	               .counters = c,
 	               .bound = bound};

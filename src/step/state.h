@@ -78,9 +78,11 @@ typedef struct
 	bool paths;     // some joint follows a path
 	bool bare;      // some body with joints may have no collidables
 	bool breaks;    // some joint may break
-	int chains, chain_ranges;     // items of a pass over rows of joints that are solved together; these rows
-	int chain_places;             // joints in them, with padding
-	bool stirred;                 // joints were made, changed or destroyed since the last step
+	int chains, chain_ranges; // items of a pass over rows of joints that are solved together; these rows
+	int chain_places;         // joints in them and in branches, with padding
+	int branches,
+	    branch_nodes; // items of a pass over trees of joints that are solved together, which come behind; their bodies
+	bool stirred;     // joints were made, changed or destroyed since the last step
 	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
 	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed

@@ -160,4 +160,20 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 		if (begins)
 			layout->ranges[layout->items++].item = first;
 	}
+	for (int k = 0; k < layout->branch_count; ++k)
+	{
+		// in one row, in blocks of its own
+		const ChainRow* branch = layout->branches + k;
+		ChainRange at = {
+		    .first = layout->places, .count = branch->count, .odds = branch->first, .stride = 1, .parts = 1};
+		for (int n = 0; n < branch->count; ++n)
+		{
+			int joint = layout->node_joints[branch->first + n];
+			if (joint >= 0)
+				layout->spots[joint] = at.first + n;
+		}
+		layout->places += padded(branch->count, MAX_LANES);
+		layout->ranges[layout->ranged] = at;
+		layout->ranges[layout->items + k].item = layout->ranged++;
+	}
 }

@@ -12,13 +12,17 @@ typedef struct // a chain
 
 typedef struct
 {
-	int* joints;    // of all chains, in order
-	ChainRow* rows; // will be sorted
-	int count;      // chains
+	int* joints;       // of all chains, in order
+	ChainRow* rows;    // will be sorted
+	int count;         // chains
+	BranchNode* nodes; // of all branches; a row of them for each
+	int* node_joints;  // of each, -1 for none
+	ChainRow* branches;
+	int branch_count, node_count;
 	// results
 	ChainRange* ranges;        // as many as there are chains, at most
 	int* spots;                // of each joint of the world; those of no chain are left alone
-	int ranged, items, places; // ranges, items of a pass, spots with padding
+	int ranged, items, places; // ranges, items of a pass over chains, spots with padding
 } ChainLayout;
 
 // Gives spots to the joints of all chains, for a device of so many lanes that has so many work-groups at the same time. ranged,

@@ -7,7 +7,7 @@
 #include "world/chains.h"
 #include "platform/error.h"
 #include "step/room.h"
-#include "world/chain_layout.h"
+#include "world/branches.h"
 #include "world/joints.h"
 #include <math.h>
 #include <string.h>
@@ -16,45 +16,17 @@
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-typedef struct
+// The other joint of a body that can move, is in no branch and has exactly two, else -1.
+static int next_joint(const ChainSearch* s, int body, int joint)
 {
-	const scree_world* world;
-	ChainLayout layout;
-	uint8_t* seen;  // of each joint
-	uint8_t* owned; // of each body: it is at the end of a chain
-	int joints;     // of all chains
-} Search;
-
-// Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together; the axes of a path turn while the
-// systems of chains have theirs.
-static bool acts(const scree_world* world, int joint)
-{
-	const HostJoint* host = world->host_joints + joint;
-	bool moves = false, locks = false;
-	if (!slots_in_use(&world->joints, joint) || host->def.disabled || joint_couples(host->def.type) || host->path >= 0)
-		return false;
-	for (int side = 0; side < 2; ++side)
-	{
-		const HostBody* body = world->host_bodies + host->bodies[side];
-		if (body->disabled)
-			return false;
-		moves |= body->type == SCREE_BODY_DYNAMIC;
-	}
-	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		locks |= host->def.coordinates[k].locked;
-	return moves && locks;
-}
-
-// The other joint of a body that can move and has exactly two, else -1.
-static int next_joint(const scree_world* world, int body, int joint)
-{
+	const scree_world* world = s->world;
 	int count = 0, next = -1;
-	if (world->host_bodies[body].type != SCREE_BODY_DYNAMIC)
+	if (!chain_moves(world, body) || s->marks[body] & BODY_BRANCHED)
 		return -1;
 	for (int end = world->host_bodies[body].first_joint; end > 0 && count <= 2; end = joint_next(world, end))
 	{
 		int other = joint_of_end(end);
-		if (!acts(world, other))
+		if (!chain_acts(world, other))
 			continue;
 		++count;
 		next = other == joint ? next : other;
@@ -62,47 +34,41 @@ static int next_joint(const scree_world* world, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-static int other_body(const scree_world* world, int joint, int body)
-{
-	const int* bodies = world->host_joints[joint].bodies;
-	return bodies[0] == body ? bodies[1] : bodies[0];
-}
-
 // The last joint of the chain that a joint is in, through one of its bodies; *body becomes the body behind it. In a ring, the
 // joint before the first one.
-static int chain_end(const scree_world* world, int joint, int* body)
+static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
 	{
-		int next = next_joint(world, *body, joint);
+		int next = next_joint(s, *body, joint);
 		if (next < 0 || next == first)
 			return joint;
 		joint = next;
-		*body = other_body(world, joint, *body);
+		*body = chain_other_body(s->world, joint, *body);
 	}
 }
 
 // Lists the joints of a chain from its first one, which comes behind body *at; *at becomes the body behind the last.
-static int chain_list(Search* s, int first, int* at)
+static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
-	for (int joint = first; joint >= 0 && !s->seen[joint]; joint = next_joint(s->world, *at, joint))
+	for (int joint = first; joint >= 0 && !s->seen[joint]; joint = next_joint(s, *at, joint))
 	{
 		s->seen[joint] = 1;
 		s->layout.joints[s->joints + count++] = joint;
-		*at = other_body(s->world, joint, *at);
+		*at = chain_other_body(s->world, joint, *at);
 	}
 	return count;
 }
 
 // Whether a chain may have a body at its end: it cannot move, or it is of no other chain.
-static bool own(Search* s, int body)
+static bool own(ChainSearch* s, int body)
 {
-	if (s->world->host_bodies[body].type != SCREE_BODY_DYNAMIC)
+	if (!chain_moves(s->world, body))
 		return true;
-	if (s->owned[body])
+	if (s->marks[body] & (BODY_OWNED | BODY_BRANCHED))
 		return false;
-	s->owned[body] = 1;
+	s->marks[body] |= BODY_OWNED;
 	return true;
 }
 
@@ -121,12 +87,12 @@ static float mass_ratio(const scree_world* world, const int* row, int count)
 }
 
 // Adds the chain that a joint is in, if it is worth it.
-static void add_chain(Search* s, int joint)
+static void add_chain(ChainSearch* s, int joint)
 {
 	const scree_world* world = s->world;
 	int begin = 0, first_body = world->host_joints[joint].bodies[0];
-	int first = chain_end(world, joint, &first_body), last_body = first_body;
-	bool ring = next_joint(world, first_body, first) >= 0;
+	int first = chain_end(s, joint, &first_body), last_body = first_body;
+	bool ring = next_joint(s, first_body, first) >= 0;
 	int count = chain_list(s, first, &last_body);
 	if (ring)
 		--count; // the last joint shares bodies with the first: it is solved by itself
@@ -164,7 +130,11 @@ static scree_status upload_chains(scree_world* world, const ChainLayout* layout)
 		return SCREE_OK;
 	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, layout->ranged));
 	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, layout->places / MAX_LANES));
-	return b->f->write(b, POOL_chain, 0, layout->ranged, layout->ranges);
+	TRY(b->f->write(b, POOL_chain, 0, layout->ranged, layout->ranges));
+	if (layout->node_count == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(&world->pipeline, PER_BRANCH, layout->node_count));
+	return b->f->write(b, POOL_branch, 0, layout->node_count, layout->nodes);
 }
 
 scree_status chains_update(scree_world* world)
@@ -173,21 +143,23 @@ scree_status chains_update(scree_world* world)
 	if (!world->chains_stale)
 		return SCREE_OK;
 	size_t bytes = joints * (sizeof(ChainRow) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
-	char* memory = scree_allocate(bytes);
+	size_t before = branches_bytes(joints, bodies);
+	char* memory = scree_allocate(before + bytes);
 	if (!memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
-	memset(memory, 0, bytes);
-	Search s = {.world = world};
+	memset(memory, 0, before + bytes);
+	ChainSearch s = {.world = world};
 	ChainLayout* layout = &s.layout;
-	layout->rows = (ChainRow*)memory;
+	layout->rows = (ChainRow*)(memory + before);
 	layout->ranges = (ChainRange*)(layout->rows + joints);
 	layout->spots = (int*)(layout->ranges + joints);
 	layout->joints = layout->spots + joints;
 	s.seen = (uint8_t*)(layout->joints + joints);
-	s.owned = s.seen + joints;
+	s.marks = s.seen + joints;
 	memset(layout->spots, -1, joints * sizeof *layout->spots);
+	branches_find(&s, memory);
 	for (int k = 0; k < world->joints.used; ++k)
-		if (!s.seen[k] && acts(world, k))
+		if (!s.seen[k] && chain_acts(world, k))
 			add_chain(&s, k);
 	chain_layout(layout, world->backend->chain_lanes, world->backend->groups);
 	scree_status status = upload_chains(world, layout);
@@ -196,6 +168,8 @@ scree_status chains_update(scree_world* world)
 		set_spots(world, layout->spots);
 		world->pipeline.chain_ranges = layout->ranged;
 		world->pipeline.chains = layout->items;
+		world->pipeline.branches = layout->branch_count;
+		world->pipeline.branch_nodes = layout->node_count;
 		world->pipeline.chain_places = layout->places;
 		world->chains_stale = false;
 	}

@@ -241,8 +241,8 @@ static JointEdit joint_edit(const scree_world* world, int index)
 // Whether a step has to look at rare rows because of the joint.
 static bool drives(const JointEdit* edit)
 {
-	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_COUPLED | JOINT_RAILED) || edit->data.most_force < FLT_MAX ||
-	       edit->data.most_torque < FLT_MAX;
+	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_SPRINGS | JOINT_COUPLED | JOINT_RAILED) ||
+	       edit->data.most_force < FLT_MAX || edit->data.most_torque < FLT_MAX;
 }
 
 static bool is_bare(const scree_world* world, int index)

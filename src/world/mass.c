@@ -16,6 +16,8 @@ scree_mass mass_of_body(const scree_world* world, int body)
 	const HostBody* host = world->host_bodies + body;
 	if (host->type != SCREE_BODY_DYNAMIC)
 		return massless(host->type);
+	if (host->own_mass.mass > 0.0f)
+		return host->own_mass;
 
 	// first the common center, then the inertia about it by the parallel axis theorem
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
@@ -97,6 +99,13 @@ void mass_set(scree_world* world, int body, scree_mass mass)
 	edits_whole(world, guarded_command(world, body));
 }
 
+void mass_own(scree_world* world, int body, scree_mass mass)
+{
+	world->host_bodies[body].own_mass = mass;
+	world->own_masses = true;
+	mass_set(world, body, mass);
+}
+
 void masses_update(scree_world* world, const int* bodies, int count)
 {
 	for (int k = 0; k < count; ++k)
@@ -109,6 +118,7 @@ void masses_update(scree_world* world, const int* bodies, int count)
 		if (bodies[k] < 0 || !world->host_bodies[bodies[k]].marked)
 			continue;
 		world->host_bodies[bodies[k]].marked = false;
+		world->host_bodies[bodies[k]].own_mass = (scree_mass){0};
 		if (world->host_bodies[bodies[k]].type == SCREE_BODY_DYNAMIC)
 			mass_set(world, bodies[k], mass_of_body(world, bodies[k]));
 	}

@@ -49,6 +49,8 @@ static int lasting_items(const scree_world* world, Per per)
 		return smaller(world->edits.sample_rows, b->capacity[per]);
 	case PER_CHAIN:
 		return world->pipeline.chain_ranges;
+	case PER_BRANCH:
+		return world->pipeline.branch_nodes;
 	case PER_ONE:
 		return 1;
 	default:

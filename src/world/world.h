@@ -15,6 +15,7 @@ typedef struct // host data of a body
 	uint32_t locks;
 	float gravity_scale, linear_damping, angular_damping;
 	scree_mass mass;
+	scree_mass own_mass; // set by the user, and what a dynamic body has until its collidables change; mass 0 for none
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
@@ -213,6 +214,7 @@ struct scree_world
 	int samples_used, sample_end; // of all paths; behind the last one
 	bool chains_stale;            // joints came or went since the chains were found
 	int dynamic_bodies, disabled_bodies;
+	bool own_masses; // some body has or had a mass that the user set
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
 	Edits edits;

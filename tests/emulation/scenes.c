@@ -333,7 +333,7 @@ static bool same_counts(const scree_world* one, const scree_world* other)
 {
 	const Counters *a = counted(one), *b = counted(other);
 	return a->nonfinite == b->nonfinite && a->first_nonfinite == b->first_nonfinite && a->held == b->held &&
-	       a->guarded == b->guarded && a->penetration == b->penetration;
+	       a->guarded == b->guarded && a->penetration == b->penetration && a->joint_gap == b->joint_gap;
 }
 
 void check_form(const FormScene* scene, const Form* form)

@@ -463,7 +463,8 @@ static scree_status run_read(const Turn* t)
 	{
 		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts, c.touching,
 		              c.colors, c.spokes,         c.new_contacts, c.nonfinite};
-		word = read_mixed(read_mixed(word, more, sizeof more), &c.penetration, sizeof c.penetration);
+		float depths[] = {c.penetration, c.joint_gap};
+		word = read_mixed(read_mixed(word, more, sizeof more), depths, sizeof depths);
 	}
 	scree_pose pose = {0};
 	scree_velocity velocity = {0};

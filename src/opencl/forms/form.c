@@ -45,7 +45,7 @@ static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
 	// joints without a color have runs of their own
-	bool uncolored = solve->chains > 0 || solve->counters->overflow > 0;
+	bool uncolored = solve->chains > 0 || solve->branches > 0 || solve->counters->overflow > 0;
 	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;

@@ -2,15 +2,14 @@
 // tile_pass.cl -- one pass of the solve over all tiles, and over the border constraints.
 #include "opencl/forms/tiles.cl"
 
-typedef struct // the bodies of a tile; a world with joints has their rotations too, in an array of its own
+typedef struct // the bodies of a tile
 {
 	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular, inverse mass
-	float4 moved[TILE_BODIES + 1];  // displacement x, y, sine and versine of the rotation
-	float inv_inertia[TILE_BODIES + 1];
+	float4 moved[TILE_BODIES + 1];  // displacement x, y, rotation, inverse inertia
 } Tile;
 
 // Loads a body into local memory, integrated up to pass q.
-INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, BENCH float* turned, int k)
+INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
 	BodyState state = p->body[body];
@@ -40,28 +39,20 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENC
 	}
 	if (q == 0 || schedule_before(r->substeps, q) == BODY_MOVES)
 		*(__global float4*)&p->body[body].dx = make_float4(row[4], row[5], row[6], row[7]);
-	Body b;
-	b.da = row[6];
-	body_turn(&b);
 	tile->motion[k] = make_float4(row[0], row[1], row[2], row[3]);
-	tile->moved[k] = make_float4(row[4], row[5], b.sine, b.versine);
-	tile->inv_inertia[k] = row[7];
-	if (p->step.joints)
-		turned[k] = row[6];
+	tile->moved[k] = make_float4(row[4], row[5], row[6], row[7]);
 }
 
-INLINE void tile_gather(const Pools* p, BENCH const Tile* tile, BENCH const float* turned, uint place, Body* b)
+INLINE void tile_gather(const Pools* p, BENCH const Tile* tile, uint place, Body* b)
 {
 	float4 motion = tile->motion[place], moved = tile->moved[place];
 	b->v = vec(motion.x, motion.y);
 	b->w = motion.z;
 	b->inv_mass = motion.w;
 	b->d = vec(moved.x, moved.y);
-	b->sine = moved.z;
-	b->versine = moved.w;
-	b->inv_inertia = tile->inv_inertia[place];
-	if (p->step.joints)
-		b->da = turned[place];
+	b->da = moved.z;
+	b->inv_inertia = moved.w;
+	body_turn(b);
 }
 
 INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
@@ -72,14 +63,14 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 
 // Pass q of the constraint at place j; pass is the kind of pass q.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
-	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile,               \
-	                             BENCH const float* turned, int j, int q, int pass)                              \
+	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, \
+	                             int pass)                                                                       \
 	{                                                                                                            \
 		Kind u;                                                                                                  \
 		Body a, b;                                                                                               \
 		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                       \
-		tile_gather(p, tile, turned, places & 0xffffu, &a);                                                      \
-		tile_gather(p, tile, turned, places >> 16, &b);                                                          \
+		tile_gather(p, tile, places & 0xffffu, &a);                                                              \
+		tile_gather(p, tile, places >> 16, &b);                                                                  \
 		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
 		int i = KIND##_RARE(&p->step) || ends ? task_at(p, t->order[j]).place : 0;                                        \
@@ -143,7 +134,7 @@ INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, in
 }
 
 // A pass over a tile, by a work-group.
-INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, BENCH float* turned,
+INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile,
                       BENCH int* range, int q, int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
@@ -153,18 +144,12 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	{
 		int resident = t->resident[row * TILE_BODIES + k];
 		if (resident >= 0)
-			tile_fetch(p, r, resident, q, tile, turned, k);
+			tile_fetch(p, r, resident, q, tile, k);
 	}
 	if (lane == 0)
 	{
-		Body rests;
-		rests.da = 0.0f;
-		body_turn(&rests);
 		tile->motion[TILE_RESTS] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-		tile->moved[TILE_RESTS] = make_float4(0.0f, 0.0f, rests.sine, rests.versine);
-		tile->inv_inertia[TILE_RESTS] = 0.0f;
-		if (p->step.joints)
-			turned[TILE_RESTS] = 0.0f;
+		tile->moved[TILE_RESTS] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	}
 	barrier(CLK_LOCAL_MEM_FENCE);
 	int column = 0, at = tile_next(p, range, range[0], &column);
@@ -176,7 +161,7 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 #define CONSTRAINT_KIND(name, Name, NAME)                                                    \
 		if (tile_has(p, CONSTRAINT_##NAME) && column % CONSTRAINT_KINDS == CONSTRAINT_##NAME && \
 		    at + lane < range[column + 1])                                                   \
-			name##_tile_task(p, r, t, tile, turned, at + lane, q, pass);
+			name##_tile_task(p, r, t, tile, at + lane, q, pass);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 		if (next_column != column)
@@ -192,28 +177,27 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile
 	}
 }
 
-#define TILE_PASS_KERNEL(name, pass, specialize, turns)                                                                      \
+#define TILE_PASS_KERNEL(name, pass, specialize)                                                                      \
 	__kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void name(                                       \
 	    POOL_ARGUMENTS Step step, __global const int* resident, __global const int* table, __global const int* order, \
 	    __global float4* stream, int stride, int substeps, int passes, int q, int bound)                              \
 	{                                                                                                                 \
 		__local Tile tile;                                                                                            \
-		__local float turned[turns];                                                                                  \
 		__local int range[TILE_COLUMNS + 1];                                                                          \
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		specialize(pools.step);                                                                                       \
 		Relay r = {0, substeps, passes, 0};                                                                           \
 		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
 		if (tile_wanted(&pools, bound))                                                                               \
-			tile_work(&pools, &r, &t, &tile, turned, range, q, pass);                                                         \
+			tile_work(&pools, &r, &t, &tile, range, q, pass);                                                         \
 	}
-#define TILE_PASS_KERNELS(end, specialize, turns)                           \
-	TILE_PASS_KERNEL(tile_warm_start##end, PASS_WARM_START, specialize, turns) \
-	TILE_PASS_KERNEL(tile_bias##end, PASS_BIAS, specialize, turns)             \
-	TILE_PASS_KERNEL(tile_relax##end, PASS_RELAX, specialize, turns)           \
-	TILE_PASS_KERNEL(tile_bounce##end, PASS_BOUNCE, specialize, turns)
-TILE_PASS_KERNELS(, STEP_CONTACTS, 1)
-TILE_PASS_KERNELS(_joints, STEP_JOINTS, TILE_BODIES + 1)
+#define TILE_PASS_KERNELS(end, specialize)                              \
+	TILE_PASS_KERNEL(tile_warm_start##end, PASS_WARM_START, specialize) \
+	TILE_PASS_KERNEL(tile_bias##end, PASS_BIAS, specialize)             \
+	TILE_PASS_KERNEL(tile_relax##end, PASS_RELAX, specialize)           \
+	TILE_PASS_KERNEL(tile_bounce##end, PASS_BOUNCE, specialize)
+TILE_PASS_KERNELS(, STEP_CONTACTS)
+TILE_PASS_KERNELS(_joints, STEP_JOINTS)
 
 // Sends a body to its next border constraint in pass q, or writes it to the pool after the last one.
 INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, Body b)

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// test_joint_springs.c -- springs and soft locks against their differential equation: C" + 2 z o C' + o^2 C = 0, o = 2 pi hertz.
+//
+// A coordinate that starts at 0 with the speed v moves as v e^(-z o t) sin(q t) / q, q = o sqrt(1 - z^2); for z = 1 as v t e^(-o t),
+// for z > 1 with sinh. Substeps of h have the same eigenvalues, so C(t) is that up to a factor, which the first step gives.
+#include "joint_support.h"
+#include "support.h"
+
+typedef struct
+{
+	const char* name;
+	scree_joint_type type;
+	scree_coordinate coordinate;
+	bool lock;
+	float arm; // m: from the anchor to the center, along x
+} Kind;
+
+static const Kind kinds[] = {
+    {"weld along", SCREE_JOINT_WELD, SCREE_ALONG, true, 0.0f},
+    {"weld across", SCREE_JOINT_WELD, SCREE_ACROSS, true, 0.0f},
+    {"weld angle", SCREE_JOINT_WELD, SCREE_ANGLE, true, 0.0f},
+    {"weld angle on an arm", SCREE_JOINT_WELD, SCREE_ANGLE, true, 0.5f},
+    {"distance", SCREE_JOINT_DISTANCE, SCREE_ALONG, false, 0.0f},
+    {"hinge", SCREE_JOINT_REVOLUTE, SCREE_ANGLE, false, 0.0f},
+    {"hinge on an arm", SCREE_JOINT_REVOLUTE, SCREE_ANGLE, false, 0.5f},
+    {"slider", SCREE_JOINT_PRISMATIC, SCREE_ALONG, false, 0.0f},
+    {"slot", SCREE_JOINT_SLOT, SCREE_ALONG, false, 0.0f},
+    {"wheel", SCREE_JOINT_WHEEL, SCREE_ALONG, false, 0.0f},
+    {"motor", SCREE_JOINT_MOTOR, SCREE_ACROSS, false, 0.0f},
+    {"target", SCREE_JOINT_TARGET, SCREE_ALONG, false, 0.0f},
+    {"free", SCREE_JOINT_FREE, SCREE_ANGLE, false, 0.0f},
+    {"gear", SCREE_JOINT_GEAR, SCREE_ALONG, true, 0.0f},
+    {"path", SCREE_JOINT_PATH, SCREE_ALONG, false, 0.0f},
+};
+
+static void set_spring(scree_joint_coordinate* c, bool lock, double hertz, double ratio)
+{
+	if (lock)
+	{
+		c->lock_hertz = (float)hertz;
+		c->lock_damping_ratio = (float)ratio;
+		return;
+	}
+	c->locked = false;
+	c->motor = false;
+	c->spring = true;
+	c->spring_hertz = (float)hertz;
+	c->spring_damping_ratio = (float)ratio;
+}
+
+// The equation's solution with the speed 1 at the start.
+static double solution(double rate, double ratio, double t)
+{
+	double decay = ratio * rate, square = rate * rate - decay * decay;
+	if (fabs(square) < 1e-9 * rate * rate)
+		return t * exp(-decay * t);
+	double q = sqrt(fabs(square));
+	return exp(-decay * t) * (square > 0.0 ? sin(q * t) : sinh(q * t)) / q;
+}
+
+// Compares the coordinate with the solution in each step: with the speed that the first step shows.
+static void check_swing(const Kind* kind, double hertz, double ratio, int substeps)
+{
+	scree_world* world = open_world(0.0f);
+	bool turns = kind->coordinate == SCREE_ANGLE || kind->type == SCREE_JOINT_GEAR;
+	float x = kind->type == SCREE_JOINT_DISTANCE ? 2.0f : kind->arm;
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, x, 0.0f);
+	scree_mass mass = mass_of(world, body);
+	scree_velocity push = {{kind->coordinate == SCREE_ALONG && !turns ? 0.5f : 0.0f, 0.0f}, turns ? 0.5f : 0.0f};
+	push.linear.y = kind->coordinate == SCREE_ACROSS ? 0.5f : 0.5f * (turns ? kind->arm : 0.0f);
+	OK(scree_body_set_velocity(world, body, push));
+	scree_joint_def def = scree_joint_def_make(kind->type);
+	def.body_b = body;
+	def.frame_b.position.x = -kind->arm;
+	set_spring(&def.coordinates[kind->coordinate], kind->lock, hertz, ratio);
+	scree_vec points[3] = {{-4.0f, 0.0f}, {0.0f, 0.0f}, {4.0f, 0.0f}};
+	scree_path_def path = scree_path_def_default();
+	path.points = points;
+	path.count = 3;
+	float target = kind->type == SCREE_JOINT_DISTANCE ? 2.0f : kind->type == SCREE_JOINT_PATH ? 4.0f : 0.0f;
+	def.coordinates[kind->coordinate].target = target;
+	if (kind->type == SCREE_JOINT_PATH)
+		GOOD(scree_path_create(world, &path, &def.path));
+	scree_joint joint = add_joint(world, &def);
+
+	// stiffness and damping are those of the coordinate alone; what the arm adds to the inertia makes it slower
+	double m = (double)mass.mass, own = (double)mass.inertia, arm = (double)kind->arm;
+	double share = turns ? own / (own + m * arm * arm) : 1.0;
+	double rate = 2.0 * PI * hertz * sqrt(share), most = 0.0, first = 0.0;
+	ratio *= sqrt(share);
+	int steps = (int)fmin(fmax(120.0 / hertz, 12.0), 240.0);
+	for (int n = 1; n <= steps; ++n)
+	{
+		OK(scree_world_step(world, (float)STEP, substeps));
+		double value = (double)(joint_state_of(world, joint).values[kind->coordinate] - target);
+		double wanted = solution(rate, ratio, n * (double)STEP);
+		if (n == 1)
+			first = value / wanted;
+		most = fmax(most, fabs(wanted));
+		if (fabs(value - first * wanted) > 0.01 * fabs(first) * most + 1e-6)
+			fail_msg("%s of %g Hz and %g, %d substeps: %g after %d steps, must be %g", kind->name, hertz, ratio,
+			         substeps, value, n, first * wanted);
+	}
+	// the impulse of the first substep is a whole one: half a substep's worth of the swing
+	NEAR(first, 0.5, 0.5 * 0.6 * rate * (double)STEP / substeps + 1e-3);
+	scree_world_destroy(world);
+}
+
+// All kinds of soft coordinates, from 0.5 Hz to a twelfth of the substep rate.
+static void springs_swing_as_they_should(void** state)
+{
+	(void)state;
+	static const double hertz[] = {0.5, 2.0, 5.0, 20.0}, ratios[] = {0.0, 0.1, 0.5, 1.0, 2.0};
+	for (int k = 0; k < (int)(sizeof kinds / sizeof *kinds); ++k)
+		for (int i = 0; i < 4; ++i)
+			for (int j = 0; j < 5; ++j)
+				check_swing(&kinds[k], hertz[i], ratios[j], 4);
+}
+
+static void springs_of_any_substeps(void** state)
+{
+	(void)state;
+	for (int substeps = 1; substeps <= 16; substeps *= 2)
+		for (int k = 2; k < 7; ++k)
+			for (int j = 0; j < 3; ++j)
+				check_swing(&kinds[k], 5.0 * substeps > 20.0 ? 20.0 : 5.0 * substeps, 0.5 * j, substeps);
+}
+
+// A load F rests at F / (m o^2), so a body sinks by g / o^2, whatever its damping.
+static void springs_carry(void** state)
+{
+	(void)state;
+	static const double hertz[] = {0.7, 3.0, 10.0}, ratios[] = {0.3, 1.0, 2.0};
+	for (int lock = 0; lock < 2; ++lock)
+		for (int i = 0; i < 3; ++i)
+			for (int j = 0; j < 3; ++j)
+			{
+				scree_world* world = open_world(-10.0f);
+				scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.0f, 0.0f);
+				scree_joint_def def = scree_joint_def_make(lock ? SCREE_JOINT_WELD : SCREE_JOINT_TARGET);
+				def.body_b = body;
+				for (int k = 0; k < 2; ++k)
+					set_spring(&def.coordinates[k], lock, hertz[i], ratios[j]);
+				scree_joint joint = add_joint(world, &def);
+				run_steps(world, 1200);
+				double rate = 2.0 * PI * hertz[i], sinks = 10.0 / (rate * rate);
+				NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], -sinks, 0.002 * sinks + 1e-6);
+				NEAR(velocity_of(world, body).linear.y, 0.0, 1e-4);
+				scree_world_destroy(world);
+			}
+}
+
+// Any number of springs on a body, of any stiffness, without damping: none adds energy.
+static void springs_together_gain_nothing(void** state)
+{
+	(void)state;
+	static const int counts[] = {2, 4, 12, 16, 40, 120};
+	static const double hertz[] = {5.0, 20.0, 40.0, 1000.0};
+	for (int weld = 0; weld < 2; ++weld)
+		for (int n = 0; n < 6; ++n)
+			for (int i = 0; i < 4; ++i)
+			{
+				scree_world* world = open_world(0.0f);
+				scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 0.0f, 0.0f);
+				for (int k = 0; k < counts[n]; ++k)
+				{
+					double turn = 2.0 * PI * k / counts[n];
+					scree_joint_def def = scree_joint_def_make(weld ? SCREE_JOINT_WELD : SCREE_JOINT_DISTANCE);
+					def.body_b = body;
+					def.frame_b.position = (scree_vec){0.4f * (float)cos(turn), 0.2f * (float)sin(turn)};
+					def.frame_a.position =
+					    weld ? def.frame_b.position : (scree_vec){2.0f * (float)cos(turn), 2.0f * (float)sin(turn)};
+					def.coordinates[SCREE_ALONG].target =
+					    weld ? 0.0f : hypotf(1.6f * (float)cos(turn), 1.8f * (float)sin(turn));
+					for (int c = 0; c < (weld ? 3 : 1); ++c)
+						set_spring(&def.coordinates[c], weld, hertz[i], 0.0);
+					add_joint(world, &def);
+				}
+				OK(scree_body_set_velocity(world, body, (scree_velocity){{1.0f, 0.5f}, 1.0f}));
+				for (int k = 0; k < 600; ++k)
+				{
+					run_steps(world, 1);
+					scree_velocity v = velocity_of(world, body);
+					// a spin of 1 rad/s is 0.16 m/s of the radius of gyration; all energy may get into either
+					assert_true(hypotf(v.linear.x, v.linear.y) < 1.5f && fabsf(v.angular) < 7.0f);
+				}
+				scree_world_destroy(world);
+			}
+}
+
+// Arms in a row, each on a spring or a soft lock of the angle, swing for a minute and gain nothing.
+static void arms_in_a_row_gain_nothing(void** state)
+{
+	(void)state;
+	static const int counts[] = {2, 3, 4, 10};
+	static const double hertz[] = {5.0, 10.0, 20.0, 40.0};
+	for (int lock = 0; lock < 2; ++lock)
+		for (int n = 0; n < 4; ++n)
+			for (int i = 0; i < 4; ++i)
+			{
+				scree_world* world = open_world(0.0f);
+				scree_body arms[10];
+				double energy = 0.0;
+				for (int k = 0; k < counts[n]; ++k)
+				{
+					arms[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.5f + (float)k, 0.0f);
+					scree_velocity v = {{0.0f, 0.05f * (0.5f + (float)k)}, 0.05f};
+					OK(scree_body_set_velocity(world, arms[k], v));
+					scree_mass mass = mass_of(world, arms[k]);
+					energy +=
+					    0.5 * (double)(mass.mass * v.linear.y * v.linear.y + mass.inertia * v.angular * v.angular);
+					scree_joint_def def = scree_joint_def_make(lock ? SCREE_JOINT_WELD : SCREE_JOINT_REVOLUTE);
+					def.body_a = k ? arms[k - 1] : NOBODY;
+					def.body_b = arms[k];
+					def.frame_a.position.x = k ? 0.5f : 0.0f;
+					def.frame_b.position.x = -0.5f;
+					set_spring(&def.coordinates[SCREE_ANGLE], lock, hertz[i], 0.0);
+					add_joint(world, &def);
+				}
+				for (int step = 0; step < (quick() ? 600 : 3600); ++step)
+				{
+					double now = 0.0;
+					run_steps(world, 1);
+					for (int k = 0; k < counts[n]; ++k)
+					{
+						scree_velocity v = velocity_of(world, arms[k]);
+						now += 0.1 * (double)(v.linear.x * v.linear.x + v.linear.y * v.linear.y);
+					}
+					assert_true(now < 1.05 * energy);
+				}
+				scree_world_destroy(world);
+			}
+}
+
+// A soft lock pulls a body back that was placed far away, and no faster than max_speed.
+static void soft_locks_after_a_jump(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.0f, 0.0f);
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_WELD);
+	def.body_b = body;
+	for (int k = 0; k < 3; ++k)
+		set_spring(&def.coordinates[k], true, 2.0, 1.0);
+	add_joint(world, &def);
+	run_steps(world, 10);
+	OK(scree_body_set_pose(world, body, (scree_pose){{10.0f, 0.0f}, scree_rot_make(3.0f)}));
+	for (int k = 0; k < 120; ++k)
+	{
+		run_steps(world, 1);
+		// o C / e
+		assert_true(fabsf(velocity_of(world, body).linear.x) < 10.0f * 2.0f * 2.0f * (float)PI / 2.6f);
+	}
+	scree_pose pose;
+	OK(scree_body_get_pose(world, body, &pose));
+	NEAR(pose.position.x, 0.0, 1e-3);
+	NEAR(pose.rotation.s, 0.0, 1e-3);
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(springs_swing_as_they_should),
+	    cmocka_unit_test(springs_of_any_substeps),
+	    cmocka_unit_test(springs_carry),
+	    cmocka_unit_test(springs_together_gain_nothing),
+	    cmocka_unit_test(soft_locks_after_a_jump),
+	    cmocka_unit_test(arms_in_a_row_gain_nothing),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// small.c -- bodies of 2 to 20 mm rest on floors without thickness and on boxes, fall through neither, and lie in heaps.
+//
+// A body of 2 mm at 60 Hz is the smallest that there is: in a step gravity moves it by more than its size.
+#include "props.h"
+#include <math.h>
+
+#define SIZES  6
+#define DROPS  5
+#define TRACKS (2 * DROPS) // each height twice: flat and tilted
+#define APART  2.0         // m between tracks
+#define HEAP   100
+
+static const double sizes[SIZES] = {0.002, 0.003, 0.005, 0.007, 0.01, 0.02}; // m
+static const double drops[DROPS] = {0.0, 0.02, 0.1, 0.5, 2.0};               // m
+static const int substeps[] = {4, 1, 2, 8};                                  // quick takes the first two
+
+typedef enum
+{
+	CUBE,
+	CIRCLE,
+	PLATE,
+	CAPSULE,
+	KINDS
+} Kind;
+static const char* const kinds[KINDS] = {"cubes", "circles", "plates of 0.5 m", "capsules of 0.5 m"};
+
+static scree_attribute_def body_of(Kind kind, double size)
+{
+	double half = 0.5 * size;
+	return kind == CUBE     ? box_of(half, half)
+	       : kind == CIRCLE ? circle_of(half)
+	       : kind == PLATE  ? box_of(0.25, half)
+	                        : capsule_of(0.25, half);
+}
+
+// m: how far such a body reaches down from its center
+static double reach_down(Kind kind, double size, scree_rot rotation)
+{
+	double half = 0.5 * size, c = fabs((double)rotation.c), s = fabs((double)rotation.s);
+	return kind == CUBE     ? half * (c + s)
+	       : kind == CIRCLE ? half
+	       : kind == PLATE  ? half * c + 0.25 * s
+	                        : half + 0.25 * s;
+}
+
+// A floor without thickness, or a box; its top is at y = 0.
+static void lay_floor(Lab* lab, bool segment)
+{
+	scree_attribute_def surface = segment ? wall_of(60.0) : box_of(30.0, 0.5);
+	lab_put(lab, SCREE_BODY_STATIC, &surface, 0.0f, segment ? 0.0f : -0.5f, segment ? 1.57079633f : 0.0f);
+}
+
+typedef struct
+{
+	int through;
+	double speed, overlap; // m/s, shares of the size; in the fifth second
+} Fall;
+
+// Drops bodies of a kind and size. What rolls counts by its vertical speed.
+static void fall(Validation* v, bool segment, Kind kind, double size, int parts, Fall* worst)
+{
+	LabDef def = lab_def();
+	def.substeps = parts;
+	Lab* lab = lab_open(v, &def);
+	lay_floor(lab, segment);
+	scree_attribute_def surface = body_of(kind, size);
+	int first = 1;
+	for (int k = 0; k < TRACKS; ++k)
+	{
+		float angle = k % 2 ? 0.3f : 0.0f;
+		double y = reach_down(kind, size, scree_rot_make(angle)) + drops[k / 2];
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)(APART * (k - TRACKS / 2)), (float)y, angle);
+	}
+	lab_step(lab, 240);
+	double speed[TRACKS] = {0}, overlap[TRACKS] = {0};
+	for (int step = 0; step < 60; ++step)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		for (int k = 0; k < TRACKS; ++k)
+		{
+			scree_pose pose = lab->poses[first + k];
+			double now = kind == CIRCLE || kind == CAPSULE ? fabs((double)lab->velocities[first + k].linear.y)
+			                                               : lab_speed(lab, first + k);
+			speed[k] = fmax(speed[k], now);
+			overlap[k] = fmax(overlap[k], reach_down(kind, size, pose.rotation) - (double)pose.position.y);
+		}
+	}
+	for (int k = 0; k < TRACKS; ++k)
+	{
+		bool through = !((double)lab->poses[first + k].position.y > 0.0);
+		worst->through += through;
+		worst->speed = fmax(worst->speed, through ? 0.0 : speed[k]);
+		worst->overlap = fmax(worst->overlap, through ? 0.0 : overlap[k] / size);
+		if (through)
+			where(v, "%g mm from %g m, %d substeps", 1e3 * size, drops[k / 2], parts);
+	}
+	lab_close(lab);
+}
+
+static void fall_all(Validation* v, bool segment, Kind kind)
+{
+	begin(v, "%s of 2 to 20 mm dropped on a %s", kinds[kind], segment ? "segment" : "box");
+	Fall worst = {0};
+	for (int k = 0; k < SIZES; ++k)
+		for (int n = 0; n < (v->quick ? 2 : 4); ++n)
+			fall(v, segment, kind, sizes[k], substeps[n], &worst);
+	row(v, "fell through", worst.through, "", AT_MOST, 0.0);
+	row(v, "fastest after 4 s", 1e3 * worst.speed, "mm/s", AT_MOST, 10.0);
+	row(v, "deepest overlap of the size", worst.overlap, "", AT_MOST, 1.0);
+}
+
+// A heap in a bin of 16 sizes, ten bodies high.
+static void heap(Validation* v, bool circles, double size)
+{
+	begin(v, "heap of %d %s of %g mm", HEAP, circles ? "circles" : "cubes", 1e3 * size);
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	lay_floor(lab, false);
+	scree_attribute_def side = box_of(0.5, 2.0), surface = body_of(circles ? CIRCLE : CUBE, size);
+	for (int k = -1; k < 2; k += 2)
+		lab_put(lab, SCREE_BODY_STATIC, &side, (float)(k * (0.5 + 8.0 * size)), 2.0f, 0.0f);
+	int first = lab->count;
+	uint64_t seed = 1;
+	for (int k = 0; k < HEAP; ++k)
+	{
+		double x = 1.45 * size * (k % 10 - 4.5) + random_between(&seed, 0.0, 0.1 * size), y = 1.5 * size * (k / 10 + 1);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f);
+	}
+	lab_step(lab, 300);
+	double fastest = 0.0;
+	for (int step = 0; step < 60; ++step)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		fastest = fmax(fastest, lab_fastest(lab, NULL));
+	}
+	int out = 0;
+	for (int k = first; k < lab->count; ++k)
+		out += !(lab->poses[k].position.y > 0.0f && fabs((double)lab->poses[k].position.x) < 8.0 * size);
+	row(v, "left the bin", out, "", AT_MOST, 0.0);
+	row(v, "fastest after 5 s", 1e3 * fastest, "mm/s", AT_MOST, 10.0);
+	row(v, "deepest overlap of the size", lab_overlap(lab, NULL) / size, "", AT_MOST, 1.0);
+	lab_close(lab);
+}
+
+// Plates that fall onto each other stay in order. One pair may change places, where guard stops the lower one within the step; up to
+// four do with Box2D.
+static void stack(Validation* v, double size)
+{
+	begin(v, "ten plates of 1 m x %g mm fall onto each other", 1e3 * size);
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	lay_floor(lab, true);
+	scree_attribute_def plate = box_of(0.5, 0.5 * size);
+	for (int k = 0; k < 10; ++k)
+		lab_put(lab, SCREE_BODY_DYNAMIC, &plate, 0.01f * (float)(k % 3), (float)(1.5 * size * (k + 0.5) + 0.01), 0.0f);
+	lab_step(lab, 300);
+	lab_read(lab);
+	int crossed = 0;
+	for (int k = 1; k < lab->count; ++k)
+		crossed += !(lab->poses[k].position.y > (k > 1 ? lab->poses[k - 1].position.y : 0.0f));
+	row(v, "out of order", crossed, "", AT_MOST, 1.0);
+	row(v, "fastest after 5 s", 1e3 * lab_fastest(lab, NULL), "mm/s", AT_MOST, 10.0);
+	lab_close(lab);
+}
+
+void small_experiment(Validation* v)
+{
+	for (int segment = 1; segment >= 0; --segment)
+		for (int kind = 0; kind < KINDS; ++kind)
+			fall_all(v, segment, (Kind)kind);
+	for (int k = 0; k < SIZES - 1; ++k)
+	{
+		heap(v, false, sizes[k]);
+		heap(v, true, sizes[k]);
+		stack(v, sizes[k]);
+	}
+}
