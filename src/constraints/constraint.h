@@ -63,4 +63,12 @@
 #define ROW_UNLESS_PREPARED_PREPARED(x)
 #define ROW_UNLESS_PREPARED_KEPT(x) x
 
+// Raises a counter, the bits of a float that is not negative, to the values of some lanes.
+INLINE void raise_lanes(GLOBAL int* counter, Real value, Word lanes)
+{
+	for (int k = 0; lanes >> k != 0; ++k)
+		if (lanes >> k & 1)
+			atomic_max_int(counter, float_bits(lane(value, k)));
+}
+
 #endif

@@ -48,8 +48,9 @@
 	X(rolling_impulse, rolls, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                                     \
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
-	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                      \
+	/* J: with which the two bodies meet, and what they fall until then */                           \
 	X(energy, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                 \
+	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                      \
 	X(rebound1, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	/* N s: normal impulses of all substeps */                                                       \
@@ -191,8 +192,15 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-// Points that have less than this share of a mass to themselves nearly coincide, and are solved one after the other.
+// Points that have less than this share of a mass to themselves nearly coincide, and are not solved together.
 #define PAIR_OWN 0.001f
+
+// 1/kg: the normal velocity that a unit impulse at one point causes at the other
+INLINE Real pair_cross(const ContactArms* c)
+{
+	return c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
+	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
+}
 
 // The normal impulses of both points, solved together, never negative: a linear complementarity problem with two unknowns. Point by
 // point, a box would turn by each pass, and a push that is taken back would leave a part of itself. gap: separations, m; mass:
@@ -203,7 +211,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
-	Real change[2], yield[2]; // what a point's impulse changes by alone; its response to a velocity
+	Real change[2], yield[2]; // N s: change of a point's impulse by that point alone; kg: its response to a velocity
 	for (int k = 0; k < 2; ++k)
 	{
 		PairGoal goal = pair_goal(gap[k], fixed, step, soft, 0);
@@ -220,9 +228,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 		}
 	}
 
-	// the velocity that a unit impulse at one point causes at the other
-	Real cross = c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * lever_a[0] * lever_a[1] +
-	             c->b.inv_inertia * lever_b[0] * lever_b[1];
+	Real cross = pair_cross(c);
 	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
 
 	// both push, unless the second would pull; then the first alone, and the second again with what the first did
@@ -280,13 +286,6 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// 1/kg: the normal velocity that a unit impulse at one point causes at the other
-INLINE Real pair_cross(const ContactArms* c)
-{
-	return c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
-	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
-}
-
 // Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. If the
 // points nearly coincide, the first takes the whole impulse.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
@@ -294,7 +293,7 @@ INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1,
 {
 	Real cross = pair_cross(c);
 	Real share = 1.0f - cross * mass1 * cross * mass2;
-	Int one = share < splat(0.001f);
+	Int one = share < splat(PAIR_OWN);
 	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
 	*impulse2 = choose(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
 }
@@ -386,7 +385,7 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
 	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
 
-	// what gravity adds in half a substep is no gain
+	// gravity adds to speeds in half a substep, which is no gain
 	Real more1 = choose(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
 	     more2 = choose(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
 	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);

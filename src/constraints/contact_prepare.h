@@ -9,9 +9,7 @@
 INLINE void prepare_depth(const Pools* p, Real separation)
 {
 	Word deeper = lane_bits(separation < splat(-bits_float(read_shared(&p->counters->penetration))));
-	for (int k = 0; deeper >> k != 0; ++k)
-		if (deeper >> k & 1)
-			atomic_max_int(&p->counters->penetration, float_bits(-lane(separation, k)));
+	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
 // What the passes need of the points of constraint i. Padding, which has no slot, stays inert.

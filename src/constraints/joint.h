@@ -59,7 +59,7 @@
 	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// what a limit, a spring and a motor along one coordinate need: in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
+// A limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
 // its softness in the relaxing pass.
 #define JOINT_DRIVE_ROWS(X, of)                                          \
 	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \

@@ -21,7 +21,7 @@
 typedef struct // of the locks: yield x = goal
 {
 	Real yield[3], cross[3];     // diagonal; 01, 02, 12
-	Real soft[3], soft_cross[3]; // of these, what they yield without their bodies: softness
+	Real soft[3], soft_cross[3]; // their softness, which is a part of yield and cross
 	Real goal[3];
 	Int locked[3];
 } JointSystem;

@@ -118,10 +118,8 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 	Real square = off[0] * off[0] + off[1] * off[1];
 	Real most = splat(bits_float(read_shared(&p->counters->joint_gap)));
 	Word wider = lane_bits((square > most * most) & (square <= splat(MOST_FLOAT)));
-	Real width = wider ? root(square) : zero;
-	for (int k = 0; wider >> k != 0; ++k)
-		if (wider >> k & 1)
-			atomic_max_int(&p->counters->joint_gap, float_bits(lane(width, k)));
+	if (wider)
+		raise_lanes(&p->counters->joint_gap, root(square), wider);
 }
 
 // All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
@@ -130,15 +128,16 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Real zero = splat(0.0f), one = splat(1.0f), target[JOINT_COORDINATES];
 	Int there = slot >= 0, ia = load_int(&joint_row(p, body_a, i), 0), ib = load_int(&joint_row(p, body_b, i), 0);
 	slot = slot & ~(slot >> 31);
-	Real head[4], joint[4], lock[JOINT_COORDINATES][4];
+	Real head[4], joint[4];
 	joint_quad(p, slot, JOINT_AT_MODES, head);
 	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
 	u->modes = choose(zero, head[2], there);
 	Int radial = joint_has(u, JOINT_RADIAL | JOINT_COUPLED);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		joint_quad(p, slot, JOINT_AT_LOCK(k), lock[k]);
-		target[k] = choose(zero, lock[k][0], joint_has(u, JOINT_LOCKED(k)));
+		Real lock[4];
+		joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
+		target[k] = choose(zero, lock[0], joint_has(u, JOINT_LOCKED(k)));
 	}
 	u->length = choose(zero, target[JOINT_ALONG], radial);
 

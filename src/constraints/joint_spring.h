@@ -16,7 +16,7 @@
 
 #define TURN 6.28318531f
 
-// of the substep rate: a stiffer spring would not get stiffer, but shake
+// The stiffest spring, as a share of the substep rate. A stiffer one would shake.
 #define JOINT_STIFFEST 0.25f
 // Squares of the angle per substep, o h, up to which springs have the damping that they are given: a twelfth of the substep rate; or
 // so much that all constraints of a body together, were they such springs, turn by less than a body's motion within a substep can
@@ -63,7 +63,7 @@ typedef struct
 	Real keeps, pull, relaxes; // pull: A
 } JointSpring;
 
-// Of so many hertz with a damping ratio. share: the yield of the coordinate while the rigid locks of its joint hold, as a share of
+// The spring with a frequency in hertz and a damping ratio. share: the yield of the coordinate while the rigid locks of its joint hold, as a share of
 // its own. Frequency and ratio are meant for the latter. beside: constraints of the body of the joint that has the most, times
 // springs of the joint; alone: whether these bodies have no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)

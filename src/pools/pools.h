@@ -575,7 +575,7 @@ typedef struct // constants of one step, passed by value to every stage
 	float push_speed;          // m/s
 	float restitution_threshold;
 	float fall;           // m: how far gravity may move what rests, in a step, and more
-	Softness pair, fixed; // of contacts between bodies that can move; with one that cannot
+	Softness pair, fixed; // softness of contacts: between bodies that can move; with one that cannot
 	float h_ratio;        // h over that of the last step that took time
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int details;          // the user wants to know what contacts did in the step

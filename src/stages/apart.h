@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// apart.h -- every reason why two collidables do not collide, and which stages ask for which.
+// apart.h -- every reason why two collidables do not collide, and which stages heed which.
 //
-// The broad phase asks for what no step changes, and makes no contact. A contact is made of a pair that other reasons keep apart, as
+// The broad phase heeds what no step changes, and makes no contact. A contact is made of a pair that other reasons keep apart, as
 // these may end while it lasts: its flags hold the answer (CONTACT_DETECTED, CONTACT_APART), and all that works with contacts goes by
-// them: manifolds, sweeps of fast pairs, events. Guard meets pairs that have no contact, and asks for all reasons. A sensor touches
-// nothing, so it sees whatever joints and rules say: it asks for bodies and filters alone (docs/events.md).
+// them: manifolds, sweeps of fast pairs, events. Guard meets pairs that have no contact, and heeds all reasons. A sensor touches
+// nothing, whatever joints and rules say, so it heeds bodies and filters alone (docs/events.md).
 #ifndef APART_H
 #define APART_H
 #include "stages/filter.h"
 #include "stages/rule.h"
 
-// reasons, the cheap ones first; sets of them are what a stage asks for
+// reasons, the cheap ones first; a stage heeds a set of them
 #define APART_KIND     1  // neither can move, one is a sensor, or disabled
 #define APART_BODY     2  // both are of one body
 #define APART_FILTER   4  // categories and masks, or a group
@@ -37,8 +37,8 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 	return turned ? make_int2(b, a) : make_int2(a, b);
 }
 
-// The first reason among those asked for that keeps i and j apart, or 0. One-way platforms are asked last, by apart_lets, as it takes
-// long to find out where they are.
+// The first of these reasons that keeps i and j apart, or 0. One-way platforms come last, in apart_lets, because their places take
+// long to find.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 {
 	int a = p->collidable_body[i], b = p->collidable_body[j];

@@ -12,7 +12,7 @@
 #define HELD_BY_MOTOR 1
 #define HELD_BY_LIMIT 2
 
-// What holds coordinate k, if it is not locked.
+// The holder of coordinate k, if it is not locked.
 INLINE int branch_holder(const JointDrive* d, int modes, int k)
 {
 	if (modes & (k == JOINT_ANGLE ? JOINT_LOCKED(k) : JOINT_LOCKED(k) | JOINT_ELLIPTIC))

@@ -92,7 +92,7 @@ typedef struct // a collidable on its path
 	Float4 box;
 } GuardPath;
 
-// Where the path of a collidable ends by what is in its way, j, if that comes before least. Leaves are not in the same order everywhere:
+// The end of the path of a collidable by j, which is in its way, if that comes before least. Leaves are not in the same order everywhere:
 // of equal shares, the lower index counts.
 INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
 {

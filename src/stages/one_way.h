@@ -64,7 +64,7 @@ INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right &
 typedef struct // how deep a visitor may be in a platform that holds it, m
 {
 	float slop; // now
-	float late; // where it gets over the platform in the step
+	float late; // at the place where it gets over the platform in the step
 } OneWayDepth;
 
 // How high a visitor is against a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
@@ -138,7 +138,7 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
 }
 
-// Where visitor b is of platform a, by their poses now. way: as above, in the world. swing: how far its points may be off it, m. known:
+// The place of visitor b beside platform a, by their poses now. way: as above, in the world. swing: how far its points may be off it, m. known:
 // ONE_WAY_*
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {

@@ -86,7 +86,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	PairGoal goal = pair_goal(gap, fixed, &p->step, what == HUB_SOFT, 1);
 	if (what == HUB_SOFT)
 	{
-		// What presses something static, or kinematic, gets no deeper than STOP_DEPTH: the impulse leaks less.
+		// A spoke that presses something static, or kinematic, gets no deeper than STOP_DEPTH: its impulse leaks less.
 		Real yields = minimum(maximum((gap + STOP_DEPTH) * (2.0f / STOP_DEPTH), splat(0.0f)), splat(1.0f));
 		goal.impulse_scale = choose(goal.impulse_scale, yields * goal.impulse_scale, fixed);
 	}

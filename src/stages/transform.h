@@ -8,7 +8,7 @@
 
 // m: thinner bodies have finer tolerances. Twice the speculative distance
 #define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
-// of a reach that counts as thickness
+// The share of a reach that counts as thickness.
 #define REACH_SHARE 0.125f
 
 // Clears the counters of one step.

@@ -21,7 +21,7 @@
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
 
-// Of so many hertz and a damping ratio, in substeps of h, with a firm part: Catto, Soft Constraints, GDC 2011.
+// The softness with a frequency and a damping ratio, in substeps of h, with a firm part: Catto, Soft Constraints, GDC 2011.
 static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
 {
 	float omega = 6.28318531f * hertz, stiffer = firm * firm;
