@@ -659,6 +659,7 @@ typedef struct
 	int joint_gap;                 // bits of the widest gap of a joint, m
 	int nonfinite;                 // bodies frozen because their state was not finite
 	int first_nonfinite;           // lowest index of these
+	int pressed;                   // 1 if some body is deep in something static
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
 	int held;                      // bodies that guard stopped before something static
 	int joint_moved;               // 1 if some joint got another place among the chains, until joint_update

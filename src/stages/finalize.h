@@ -41,7 +41,9 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
+	if (body->inv_mass > 0.0f && guard_pressed(p, i))
+		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
+	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
 		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);
@@ -65,10 +67,15 @@ STAGE(finalize)
 STAGE(guard)
 {
 	Int2 item = p->guard_list[i];
-	int body = item.x, slides = 0;
+	int body = item.x, pressed = item.y < 0, slides = 0;
 	Guarded guarded = p->guarded[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
 	float da = p->body[body].da, turn = da, least = 0.0f;
+	if (pressed)
+	{
+		guarded.parts = 1;
+		p->pressed[body] = 0;
+	}
 	for (;;)
 	{
 		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
@@ -79,20 +86,25 @@ STAGE(guard)
 				d = vec_scale(stop.share, to);
 				da = stop.share * turn;
 			}
-			break;
+			if (!pressed || stop.share > least || slides == 2)
+				break;
+			turn = least * turn;
+			slides = 2;
+			continue;
 		}
 		if (!guard_all(p, guarded, body, &stop.share))
 			return;
 		if (!(stop.share < 1.0f))
 			break;
-		atomic_add_int(&p->counters->held, 1);
+		if (!pressed)
+			atomic_add_int(&p->counters->held, 1);
 		Vec rest = vec_scale(1.0f - stop.share, d);
 		d = vec_scale(stop.share, d);
 		da = stop.share * da;
-		if (guarded.parts > 1 || !p->step.joints)
+		if (guarded.parts > 1 || (!pressed && !p->step.joints))
 			break;
 		to = vec_add(d, vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal)));
-		turn = da;
+		turn = pressed ? turn : da;
 		least = stop.share;
 		slides = 1;
 	}

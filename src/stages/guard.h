@@ -29,6 +29,7 @@
 #define GUARD_DEEPEST 0.75f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
+#define PRESSED_MOST 0.015f
 
 typedef struct // where a path ends
 {
@@ -85,7 +86,7 @@ INLINE int guard_yields(Sweep way, GuardMeeting met)
 
 typedef struct // a collidable on its path
 {
-	int index;
+	int index, pressed;
 	float thickness, swing; // m
 	WorldShape from;
 	Sweep way;
@@ -116,7 +117,8 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
 	float deeper = GUARD_DEPTH * g->thickness;
 	deeper = moves ? deeper : minimum(deeper, GUARD_MOST);
-	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness);
+	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness,
+	                               g->pressed && !moves ? minimum(GUARD_DEPTH * 2.0f * g->thickness, PRESSED_MOST) : 0.0f);
 	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
 		return least;
 	if (moves && !guard_yields(g->way, met))
@@ -127,7 +129,7 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 }
 
 // The share of its path that collidable i moves, with its body's displacement.
-INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
+INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
 {
 	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 	GuardPath g;
@@ -135,12 +137,13 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 	advance.path = path;
 	advance.turn = turn;
 	g.index = i;
+	g.pressed = pressed;
 	g.from = p->world_shape[i];
 	g.thickness = p->thickness[g.from.attribute];
 	g.way = guard_way(p, g.from, advance);
 	g.swing = absolute(turn) * g.way.reach;
 	float far = guard_far(path, g.swing);
-	if (p->collidable_kind[i] & KIND_SENSOR || !(far > GUARD_TRAVEL * g.thickness))
+	if (p->collidable_kind[i] & KIND_SENSOR || (!pressed && !(far > GUARD_TRAVEL * g.thickness)))
 		return least;
 
 	Float4 box = world_box(g.from, p->attribute + g.from.attribute, 0.0f);
@@ -173,9 +176,10 @@ INLINE int guard_skip(const Pools* p, int k, int count)
 INLINE GuardStop guard_part(const Pools* p, Guarded guarded, int part, Vec path, float turn)
 {
 	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
-	for (int k = guard_skip(p, guarded.first, part); k > 0; k = guard_skip(p, k, guarded.parts))
+	int pressed = part < 0;
+	for (int k = guard_skip(p, guarded.first, part); k > 0; k = guard_skip(p, k, pressed ? 1 : guarded.parts))
 	{
-		GuardStop stop = guard_collidable(p, k - 1, path, turn);
+		GuardStop stop = guard_collidable(p, k - 1, pressed, path, turn);
 		if (stop.share < least.share)
 			least = stop;
 	}
@@ -192,6 +196,9 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	float way = p->tree[1].leaves > 0 ? guarded.way : GUARD_CROSS / GUARD_TRAVEL * guarded.way;
 	return far + swing * guarded.reach > way;
 }
+
+// Whether a body is pressed into something static.
+INLINE int guard_pressed(const Pools* p, int body) { return p->counters->pressed != 0 && p->pressed[body] != 0; }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.
 INLINE void guard_enlist(const Pools* p, int body)

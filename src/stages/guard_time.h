@@ -65,9 +65,27 @@ INLINE float guard_advance(const Pools* p, WorldShape a, WorldShape b, Closing c
 	return soon;
 }
 
-// When b gets too deep in a: deeper than at the beginning by so much, m, or deeper than deepest.
+// of a path: what draws near by less of it slides
+#define GUARD_SLIDES 1.0e-5f
+
+// Whether a point of a manifold that is so deep, m, gets deeper at once.
+INLINE int guard_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
+{
+	Vec normal = vec_turn(axes, m.normal);
+	float still = GUARD_SLIDES * (absolute(c.near.x) + absolute(c.near.y) + absolute(c.b.turn - c.a.turn) * c.b.reach);
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec arm = vec_sub(vec_turn(axes, vec_sub(m.point[k], position)), c.b.center);
+		if (m.separation[k] <= -deep && vec_dot(normal, vec_add(c.near, vec_spin(c.b.turn, arm))) < -still)
+			return 1;
+	}
+	return 0;
+}
+
+// When b gets too deep in a: deeper than at the beginning by so much, m, or deeper than deepest. Or b is pressed into a, which
+// rests: when it gets deeper than that, pressed m, or at once if it is and gets deeper. pressed: m, 0 if it is not pressed.
 RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper,
-                             float deepest)
+                             float deepest, float pressed)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -75,6 +93,7 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 	Vec start = vec(a.c, a.s), axes = start;
 	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 	float target = 0.0f;
+	int sinks = 1;
 	GuardMeeting met;
 	met.time = 0.0f;
 	for (int round = 0; round < SWEEP_ROUNDS; ++round)
@@ -85,7 +104,10 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 		{
 			target = minimum(gap, 0.0f) - deeper;
 			target = maximum(target, -deepest);
-			target = minimum(target, gap - GUARD_TOLERANCE);
+			if (pressed > 0.0f)
+				target = -pressed;
+			sinks = !(pressed > 0.0f) || guard_sinks(closing, m, axes, f.position, pressed);
+			target = minimum(target, sinks && pressed > 0.0f ? gap : gap - GUARD_TOLERANCE);
 		}
 		met.normal = vec_turn(axes, m.normal);
 		met.point = vec_turn(axes, vec_sub(m.point[m.separation[1] < m.separation[0] ? 1 : 0], f.position));

@@ -46,6 +46,7 @@ STAGE(step_begin)
 	c->gathered = 0;
 	c->entered = 0;
 	c->guarded = 0;
+	c->pressed = 0;
 	c->penetration = 0;
 	c->joint_gap = 0;
 	c->joint_events = 0;
