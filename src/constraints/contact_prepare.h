@@ -12,21 +12,18 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// m: deeper in something static, a body is pressed: guard lets it get no deeper than PRESSED_MOST
-#define PRESSED_FROM 0.005f
-
-// Marks the bodies that are pressed, for guard. What does not move is the second collidable of a pair.
+// Marks the bodies that are deep in something static, for guard. What does not move is the second collidable of a pair.
 INLINE void prepare_pressed(const Pools* p, int i, Real separation)
 {
 	Word deep = lane_bits(separation < splat(-PRESSED_FROM));
-	for (int k = 0; k < LANES && deep >> k != 0; ++k)
+	for (int k = 0; deep != 0; ++k, deep >>= 1)
 	{
-		if (!(deep >> k & 1))
+		if (!(deep & 1))
 			continue;
 		Int2 pair = p->contact_place_pair[i + k];
 		if (p->collidable_kind[pair.y] != KIND_STATIC)
 			continue;
-		raise_int(&p->pressed[p->collidable_body[pair.x]], 1);
+		raise_int(&p->pressed[p->collidable_body[pair.x]], float_bits(-lane(separation, k)));
 		raise_int(&p->counters->pressed, 1);
 	}
 }

@@ -58,6 +58,10 @@
 // of a body's thickness: how far it may go in a step before guard tests its path
 #define GUARD_TRAVEL 0.2f
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
+// m: a body that is deeper in something static than the first gets no deeper than the second. With less, a guard that moves all that lies
+// under a load stops the small motions by which heaps settle; contacts alone hold what is not as deep.
+#define PRESSED_FROM 0.005f
+#define PRESSED_MOST 0.015f
 // fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64

@@ -41,7 +41,7 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	if (body->inv_mass > 0.0f && guard_pressed(p, i))
+	if (guard_pressed(p, i, d, da) && body->inv_mass > 0.0f)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
 	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
 		guard_enlist(p, i);
@@ -72,10 +72,7 @@ STAGE(guard)
 	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
 	float da = p->body[body].da, turn = da, least = 0.0f;
 	if (pressed)
-	{
 		guarded.parts = 1;
-		p->pressed[body] = 0;
-	}
 	for (;;)
 	{
 		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
@@ -96,9 +93,9 @@ STAGE(guard)
 			return;
 		if (!(stop.share < 1.0f))
 			break;
-		if (!pressed)
-			atomic_add_int(&p->counters->held, 1);
 		Vec rest = vec_scale(1.0f - stop.share, d);
+		if (!pressed || vec_dot(rest, stop.normal) < -GUARD_MOST)
+			atomic_add_int(&p->counters->held, 1);
 		d = vec_scale(stop.share, d);
 		da = stop.share * da;
 		if (guarded.parts > 1 || (!pressed && !p->step.joints))

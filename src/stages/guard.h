@@ -29,7 +29,6 @@
 #define GUARD_DEEPEST 0.75f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
-#define PRESSED_MOST 0.015f
 
 typedef struct // where a path ends
 {
@@ -197,8 +196,15 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	return far + swing * guarded.reach > way;
 }
 
-// Whether a body is pressed into something static.
-INLINE int guard_pressed(const Pools* p, int body) { return p->counters->pressed != 0 && p->pressed[body] != 0; }
+// Whether a body that went so far is pressed into something static.
+INLINE int guard_pressed(const Pools* p, int body, Vec path, float turn)
+{
+	if (p->counters->pressed == 0 || p->pressed[body] == 0)
+		return 0;
+	float depth = bits_float(p->pressed[body]);
+	p->pressed[body] = 0;
+	return depth + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESSED_MOST;
+}
 
 // A GPU combines atomics of neighboring work-items that add 1 each.
 INLINE void guard_enlist(const Pools* p, int body)
