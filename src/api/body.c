@@ -82,6 +82,7 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
 	world->dynamic_bodies += moves;
+	world->kinematic_bodies += def->type == SCREE_BODY_KINEMATIC;
 	world->disabled_bodies += def->disabled;
 	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
@@ -231,6 +232,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
 		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
+		world->kinematic_bodies -= host->type == SCREE_BODY_KINEMATIC;
 		world->disabled_bodies -= host->disabled;
 		host->disabled = false;
 		target_drop(world, index);

@@ -50,6 +50,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 		return status;
 	}
 
+	world->kinematic_bodies += (type == SCREE_BODY_KINEMATIC) - (host->type == SCREE_BODY_KINEMATIC);
 	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
 	target_drop(world, index);
 	host->type = type;

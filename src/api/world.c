@@ -107,6 +107,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .tuning = tuning_of(&world->def),
 	                       .bodies = world->bodies.used,
 	                       .collidables = world->collidables.used,
+	                       .kinematic = world->kinematic_bodies,
 	                       .contact_limit = world->def.contact_limit,
 	                       .timings = world->def.timings,
 	                       .details = world->def.contact_details,

@@ -12,19 +12,15 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Marks the bodies that are deep in something static, for guard. What does not move is the second collidable of a pair.
-INLINE void prepare_pressed(const Pools* p, int i, Real separation)
+// Whether something is deep in static and in kinematic bodies. What does not move is the second collidable of a pair.
+INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
-	Word deep = lane_bits(separation < splat(-PRESSED_FROM));
+	Word deep = p->step.kinematic > 0 ? lane_bits(separation < splat(-PRESS_FROM)) : 0;
 	for (int k = 0; deep != 0; ++k, deep >>= 1)
 	{
-		if (!(deep & 1))
-			continue;
-		Int2 pair = p->contact_place_pair[i + k];
-		if (p->collidable_kind[pair.y] != KIND_STATIC)
-			continue;
-		raise_int(&p->pressed[p->collidable_body[pair.x]], float_bits(-lane(separation, k)));
-		raise_int(&p->counters->pressed, 1);
+		int kind = deep & 1 ? p->collidable_kind[p->contact_place_pair[i + k].y] : KIND_DYNAMIC;
+		if (kind != KIND_DYNAMIC)
+			raise_int(&p->counters->press[kind == KIND_KINEMATIC], 1);
 	}
 }
 
@@ -67,7 +63,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 		points.separation[k] = choose(splat(NO_POINT), points.separation[k], there);
 	}
 	prepare_depth(p, minimum(points.separation[0], points.separation[1]));
-	prepare_pressed(p, i, minimum(points.separation[0], points.separation[1]));
+	prepare_press(p, i, minimum(points.separation[0], points.separation[1]));
 	return points;
 }
 

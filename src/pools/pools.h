@@ -58,10 +58,11 @@
 // of a body's thickness: how far it may go in a step before guard tests its path
 #define GUARD_TRAVEL 0.2f
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
-// m: a body that is deeper in something static than the first gets no deeper than the second. With less, a guard that moves all that lies
-// under a load stops the small motions by which heaps settle; contacts alone hold what is not as deep.
-#define PRESSED_FROM 0.005f
-#define PRESSED_MOST 0.015f
+// m: what is so deep in something kinematic, or static, is pressed by it, or against it
+#define PRESS_FROM 0.0005f
+// m: no body gets deeper than that in something static into which something kinematic presses it. With less, the small overlap at which
+// contacts hold a load is none.
+#define PRESS_MOST 0.015f
 // fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64
@@ -129,6 +130,11 @@
 #define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
 #define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
+// how it hands on that something kinematic presses (press.h)
+#define CONTACT_HOPS      24u       // from this bit on: hops left, 0 if it does not
+#define CONTACT_MOST_HOPS 63u
+#define CONTACT_BACK      1073741824u // from b to a
+#define CONTACT_PRESS     (CONTACT_MOST_HOPS << CONTACT_HOPS | CONTACT_BACK)
 #define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
 #define CONTACT_LASTS                                                         \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | \
@@ -597,6 +603,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
+	int kinematic;        // kinematic bodies
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach
@@ -626,6 +633,8 @@ typedef struct
 #define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // slots of the kind's pool up to the last one in use
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+	int presses;                         // INT_MAX if something may be pressed, else 0
+	int ways;                            // 1 if some contact hands a press on
 	int alive;                           // live contacts, and those released in the last step
 	int touching;                        // contacts with a color, spokes included
 	KindLayout layout[CONSTRAINT_KINDS]; // where constraints lie
@@ -663,7 +672,7 @@ typedef struct
 	int joint_gap;                 // bits of the widest gap of a joint, m
 	int nonfinite;                 // bodies frozen because their state was not finite
 	int first_nonfinite;           // lowest index of these
-	int pressed;                   // 1 if some body is deep in something static
+	int press[2];                  // 1 if some body is deep in something static; in something kinematic
 	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
 	int held;                      // bodies that guard stopped before something static
 	int joint_moved;               // 1 if some joint got another place among the chains, until joint_update

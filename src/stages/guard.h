@@ -117,7 +117,7 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 	float deeper = GUARD_DEPTH * g->thickness;
 	deeper = moves ? deeper : minimum(deeper, GUARD_MOST);
 	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness,
-	                               g->pressed && !moves ? minimum(GUARD_DEPTH * 2.0f * g->thickness, PRESSED_MOST) : 0.0f);
+	                               g->pressed && !moves ? minimum(GUARD_DEPTH * 2.0f * g->thickness, PRESS_MOST) : 0.0f);
 	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
 		return least;
 	if (moves && !guard_yields(g->way, met))
@@ -196,14 +196,16 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	return far + swing * guarded.reach > way;
 }
 
-// Whether a body that went so far is pressed into something static.
+// Whether a body that went so far is pressed too deep into something static. Forgets what press.h found.
 INLINE int guard_pressed(const Pools* p, int body, Vec path, float turn)
 {
-	if (p->counters->pressed == 0 || p->pressed[body] == 0)
+	if (p->counters->presses == 0)
 		return 0;
-	float depth = bits_float(p->pressed[body]);
+	int pressed = p->pressed[body];
+	p->press_way[body] = 0;
 	p->pressed[body] = 0;
-	return depth + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESSED_MOST;
+	return pressed != 0 &&
+	       bits_float(pressed) + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.

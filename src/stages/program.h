@@ -16,6 +16,7 @@
 #include "stages/rule.h"
 #include "stages/contact.h"
 #include "stages/narrow_phase.h"
+#include "stages/press.h"
 #include "stages/hub_one.h"
 #include "stages/color.h"
 #include "stages/field.h"

@@ -46,7 +46,13 @@ STAGE(step_begin)
 	c->gathered = 0;
 	c->entered = 0;
 	c->guarded = 0;
-	c->pressed = 0;
+	if (p->step.dt > 0.0f)
+	{
+		c->presses = (c->press[0] && c->press[1]) || c->ways ? 0x7fffffff : 0;
+		c->press[0] = 0;
+		c->press[1] = 0;
+		c->ways = 0;
+	}
 	c->penetration = 0;
 	c->joint_gap = 0;
 	c->joint_events = 0;

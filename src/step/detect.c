@@ -136,6 +136,11 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+	if (step->kinematic > 0 && step->dt > 0.0f)
+	{
+		runs_add(list, STAGE_press_gather, 0, step->contact_capacity, COUNT(presses), 0);
+		runs_add(list, STAGE_press_hand_on, 0, step->contact_capacity, COUNT(presses), 0);
+	}
 	if (pipeline->platforms)
 		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 }

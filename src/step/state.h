@@ -36,6 +36,7 @@ typedef struct // what a step is asked for
 	scree_vec gravity;
 	scree_tuning tuning;
 	int bodies, collidables; // slots in use
+	int kinematic;           // kinematic bodies
 	int contact_limit;       // 0 for the default
 	StepCommands commands;
 	bool timings;

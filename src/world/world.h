@@ -213,7 +213,7 @@ struct scree_world
 	int first_path, last_path;    // by the places of their samples, 1 + index, 0 for none
 	int samples_used, sample_end; // of all paths; behind the last one
 	bool chains_stale;            // joints came or went since the chains were found
-	int dynamic_bodies, disabled_bodies;
+	int dynamic_bodies, kinematic_bodies, disabled_bodies;
 	bool own_masses; // some body has or had a mass that the user set
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
