@@ -122,6 +122,10 @@ static void ask(RunList* list, const Step* step, int bodies)
 		runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
 }
 
+// Contacts by which a press goes on in a step. With one, a press of 1 m/s moves a row of 5 capsules 2.01 cm into a wall before the wall
+// holds them.
+#define PRESS_ROUNDS 2
+
 static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
@@ -136,7 +140,7 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
-	if (step->kinematic > 0 && step->dt > 0.0f)
+	for (int round = 0; round < PRESS_ROUNDS && step->kinematic > 0 && step->dt > 0.0f; ++round)
 	{
 		runs_add(list, STAGE_press_gather, 0, step->contact_capacity, COUNT(presses), 0);
 		runs_add(list, STAGE_press_hand_on, 0, step->contact_capacity, COUNT(presses), 0);
