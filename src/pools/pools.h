@@ -130,11 +130,6 @@
 #define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
 #define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
-// how it hands on that something kinematic presses (press.h)
-#define CONTACT_HOPS      24u       // from this bit on: hops left, 0 if it does not
-#define CONTACT_MOST_HOPS 63u
-#define CONTACT_BACK      1073741824u // from b to a
-#define CONTACT_PRESS     (CONTACT_MOST_HOPS << CONTACT_HOPS | CONTACT_BACK)
 #define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
 #define CONTACT_LASTS                                                         \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | \
@@ -194,6 +189,15 @@ typedef struct // 16 bytes: what guard needs of a dynamic body
 	float way;   // m: GUARD_TRAVEL times the thickness of its thinnest collidable
 	float reach; // m: no point of it is further from the center of mass
 } Guarded;
+
+typedef struct // 32 bytes: how a body is pressed
+{
+	int way[2]; // from what is static, from what is kinematic: hops left and direction, 0 without
+	int speed;  // bits of the speed of what presses, m/s
+	int before; // bits of its own speed when the step began, m/s
+	int depth;  // bits of how deep it is pressed into something static, m
+	int unused[3];
+} Press;
 
 typedef struct // 24 bytes
 {

@@ -4,6 +4,7 @@
 #define FINALIZE_H
 #include "stages/guard.h"
 #include "stages/pose.h"
+#include "stages/press.h"
 
 // 0 times a value that is not finite is NaN
 INLINE int finalize_finite(Vec v, float w, Vec d, float da)
@@ -21,6 +22,25 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 		turn = vec_scale(1.0f / square_root(vec_dot(turn, turn)), turn);
 	}
 	pose_move(p, i, d, turn);
+}
+
+// How a body is pressed, which is forgotten.
+INLINE Press finalize_press(const Pools* p, int i)
+{
+	Press none = {{0, 0}, 0, 0, 0, {0, 0, 0}}, press = none;
+	if (p->counters->presses == 0)
+		return none;
+	press = p->press[i];
+	if ((press.way[0] | press.way[1] | press.depth) != 0)
+		p->press[i] = none;
+	return press;
+}
+
+// m/s: no body that is pressed between two leaves faster than what presses it, unless it was faster, or falls.
+INLINE float finalize_most(const Pools* p, Press press)
+{
+	float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
+	return maximum(bits_float(press.speed), bits_float(press.before)) + fall;
 }
 
 STAGE(finalize)
@@ -41,7 +61,16 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	if (guard_pressed(p, i, d, da) && body->inv_mass > 0.0f)
+	Press press = finalize_press(p, i);
+	if (press_between(press))
+	{
+		float most = finalize_most(p, press);
+		v = vec_scale(vec_shrink(v, most), v);
+		d = vec_scale(vec_shrink(d, p->step.dt * maximum(most, p->step.push_speed)), d);
+		body->dx = d.x;
+		body->dy = d.y;
+	}
+	if (guard_pressed(p, i, press, d, da) && body->inv_mass > 0.0f)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
 	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
 		guard_enlist(p, i);

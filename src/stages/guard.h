@@ -196,16 +196,11 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	return far + swing * guarded.reach > way;
 }
 
-// Whether a body that went so far is pressed too deep into something static. Forgets what press.h found.
-INLINE int guard_pressed(const Pools* p, int body, Vec path, float turn)
+// Whether a body that went so far is pressed too deep into something static.
+INLINE int guard_pressed(const Pools* p, int body, Press press, Vec path, float turn)
 {
-	if (p->counters->presses == 0)
-		return 0;
-	int pressed = p->pressed[body];
-	p->press_way[body] = 0;
-	p->pressed[body] = 0;
-	return pressed != 0 &&
-	       bits_float(pressed) + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
+	return press.depth != 0 &&
+	       bits_float(press.depth) + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.

@@ -181,7 +181,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
 	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
-	Word now = (flags & (touching ? CONTACT_LASTS | CONTACT_PRESS : CONTACT_LASTS)) | touching | (Word)at.m.count | rolls | overlaps;
+	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | rolls | overlaps;
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved);

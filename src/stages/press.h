@@ -1,88 +1,174 @@
 // SPDX-License-Identifier: MIT
-// press.h -- which bodies something kinematic presses into something static, through others between them.
+// press.h -- which bodies something kinematic presses against something static, through others between them.
 //
-// Whether a body in a static one is pressed there by something kinematic, which no load stops, or by what lies on it, cannot be told
-// from its own contacts. So a press tells its way: a contact that is deep in something kinematic presses its other body along the
-// normal, that one presses what lies in that direction, one contact further in each step. The way is at most PRESS_HOPS contacts long.
-// Each contact is one hop less than the one before it, so a way without a press at its begin fades. A contact keeps its hops in its flags;
-// bodies gather them anew in each step.
+// Whether a body is in a static one because something kinematic presses it there, which no force stops, or because of what lies on it,
+// cannot be told from its own contacts. So a press tells its way: what is deep in something kinematic is pressed along the normal, and presses
+// what it touches in that direction, and so on: a contact hands ways on. Each hop leaves one less of PRESS_HOPS, so that a way that lost
+// its begin fades. Ways of what is static go against them. A body with opposite ways of both kinds is pressed between them.
+//
+// A contact keeps its hops; bodies gather them anew in each step.
 #ifndef PRESS_H
 #define PRESS_H
 #include "constraints/contact_listed.h"
+#include "stages/sweep.h"
 
-// cosine of the angle to the direction of a press up to which a body hands it on. With less, a cart that is pushed along presses the floor.
+// cosine of the angle to its direction up to which a way goes on. With less, a cart that is pushed along presses the floor.
 #define PRESS_ALONG 0.15f
 
-// A body's way: hops, and the direction in eighths of a bit... The larger one counts, and of equal hops any, but always the same.
+// The most hops of a way: bodies in a row of which the last one is held.
+#define PRESS_HOPS 63
+
+// A way of a contact in the pool contact_press: 6 bits of hops, one that is set if it goes from b to a.
+#define PRESS_WAY(bits, kind) ((int)((bits) >> (kind) * 7 & 127u))
+#define PRESS_BACK            64
+
+// And the speed of what presses: above both ways, the upper bits of a float, rounded up.
+#define PRESS_SPEED 16
+
+INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
+
+INLINE Word press_bits(const int way[2], float speed)
+{
+	Word bits = (Word)way[0] | (Word)way[1] << 7;
+	return way[1] ? bits | (((Word)float_bits(speed) + 32767u) >> 15 << PRESS_SPEED) : bits;
+}
+
+// A way of a body: hops, and its direction in units of 1/127. Of equal hops the direction is any, but the same everywhere.
 INLINE int press_code(int hops, Vec direction)
 {
 	int x = (int)(127.0f * direction.x + 128.5f), y = (int)(127.0f * direction.y + 128.5f);
 	return hops << 16 | x << 8 | y;
 }
 
-// How a body that has a way presses along a normal: hops left, 0 if it does not.
+INLINE Vec press_direction(int code)
+{
+	return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f);
+}
+
+// How many hops a way of a body goes on along a normal.
 INLINE int press_left(int code, Vec normal)
 {
-	Vec direction = vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f);
-	int along = vec_dot(direction, normal) > PRESS_ALONG * 127.0f;
+	int along = vec_dot(press_direction(code), normal) > PRESS_ALONG * 127.0f;
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Whether contact i pushes; then at gets its points.
-INLINE int press_acts(const Pools* p, int i, ContactPoints* at)
+// Whether a body has ways of both kinds that oppose each other.
+INLINE int press_between(Press press)
 {
-	Word flags = p->contact_flags[i];
-	Int2 pair = p->pair[i];
-	if (i >= p->counters->live || pair.x < 0 || !(flags & CONTACT_TOUCHING) || flags & (CONTACT_DETECTED | CONTACT_ASKS))
-		return 0;
-	float a[8], b[8], manifold[16];
-	load_rows8((GLOBAL float*)p->world_shape, pair.x, a);
-	load_rows8((GLOBAL float*)p->world_shape, pair.y, b);
-	load_rows8((GLOBAL float*)p->contact_manifold, 2 * i, manifold);
-	load_rows8((GLOBAL float*)p->contact_manifold, 2 * i + 1, manifold + 8);
-	*at = listed_points(p->attribute, a, b, manifold, flags, p->contact_feature[i]);
-	return minimum(at->separation[0], at->separation[1]) < 0.0f;
+	return press.way[0] != 0 && press.way[1] != 0 &&
+	       vec_dot(press_direction(press.way[0]), press_direction(press.way[1])) < -PRESS_ALONG * 127.0f * 127.0f;
 }
 
-// Contact i: what its bodies get of the ways that the last step left, and of presses.
+// Whether contact i may push.
+INLINE int press_looks(const Pools* p, int i)
+{
+	return !p->counters->stalled && i < p->counters->live && p->pair[i].x >= 0 &&
+	       (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)) == CONTACT_TOUCHING;
+}
+
+INLINE ContactPoints press_points(const Pools* p, int i)
+{
+	Int2 pair = p->pair[i];
+	float a[8], b[8], manifold[16];
+	load_rows8((GLOBAL float*)(p->world_shape + pair.x), 0, a);
+	load_rows8((GLOBAL float*)(p->world_shape + pair.y), 0, b);
+	load_rows8((GLOBAL float*)(p->contact_manifold + i), 0, manifold);
+	load_rows8((GLOBAL float*)(p->contact_manifold + i), 1, manifold + 8);
+	return listed_points(p->attribute, a, b, manifold, p->contact_flags[i], p->contact_feature[i]);
+}
+
+// m/s: of the faster point of contact i on what is kinematic
+INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
+{
+	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
+	BodyState body = p->body[b.body];
+	Vec from = vec(a.x - b.x - b.center_x, a.y - b.y - b.center_y);
+	float most = 0.0f;
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec v = vec_add(vec(body.vx, body.vy), vec_spin(body.w, vec_add(from, at.point[k])));
+		most = at.separation[k] < 0.0f ? maximum(most, vec_dot(v, v)) : most;
+	}
+	return minimum(square_root(most), p->step.max_speed);
+}
+
+INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec direction)
+{
+	BodyState state = p->body[body];
+	Vec v = vec(state.vx, state.vy);
+	raise_int(&p->press[body].way[kind], press_code(hops, direction));
+	raise_int(&p->press[body].before, float_bits(minimum(square_root(vec_dot(v, v)), p->step.max_speed)));
+}
+
+// Contact i gives its bodies their ways: those of the last step, and those that begin at it.
 STAGE(press_gather)
 {
-	ContactPoints at;
-	Word flags = p->contact_flags[i];
-	if (p->counters->stalled || i >= p->counters->live)
+	if (!press_looks(p, i))
 		return;
-	int hops = (int)(flags >> CONTACT_HOPS & CONTACT_MOST_HOPS), presses = p->pair[i].x >= 0 && p->collidable_kind[p->pair[i].y] == KIND_KINEMATIC;
-	if ((hops == 0 && !presses) || !press_acts(p, i, &at))
+	Word bits = p->contact_press[i];
+	Int2 pair = p->pair[i];
+	int kind = p->collidable_kind[pair.y], still = kind < KIND_DYNAMIC;
+	if (bits == 0 && !still)
 		return;
-	int back = presses || (flags & CONTACT_BACK), body = p->collidable_body[back ? p->pair[i].x : p->pair[i].y];
-	if (presses)
-		hops = minimum(at.separation[0], at.separation[1]) < -PRESS_FROM ? CONTACT_MOST_HOPS : 0;
-	if (hops > 0)
-		atomic_max_int(&p->press_way[body], press_code(hops, back ? vec_neg(at.normal) : at.normal));
+	ContactPoints at = press_points(p, i);
+	float gap = minimum(at.separation[0], at.separation[1]);
+	int body_a = p->collidable_body[pair.x], body_b = p->collidable_body[pair.y];
+	if (still)
+	{
+		if (gap < -PRESS_FROM)
+			press_give(p, body_a, kind == KIND_KINEMATIC, PRESS_HOPS, vec_neg(at.normal));
+		if (gap < -PRESS_FROM && kind == KIND_KINEMATIC)
+			raise_int(&p->press[body_a].speed, float_bits(press_pushes(p, i, at)));
+		return;
+	}
+	if (!(gap < 0.0f))
+		return;
+	for (int k = 0; k < 2; ++k)
+	{
+		int way = PRESS_WAY(bits, k), back = way & PRESS_BACK;
+		if (way == 0)
+			continue;
+		press_give(p, back ? body_a : body_b, k, way & (PRESS_BACK - 1), back ? vec_neg(at.normal) : at.normal);
+		if (k)
+			raise_int(&p->press[back ? body_a : body_b].speed, float_bits(press_speed(bits)));
+	}
 }
 
-// Contact i: how it hands ways on. What is pressed into something static is marked for guard.
+// Contact i hands ways on. What is pressed into something static is marked for guard.
 STAGE(press_hand_on)
 {
-	if (p->counters->stalled || i >= p->counters->live || p->pair[i].x < 0)
+	if (i >= p->counters->live)
 		return;
-	ContactPoints at;
-	Word flags = p->contact_flags[i];
-	int body_a = p->collidable_body[p->pair[i].x], body_b = p->collidable_body[p->pair[i].y], kind = p->collidable_kind[p->pair[i].y];
-	int way_a = body_a >= 0 ? p->press_way[body_a] : 0, way_b = body_b >= 0 && kind == KIND_DYNAMIC ? p->press_way[body_b] : 0, to = 0, back = 0;
-	if ((way_a | way_b) != 0 && kind != KIND_KINEMATIC && press_acts(p, i, &at))
+	int way[2] = {0, 0};
+	float speed = 0.0f;
+	if (press_looks(p, i))
 	{
-		to = press_left(way_a, at.normal);
-		back = press_left(way_b, vec_neg(at.normal));
-		if (to > 0 && kind == KIND_STATIC)
-			raise_int(&p->pressed[body_a], float_bits(-minimum(at.separation[0], at.separation[1])));
+		int body_a = p->collidable_body[p->pair[i].x], body_b = p->collidable_body[p->pair[i].y];
+		int kind = p->collidable_kind[p->pair[i].y];
+		Press a = p->press[body_a], b = a;
+		b.way[0] = b.way[1] = 0;
+		if (kind == KIND_DYNAMIC)
+			b = p->press[body_b];
+		if ((a.way[0] | a.way[1] | b.way[0] | b.way[1]) != 0 && kind != KIND_KINEMATIC)
+		{
+			ContactPoints at = press_points(p, i);
+			float gap = minimum(at.separation[0], at.separation[1]);
+			for (int k = 0; k < 2 && gap < 0.0f; ++k)
+			{
+				int to = press_left(a.way[k], at.normal), back = press_left(b.way[k], vec_neg(at.normal));
+				way[k] = back > to ? back | PRESS_BACK : to;
+				speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
+			}
+			if (kind == KIND_STATIC && way[1] > 0)
+				raise_int(&p->press[body_a].depth, float_bits(-gap));
+			if (kind == KIND_STATIC)
+				way[0] = way[1] = 0;
+		}
 	}
-	int hops = to > back ? to : back;
-	hops = kind == KIND_DYNAMIC ? hops : 0;
-	Word now = (flags & ~CONTACT_PRESS) | (Word)hops << CONTACT_HOPS | (back > to ? CONTACT_BACK : 0u);
-	if (now != flags)
-		p->contact_flags[i] = now;
-	if (hops > 0)
+	Word bits = press_bits(way, speed);
+	if (bits != p->contact_press[i])
+		p->contact_press[i] = bits;
+	if (way[1])
 		raise_int(&p->counters->ways, 1);
 }
 
