@@ -192,11 +192,13 @@ typedef struct // 16 bytes: what guard needs of a dynamic body
 
 typedef struct // 32 bytes: how a body is pressed
 {
-	int way[2]; // from what is static, from what is kinematic: hops left and direction, 0 without
-	int speed;  // bits of the speed of what presses, m/s
-	int before; // bits of its own speed when the step began, m/s
-	int depth;  // bits of how deep it is pressed into something static, m
-	int unused[3];
+	int way[2];   // in this step, from what is static, from what is kinematic: hops left and direction, 0 without
+	int depth;    // bits of how deep it is pressed into something static, m
+	int speed;    // bits of the speed of what presses it, or did, m/s
+	int left;     // steps for which it gets no faster than that
+	int tight;    // 1 if it is still deep in something
+	float before; // its own speed when the step began, m/s
+	float unused;
 } Press;
 
 typedef struct // 24 bytes

@@ -24,23 +24,29 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// How a body is pressed, which is forgotten.
+// How body i is pressed, and for how long it was.
 INLINE Press finalize_press(const Pools* p, int i)
 {
-	Press none = {{0, 0}, 0, 0, 0, {0, 0, 0}}, press = none;
+	Press press;
+	press.left = 0;
+	press.depth = 0;
 	if (p->counters->presses == 0)
-		return none;
+		return press;
 	press = p->press[i];
-	if ((press.way[0] | press.way[1] | press.depth) != 0)
-		p->press[i] = none;
+	int between = press.way[0] != 0 && press.way[1] != 0, left = between ? PRESS_STEPS : press.left - (press.left > 0 && !press.tight);
+	if (left > 0)
+		raise_int(&p->counters->ways, 1);
+	p->press[i].left = left;
+	p->press[i].speed = left > 0 ? press.speed : 0;
+	press.left = left;
 	return press;
 }
 
-// m/s: no body that is pressed between two leaves faster than what presses it, unless it was faster, or falls.
+// m/s: a body that is pressed between two leaves no faster than what presses it, unless it was faster, or falls.
 INLINE float finalize_most(const Pools* p, Press press)
 {
 	float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
-	return maximum(bits_float(press.speed), bits_float(press.before)) + fall;
+	return maximum(bits_float(press.speed), press.before) + fall;
 }
 
 STAGE(finalize)
@@ -62,7 +68,7 @@ STAGE(finalize)
 		body->da = 0.0f;
 	}
 	Press press = finalize_press(p, i);
-	if (press_between(press))
+	if (press.left > 0)
 	{
 		float most = finalize_most(p, press);
 		v = vec_scale(vec_shrink(v, most), v);

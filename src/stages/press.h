@@ -18,6 +18,9 @@
 // The most hops of a way: bodies in a row of which the last one is held.
 #define PRESS_HOPS 63
 
+// For how long a body leaves no faster than it was pressed, after that.
+#define PRESS_STEPS 32
+
 // A way of a contact in the pool contact_press: 6 bits of hops, one that is set if it goes from b to a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind) * 7 & 127u))
 #define PRESS_BACK            64
@@ -50,13 +53,6 @@ INLINE int press_left(int code, Vec normal)
 {
 	int along = vec_dot(press_direction(code), normal) > PRESS_ALONG * 127.0f;
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
-}
-
-// Whether a body has ways of both kinds that oppose each other.
-INLINE int press_between(Press press)
-{
-	return press.way[0] != 0 && press.way[1] != 0 &&
-	       vec_dot(press_direction(press.way[0]), press_direction(press.way[1])) < -PRESS_ALONG * 127.0f * 127.0f;
 }
 
 // Whether contact i may push.
@@ -94,10 +90,22 @@ INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 
 INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec direction)
 {
-	BodyState state = p->body[body];
-	Vec v = vec(state.vx, state.vy);
 	raise_int(&p->press[body].way[kind], press_code(hops, direction));
-	raise_int(&p->press[body].before, float_bits(minimum(square_root(vec_dot(v, v)), p->step.max_speed)));
+}
+
+// Body i, before a step.
+STAGE(press_begin)
+{
+	BodyState state = p->body[i];
+	Vec v = vec(state.vx, state.vy);
+	if (p->counters->stalled || !(state.inv_mass > 0.0f))
+		return;
+	GLOBAL Press* press = p->press + i;
+	press->way[0] = 0;
+	press->way[1] = 0;
+	press->depth = 0;
+	press->tight = 0;
+	press->before = square_root(vec_dot(v, v));
 }
 
 // Contact i gives its bodies their ways: those of the last step, and those that begin at it.
@@ -108,11 +116,18 @@ STAGE(press_gather)
 	Word bits = p->contact_press[i];
 	Int2 pair = p->pair[i];
 	int kind = p->collidable_kind[pair.y], still = kind < KIND_DYNAMIC;
-	if (bits == 0 && !still)
+	int body_a = p->collidable_body[pair.x], body_b = p->collidable_body[pair.y];
+	int lasts = p->press[body_a].left > 0 || (!still && p->press[body_b].left > 0);
+	if (bits == 0 && !still && !lasts)
 		return;
 	ContactPoints at = press_points(p, i);
 	float gap = minimum(at.separation[0], at.separation[1]);
-	int body_a = p->collidable_body[pair.x], body_b = p->collidable_body[pair.y];
+	if (lasts && gap < -PRESS_MOST)
+	{
+		raise_int(&p->press[body_a].tight, 1);
+		if (!still)
+			raise_int(&p->press[body_b].tight, 1);
+	}
 	if (still)
 	{
 		if (gap < -PRESS_FROM)

@@ -140,6 +140,8 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+	if (step->kinematic > 0 && step->dt > 0.0f)
+		runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), 0);
 	for (int round = 0; round < PRESS_ROUNDS && step->kinematic > 0 && step->dt > 0.0f; ++round)
 	{
 		runs_add(list, STAGE_press_gather, 0, step->contact_capacity, COUNT(presses), 0);
