@@ -197,8 +197,7 @@ typedef struct // 32 bytes: how a body is pressed
 	int speed;    // bits of the speed of what presses it, or did, m/s
 	int left;     // steps for which it gets no faster than that
 	int tight;    // 1 if it is still deep in something
-	float before; // its own speed when the step began, m/s
-	float unused;
+	float before, spun; // its own speed and spin when the step began, m/s, rad/s
 } Press;
 
 typedef struct // 24 bytes

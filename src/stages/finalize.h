@@ -46,7 +46,8 @@ INLINE Press finalize_press(const Pools* p, int i)
 INLINE float finalize_most(const Pools* p, Press press)
 {
 	float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
-	return maximum(bits_float(press.speed), press.before) + fall;
+	float slower = press.left == PRESS_STEPS ? PRESS_SLOWER : 1.0f;
+	return maximum(bits_float(press.speed), slower * press.before) + fall;
 }
 
 STAGE(finalize)
@@ -72,6 +73,7 @@ STAGE(finalize)
 	{
 		float most = finalize_most(p, press);
 		v = vec_scale(vec_shrink(v, most), v);
+		w = within(w, maximum(press.spun, most / maximum(p->guarded[i].reach, LINEAR_SLOP)));
 		d = vec_scale(vec_shrink(d, p->step.dt * maximum(most, p->step.push_speed)), d);
 		body->dx = d.x;
 		body->dy = d.y;

@@ -20,6 +20,8 @@
 
 // For how long a body leaves no faster than it was pressed, after that.
 #define PRESS_STEPS 32
+// What was faster when it came between the two keeps this share of its speed in a step.
+#define PRESS_SLOWER 0.9f
 
 // A way of a contact in the pool contact_press: 6 bits of hops, one that is set if it goes from b to a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind) * 7 & 127u))
@@ -106,6 +108,7 @@ STAGE(press_begin)
 	press->depth = 0;
 	press->tight = 0;
 	press->before = square_root(vec_dot(v, v));
+	press->spun = absolute(state.w);
 }
 
 // Contact i gives its bodies their ways: those of the last step, and those that begin at it.
