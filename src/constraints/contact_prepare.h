@@ -15,7 +15,7 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 // Whether something is deep in static and in kinematic bodies. What does not move is the second collidable of a pair.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
-	Word deep = p->step.kinematic > 0 ? lane_bits(separation < splat(-PRESS_FROM)) : 0;
+	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;
 	for (int k = 0; deep != 0; ++k, deep >>= 1)
 	{
 		int kind = deep & 1 ? p->collidable_kind[p->contact_place_pair[i + k].y] : KIND_DYNAMIC;

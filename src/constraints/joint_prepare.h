@@ -122,6 +122,16 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 		raise_lanes(&p->counters->joint_gap, root(square), wider);
 }
 
+// Whether some joint drags what cannot follow to what cannot move.
+INLINE void joint_press(const Pools* p, int i, Vec gap)
+{
+	Word far = p->step.presses ? lane_bits(vec_dot(gap, gap) > splat(PRESS_GAP * PRESS_GAP)) : 0;
+	for (int k = 0; far != 0; ++k, far >>= 1)
+		if (far & 1 && !(p->body[joint_row(p, body_a, i + k)].inv_mass > 0.0f &&
+		                 p->body[joint_row(p, body_b, i + k)].inv_mass > 0.0f))
+			raise_int(&p->counters->press[1], 1);
+}
+
 // All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
 INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 {
@@ -163,6 +173,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->gap_x = gap.x;
 	u->gap_y = gap.y;
 	joint_count_gap(p, u, gap);
+	joint_press(p, i, gap);
 
 	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));
 	u->angle = u->turned - target[JOINT_ANGLE];

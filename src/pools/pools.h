@@ -60,6 +60,8 @@
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
 // m: what is so deep in something kinematic, or static, is pressed by it, or against it
 #define PRESS_FROM 0.0005f
+// m: a joint whose anchors are so far from each other drags a body that cannot follow
+#define PRESS_GAP 0.01f
 // m: no body gets deeper than that in something static into which something kinematic presses it. With less, the small overlap at which
 // contacts hold a load is none.
 #define PRESS_MOST 0.015f
@@ -608,7 +610,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
-	int kinematic;        // kinematic bodies
+	int presses;          // there are kinematic bodies, or joints
 	int round;            // some attribute has a radius
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach

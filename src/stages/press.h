@@ -10,6 +10,7 @@
 #ifndef PRESS_H
 #define PRESS_H
 #include "constraints/contact_listed.h"
+#include "constraints/joint_prepare.h"
 #include "stages/sweep.h"
 
 // cosine of the angle to its direction up to which a way goes on. With less, a cart that is pushed along presses the floor.
@@ -150,6 +151,30 @@ STAGE(press_gather)
 		if (k)
 			raise_int(&p->press[back ? body_a : body_b].speed, float_bits(press_speed(bits)));
 	}
+}
+
+// What holds anchors together along both coordinates.
+#define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k))
+
+// Joint i drags a body that cannot follow it to one that cannot move: also that is a press, of any speed.
+STAGE(press_joint)
+{
+	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
+	if (p->counters->stalled || (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
+	    modes & (JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) || !(modes & PRESS_HOLDS(JOINT_ALONG)) ||
+	    !(modes & PRESS_HOLDS(JOINT_ACROSS)))
+		return;
+	int still_a = !(p->body[ia].inv_mass > 0.0f), still_b = !(p->body[ib].inv_mass > 0.0f);
+	if (still_a == still_b)
+		return;
+	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
+	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME(1), ib, vec(0.0f, 0.0f));
+	Vec gap = joint_gap(&a, &b);
+	float far = square_root(vec_dot(gap, gap));
+	if (!(far > PRESS_GAP && far < MOST_FLOAT))
+		return;
+	press_give(p, still_a ? ib : ia, 1, PRESS_HOPS, vec_scale(still_a ? -1.0f / far : 1.0f / far, gap));
+	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
 }
 
 // Contact i hands ways on. What is pressed into something static is marked for guard.

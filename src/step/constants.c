@@ -87,7 +87,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .drives = pipeline->drives,
 	    .couplings = pipeline->couplings,
 	    .paths = pipeline->paths,
-	    .kinematic = request->kinematic,
+	    .presses = request->kinematic > 0 || pipeline->counters.joints > 0,
 	    .round = pipeline->round,
 	    .guard_way = pipeline->guard_way,
 	    .guard_reach = pipeline->guard_reach,

@@ -126,6 +126,19 @@ static void ask(RunList* list, const Step* step, int bodies)
 // holds them.
 #define PRESS_ROUNDS 2
 
+// What is pressed against something static.
+static void press(RunList* list, const Step* step, int bodies, int joints)
+{
+	runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), 0);
+	if (joints > 0)
+		runs_add(list, STAGE_press_joint, 0, joints, COUNT(presses), 0);
+	for (int round = 0; round < PRESS_ROUNDS; ++round)
+	{
+		runs_add(list, STAGE_press_gather, 0, step->contact_capacity, COUNT(presses), 0);
+		runs_add(list, STAGE_press_hand_on, 0, step->contact_capacity, COUNT(presses), 0);
+	}
+}
+
 static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
@@ -140,13 +153,8 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
-	if (step->kinematic > 0 && step->dt > 0.0f)
-		runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), 0);
-	for (int round = 0; round < PRESS_ROUNDS && step->kinematic > 0 && step->dt > 0.0f; ++round)
-	{
-		runs_add(list, STAGE_press_gather, 0, step->contact_capacity, COUNT(presses), 0);
-		runs_add(list, STAGE_press_hand_on, 0, step->contact_capacity, COUNT(presses), 0);
-	}
+	if (step->presses && step->dt > 0.0f)
+		press(list, step, bodies, pipeline->counters.joints);
 	if (pipeline->platforms)
 		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 }
