@@ -24,30 +24,26 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// How body i is pressed, and for how long it was.
-INLINE Press finalize_press(const Pools* p, int i)
+// A body that was pressed between two leaves no faster than what presses it, unless it was faster when the step began, or falls. Whether
+// it is pressed too deep into something static.
+INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
-	Press press;
-	press.left = 0;
-	press.depth = 0;
-	if (p->counters->presses == 0)
-		return press;
-	press = p->press[i];
-	int between = press.way[0] != 0 && press.way[1] != 0, left = between ? PRESS_STEPS : press.left - (press.left > 0 && !press.tight);
+	Press press = p->press[i];
+	int between = press.way[0] != 0 && press.way[1] != 0;
+	int left = between ? PRESS_STEPS : press.left - (press.left > 0 && !press.tight);
 	if (left > 0)
+	{
+		float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
+		float most = maximum(bits_float(press.speed), (between ? PRESS_SLOWER : 1.0f) * press.before) + fall;
+		float spin = maximum(press.spun, most / maximum(p->guarded[i].reach, LINEAR_SLOP));
+		*v = vec_scale(vec_shrink(*v, most), *v);
+		*w = within(*w, spin);
+		*d = vec_scale(vec_shrink(*d, p->step.dt * maximum(most, p->step.push_speed)), *d);
 		raise_int(&p->counters->ways, 1);
+	}
 	p->press[i].left = left;
 	p->press[i].speed = left > 0 ? press.speed : 0;
-	press.left = left;
-	return press;
-}
-
-// m/s: a body that is pressed between two leaves no faster than what presses it, unless it was faster, or falls.
-INLINE float finalize_most(const Pools* p, Press press)
-{
-	float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
-	float slower = press.left == PRESS_STEPS ? PRESS_SLOWER : 1.0f;
-	return maximum(bits_float(press.speed), slower * press.before) + fall;
+	return press.depth != 0 && guard_presses(p, i, bits_float(press.depth), *d, da);
 }
 
 STAGE(finalize)
@@ -68,17 +64,14 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	Press press = finalize_press(p, i);
-	if (press.left > 0)
+	int pressed = 0;
+	if (p->counters->presses != 0 && body->inv_mass > 0.0f)
 	{
-		float most = finalize_most(p, press);
-		v = vec_scale(vec_shrink(v, most), v);
-		w = within(w, maximum(press.spun, most / maximum(p->guarded[i].reach, LINEAR_SLOP)));
-		d = vec_scale(vec_shrink(d, p->step.dt * maximum(most, p->step.push_speed)), d);
+		pressed = finalize_pressed(p, i, &v, &w, &d, da);
 		body->dx = d.x;
 		body->dy = d.y;
 	}
-	if (guard_pressed(p, i, press, d, da) && body->inv_mass > 0.0f)
+	if (pressed)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
 	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
 		guard_enlist(p, i);

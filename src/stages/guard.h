@@ -196,11 +196,10 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	return far + swing * guarded.reach > way;
 }
 
-// Whether a body that went so far is pressed too deep into something static.
-INLINE int guard_pressed(const Pools* p, int body, Press press, Vec path, float turn)
+// Whether a body that is pressed so deep into something static, m, goes so far that it may get too deep.
+INLINE int guard_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
-	return press.depth != 0 &&
-	       bits_float(press.depth) + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
+	return depth + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.
