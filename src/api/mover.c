@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // mover.c -- characters: capsules that walk, slide, climb steps and ride on what they stand on, by queries alone.
 #include "api/query_check.h"
+#include "api/swept.h"
 #include "api/walk.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -152,6 +153,7 @@ static scree_status move(Walk* walk, scree_mover* movers, scree_pose* poses, flo
 	for (int k = 0; k < walk->count; ++k)
 		begin(walk, movers + k, poses[k], dt, walk->walkers + k);
 	TRY(walk_crushed(walk));
+	TRY(walk_swept(walk, dt));
 	TRY(walk_slide(walk)); // with the ground, which they may overlap by now
 	TRY(walk_recover(walk));
 	for (int k = 0; k < walk->count; ++k)

@@ -51,8 +51,7 @@ static scree_status cast(Walk* walk)
 	return SCREE_OK;
 }
 
-// The world ends at SCREE_HUGE: movers stop there.
-static scree_vec within_world(scree_vec at)
+scree_vec walk_within(scree_vec at)
 {
 	return (scree_vec){fminf(fmaxf(at.x, -SCREE_HUGE), SCREE_HUGE), fminf(fmaxf(at.y, -SCREE_HUGE), SCREE_HUGE)};
 }
@@ -61,7 +60,7 @@ static scree_vec free_end(const Walk* walk, int k)
 {
 	scree_vec way = walk->probes[k].translation;
 	float length = sqrtf(dot(way, way));
-	return length > 0.0f ? within_world(add_scaled(walk->probes[k].pose.position, free_length(walk, k) / length, way))
+	return length > 0.0f ? walk_within(add_scaled(walk->probes[k].pose.position, free_length(walk, k) / length, way))
 	                     : walk->probes[k].pose.position;
 }
 
@@ -117,9 +116,8 @@ static void meet(const Walk* walk, Walker* w, scree_collidable collidable, scree
 	w->last = normal;
 }
 
-// A walker stays where it was when the call began, out of what is static. While it is crushed, nothing pushes it: what has passed its
-// middle would push it out on the other side.
-static void crush(const Walk* walk, int k, scree_collidable by)
+// Nothing pushes it: what has passed its middle would push it out on the other side.
+void walk_crush(const Walk* walk, int k, scree_collidable by)
 {
 	walk->walkers[k] = (Walker){.at = walk->movers[k].position, .wall = by, .crushed = true};
 }
@@ -138,7 +136,7 @@ scree_status walk_crushed(Walk* walk)
 	{
 		const scree_found* found = walk->found + k;
 		if (found->hit && found->fraction < -TOUCH)
-			crush(walk, walk->of[k], found->collidable);
+			walk_crush(walk, walk->of[k], found->collidable);
 		else
 			walk->walkers[walk->of[k]].crushed = false;
 	}
@@ -172,10 +170,10 @@ scree_status walk_recover(Walk* walk)
 			Walker* w = walk->walkers + walk->of[k];
 			if (round == RECOVER_ROUNDS - 1 && found->fraction < -TOUCH)
 			{
-				crush(walk, walk->of[k], found->collidable);
+				walk_crush(walk, walk->of[k], found->collidable);
 				continue;
 			}
-			w->at = within_world(add_scaled(w->at, lacks, found->normal));
+			w->at = walk_within(add_scaled(w->at, lacks, found->normal));
 			meet(walk, w, found->collidable, found->normal);
 			w->ground = SCREE_NULL_COLLIDABLE;
 			w->push = (scree_vec){0.0f, 0.0f};
@@ -206,7 +204,7 @@ static scree_status find_ground(Walk* walk)
 		if (!found->hit)
 			continue;
 		float out = dot(found->normal, walk->along) > 0.0f ? -BESIDE : BESIDE;
-		scree_vec from = within_world(add_scaled(add_scaled(found->point, out, walk->along), BESIDE, def->up));
+		scree_vec from = walk_within(add_scaled(add_scaled(found->point, out, walk->along), BESIDE, def->up));
 		walk->rays[rays++] = (scree_ray){.origin = from,
 		                                 .translation = add_scaled((scree_vec){0}, -3.0f * BESIDE, def->up),
 		                                 .ignored = walk->movers[walk->of[k]].ignored};

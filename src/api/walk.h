@@ -46,6 +46,12 @@ static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 	return (scree_vec){a.x + s * b.x, a.y + s * b.y};
 }
 
+// The world ends at SCREE_HUGE: movers stop there.
+scree_vec walk_within(scree_vec at);
+
+// A walker is crushed by something: it stays where it was when the call began, out of what is static.
+void walk_crush(const Walk* walk, int k, scree_collidable by);
+
 // Before anything moves: those that were crushed stay so while they overlap anything.
 scree_status walk_crushed(Walk* walk);
 
