@@ -76,7 +76,7 @@ INLINE ContactPoints press_points(const Pools* p, int i)
 	return listed_points(p->attribute, a, b, manifold, p->contact_flags[i], p->contact_feature[i]);
 }
 
-// m/s: of the faster point of contact i on what is kinematic
+// m/s: of the faster point of contact i on what is kinematic, if it comes
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
@@ -86,7 +86,8 @@ INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 	for (int k = 0; k < 2; ++k)
 	{
 		Vec v = vec_add(vec(body.vx, body.vy), vec_spin(body.w, vec_add(from, at.point[k])));
-		most = at.separation[k] < 0.0f ? maximum(most, vec_dot(v, v)) : most;
+		if (at.separation[k] < 0.0f && vec_dot(v, at.normal) < 0.0f)
+			most = maximum(most, vec_dot(v, v));
 	}
 	return minimum(square_root(most), p->step.max_speed);
 }
