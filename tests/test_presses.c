@@ -9,6 +9,231 @@
 
 #include <cmocka.h>
 
+#define DEPTH 0.02f // m: the most by which a body may be in something static
+
+typedef enum
+{
+	FLOOR,
+	WALL,
+	CORNER,
+	PLACES
+} Place;
+
+typedef struct
+{
+	scree_body press, body;
+	scree_vec way; // unit vector in which it is pressed
+} Press;
+
+// A body of 1 m beside what is static, or a gap before that, and a press that goes there. first: which of the two is made first.
+static Press add_press(scree_world* world, Place place, scree_shape shape, float density, float gap, bool first)
+{
+	static const float angles[PLACES] = {-90.0f, 0.0f, -35.0f};
+	scree_rot turn = scree_rot_make(angles[place] * (float)PI / 180.0f);
+	scree_attribute_def def = surface_of(shape), slab = surface_of(box_shape(0.5f, 3.0f));
+	scree_body_def press_def = scree_body_def_default();
+	Press p = {.way = {turn.c, turn.s}};
+	def.density = density;
+	press_def.type = SCREE_BODY_KINEMATIC;
+	press_def.attribute = add_attribute(world, &slab);
+	press_def.pose.rotation = turn;
+	float back = 1.35f + 3.0f * gap;
+	press_def.pose.position = (scree_vec){-0.5f - gap - back * turn.c, 0.5f + gap - back * turn.s};
+	if (first)
+		OK(scree_body_create(world, &press_def, &p.press));
+	if (place != FLOOR)
+		add_box(world, SCREE_BODY_STATIC, 10.0f, 20.0f, 10.0f, 0.0f);
+	if (place != WALL)
+		add_box(world, SCREE_BODY_STATIC, 20.0f, 10.0f, 0.0f, -10.0f);
+	p.body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), -0.5f - gap, 0.5f + gap, 0.0f);
+	if (!first)
+		OK(scree_body_create(world, &press_def, &p.press));
+	return p;
+}
+
+// m: how far a body of 1 m is at most in the wall or in the floor
+static float depth_of(scree_world* world, scree_body body, Place place, bool round)
+{
+	scree_pose pose;
+	OK(scree_body_get_pose(world, body, &pose));
+	float half = round ? 0.5f : 0.5f * (fabsf(pose.rotation.c) + fabsf(pose.rotation.s));
+	float wall = place == FLOOR ? -1.0f : pose.position.x + half, floor = place == WALL ? -1.0f : half - pose.position.y;
+	return fmaxf(wall, floor);
+}
+
+// Whatever touches first, whatever was made first, of any density, by velocity and by target, while the press comes, while it stays, and
+// when it goes back: the body is at most 2 cm in what is static, and no faster than the press.
+static void static_side_wins(void** state)
+{
+	(void)state;
+	float worst = 0.0f, fastest = 0.0f;
+	for (int k = 0; k < 96; ++k)
+	{
+		Place place = (Place)(k % PLACES);
+		float speed = k / 3 % 2 ? 0.5f : 1.0f, gap = k / 6 % 2 ? 0.1f : 0.0f, density = powf(100.0f, (float)(k / 12 % 2) - 0.5f);
+		bool round = k / 24 % 2, first = k / 48 % 2, targets = k % 5 < 2;
+		scree_world* world = open_world(0.0f);
+		Press p = add_press(world, place, round ? circle_shape(0.5f) : box_shape(0.5f, 0.5f), density, gap, first);
+		int steps = (int)((0.9f + 4.0f * gap) / (speed * STEP));
+		for (int step = 0; step < steps + 90; ++step)
+		{
+			float goes = step < steps ? speed : step < steps + 60 ? 0.0f : -speed;
+			scree_pose to;
+			OK(scree_body_get_pose(world, p.press, &to));
+			to.position.x += goes * STEP * p.way.x;
+			to.position.y += goes * STEP * p.way.y;
+			if (targets)
+				OK(scree_bodies_set_targets(world, &p.press, &to, 1));
+			else
+				OK(scree_body_set_velocity(world, p.press, (scree_velocity){{goes * p.way.x, goes * p.way.y}, 0.0f}));
+			run_steps(world, 1);
+			scree_vec v = velocity_of(world, p.body).linear;
+			worst = fmaxf(worst, depth_of(world, p.body, place, round));
+			fastest = fmaxf(fastest, hypotf(v.x, v.y) / speed);
+		}
+		scree_world_destroy(world);
+	}
+	print_message("deepest %g m, fastest %g of the press\n", (double)worst, (double)fastest);
+	assert_true(worst < DEPTH);
+	assert_true(fastest < 1.05f);
+}
+
+// Rows, also with a mass ratio of 100, hold as well; when the press is gone all at once, what it pressed together does not shoot out.
+static void rows_yield_to_what_is_static(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 12; ++k)
+	{
+		int count = k / 2 % 2 ? 3 : 20, light = k / 4;
+		float speed = k / 2 % 2 ? 1.0f : 0.5f;
+		scree_world* world = open_world(0.0f);
+		scree_attribute_def def = surface_of(k & 1 ? circle_shape(0.5f) : box_shape(0.5f, 0.5f)), other = def;
+		other.density = light == 0 ? 1.0f : light == 1 ? 100.0f : 0.01f;
+		add_box(world, SCREE_BODY_STATIC, 10.0f, 20.0f, 10.0f, 0.0f);
+		scree_body press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 4.0f, -0.6f - (float)count, 1.7f), bodies[20];
+		for (int n = 0; n < count; ++n)
+			bodies[n] = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, n & 1 ? &other : &def), -0.5f - (float)n, 0.0f,
+			                     0.0f);
+		for (int step = 0; step < (int)(0.25f * (float)count / speed / STEP) + 120; ++step)
+		{
+			if (step == (int)(0.25f * (float)count / speed / STEP) + 30)
+				OK(scree_body_destroy(world, press));
+			else if (scree_body_is_valid(world, press))
+				OK(scree_body_set_velocity(world, press, (scree_velocity){{speed, 0.0f}, 0.0f}));
+			run_steps(world, 1);
+			assert_true(depth_of(world, bodies[0], WALL, k & 1) < DEPTH);
+			for (int n = 0; n < count; ++n)
+			{
+				scree_vec v = velocity_of(world, bodies[n]).linear;
+				assert_true(hypotf(v.x, v.y) < 1.5f * speed);
+			}
+		}
+		scree_world_destroy(world);
+	}
+}
+
+// The types of two bodies that touch a third one are exchanged: in the same step its contacts count as what they are now.
+static void types_are_exchanged(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		scree_attribute_def def = surface_of(k ? circle_shape(0.5f) : box_shape(0.5f, 0.5f));
+		scree_body left = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 4.0f, -1.5f, 0.0f);
+		scree_body right = add_box(world, SCREE_BODY_STATIC, 0.5f, 4.0f, 0.5f, 0.0f);
+		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), -0.5f, 0.0f, 0.0f);
+		run_steps(world, 10);
+		OK(scree_body_set_type(world, left, SCREE_BODY_STATIC));
+		OK(scree_body_set_type(world, right, SCREE_BODY_KINEMATIC));
+		for (int step = 0; step < 90; ++step)
+		{
+			OK(scree_body_set_velocity(world, right, (scree_velocity){{step < 50 ? -0.5f : 0.0f, 0.0f}, 0.0f}));
+			run_steps(world, 1);
+			assert_true(position_of(world, body).x > -0.5f - DEPTH);
+		}
+		scree_world_destroy(world);
+	}
+}
+
+// A hinge to a hand, or a hard spring to a point of the world, drags a ball against a ring of segments, which holds it.
+static void joints_yield_to_what_is_static(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_world* world = open_world(-10.0f);
+		scree_attribute_def ball = surface_of(circle_shape(0.3f)), side = ball;
+		for (int n = 0; n < 24; ++n)
+		{
+			scree_rot from = scree_rot_make((float)(PI / 12.0) * (float)n), to = scree_rot_make((float)(PI / 12.0) * (float)(n + 1));
+			OK(scree_shape_make_segment((scree_vec){2.0f * from.c, 2.0f * from.s}, (scree_vec){2.0f * to.c, 2.0f * to.s},
+			                            &side.shape));
+			add_body(world, SCREE_BODY_STATIC, add_attribute(world, &side), 0.0f, 0.0f, 0.0f);
+		}
+		scree_body_def hand = scree_body_def_default();
+		scree_joint_def def = scree_joint_def_make(k ? SCREE_JOINT_TARGET : SCREE_JOINT_REVOLUTE);
+		scree_joint joint;
+		hand.type = SCREE_BODY_KINEMATIC;
+		OK(scree_body_create(world, &hand, &def.body_a));
+		def.body_b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), 0.0f, 0.0f, 0.0f);
+		def.coordinates[SCREE_ALONG].spring_hertz = def.coordinates[SCREE_ACROSS].spring_hertz = 30.0f;
+		scree_body puller = def.body_a;
+		if (k)
+			def.body_a = SCREE_NULL_BODY;
+		OK(scree_joint_create(world, &def, &joint));
+		for (int step = 0; step < 300; ++step)
+		{
+			scree_pose to = {{fminf(0.02f * (float)step, 5.0f), 0.3f * sinf(0.05f * (float)step)}, {1.0f, 0.0f}};
+			if (k)
+				OK(scree_joint_set_frames(world, joint, to, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
+			else
+				OK(scree_bodies_set_targets(world, &puller, &to, 1));
+			run_steps(world, 1);
+			scree_vec at = position_of(world, def.body_b);
+			assert_true(hypotf(at.x, at.y) < 1.7f + 0.03f); // the apothem is 1.98
+		}
+		scree_world_destroy(world);
+	}
+}
+
+// A press of another kind is heavy, not kinematic: what lies under heavy loads sinks as its contacts say, and nothing shakes.
+static void loads_are_no_presses(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_attribute_def cart = surface_of(box_shape(1.0f, 0.25f)), wheel = surface_of(circle_shape(0.4f));
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	scree_body wheels[2];
+	cart.density = 1000.0f;
+	wheel.density = 1.6f / (float)(PI * 0.16);
+	add_floor(world);
+	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // in the floor, so that presses are looked for
+	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -20.0f, 2.4f);
+	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_joint joint;
+		wheels[k] = def.body_b =
+		    add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &wheel), k ? 0.7f : -0.7f, 0.4f, 0.0f);
+		OK(scree_joint_def_place(world, &def, (scree_pose){{k ? 0.7f : -0.7f, 0.4f}, {1.0f, 0.0f}}));
+		OK(scree_joint_create(world, &def, &joint));
+	}
+	run_steps(world, 400);
+	assert_true(position_of(world, wheels[0]).y < 0.4f - 0.03f);
+	for (int step = 0; step < 60; ++step)
+	{
+		run_steps(world, 1);
+		for (int k = 0; k < 2; ++k)
+		{
+			scree_vec v = velocity_of(world, wheels[k]).linear;
+			assert_true(hypotf(v.x, v.y) < 0.01f);
+		}
+		assert_int_equal(counters_of(world).held, 0);
+	}
+	scree_world_destroy(world);
+}
+
 // A plate with 40 crates, a hub, between a press and a wall.
 static scree_body add_plate(scree_world* world, scree_body* press)
 {
@@ -25,11 +250,11 @@ static void hubs_yield_to_what_is_static(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	scree_body press, plate = add_plate(world, &press);
-	for (int step = 0; step < 120; ++step)
+	for (int step = 0; step < 180; ++step)
 	{
 		OK(scree_body_set_velocity(world, press, (scree_velocity){{0.5f, 0.0f}, 0.0f}));
 		run_steps(world, 1);
-		assert_true(position_of(world, plate).x < -0.5f + 0.08f);
+		assert_true(position_of(world, plate).x < -0.5f + DEPTH);
 	}
 	scree_world_destroy(world);
 }
@@ -45,6 +270,19 @@ static void build_all(scree_world* world, const void* context)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f + 0.02f * (float)k, -0.4f, 30.0f + (float)k);
 	press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 8.0f, -1.3f, 34.0f);
 	OK(scree_body_set_velocity(world, press, slow));
+	// rows that buckle
+	scree_attribute_def ball = surface_of(circle_shape(0.5f)), rod = surface_of(box_shape(0.5f, 0.3f));
+	for (int k = 0; k < 6; ++k)
+		add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, k < 3 ? &ball : &rod), -0.5f - (float)(k % 3),
+		         (k < 3 ? 50.0f : 60.0f) + (k & 1 ? 0.04f : -0.04f), 0.0f);
+	press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 15.0f, -3.6f, 55.0f);
+	OK(scree_body_set_velocity(world, press, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	// a hinge drags a ball against the wall
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	scree_joint joint;
+	def.body_b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), -0.5f, 80.0f, 0.0f);
+	def.frame_a.position = (scree_vec){0.5f, 80.2f};
+	OK(scree_joint_create(world, &def, &joint));
 }
 
 static void presses_are_equal_everywhere(void** state)
@@ -96,6 +334,11 @@ static void own_mass_outlives_types(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(static_side_wins),
+	    cmocka_unit_test(rows_yield_to_what_is_static),
+	    cmocka_unit_test(types_are_exchanged),
+	    cmocka_unit_test(joints_yield_to_what_is_static),
+	    cmocka_unit_test(loads_are_no_presses),
 	    cmocka_unit_test(hubs_yield_to_what_is_static),
 	    cmocka_unit_test(presses_are_equal_everywhere),
 	    cmocka_unit_test(own_mass_outlives_types),

@@ -24,6 +24,9 @@ typedef enum // what touches first
 } Order;
 static const char* const orders[ORDERS] = {"both at once", "the press first", "the wall first"};
 
+#define DEPTH 0.02 // m: the most by which something static is overlapped, with presses of up to 1 m/s
+#define FAST  0.1  // m: with faster ones, which are deep before it is known that they press
+
 typedef struct
 {
 	double depth; // m: into static bodies
@@ -107,8 +110,32 @@ static void row_of(Validation* v, Kind kind, int count, double speed, int runs)
 		lab_close(lab);
 	}
 	where(v, "%s", text);
-	row(v, "deepest in the wall", worst.depth, "m", SHOWN, 0.0);
-	row(v, "fastest afterwards", worst.speed, "m/s", count > 1 ? SHOWN : AT_MOST, 1.05 * speed);
+	row(v, "deepest in the wall", worst.depth, "m", AT_MOST, speed > 1.0 ? FAST : DEPTH);
+	row(v, "fastest afterwards", worst.speed, "m/s", AT_MOST, (count > 1 ? 1.5 : 1.05) * speed);
+}
+
+// Bodies in a row that buckles, between a wall and a press that is taken away all at once. Where a row folds, what is between two moves
+// faster than the press comes: rigid bodies that are pressed at an angle leave by one over its tangent.
+static void buckle(Validation* v, Kind kind, int count, double speed)
+{
+	begin(v, "%d %s in a row that buckles, pressed at %g m/s", count, rows[kind], speed);
+	Result worst = {0};
+	for (int run = 0; run < 6; ++run)
+	{
+		Lab* lab = open_press(v);
+		scree_attribute_def wall = box_of(50.0, 1000.0), slab = box_of(0.5, 4.0), light = body_of(kind), heavy = light;
+		heavy.density = (float)pow(100.0, run % 3 - 1);
+		lab_put(lab, SCREE_BODY_STATIC, &wall, 50.0f, 0.0f, 0.0f);
+		int presser = lab_put(lab, SCREE_BODY_KINEMATIC, &slab, (float)(-count - 0.7), 1.7f, 0.0f), first = lab->count;
+		for (int k = 0; k < count; ++k)
+			lab_put(lab, SCREE_BODY_DYNAMIC, k & 1 ? &heavy : &light, (float)(0.5 + k - count), k & 1 ? 0.05f : -0.05f, 0.0f);
+		press(lab, presser, first, count, -count - 0.2, run < 3 ? -0.5 * count : -0.1, speed, &worst);
+		lab_teleport(lab, &presser, &(scree_pose){{-200.0f, 0.0f}, {1.0f, 0.0f}}, 1);
+		press(lab, presser, first, count, 0.0, 0.0, speed, &worst);
+		lab_close(lab);
+	}
+	row(v, "deepest in the wall", worst.depth, "m", AT_MOST, DEPTH);
+	row(v, "fastest afterwards", worst.speed, "m/s", AT_MOST, 4.0 * speed);
 }
 
 // A corner of two walls, into which a slanting press pushes a body.
@@ -131,7 +158,7 @@ static void corner(Validation* v, Kind kind, double speed)
 		deep = fmax(deep, fmax(reach(lab, pushed, 1.0, 0.0), reach(lab, pushed, 0.0, -1.0) - 0.5));
 	}
 	press(lab, presser, pushed, 1, 0.0, 0.0, speed, &result);
-	row(v, "deepest in the walls", deep, "m", SHOWN, 0.0);
+	row(v, "deepest in the walls", deep, "m", AT_MOST, DEPTH);
 	row(v, "fastest afterwards", result.speed, "m/s", AT_MOST, 1.05 * speed);
 	lab_close(lab);
 }
@@ -152,8 +179,8 @@ static void plate(Validation* v, int crates, double speed)
 		lab_put(lab, SCREE_BODY_DYNAMIC, &crate, -1.5f, (float)(1.1 * (k - 0.5 * (crates - 1))), 0.0f);
 	Result result = {0};
 	press(lab, presser, first, crates + 1, -2.1, -0.6, speed, &result);
-	row(v, "deepest in the wall", result.depth, "m", SHOWN, 0.0);
-	row(v, "fastest afterwards", result.speed, "m/s", SHOWN, 0.0);
+	row(v, "deepest in the wall", result.depth, "m", AT_MOST, DEPTH);
+	row(v, "fastest afterwards", result.speed, "m/s", AT_MOST, 1.05 * speed);
 	lab_close(lab);
 }
 
@@ -168,6 +195,9 @@ void presses_experiment(Validation* v)
 			row_of(v, kind, 5, speeds[k], v->quick ? 1 : 6);
 	row_of(v, BALL, 20, 0.5, v->quick ? 1 : 6);
 	row_of(v, BOX, 20, 0.5, v->quick ? 1 : 6);
+	for (int kind = 0; kind < KINDS; ++kind)
+		for (int k = 2; k < (v->quick ? 6 : 9); k += 3)
+			buckle(v, kind, k, 1.0);
 	for (int kind = 0; kind < KINDS; ++kind)
 		for (int k = 0; k < (v->quick ? 1 : 3); ++k)
 			corner(v, kind, speeds[k]);

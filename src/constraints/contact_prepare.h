@@ -19,7 +19,8 @@ INLINE void prepare_press(const Pools* p, int i, Real separation)
 	for (int k = 0; deep != 0; ++k, deep >>= 1)
 	{
 		int kind = deep & 1 ? p->collidable_kind[p->contact_place_pair[i + k].y] : KIND_DYNAMIC;
-		if (kind != KIND_DYNAMIC)
+		float least = kind == KIND_STATIC ? PRESS_START : PRESS_FROM;
+		if (kind != KIND_DYNAMIC && -lane(separation, k) > least)
 			raise_int(&p->counters->press[kind == KIND_KINEMATIC], 1);
 	}
 }

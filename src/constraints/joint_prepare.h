@@ -123,9 +123,10 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 }
 
 // Whether some joint drags what cannot follow to what cannot move.
-INLINE void joint_press(const Pools* p, int i, Vec gap)
+INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec gap)
 {
-	Word far = p->step.presses ? lane_bits(vec_dot(gap, gap) > splat(PRESS_GAP * PRESS_GAP)) : 0;
+	Int pulls = there & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
+	Word far = p->step.presses ? lane_bits(pulls & (vec_dot(gap, gap) > splat(PRESS_GAP * PRESS_GAP))) : 0;
 	for (int k = 0; far != 0; ++k, far >>= 1)
 		if (far & 1 && !(p->body[joint_row(p, body_a, i + k)].inv_mass > 0.0f &&
 		                 p->body[joint_row(p, body_b, i + k)].inv_mass > 0.0f))
@@ -173,7 +174,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->gap_x = gap.x;
 	u->gap_y = gap.y;
 	joint_count_gap(p, u, gap);
-	joint_press(p, i, gap);
+	joint_press(p, i, u, there, gap);
 
 	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));
 	u->angle = u->turned - target[JOINT_ANGLE];

@@ -59,7 +59,8 @@
 #define GUARD_TRAVEL 0.2f
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
 // m: what is so deep in something kinematic, or static, is pressed by it, or against it
-#define PRESS_FROM 0.0005f
+#define PRESS_FROM  2.0e-5f
+#define PRESS_START 0.0005f // and so deep in something static it may be pressed
 // m: a joint whose anchors are so far from each other drags a body that cannot follow
 #define PRESS_GAP 0.01f
 // m: no body gets deeper than that in something static into which something kinematic presses it. With less, the small overlap at which

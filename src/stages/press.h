@@ -193,7 +193,7 @@ STAGE(press_hand_on)
 		b.way[0] = b.way[1] = 0;
 		if (kind == KIND_DYNAMIC)
 			b = p->press[body_b];
-		if ((a.way[0] | a.way[1] | b.way[0] | b.way[1]) != 0 && kind != KIND_KINEMATIC)
+		if ((a.way[0] | a.way[1] | b.way[0] | b.way[1] | a.left) != 0 && kind != KIND_KINEMATIC)
 		{
 			ContactPoints at = press_points(p, i);
 			float gap = minimum(at.separation[0], at.separation[1]);
@@ -203,7 +203,7 @@ STAGE(press_hand_on)
 				way[k] = back > to ? back | PRESS_BACK : to;
 				speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
 			}
-			if (kind == KIND_STATIC && way[1] > 0)
+			if (kind == KIND_STATIC && gap < 0.0f && (way[1] > 0 || a.left > 0))
 				raise_int(&p->press[body_a].depth, float_bits(-gap));
 			if (kind == KIND_STATIC)
 				way[0] = way[1] = 0;
