@@ -465,7 +465,11 @@ static void fast_walls_push(void** state)
 		bool crushed = false;
 		for (float x = -3.0f; x < 9.0f && !crushed; x += speed * STEP)
 		{
-			OK(scree_body_set_velocity(world, wall, (scree_velocity){{speed, 0.0f}, 0.0f}));
+			scree_pose to = {{x + speed * STEP, 0.0f}, scree_rot_make(angle)};
+			if (k % 4 < 2)
+				OK(scree_body_set_velocity(world, wall, (scree_velocity){{speed, 0.0f}, 0.0f}));
+			else
+				OK(scree_bodies_set_targets(world, &wall, &to, 1));
 			walk_frames(world, NULL, &m, 0.0f, 1);
 			scree_vec at = position_of(world, wall);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;

@@ -80,14 +80,18 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 		v = body_velocity_allowed(host, v);
 		value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
 		target_drop(world, index);
+		world->host_bodies[index].still = false;
 	}
 	else if (kind == COMMAND_SPIN)
 	{
 		value.x = body_velocity_allowed(host, (scree_velocity){.angular = value.x}).angular;
 		target_drop(world, index);
+		world->host_bodies[index].still = false;
 	}
 	else if (kind == COMMAND_POSE)
 	{
+		world->host_bodies[index].stands = (scree_pose){{value.x, value.y}, {value.z, value.w}};
+		world->host_bodies[index].went = -1;
 		body_joints_seek(world, index);
 		if (host->type == SCREE_BODY_STATIC && host->collidables > 0)
 			tree_touch(&world->pipeline, tree_of_kind(KIND_STATIC));

@@ -54,6 +54,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
 	target_drop(world, index);
 	host->type = type;
+	host->still = false;
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		edits_collidable(world, k);

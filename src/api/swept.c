@@ -20,7 +20,6 @@ typedef struct // a collidable of a kinematic body on its way
 	scree_collidable handle;
 	scree_shape shape;
 	scree_pose from, to; // of its origin, in the world
-	float turn;          // rad
 	float reach, far;    // m: of its points from its origin; most that one of them went
 } Sweeper;
 
@@ -31,6 +30,20 @@ static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center
 	scree_vec arm = rot_vec(now.rotation, center), old = rot_vec(turn, center);
 	return (scree_pose){{now.position.x + arm.x - old.x - dt * v.linear.x, now.position.y + arm.y - old.y - dt * v.linear.y},
 	                    turn};
+}
+
+// An upper bound of the angle between two rotations, rad.
+static float turn_most(scree_rot from, scree_rot to)
+{
+	scree_rot turn = rot_product(to, (scree_rot){from.c, -from.s});
+	return turn.c > 0.0f ? 1.5708f * fabsf(turn.s) : 3.1416f;
+}
+
+// The rotation between two others, at a share of the way.
+static scree_rot rotation_at(scree_rot from, scree_rot to, float share)
+{
+	float c = from.c + share * (to.c - from.c), s = from.s + share * (to.s - from.s), length = sqrtf(c * c + s * s);
+	return length > 0.01f ? (scree_rot){c / length, s / length} : to;
 }
 
 static bool is_seen(const Walk* walk, const HostCollidable* host)
@@ -46,8 +59,10 @@ static int sweepers_of(const Walk* walk, scree_body body, scree_pose now, scree_
 	int count = 0;
 	if (scree_body_get_mass(world, body, &mass) != SCREE_OK)
 		return 0;
-	scree_pose from = pose_before(now, v, mass.center, dt);
-	for (int k = world->host_bodies[body.index].first_collidable; k >= 0; k = world->host_collidables[k].next)
+	const HostBody* owner = world->host_bodies + body.index;
+	bool went = owner->went == world->pipeline.steps;
+	scree_pose from = went ? owner->from : pose_before(now, v, mass.center, dt);
+	for (int k = owner->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		const HostCollidable* host = world->host_collidables + k;
 		scree_attribute_def def;
@@ -55,14 +70,14 @@ static int sweepers_of(const Walk* walk, scree_body body, scree_pose now, scree_
 		    scree_attribute_get_def(world, attribute_handle(world, host->attribute), &def) != SCREE_OK ||
 		    dot(def.one_way, def.one_way) > 0.0f)
 			continue;
-		Sweeper s = {.handle = collidable_handle(world, k), .shape = def.shape, .turn = dt * v.angular};
+		Sweeper s = {.handle = collidable_handle(world, k), .shape = def.shape};
 		for (int corner = 0; corner < def.shape.count; ++corner)
 			s.reach = fmaxf(s.reach, sqrtf(dot(def.shape.vertices[corner], def.shape.vertices[corner])));
 		s.reach += def.shape.radius;
 		s.from = pose_product(from, host->pose);
 		s.to = pose_product(now, host->pose);
 		scree_vec way = {s.to.position.x - s.from.position.x, s.to.position.y - s.from.position.y};
-		s.far = sqrtf(dot(way, way)) + fabsf(s.turn) * s.reach;
+		s.far = sqrtf(dot(way, way)) + turn_most(s.from.rotation, s.to.rotation) * s.reach;
 		if (s.far > SWEPT_FAR * walk->def->radius)
 			sweepers[count++] = s;
 	}
@@ -89,7 +104,7 @@ static scree_status push_by(const Walk* walk, const Sweeper* s, const Walker* w,
 	scree_distance met;
 	float f = found.fraction;
 	scree_vec path = {s->to.position.x - s->from.position.x, s->to.position.y - s->from.position.y};
-	scree_pose then = {add_scaled(s->from.position, f, path), rot_product(scree_rot_make(f * s->turn), s->from.rotation)};
+	scree_pose then = {add_scaled(s->from.position, f, path), rotation_at(s->from.rotation, s->to.rotation, f)};
 	TRY(scree_shapes_get_distance(&s->shape, then, &walk->shape, at, &met));
 	scree_rot back = {then.rotation.c, -then.rotation.s};
 	scree_vec arm = {met.point_a.x - then.position.x, met.point_a.y - then.position.y};

@@ -90,6 +90,15 @@ scree_status targets_commands(scree_world* world, StepCommands* commands)
 void targets_arrived(scree_world* world)
 {
 	for (int k = world->target_count - 1; k >= 0; --k)
-		if (takes_part(world, world->targets + k))
-			target_drop(world, world->targets[k].body);
+	{
+		Target target = world->targets[k];
+		HostBody* host = world->host_bodies + target.body;
+		if (!takes_part(world, &target))
+			continue;
+		host->from = host->stands;
+		host->went = host->still ? world->pipeline.steps : -1;
+		host->stands = target.pose;
+		host->still = host->locks == 0;
+		target_drop(world, target.body);
+	}
 }
