@@ -57,7 +57,8 @@ static float depth_of(scree_world* world, scree_body body, Place place, bool rou
 	scree_pose pose;
 	OK(scree_body_get_pose(world, body, &pose));
 	float half = round ? 0.5f : 0.5f * (fabsf(pose.rotation.c) + fabsf(pose.rotation.s));
-	float wall = place == FLOOR ? -1.0f : pose.position.x + half, floor = place == WALL ? -1.0f : half - pose.position.y;
+	float wall = place == FLOOR ? -1.0f : pose.position.x + half,
+	      floor = place == WALL ? -1.0f : half - pose.position.y;
 	return fmaxf(wall, floor);
 }
 
@@ -70,7 +71,8 @@ static void static_side_wins(void** state)
 	for (int k = 0; k < 96; ++k)
 	{
 		Place place = (Place)(k % PLACES);
-		float speed = k / 3 % 2 ? 0.5f : 1.0f, gap = k / 6 % 2 ? 0.1f : 0.0f, density = powf(100.0f, (float)(k / 12 % 2) - 0.5f);
+		float speed = k / 3 % 2 ? 0.5f : 1.0f, gap = k / 6 % 2 ? 0.1f : 0.0f,
+		      density = powf(100.0f, (float)(k / 12 % 2) - 0.5f);
 		bool round = k / 24 % 2, first = k / 48 % 2, targets = k % 5 < 2;
 		scree_world* world = open_world(0.0f);
 		Press p = add_press(world, place, round ? circle_shape(0.5f) : box_shape(0.5f, 0.5f), density, gap, first);
@@ -112,8 +114,8 @@ static void rows_yield_to_what_is_static(void** state)
 		add_box(world, SCREE_BODY_STATIC, 10.0f, 20.0f, 10.0f, 0.0f);
 		scree_body press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 4.0f, -0.6f - (float)count, 1.7f), bodies[20];
 		for (int n = 0; n < count; ++n)
-			bodies[n] = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, n & 1 ? &other : &def), -0.5f - (float)n, 0.0f,
-			                     0.0f);
+			bodies[n] = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, n & 1 ? &other : &def),
+			                     -0.5f - (float)n, 0.0f, 0.0f);
 		for (int step = 0; step < (int)(0.25f * (float)count / speed / STEP) + 120; ++step)
 		{
 			if (step == (int)(0.25f * (float)count / speed / STEP) + 30)
@@ -166,9 +168,10 @@ static void joints_yield_to_what_is_static(void** state)
 		scree_attribute_def ball = surface_of(circle_shape(0.3f)), side = ball;
 		for (int n = 0; n < 24; ++n)
 		{
-			scree_rot from = scree_rot_make((float)(PI / 12.0) * (float)n), to = scree_rot_make((float)(PI / 12.0) * (float)(n + 1));
-			OK(scree_shape_make_segment((scree_vec){2.0f * from.c, 2.0f * from.s}, (scree_vec){2.0f * to.c, 2.0f * to.s},
-			                            &side.shape));
+			scree_rot from = scree_rot_make((float)(PI / 12.0) * (float)n),
+			          to = scree_rot_make((float)(PI / 12.0) * (float)(n + 1));
+			OK(scree_shape_make_segment((scree_vec){2.0f * from.c, 2.0f * from.s},
+			                            (scree_vec){2.0f * to.c, 2.0f * to.s}, &side.shape));
 			add_body(world, SCREE_BODY_STATIC, add_attribute(world, &side), 0.0f, 0.0f, 0.0f);
 		}
 		scree_body_def hand = scree_body_def_default();

@@ -310,7 +310,7 @@ typedef struct scree_counters
 	int nonfinite;         // bodies frozen in the last step because their state became infinite or NaN, for instance by
 	                       // an infinite force. A body that reaches 1e8 m stops there
 	int held;              // bodies that were stopped in the last step because they would have tunneled through
-	                       // something static or dynamic
+	                       // something static or dynamic, or got far into it because something kinematic presses them
 	float penetration;     // deepest overlap at the start of the last step, m
 	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
@@ -1406,7 +1406,7 @@ typedef struct scree_mover
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
-// ground down, ride on what moves below them, and are pushed out of what moves into them. One that nothing can push out, as between a lift
+// ground down, ride on what moves below them, and are pushed out of what moves into them, and by kinematic bodies of any speed. One that nothing can push out, as between a lift
 // and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing. They do not collide with each other, and push
 // no body: give wall an impulse yourself. Add gravity to the velocity of those in the air. A velocity against up is dropped on ground; one
 // along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same

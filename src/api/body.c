@@ -92,7 +92,8 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                   .angular_damping = def->angular_damping,
 	                   .first_collidable = -1,
 	                   .stands = def->pose,
-	                   .still = def->velocity.linear.x == 0.0f && def->velocity.linear.y == 0.0f && def->velocity.angular == 0.0f,
+	                   .still = def->velocity.linear.x == 0.0f && def->velocity.linear.y == 0.0f &&
+	                            def->velocity.angular == 0.0f,
 	                   .went = -1,
 	                   .last_collidable = -1,
 	                   .user = def->user,

@@ -28,8 +28,8 @@ static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center
 {
 	scree_rot turn = rot_product(scree_rot_make(-v.angular * dt), now.rotation);
 	scree_vec arm = rot_vec(now.rotation, center), old = rot_vec(turn, center);
-	return (scree_pose){{now.position.x + arm.x - old.x - dt * v.linear.x, now.position.y + arm.y - old.y - dt * v.linear.y},
-	                    turn};
+	return (scree_pose){
+	    {now.position.x + arm.x - old.x - dt * v.linear.x, now.position.y + arm.y - old.y - dt * v.linear.y}, turn};
 }
 
 // An upper bound of the angle between two rotations, rad.
@@ -109,7 +109,8 @@ static scree_status push_by(const Walk* walk, const Sweeper* s, const Walker* w,
 	scree_rot back = {then.rotation.c, -then.rotation.s};
 	scree_vec arm = {met.point_a.x - then.position.x, met.point_a.y - then.position.y};
 	scree_vec turned = rot_vec(rot_product(s->to.rotation, back), arm);
-	scree_vec goes = {s->to.position.x - then.position.x + turned.x - arm.x, s->to.position.y - then.position.y + turned.y - arm.y};
+	scree_vec goes = {s->to.position.x - then.position.x + turned.x - arm.x,
+	                  s->to.position.y - then.position.y + turned.y - arm.y};
 	float along = dot(goes, met.normal);
 	if (along > 0.0f)
 		*way = add_scaled((scree_vec){0.0f, 0.0f}, along + walk->def->skin, met.normal);
@@ -121,8 +122,8 @@ static scree_status push_all(Walk* walk, const scree_collidable* crushers)
 {
 	uint32_t kinds = walk->seen.kinds;
 	walk->seen.kinds = SCREE_QUERY_STATIC & kinds;
-	scree_status status = walk->seen.kinds ? scree_world_cast_shapes(walk->world, &walk->seen, &walk->shape, walk->probes,
-	                                                                 walk->asked, walk->found)
+	scree_status status = walk->seen.kinds ? scree_world_cast_shapes(walk->world, &walk->seen, &walk->shape,
+	                                                                 walk->probes, walk->asked, walk->found)
 	                                       : SCREE_OK;
 	bool sees = walk->seen.kinds != 0;
 	walk->seen.kinds = kinds;
@@ -210,7 +211,8 @@ static scree_status push(Walk* walk, const Swept* swept, int bodies, float dt)
 	TRY(scree_bodies_get_poses(walk->world, swept->bodies, swept->poses, bodies));
 	TRY(scree_bodies_get_velocities(walk->world, swept->bodies, swept->velocities, bodies));
 	for (int k = 0; k < bodies; ++k)
-		count += sweepers_of(walk, swept->bodies[k], swept->poses[k], swept->velocities[k], dt, swept->sweepers + count);
+		count +=
+		    sweepers_of(walk, swept->bodies[k], swept->poses[k], swept->velocities[k], dt, swept->sweepers + count);
 	if (count == 0)
 		return SCREE_OK;
 	TRY(ask_all(walk, swept->sweepers, count, swept->crushers));

@@ -195,11 +195,11 @@ typedef struct // 16 bytes: what guard needs of a dynamic body
 
 typedef struct // 32 bytes: how a body is pressed
 {
-	int way[2];   // in this step, from what is static, from what is kinematic: hops left and direction, 0 without
-	int depth;    // bits of how deep it is pressed into something static, m
-	int speed;    // bits of the speed of what presses it, or did, m/s
-	int left;     // steps for which it gets no faster than that
-	int tight;    // 1 if it is still deep in something
+	int way[2];         // in this step, from what is static, from what is kinematic: hops left and direction, 0 without
+	int depth;          // bits of how deep it is pressed into something static, m
+	int speed;          // bits of the speed of what presses it, or did, m/s
+	int left;           // steps for which it gets no faster than that
+	int tight;          // 1 if it is still deep in something
 	float before, spun; // its own speed and spin when the step began, m/s, rad/s
 } Press;
 

@@ -27,6 +27,8 @@
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
+// of the thickness: how deep what is pressed into something static may be, if that is less than PRESS_MOST
+#define GUARD_PRESSED 0.5f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
@@ -85,7 +87,7 @@ INLINE int guard_yields(Sweep way, GuardMeeting met)
 
 typedef struct // a collidable on its path
 {
-	int index, pressed;
+	int index, pressed;     // pressed: into something static, so that it may get no deeper than PRESS_MOST
 	float thickness, swing; // m
 	WorldShape from;
 	Sweep way;
@@ -117,7 +119,7 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 	float deeper = GUARD_DEPTH * g->thickness;
 	deeper = moves ? deeper : minimum(deeper, GUARD_MOST);
 	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness,
-	                               g->pressed && !moves ? minimum(GUARD_DEPTH * 2.0f * g->thickness, PRESS_MOST) : 0.0f);
+	                              g->pressed && !moves ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f);
 	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
 		return least;
 	if (moves && !guard_yields(g->way, met))

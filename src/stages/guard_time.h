@@ -93,7 +93,6 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 	Vec start = vec(a.c, a.s), axes = start;
 	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 	float target = 0.0f;
-	int sinks = 1;
 	GuardMeeting met;
 	met.time = 0.0f;
 	for (int round = 0; round < SWEEP_ROUNDS; ++round)
@@ -104,10 +103,10 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 		{
 			target = minimum(gap, 0.0f) - deeper;
 			target = maximum(target, -deepest);
+			target = minimum(target, gap - GUARD_TOLERANCE);
 			if (pressed > 0.0f)
-				target = -pressed;
-			sinks = !(pressed > 0.0f) || guard_sinks(closing, m, axes, f.position, pressed);
-			target = minimum(target, sinks && pressed > 0.0f ? gap : gap - GUARD_TOLERANCE);
+				target =
+				    minimum(-pressed, guard_sinks(closing, m, axes, f.position, pressed) ? gap : gap - GUARD_TOLERANCE);
 		}
 		met.normal = vec_turn(axes, m.normal);
 		met.point = vec_turn(axes, vec_sub(m.point[m.separation[1] < m.separation[0] ? 1 : 0], f.position));

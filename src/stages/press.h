@@ -24,8 +24,9 @@
 // What was faster when it came between the two keeps this share of its speed in a step.
 #define PRESS_SLOWER 0.9f
 
-// A way of a contact in the pool contact_press: 6 bits of hops, one that is set if it goes from b to a.
-#define PRESS_WAY(bits, kind) ((int)((bits) >> (kind) * 7 & 127u))
+// A way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and one that is set if it goes from
+// b to a.
+#define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
 #define PRESS_BACK            64
 
 // And the speed of what presses: above both ways, the upper bits of a float, rounded up.
@@ -46,10 +47,7 @@ INLINE int press_code(int hops, Vec direction)
 	return hops << 16 | x << 8 | y;
 }
 
-INLINE Vec press_direction(int code)
-{
-	return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f);
-}
+INLINE Vec press_direction(int code) { return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f); }
 
 // How many hops a way of a body goes on along a normal.
 INLINE int press_left(int code, Vec normal)
@@ -94,7 +92,9 @@ INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 
 INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec direction)
 {
-	raise_int(&p->press[body].way[kind], press_code(hops, direction));
+	float square = vec_dot(direction, direction);
+	if (square > 0.5f && square < 2.0f)
+		raise_int(&p->press[body].way[kind], press_code(hops, direction));
 }
 
 // Body i, before a step.
@@ -109,8 +109,8 @@ STAGE(press_begin)
 	press->way[1] = 0;
 	press->depth = 0;
 	press->tight = 0;
-	press->before = square_root(vec_dot(v, v));
-	press->spun = absolute(state.w);
+	press->before = minimum(square_root(number_of(vec_dot(v, v))), p->step.max_speed);
+	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
 // Contact i gives its bodies their ways: those of the last step, and those that begin at it.

@@ -23,10 +23,10 @@ typedef struct // host data of a body
 	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; how many
 	int fields;                      // that lie on it
 	int target;                      // 1 + its place among the targets, 0 for none
-	scree_pose stands, from;         // of a kinematic body: where it stands; where it stood before it went to its last target
-	int64_t went;                    // Pipeline.steps when it got to that
-	bool still;                      // it stands: it has no velocity
-	bool disabled;                   // not simulated: its collidables are KIND_DEAD on the device
+	scree_pose stands, from; // of a kinematic body: where it stands; where it stood before it went to its last target
+	int64_t went;            // Pipeline.steps when it got to that
+	bool still;              // it stands: it has no velocity
+	bool disabled;           // not simulated: its collidables are KIND_DEAD on the device
 	Waiting waiting;
 	bool marked; // within one call: already seen in the batch
 } HostBody;
