@@ -27,6 +27,8 @@
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
+// of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
+#define GUARD_SLACK 0.15f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
@@ -116,7 +118,8 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
 	float deeper = GUARD_DEPTH * g->thickness;
 	deeper = moves ? deeper : minimum(deeper, GUARD_MOST);
-	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness);
+	float slack = moves ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
+	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness, slack);
 	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
 		return least;
 	if (moves && !guard_yields(g->way, met))

@@ -65,9 +65,9 @@ INLINE float guard_advance(const Pools* p, WorldShape a, WorldShape b, Closing c
 	return soon;
 }
 
-// When b gets too deep in a: deeper than at the beginning by so much, m, or deeper than deepest.
+// When b gets too deep in a: deeper than at the beginning by so much, m, or deeper than deepest, but deeper by slack in any case.
 RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper,
-                             float deepest)
+                             float deepest, float slack)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -85,7 +85,7 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 		{
 			target = minimum(gap, 0.0f) - deeper;
 			target = maximum(target, -deepest);
-			target = minimum(target, gap - GUARD_TOLERANCE);
+			target = minimum(target, gap - slack);
 		}
 		met.normal = vec_turn(axes, m.normal);
 		met.point = vec_turn(axes, vec_sub(m.point[m.separation[1] < m.separation[0] ? 1 : 0], f.position));
