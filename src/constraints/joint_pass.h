@@ -18,6 +18,10 @@
 // By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
 #define JOINT_CARRIES 1.5f
 
+// Times START_SHARE: the least that this bound is, all of max_speed and max_spin. The limbs of a ragdoll that lands are held by impulses
+// that are balanced, but would each alone spin a hand by more than a fifth; with less of them a joint opens again after the blow.
+#define JOINT_BLOW 5.0f
+
 typedef struct // of the locks: yield x = goal
 {
 	Real yield[3], cross[3];     // diagonal; 01, 02, 12
@@ -204,7 +208,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		                c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
 	Real shares = maximum(faster / most, spins / spin);
-	Real allowed = maximum(splat(1.0f), splat(JOINT_CARRIES) * u->carried);
+	Real allowed = maximum(splat(JOINT_BLOW), splat(JOINT_CARRIES) * u->carried);
 	Int sound = (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT));
 	Real part = choose(splat(0.0f), choose(splat(1.0f), allowed / shares, shares > allowed), sound);
 	u->carried = choose(splat(0.0f), minimum(shares, allowed), sound);
