@@ -12,7 +12,7 @@ typedef struct
 	double ratio;      // of the spokes' inertia about the hub to that of the hub
 	double radius;     // m, of the hub
 	bool hinged;
-	double hertz;      // of the welds; 0: rigid
+	double hertz; // of the welds; 0: rigid
 } Wheel;
 
 static void join_softly(Lab* lab, bool hinged, double hertz, int a, int b, double x, double y)
@@ -36,10 +36,7 @@ static void join_softly(Lab* lab, bool hinged, double hertz, int a, int b, doubl
 	lab_join(lab, &def, a, b);
 }
 
-static void join(Lab* lab, bool hinged, int a, int b, double x, double y)
-{
-	join_softly(lab, hinged, 0.0, a, b, x, y);
-}
+static void join(Lab* lab, bool hinged, int a, int b, double x, double y) { join_softly(lab, hinged, 0.0, a, b, x, y); }
 
 // Adds a wheel of bodies that do not touch each other, with parts of 2 m. Returns its hub.
 static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
@@ -89,7 +86,9 @@ static void watch(Validation* v, Lab* lab, double most_gap, double most_spin)
 static void hang(Validation* v, const Wheel* wheel, bool axle, int substeps, double most_gap, double most_spin)
 {
 	begin(v, "%d %s %s%s, ratio %g%s, %d substeps", wheel->spokes,
-	      wheel->hinged ? "hinged" : wheel->hertz > 0.0 ? "softly welded" : "welded",
+	      wheel->hinged        ? "hinged"
+	      : wheel->hertz > 0.0 ? "softly welded"
+	                           : "welded",
 	      wheel->parts > 1 ? "arms of " : "spokes",
 	      wheel->parts == 1   ? ""
 	      : wheel->parts == 2 ? "two parts"

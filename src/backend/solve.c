@@ -11,7 +11,8 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 int solve_runs_most(int substeps)
 {
 	// a run a color and kind, two a turn of hubs, chains, branches, and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 4) + 2 * CONSTRAINT_KINDS + COLORS + 14;
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 4) + 2 * CONSTRAINT_KINDS +
+	       COLORS + 14;
 }
 
 // A pass over the hubs, then the colors, then chains and branches. Whether any body is split is known on the host only when nothing
