@@ -242,7 +242,7 @@ static void fast_bodies_at_walls(void** state)
 	}
 }
 
-// Nor does a body of many collidables: a turning rim at 100 to 300 m/s, of 2 to 200 boxes and one in the middle.
+// Nor does a body of many collidables: a turning rim of 2 to 200 boxes and one in the middle, struck at 100 to 300 m/s by what is heavier.
 static void fast_rims_at_walls(void** state)
 {
 	(void)state;
@@ -254,14 +254,16 @@ static void fast_rims_at_walls(void** state)
 		scree_world* world = open_world(0.0f);
 		add(world, SCREE_BODY_STATIC, box_shape(0.01f, 300.0f), (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_body rim = add_rim(world, boxes[k % 6], 2.0f, (scree_vec){-random_between(&seed, 2.5f, 8.0f), 0.0f});
+		scree_body ram = add_box(world, SCREE_BODY_DYNAMIC, 5.0f, 1.0f, -20.0f, random_between(&seed, -1.5f, 1.5f));
 		float speed = random_between(&seed, 100.0f, 300.0f);
-		throw(world, rim, speed, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -60.0f, 60.0f));
+		throw(world, rim, 0.0f, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -60.0f, 60.0f));
+		throw(world, ram, speed, 0.0f, 0.0f);
 		for (int step = 0; step < 20; ++step)
 		{
 			run_steps(world, 1);
 			scree_counters counters = counters_of(world);
 			held += counters.held;
-			assert_true(counters.held <= 1 && counters.nonfinite == 0);
+			assert_true(counters.held <= 2 && counters.nonfinite == 0);
 		}
 		assert_true(position_of(world, rim).x < 0.0f);
 		scree_world_destroy(world);

@@ -2,6 +2,7 @@
 // test_joint_chains.c -- rows of joints, which are solved together: heavy loads, rings, rows that grow, tear and meet.
 #include "joint_support.h"
 #include "support.h"
+#include <stdlib.h>
 #include <string.h>
 
 #define G    10.0 // m/s^2
@@ -266,15 +267,10 @@ static void ropes_rest_in_boxes(void** state)
 	double speed = mean_square(world, links, 10, 0.25);
 	print_message("rope in a box after a minute: %.2g m^2/s^2\n", speed);
 	scree_world_destroy(world);
-	if (speed >= 5e-4)
-	{
-		print_message("skipped: a chain that a contact holds elsewhere than its joints does not come to rest yet\n");
-		skip();
-	}
+	assert_true(speed < 5e-4);
 }
 
-// A rope with a load of 20 links at both ends lies on a peg. Its links shiver by 0.3 m/s, because contacts of light links carry
-// its tension, and stay there.
+// A rope with a load of 20 links at both ends lies on a peg and comes to rest, though contacts of light links carry its tension.
 static void ropes_stay_on_pegs(void** state)
 {
 	(void)state;
@@ -295,7 +291,7 @@ static void ropes_stay_on_pegs(void** state)
 	double speed = mean_square(world, links, 42, 0.12);
 	print_message("rope over a peg after a minute: %.2g m^2/s^2, loads at %.3f and %.3f m\n", speed,
 	              (double)position_of(world, links[0]).y, (double)position_of(world, links[41]).y);
-	assert_true(speed < 0.3);
+	assert_true(speed < 1e-4);
 	NEAR(position_of(world, links[0]).y, position_of(world, links[41]).y, 0.5);
 	scree_world_destroy(world);
 }
@@ -348,6 +344,45 @@ static void ropes_side_by_side(void** state)
 	}
 }
 
+// A net that hangs by the middle of its upper side, as in Box2D's benchmark joint_grid: joints there are open by what a lock of 60 Hz
+// yields under the load. While bodies turned to and fro faster than substeps follow, they were open by three times that.
+static void nets_hold_their_weight(void** state)
+{
+	(void)state;
+	skip_if_quick();
+	enum
+	{
+		SIZE = 70,
+		HELD = 3
+	};
+	scree_world* world = open_world((float)-G);
+	static scree_body bodies[SIZE * SIZE];
+	scree_attribute_def circle = surface_of(circle_shape(0.4f));
+	scree_attribute attribute = add_attribute(world, &circle);
+	for (int k = 0; k < SIZE * SIZE; ++k)
+	{
+		int column = k / SIZE, line = k % SIZE;
+		bool held = line == 0 && abs(column - SIZE / 2) <= HELD;
+		bodies[k] = add_body(world, held ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC, attribute, (float)column,
+		                     (float)-line, 0.0f);
+		if (line > 0)
+			join(world, SCREE_JOINT_REVOLUTE, bodies[k - 1], bodies[k], (float)column, 0.5f - (float)line);
+		if (column > 0)
+			join(world, SCREE_JOINT_REVOLUTE, bodies[k - SIZE], bodies[k], (float)column - 0.5f, (float)-line);
+	}
+	double gap = 0.0;
+	for (int k = 0; k < 240; ++k)
+	{
+		run_steps(world, 1);
+		scree_counters counters;
+		OK(scree_world_get_counters(world, &counters));
+		gap = fmax(gap, (double)counters.joint_gap);
+	}
+	print_message("net of %d x %d: gaps up to %.3f m (Box2D 0.298)\n", SIZE, SIZE, gap);
+	assert_true(gap < 0.25);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -360,6 +395,7 @@ int main(void)
 	    cmocka_unit_test(bridges_rest_on_boxes),
 	    cmocka_unit_test(ropes_rest_in_boxes),
 	    cmocka_unit_test(ropes_stay_on_pegs),
+	    cmocka_unit_test(nets_hold_their_weight),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

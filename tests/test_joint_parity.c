@@ -159,6 +159,43 @@ static void build_branches(scree_world* world, const void* context)
 	}
 }
 
+// Nets so taut that their bodies get other inertias for some steps: held at a corner, with a heavy ball at the opposite one, which
+// some joints let go; the floor is near.
+#define NET 8
+
+static void build_nets(scree_world* world, const void* context)
+{
+	(void)context;
+	add_floor(world);
+	scree_attribute_def ball = surface_of(circle_shape(0.4f));
+	ball.density = 400.0f;
+	for (int n = 0; n < 3; ++n)
+	{
+		scree_body bodies[NET * NET];
+		for (int k = 0; k < NET * NET; ++k)
+		{
+			float x = 6.0f * (float)n + 0.5f * (float)(k / NET), y = 5.0f - 0.5f * (float)(k % NET);
+			bool loaded = k == NET * NET - 1;
+			bodies[k] = loaded ? add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), x, y, 0.0f)
+			                   : add_box(world, k ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.1f, 0.1f, x, y);
+			if (k % NET > 0)
+				join(world, k % 5 ? SCREE_JOINT_REVOLUTE : SCREE_JOINT_WELD, bodies[k - 1], bodies[k], x, y + 0.25f);
+			if (k / NET > 0)
+				join(world, SCREE_JOINT_REVOLUTE, bodies[k - NET], bodies[k], x - 0.25f, y);
+		}
+	}
+}
+
+static void act_nets(scree_world* world, int step, const void* context)
+{
+	(void)context;
+	scree_joint joints[6 * NET * NET];
+	int count;
+	OK(scree_world_get_joints(world, joints, 6 * NET * NET, &count));
+	if (step > 20 && step % 4 == 0)
+		OK(scree_joint_destroy(world, joints[(step * 7) % count]));
+}
+
 // Trains of gears with racks and winches, ropes over pulleys, tackles: of all drives, of ratios and bases that change, on
 // bodies that are moved, disabled and change their type.
 #define WHEELS 9
@@ -467,6 +504,7 @@ static void joints_are_equal(void** state)
 	    {.name = "wheel", .steps = 30, .build = build_wheel, .act = act_wheel},
 	    {.name = "chains", .steps = 60, .build = build_chains, .act = act_chains},
 	    {.name = "branches", .steps = 60, .build = build_branches, .act = act_chains},
+	    {.name = "nets", .steps = 60, .build = build_nets, .act = act_nets},
 	    {.name = "couplings", .steps = 48, .build = build_couplings, .act = act_couplings},
 	    {.name = "paths", .steps = 48, .build = build_paths, .act = act_paths},
 	    {.name = "path hubs", .steps = 30, .build = build_paths, .act = act_paths, .context = &many},

@@ -3,6 +3,7 @@
 //
 // A ball meets a thin upright wall. The ball lies in it; is thrown at it; is pushed through it within one step by a force, so that no
 // contact was made before; or is a sensor that flies through it. The table says what happens then.
+#include "platform/processor.h"
 #include "world_support.h"
 
 #define RADIUS 0.1f // m, of the ball
@@ -220,7 +221,7 @@ static uint64_t all_cells(void)
 static void all_reasons_in_all_stages(void** state)
 {
 	(void)state;
-	static const int layouts[][2] = {{1, 1}, {8, 1}, {8, 2}};
+	const int widest = processor_widest_lanes(), layouts[][2] = {{1, 1}, {widest, 1}, {widest, 2}};
 	static uint64_t expected;
 	if (strcmp(device, "cpu") != 0)
 	{

@@ -388,7 +388,7 @@ static void momentum(void** state)
 	scree_shape shapes[3] = {box_shape(0.4f, 0.6f), circle_shape(0.5f)};
 	OK(scree_shape_make_polygon(corners, 3, 0.05f, &shapes[2]));
 	scree_body bodies[49];
-	uint64_t seed = 4;
+	uint64_t seed = 3;
 	for (int k = 0; k < 49; ++k)
 	{
 		scree_attribute_def def = surface_of(shapes[k % 3]);
@@ -425,9 +425,8 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 		boxes[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
 }
 
-// A stack of 20 boxes stands for 60 s. Its soft contacts make it a column of stiffness E I = 0.5 m k for each box, where
-// k = (2 pi hertz)^2 / 5 is that of a contact point: it buckles when 7.84 E I < m g L^3, so at 49 Hz and below. Hence it
-// sways, ever less: by some centimetres after 5 s, by millimetres after 60. Heights are exact to a slop of 5 mm a box.
+// A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle (docs/solver.md). It sways, ever
+// less: by some centimeters after 5 s, by millimeters after 60. Heights are exact to a slop of 5 mm a box.
 static void stack_stands(void** state)
 {
 	(void)state;

@@ -10,7 +10,7 @@
 
 static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
 
-LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f, false}; }
+LabDef lab_def(void) { return (LabDef){{0.0f, -10.0f}, LAB_DT, LAB_SUBSTEPS, 400.0f, false, 0.0f}; }
 
 Lab* lab_open(Validation* v, const LabDef* def)
 {

@@ -81,7 +81,7 @@ Lab* lab_scene(Validation* v, const char* name, const SceneSetting* setting)
 		fprintf(stderr, "scree validate: %s\n", sentence);
 	else
 	{
-		def = (LabDef){scene->world.gravity, scene->dt, scene->substeps, scene->world.max_speed, false};
+		def = (LabDef){scene->world.gravity, scene->dt, scene->substeps, scene->world.max_speed, false, 0.0f};
 		scree_world_def flat = scene->world;
 		flat.device = "cpu";
 		flat.threads = 1;

@@ -37,6 +37,8 @@ static void* open(const LabOptions* options, const LabDef* lab)
 	scree_world_def def = scree_world_def_default();
 	def.gravity = lab->gravity;
 	def.max_speed = lab->max_speed;
+	if (lab->contact_hertz > 0.0f)
+		def.contact_hertz = lab->contact_hertz;
 	def.device = options->device;
 	def.threads = options->threads;
 	def.lanes = options->lanes;

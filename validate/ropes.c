@@ -112,7 +112,14 @@ static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 	return first;
 }
 
-// Hangs a rope over pegs for 10 s.
+// mm: the widest gap in Box2D v3 over 1 to 4 pegs is at least that much, with ends of up to 5, 20 and 100 links
+static double gap_of_box2d(Pegs pegs, double load)
+{
+	static const double gaps[][3] = {{3.4, 6.9, 24.5}, {24.0, 24.0, 48.8}, {13.9, 13.9, 41.9}};
+	return gaps[pegs][load <= 5.0 ? 0 : load <= 20.0 ? 1 : 2];
+}
+
+// Hangs a rope over pegs for 10 s: the free sides swing for some seconds, as pendulums do.
 static void hang(Validation* v, Pegs pegs, int count, double load)
 {
 	static const char* const names[] = {"round pegs", "boxes", "corners of boxes"};
@@ -126,7 +133,7 @@ static void hang(Validation* v, Pegs pegs, int count, double load)
 		        pegs == CORNERS ? 0.785398163f : 0.0f);
 	Line line = line_over(pegs, count);
 	int first = add_rope(lab, places, places_along(&line, places), load);
-	int steps = v->quick ? 240 : 600;
+	const int steps = 600;
 	double gap = 0.0, fast = 0.0, lowest = 0.0;
 	for (int k = 0; k < steps; ++k)
 	{
@@ -138,7 +145,7 @@ static void hang(Validation* v, Pegs pegs, int count, double load)
 	}
 	for (int k = first; k < lab->count; ++k)
 		lowest = fmin(lowest, (double)lab->poses[k].position.y);
-	row(v, "widest gap", 1e3 * gap, "mm", AT_MOST, load > 50.0 ? 25.0 : 12.0);
+	row(v, "widest gap", 1e3 * gap, "mm", AT_MOST, gap_of_box2d(pegs, load));
 	row(v, "fastest in the last second", 1e3 * fast, "mm/s", AT_MOST, 100.0);
 	row(v, "lower end", lowest, "m", AT_LEAST, -SIDE - 2.0 * LOAD - 0.5);
 	lab_close(lab);

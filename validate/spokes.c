@@ -12,11 +12,17 @@ typedef struct
 	double ratio;      // of the spokes' inertia about the hub to that of the hub
 	double radius;     // m, of the hub
 	bool hinged;
+	double hertz; // of the welds; 0: rigid
 } Wheel;
 
-static void join(Lab* lab, bool hinged, int a, int b, double x, double y)
+static void join_softly(Lab* lab, bool hinged, double hertz, int a, int b, double x, double y)
 {
 	scree_joint_def def = scree_joint_def_make(hinged ? SCREE_JOINT_REVOLUTE : SCREE_JOINT_WELD);
+	for (int k = 0; k < 3 && !hinged && hertz > 0.0; ++k)
+	{
+		def.coordinates[k].lock_hertz = (float)hertz;
+		def.coordinates[k].lock_damping_ratio = 1.0f;
+	}
 	const int ends[2] = {a, b};
 	scree_pose* const frames[2] = {&def.frame_a, &def.frame_b};
 	for (int side = 0; side < 2; ++side)
@@ -29,6 +35,8 @@ static void join(Lab* lab, bool hinged, int a, int b, double x, double y)
 	}
 	lab_join(lab, &def, a, b);
 }
+
+static void join(Lab* lab, bool hinged, int a, int b, double x, double y) { join_softly(lab, hinged, 0.0, a, b, x, y); }
 
 // Adds a wheel of bodies that do not touch each other, with parts of 2 m. Returns its hub.
 static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
@@ -49,7 +57,7 @@ static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 			int body = lab_put(lab, SCREE_BODY_DYNAMIC, &part, (float)(x + (from + 1.0) * c),
 			                   (float)(y + (from + 1.0) * s), (float)angle);
 			lab->parts[lab->part_count - 1].filter.group = -1;
-			join(lab, wheel->hinged, above, body, x + from * c, y + from * s);
+			join_softly(lab, wheel->hinged, wheel->hertz, above, body, x + from * c, y + from * s);
 			above = body;
 		}
 	}
@@ -57,7 +65,7 @@ static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 }
 
 // Watches for 5 s what is welded and at rest, or, of what swings, for how long its joints hold.
-static void watch(Validation* v, Lab* lab, bool rests)
+static void watch(Validation* v, Lab* lab, double most_gap, double most_spin)
 {
 	double gap = 0.0, spin = 0.0;
 	int steps = v->quick ? 120 : 300;
@@ -70,15 +78,17 @@ static void watch(Validation* v, Lab* lab, bool rests)
 		for (int n = 0; n < lab->count; ++n)
 			spin = fmax(spin, fabs((double)lab->velocities[n].angular));
 	}
-	row(v, "widest gap", 1e3 * gap, "mm", AT_MOST, rests ? 5.0 : 10.0);
-	row(v, "fastest spin at the end", spin, "rad/s", AT_MOST, rests ? 0.01 : 30.0);
+	row(v, "widest gap", 1e3 * gap, "mm", most_gap > 0.0 ? AT_MOST : SHOWN, most_gap);
+	row(v, "fastest spin at the end", spin, "rad/s", AT_MOST, most_spin);
 	lab_close(lab);
 }
 
-// A wheel on an axle with gravity, or without both.
-static void turn(Validation* v, const Wheel* wheel, bool axle, int substeps)
+static void hang(Validation* v, const Wheel* wheel, bool axle, int substeps, double most_gap, double most_spin)
 {
-	begin(v, "%d %s %s%s, ratio %g%s, %d substeps", wheel->spokes, wheel->hinged ? "hinged" : "welded",
+	begin(v, "%d %s %s%s, ratio %g%s, %d substeps", wheel->spokes,
+	      wheel->hinged        ? "hinged"
+	      : wheel->hertz > 0.0 ? "softly welded"
+	                           : "welded",
 	      wheel->parts > 1 ? "arms of " : "spokes",
 	      wheel->parts == 1   ? ""
 	      : wheel->parts == 2 ? "two parts"
@@ -94,7 +104,29 @@ static void turn(Validation* v, const Wheel* wheel, bool axle, int substeps)
 	int hub = add_wheel(lab, wheel, 0.0, 0.0);
 	if (axle)
 		join(lab, true, ground, hub, 0.0, 0.0);
-	watch(v, lab, !wheel->hinged || !axle);
+	watch(v, lab, most_gap, most_spin);
+}
+
+// A wheel on an axle with gravity, or without both.
+static void turn(Validation* v, const Wheel* wheel, bool axle, int substeps)
+{
+	bool rests = !wheel->hinged || !axle;
+	hang(v, wheel, axle, substeps, rests ? 5.0 : 10.0, rests ? 0.01 : 30.0);
+}
+
+// Trees on an axle. With ten million times the inertia of the hub, locks of 60 Hz yield by decimeters, but what is welded rests. A soft
+// weld is as stiff as its hertz say for the hub and a spoke together: it gives way by the weight that it carries, in both engines.
+static void trees(Validation* v)
+{
+	for (int parts = 1; parts <= (v->quick ? 1 : 3); ++parts)
+	{
+		Wheel tree = {.spokes = 8, .parts = parts, .ratio = 1e7, .radius = 0.3};
+		hang(v, &tree, true, 4, 250.0, 0.01);
+		tree.hertz = 10.0;
+		hang(v, &tree, true, 4, 0.0, 5.0);
+		tree.ratio = 100.0;
+		hang(v, &tree, true, 4, 25.0 * parts, 0.1);
+	}
 }
 
 // Wheels side by side, whose hubs are welded to each other; the first and the last have axles.
@@ -115,7 +147,7 @@ static void row_of_wheels(Validation* v, int count, int substeps)
 		last = hub;
 	}
 	join(lab, true, ground, last, count - 1, 0.0);
-	watch(v, lab, true);
+	watch(v, lab, 5.0, 0.01);
 }
 
 void spokes_experiment(Validation* v)
@@ -136,4 +168,5 @@ void spokes_experiment(Validation* v)
 		turn(v, &torso, true, 4);
 	}
 	row_of_wheels(v, v->quick ? 2 : 6, 4);
+	trees(v);
 }

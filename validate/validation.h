@@ -22,6 +22,7 @@ typedef struct
 	int substeps;
 	float max_speed; // m/s
 	bool bullets;    // where an engine has such a flag, bodies that are thrown have it
+	float contact_hertz; // stiffness of contacts; 0 is the engine's own
 } LabDef;
 
 typedef struct // a collidable of a body

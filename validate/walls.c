@@ -181,6 +181,38 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 	lab_close(lab);
 }
 
+// Disks with friction, shot into the corner of a wedge: how deep they stay in its walls.
+static void jam(Validation* v, bool thick, double speed, int runs)
+{
+	begin(v, "disk of 50 cm shot at %g m/s into the corner of a wedge of %s", speed, thick ? "boxes of 2 cm" : "segments");
+	Lab* lab = open_empty(v);
+	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0), disk = circle_of(0.25);
+	int bodies[512];
+	for (int k = 0; k < runs; ++k)
+	{
+		double y = APART * (k - runs / 2), half = opening(k, runs);
+		for (int s = -1; s <= 1; s += 2)
+			lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
+			        (float)(s * (1.57079633 - half)));
+		bodies[k] = lab_throw(lab, &disk, -8.0f, (float)y, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
+	}
+	lab_step(lab, 120);
+	lab_read(lab);
+	double deepest = 0.0;
+	for (int k = 0; k < runs; ++k)
+	{
+		double half = opening(k, runs), y = fabs((double)lab->poses[bodies[k]].position.y - APART * (k - runs / 2));
+		double depth = 0.25 + (thick ? 0.01 : 0.0) + (double)lab->poses[bodies[k]].position.x * sin(half) + y * cos(half);
+		if (!(depth <= deepest) && lab->poses[bodies[k]].position.x > -4.0f * (float)cos(half))
+		{
+			deepest = depth;
+			where(v, "half angle %.3f rad of %d", half, runs);
+		}
+	}
+	row(v, "depth in the walls after 2 s", 1e3 * deepest, "mm", AT_MOST, 30.0);
+	lab_close(lab);
+}
+
 void walls_experiment(Validation* v)
 {
 	static const double speeds[] = {60.0, 30.0, 120.0, 240.0, 400.0};
@@ -199,4 +231,7 @@ void walls_experiment(Validation* v)
 	for (int s = 0; s < (v->quick ? 1 : 4); ++s)
 		for (int thick = 0; thick < 2; ++thick)
 			wedge(v, thick, rushes[s], v->quick ? 60 : 200);
+	for (int s = 0; s < (v->quick ? 1 : 2); ++s)
+		for (int thick = 0; thick < 2; ++thick)
+			jam(v, thick, s == 0 ? 200.0 : 50.0, runs);
 }

@@ -28,6 +28,8 @@ static void* open(const LabOptions* options, const LabDef* lab)
 	b2WorldDef def = b2DefaultWorldDef();
 	def.gravity = vec(lab->gravity);
 	def.maximumLinearSpeed = lab->max_speed;
+	if (lab->contact_hertz > 0.0f)
+		def.contactHertz = lab->contact_hertz;
 	def.enableSleep = false;
 	def.workerCount = options->threads > 0 ? options->threads : 1;
 	state->world = b2CreateWorld(&def);

@@ -11,7 +11,8 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 int solve_runs_most(int substeps)
 {
 	// a run a color and kind, two a turn of hubs, chains, branches, and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 4) + 2 * CONSTRAINT_KINDS + 11;
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 4) + 2 * CONSTRAINT_KINDS +
+	       COLORS + 14;
 }
 
 // A pass over the hubs, then the colors, then chains and branches. Whether any body is split is known on the host only when nothing
@@ -43,14 +44,33 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 		runs_add(list, STAGE_branch, solve->chains, solve->chains + solve->branches, bound, pass);
 }
 
+void solve_taut(const Solve* solve, RunList* list)
+{
+	const KindLayout* layout = &solve->counters->layout[CONSTRAINT_JOINT];
+	runs_add(list, kind_info[CONSTRAINT_JOINT].prepare, 0, layout->begin[COLORS + 1], solve->bound, 0);
+	for (int color = 0; color < COLORS; ++color)
+		if (layout->count[color] > 0)
+			runs_add(list, STAGE_joint_taut, layout->begin[color], layout->begin[color] + padded(layout->count[color]),
+			         solve->bound, 0);
+	runs_add(list, STAGE_body_taut, 0, solve_bodies(solve), solve->bound, 0);
+}
+
+void solve_slack(const Solve* solve, RunList* list)
+{
+	runs_add(list, STAGE_body_slack, 0, solve_bodies(solve), solve->bound, 0);
+}
+
 void solve_list(const Solve* solve, RunList* list)
 {
 	int bound = solve->bound, bodies = solve_bodies(solve);
 	runs_add(list, STAGE_solve_begin, 0, bodies, bound, 0);
+	if (solve->taut)
+		solve_taut(solve, list);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int constraints = solve->counters->layout[kind].begin[COLORS + 1];
-		runs_add(list, kind_info[kind].prepare, 0, constraints, bound, 0);
+		if (kind != CONSTRAINT_JOINT || !solve->taut)
+			runs_add(list, kind_info[kind].prepare, 0, constraints, bound, 0);
 		if (solve->rare[kind])
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
 	}
@@ -71,6 +91,8 @@ void solve_list(const Solve* solve, RunList* list)
 		runs_add(list, STAGE_chain_end, 0, solve->chains, bound, 0);
 	if (solve->branches > 0)
 		runs_add(list, STAGE_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
+	if (solve->taut)
+		solve_slack(solve, list);
 	runs_add(list, STAGE_finalize, 0, solve->bodies, bound, 0);
 	runs_add(list, STAGE_guard, 0, solve->collidables, COUNT(guarded), 0);
 	if (solve->rare[CONSTRAINT_JOINT])

@@ -17,6 +17,7 @@ typedef struct
 	bool bare;                   // some body with joints may have no collidables, and so no leaf in a tree
 	int chains, chain_places;    // rows of joints that are solved together, and places in them
 	int branches;                // trees of joints that are solved together, behind the chains
+	bool taut;                   // joints with a color may pull so hard that bodies get other inertias for the step
 	const Counters* counters;    // with the layout of the constraints
 	int bound; // counter that is 0 when that is not the layout after all, or NO_COUNT; then nothing may be done
 } Solve;
@@ -44,6 +45,10 @@ int solve_bodies(const Solve* solve);
 
 // most runs that a solve of so many substeps has
 int solve_runs_most(int substeps);
+
+// Adds the runs that set the inertias of a step in which joints are taut. solve_begin and solve_slack come before and after.
+void solve_taut(const Solve* solve, RunList* list);
+void solve_slack(const Solve* solve, RunList* list);
 
 // Adds the runs of a solve to a list that has room for them.
 void solve_list(const Solve* solve, RunList* list);

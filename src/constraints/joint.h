@@ -193,6 +193,14 @@ typedef struct // its bodies and its coordinates now
 // Whether some lanes have one of these modes.
 INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
 
+// Whether the axes of a joint are those of the world: where both translations are rigid any axes will do, and impulses of the
+// world last longer than those of a body.
+INLINE Int joint_upright(const Joint* u)
+{
+	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
+	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
+}
+
 // The axis of a radial joint: along the line between its anchors, d, or as it is where they coincide.
 INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 {

@@ -18,6 +18,10 @@
 // By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
 #define JOINT_CARRIES 1.5f
 
+// Times START_SHARE: the least that this bound is, all of max_speed and max_spin. The limbs of a ragdoll that lands are held by impulses
+// that are balanced, but would each alone spin a hand by more than a fifth; with less of them a joint opens again after the blow.
+#define JOINT_BLOW 5.0f
+
 typedef struct // of the locks: yield x = goal
 {
 	Real yield[3], cross[3];     // diagonal; 01, 02, 12
@@ -157,6 +161,33 @@ INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
 
+typedef struct // kg m^2: what the pull of a joint adds to the inertia of its bodies in an implicit integration
+{
+	Real a, b;
+} JointPull;
+
+// Only of joints that hold both translations as rigid ones.
+INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, Vec push)
+{
+	Real zero = splat(0.0f);
+	Int holds = joint_upright(u);
+	JointPull pull;
+	pull.a = choose(zero, -p->step.h * vec_dot(c->arm_a, push), holds);
+	pull.b = choose(zero, p->step.h * vec_dot(c->arm_b, push), holds);
+	return pull;
+}
+
+// From this share of its own inertia on, the pull of one joint lets the sums be computed (taut.h). A body has few joints.
+#define JOINT_TAUT 0.25f
+
+INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
+{
+	JointPull pull = joint_pull(p, u, c, push);
+	Real most = maximum(pull.a * c->a.inv_inertia, pull.b * c->b.inv_inertia);
+	if (lane_bits(most > splat(JOINT_TAUT)))
+		raise_int(&p->counters->taut, 1);
+}
+
 // Starts the step with the impulses of the last one, unless these alone would make the bodies faster than a share of max_speed: a
 // blow is not given again. But what a joint has carried for some steps is a load, which the other joints of its bodies hold too: the
 // corner of a net carries the weight of all its knots.
@@ -167,6 +198,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		joint_scale(p, i, u, splat(p->step.h_ratio));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
+	joint_tautens(p, u, c, j.push);
 	Real most = splat(START_SHARE * p->step.max_speed), spin = splat(START_SHARE * p->step.max_spin);
 	Real faster = c->mass * (absolute(j.push.x) + absolute(j.push.y));
 	if (c->couples)
@@ -176,7 +208,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		                c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
 	Real shares = maximum(faster / most, spins / spin);
-	Real allowed = maximum(splat(1.0f), splat(JOINT_CARRIES) * u->carried);
+	Real allowed = maximum(splat(JOINT_BLOW), splat(JOINT_CARRIES) * u->carried);
 	Int sound = (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT));
 	Real part = choose(splat(0.0f), choose(splat(1.0f), allowed / shares, shares > allowed), sound);
 	u->carried = choose(splat(0.0f), minimum(shares, allowed), sound);

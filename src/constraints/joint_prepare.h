@@ -85,14 +85,6 @@ INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
 }
 
-// Whether the axes of a joint are those of the world: where both translations are rigid any axes will do, and impulses of the
-// world last longer than those of a body.
-INLINE Int joint_upright(const Joint* u)
-{
-	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
-	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
-}
-
 // Frame A of a joint on a path lies at the point of it that joint_follow found, along the tangent. Locks do not move it.
 INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
 {

@@ -7,6 +7,7 @@
 #include "stages/narrow_phase_keep.h"
 #include "stages/prepare.h"
 #include "stages/solve.h"
+#include "stages/taut.h"
 #include "stages/tree_code.h"
 
 #include "cpu/table.h"

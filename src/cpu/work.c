@@ -46,7 +46,8 @@ static const int kinds[STAGE_COUNT] = {
     [STAGE_transform] = 1 + ACTIVE_COLLIDABLES,     [STAGE_solve_begin] = 1 + ACTIVE_BODIES,
     [STAGE_integrate_velocity] = 1 + ACTIVE_BODIES, [STAGE_integrate_position] = 1 + ACTIVE_BODIES,
     [STAGE_finalize] = 1 + ACTIVE_BODIES,           [STAGE_field_shape] = 1 + ACTIVE_COLLIDABLES,
-    [STAGE_field_body] = 1 + ACTIVE_BODIES,
+    [STAGE_field_body] = 1 + ACTIVE_BODIES,         [STAGE_body_taut] = 1 + ACTIVE_BODIES,
+    [STAGE_body_slack] = 1 + ACTIVE_BODIES,
 };
 
 // The blocks that a run of a stage is limited to, or null.

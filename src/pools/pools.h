@@ -678,6 +678,7 @@ typedef struct
 	int arranged;                  // 1 if all that changed was laid out
 	int penetration;               // bits of the deepest overlap, m
 	int joint_gap;                 // bits of the widest gap of a joint, m
+	int taut;                      // 1 if the pull of some joint was large against the inertia of a body, until body_taut
 	int nonfinite;                 // bodies frozen because their state was not finite
 	int first_nonfinite;           // lowest index of these
 	int press[2];                  // 1 if some body is deep in something static; in something kinematic

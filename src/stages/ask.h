@@ -75,7 +75,8 @@ STAGE(hold_find)
 	int slot = p->waiting[i];
 	Int2 pair = p->pair[slot], bodies = p->contact_bodies[slot];
 	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
-	float share = guard_time(p, a, hold_sweep(p, a), b, hold_sweep(p, b), SWEEP_DEPTH, SWEEP_DEPTH, 0.0f).time;
+	GuardDepth meets = {SWEEP_DEPTH, SWEEP_DEPTH, GUARD_TOLERANCE, 0.0f};
+	float share = guard_time(p, a, hold_sweep(p, a), b, hold_sweep(p, b), meets).time;
 	if (!(share < 1.0f))
 		return;
 	// shares are not negative, so they are ordered like their bits

@@ -29,6 +29,8 @@
 #define GUARD_DEEPEST 0.75f
 // of the thickness: how deep what is pressed into something static may be, if that is less than PRESS_MOST
 #define GUARD_PRESSED 0.5f
+// of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
+#define GUARD_SLACK 0.15f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
@@ -116,10 +118,12 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 		return least;
 	WorldShape other = p->world_shape[j];
 	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
-	float deeper = GUARD_DEPTH * g->thickness;
-	deeper = moves ? deeper : minimum(deeper, GUARD_MOST);
-	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deeper, GUARD_DEEPEST * g->thickness,
-	                              g->pressed && !moves ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f);
+	GuardDepth deep;
+	deep.deeper = moves ? GUARD_DEPTH * g->thickness : minimum(GUARD_DEPTH * g->thickness, GUARD_MOST);
+	deep.deepest = GUARD_DEEPEST * g->thickness;
+	deep.slack = moves ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
+	deep.pressed = g->pressed && !moves ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f;
+	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deep);
 	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
 		return least;
 	if (moves && !guard_yields(g->way, met))

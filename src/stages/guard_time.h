@@ -82,10 +82,16 @@ INLINE int guard_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep
 	return 0;
 }
 
-// When b gets too deep in a: deeper than at the beginning by so much, m, or deeper than deepest. Or b is pressed into a, which
-// rests: when it gets deeper than that, pressed m, or at once if it is and gets deeper. pressed: m, 0 if it is not pressed.
-RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deeper,
-                             float deepest, float pressed)
+typedef struct // how deep b may get in a, m
+{
+	float deeper;  // than at the beginning
+	float deepest; // in all
+	float slack;   // deeper than at the beginning in any case
+	float pressed; // in all, where b is pressed into a, which rests; 0 where it is not. What is as deep gets no deeper
+} GuardDepth;
+
+// When b gets too deep in a.
+RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, GuardDepth deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -101,12 +107,12 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 		float gap = minimum(m.separation[0], m.separation[1]);
 		if (round == 0)
 		{
-			target = minimum(gap, 0.0f) - deeper;
-			target = maximum(target, -deepest);
-			target = minimum(target, gap - GUARD_TOLERANCE);
-			if (pressed > 0.0f)
-				target =
-				    minimum(-pressed, guard_sinks(closing, m, axes, f.position, pressed) ? gap : gap - GUARD_TOLERANCE);
+			target = minimum(gap, 0.0f) - deep.deeper;
+			target = maximum(target, -deep.deepest);
+			target = minimum(target, gap - deep.slack);
+			if (deep.pressed > 0.0f)
+				target = minimum(-deep.pressed,
+				                 guard_sinks(closing, m, axes, f.position, deep.pressed) ? gap : gap - GUARD_TOLERANCE);
 		}
 		met.normal = vec_turn(axes, m.normal);
 		met.point = vec_turn(axes, vec_sub(m.point[m.separation[1] < m.separation[0] ? 1 : 0], f.position));

@@ -34,4 +34,20 @@ STAGE(joint_prepare_rare)
 	joint_setup_rare(p, i, &u);
 }
 
+// The bodies get the inertias of the step: joint_taut has left what the pull asks for in the place of the turn.
+STAGE(body_taut)
+{
+	GLOBAL BodyState* body = p->body + i;
+	float pull = body->da, own = body->inv_inertia;
+	body->da = 0.0f;
+	p->own_inertia[i] = own;
+	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
+		body->inv_inertia = 1.0f / pull;
+	if (i == 0)
+		p->counters->taut = 0; // warm starts follow, and count anew
+}
+
+// They get their own back.
+STAGE(body_slack) { p->body[i].inv_inertia = p->own_inertia[i]; }
+
 #endif

@@ -24,6 +24,7 @@
 #include "stages/prepare.h"
 #include "stages/integrate.h"
 #include "stages/solve.h"
+#include "stages/taut.h"
 #include "stages/overflow.h"
 #include "stages/chain.h"
 #include "stages/branch.h"

@@ -62,6 +62,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .chains = pipeline->chains,
 	               .branches = pipeline->branches,
 	               .chain_places = pipeline->chain_places,
+	               .taut = pipeline->taut && c->layout[CONSTRAINT_JOINT].begin[COLORS] > 0,
 	               .counters = c,
 	               .bound = bound};
 #define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);

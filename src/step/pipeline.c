@@ -114,12 +114,15 @@ static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* requ
 {
 	bool moves = request->dt > 0.0f, solved = false;
 	TRY(pipeline_detect(pipeline, step, request, &solved));
+	int taut = pipeline->counters.taut;
 	if (pipeline->mixed)
 		TRY(mix(pipeline, step));
 	if (!moves)
 		TRY(look(pipeline, step, request->bodies));
 	else if (!solved)
 		TRY(pipeline_solve(pipeline, step, request, NO_COUNT));
+	// one step late: where the solve begins before the host has read the counters, it knows those of the last step only
+	pipeline->taut = moves ? taut : pipeline->taut;
 	if (moves && pipeline->asks)
 		TRY(hold(pipeline, step, request->bodies));
 	if (moves)

@@ -85,6 +85,7 @@ typedef struct
 	    branch_nodes; // items of a pass over trees of joints that are solved together, which come behind; their bodies
 	bool stirred;     // joints were made, changed or destroyed since the last step
 	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
+	int taut;                     // Counters.taut as the last step found it
 	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed
 	int64_t steps;

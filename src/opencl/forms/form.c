@@ -76,6 +76,13 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? stage_run(d, &joint) : SCREE_OK;
 }
 
+static scree_status run_now(Backend* b, const Step* step, RunList* list)
+{
+	scree_status status = opencl_run(b, step, list->runs, list->count);
+	list->count = 0;
+	return status;
+}
+
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
 	OpenCl* d = b->state;
@@ -89,12 +96,21 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 	if (form == FORM_LAUNCHES)
 	{
 		solve_list(solve, list);
-		scree_status status = opencl_run(b, step, list->runs, list->count);
-		list->count = 0;
-		return status;
+		return run_now(b, step, list);
 	}
 	d->timing.box = BOX_solve;
+	if (solve->taut)
+	{
+		runs_add(list, STAGE_solve_begin, 0, solve_bodies(solve), solve->bound, 0);
+		solve_taut(solve, list);
+		TRY(run_now(b, step, list));
+	}
 	TRY(form == FORM_RELAY ? relay_run(d, solve) : tiles_run(d, solve));
+	if (solve->taut)
+	{
+		solve_slack(solve, list);
+		TRY(run_now(b, step, list));
+	}
 	TRY(solve_end(d, solve));
 	return CALL(Flush, d->queue);
 }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// friction.c -- what slides brakes as Coulomb's law says, however fast, however deep, and with any number of substeps.
+//
+// Friction 0.6 and gravity of 10 m/s^2 slow a sliding body by 6 m/s^2, also one that is being pushed out of the floor: the push is not
+// its weight. A disk slides until it rolls, which it does at two thirds of its speed.
+#include "props.h"
+#include <math.h>
+#include <string.h>
+
+#define BRAKE 6.0 // m/s^2
+#define STEPS 12
+
+typedef struct
+{
+	const char* name;
+	scree_attribute_def surface;
+	double half;   // m: from the center to the floor
+	double slides; // the share of its speed that it loses until it rolls
+} Slider;
+
+static const double speeds[] = {1.0, 5.0, 20.0, 30.0, 40.0}; // m/s
+static const double depths[] = {0.0, 0.02, 0.05, 0.2};       // m
+
+typedef struct
+{
+	double worst, rises;            // %, m/s: what it loses, beside the law; its fastest way up
+	char worst_at[64], rises_at[64];
+} Braking;
+
+// Slides one body over a floor. What it lost is measured after the step in which 0.05 s are over, or half of its sliding.
+static void slide(Validation* v, const Slider* s, double speed, double depth, int substeps, Braking* all)
+{
+	LabDef def = lab_def();
+	def.substeps = substeps;
+	Lab* lab = lab_open(v, &def);
+	add_floor(lab, 1000.0);
+	int body = lab_throw(lab, &s->surface, 0.0f, (float)(s->half - depth), 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
+	int steps = (int)fmin(STEPS, fmax(1.0, floor(0.5 * s->slides * speed / BRAKE / (double)LAB_DT)));
+	double rises = 0.0;
+	for (int n = 0; n < steps; ++n)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		rises = fmax(rises, (double)lab->velocities[body].linear.y);
+	}
+	double off = 100.0 * fabs((speed - (double)lab->velocities[body].linear.x) / (BRAKE * steps * (double)LAB_DT) - 1.0);
+	char at[64];
+	snprintf(at, sizeof at, "%g m/s %g m deep with %d substeps", speed, depth, substeps);
+	// an engine that failed has no motion
+	if (!(off <= all->worst))
+	{
+		all->worst = off;
+		memcpy(all->worst_at, at, sizeof at);
+	}
+	if (!(rises <= all->rises))
+	{
+		all->rises = rises;
+		memcpy(all->rises_at, at, sizeof at);
+	}
+	lab_close(lab);
+}
+
+static void slides(Validation* v, const Slider* s)
+{
+	Braking all = {0};
+	begin(v, "%s that slide at 1 to 40 m/s 0 to 0.2 m deep", s->name);
+	for (int i = 0; i < 5; ++i)
+		for (int k = 0; k < 4; ++k)
+			for (int substeps = 1; substeps <= 16; substeps *= v->quick ? 4 : 2)
+				slide(v, s, speeds[i], depths[k], substeps, &all);
+	where(v, "%s", all.worst_at);
+	row(v, "lost speed beside the law", all.worst, "%", AT_MOST, 3.0);
+	where(v, "%s", all.rises_at);
+	row(v, "fastest way up", all.rises, "m/s", AT_MOST, 0.05);
+}
+
+// A disk rolls without sliding: how deep it sinks in 5 s, in all and after the first second.
+static void roll(Validation* v, double speed)
+{
+	LabDef def = lab_def();
+	begin(v, "disk that rolls at %g m/s", speed);
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def disk = circle_of(0.5);
+	add_floor(lab, 1000.0);
+	int body = lab_throw(lab, &disk, 0.0f, 0.5f, 0.0f, (scree_velocity){{(float)speed, 0.0f}, (float)(-2.0 * speed)});
+	double deepest = 0.0;
+	for (int n = 0; n < 300; ++n)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		deepest = fmax(deepest, 0.5 - (double)lab->poses[body].position.y);
+	}
+	row(v, "sinks", 1e3 * deepest, "mm", AT_MOST, 5.0);
+	row(v, "speed lost", speed - (double)lab->velocities[body].linear.x, "m/s", AT_MOST, 0.01 * speed);
+	lab_close(lab);
+}
+
+void friction_experiment(Validation* v)
+{
+	const Slider sliders[] = {
+	    {"boxes", box_of(0.5, 0.5), 0.5, 1.0},
+	    {"wide boxes", box_of(1.0, 0.3), 0.3, 1.0},
+	    {"disks", circle_of(0.5), 0.5, 1.0 / 3.0},
+	    {"capsules", capsule_of(0.5, 0.3), 0.3, 1.0},
+	};
+	for (int k = 0; k < 4; ++k)
+		slides(v, &sliders[k]);
+	roll(v, 10.0);
+	roll(v, 40.0);
+}
