@@ -36,7 +36,7 @@ function write_module(wasm, head) {
 		(columns[column] ??= []).push(wasm[at]);
 		return wasm[at++];
 	});
-	return `${head}export const wasm = join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
+	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
 }
 
 // Debian has terser where node looks when it is told

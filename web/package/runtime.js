@@ -581,7 +581,7 @@ async function compile(wasm) {
 async function start({wasm, simd, log = console.warn}) {
 	const form = simd ?? WebAssembly.validate(new Uint8Array(VECTORS)) ? "simd" : "scalar";
 	if (!wasm)
-		({wasm} = await (form === "simd" ? import("./simd.js") : import("./scalar.js")));
+		wasm = (await (form === "simd" ? import("./simd.js") : import("./scalar.js"))).wasm();
 	let engine;
 	const write = (at, text) => {
 		new Uint8Array(engine.memory.buffer).set(new TextEncoder().encode(text), at);
