@@ -91,6 +91,8 @@
 #define MOVED_BOX 1 // its box differs from old_box
 #define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
 #define MOVED_ON  4 // it is not at rest in this step
+// m: thinner bodies have finer tolerances. Twice the speculative distance
+#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
 // Each of these is set for a dynamic collidable that is thinner than so many halves of GRAIN_SIZE. Of a pair, the tolerances of
 // contacts are halved once for each that either has: they would exceed the smaller body.
 #define MOVED_GRAIN  8 // the first one
@@ -594,6 +596,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
 	int round;            // some attribute has a radius
+	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach
 	int collidables;      // slots in use
