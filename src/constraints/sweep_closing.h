@@ -42,16 +42,17 @@ typedef struct // of b against a
 	Real within; // m: the separation from which on it has points
 } Closing;
 
-// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
-INLINE Real sweep_grain(const Step* step, Int moved)
+// The factor of the tolerances of a pair, from the MOVED_* bits of both sides, in a world with small bodies.
+RARE Real sweep_halves(Int moved)
 {
 	Real grain = splat(1.0f);
-	if (!step->small)
-		return grain;
 	for (int level = 0; level < GRAIN_LEVELS; ++level)
 		grain = choose(grain, 0.5f * grain, (moved & (MOVED_GRAIN << level)) != 0);
 	return grain;
 }
+
+// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
+INLINE Real sweep_grain(const Step* step, Int moved) { return step->small ? sweep_halves(moved) : splat(1.0f); }
 
 // The same of the distance from which on a pair has points.
 INLINE Real sweep_room(const Step* step, Int moved) { return sweep_grain(step, moved >> GRAIN_LEVELS); }
