@@ -69,7 +69,7 @@ STAGE(guard)
 	Guarded guarded = p->guarded[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
 	float da = p->body[body].da, turn = da, least = 0.0f;
-	for (;;)
+	for (int free = guard_free(p, guarded, body, d, da); !free;)
 	{
 		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
 		if (slides)

@@ -32,6 +32,9 @@
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
+// in GUARD_TRAVEL: what goes less far is not stopped by what moves; a little less than GUARD_CROSS, for rounding
+#define GUARD_NEAR (0.99f * GUARD_CROSS / GUARD_TRAVEL)
+
 typedef struct // where a path ends
 {
 	float share; // of the path, 1 is all
@@ -194,6 +197,22 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	Guarded guarded = p->guarded[body];
 	float way = p->tree[1].leaves > 0 ? guarded.way : GUARD_CROSS / GUARD_TRAVEL * guarded.way;
 	return far + swing * guarded.reach > way;
+}
+
+// Whether nothing can be in the way of a body that is one part: no static leaf is near a box around its path, and it goes too little
+// for what moves. Most bodies end here, and nothing is read of their collidables. The box holds that of guard_collidable for each
+// of them, rounding included.
+INLINE int guard_free(const Pools* p, Guarded guarded, int body, Vec path, float turn)
+{
+	const GLOBAL Tree* tree = p->tree + 1;
+	float swing = absolute(turn) * guarded.reach;
+	if (guarded.parts > 1 || tree->leaves == 0 || !(guard_far(path, swing) < GUARD_NEAR * guarded.way))
+		return 0;
+	Float4 pose = p->pose[body], box = make_float4(pose.x, pose.y, pose.x, pose.y);
+	Float4 then = make_float4(pose.x + path.x, pose.y + path.y, pose.x + path.x, pose.y + path.y);
+	box = box_grow(box_union(box, then), guarded.reach + swing + LINEAR_SLOP);
+	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
+	return tree_next(p, tree, box, &walk) == TREE_DONE;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.
