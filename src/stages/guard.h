@@ -57,10 +57,10 @@ INLINE float guard_far(Vec path, float swing) { return absolute(path.x) + absolu
 // How the body of a dynamic collidable went in the step.
 INLINE Advance guard_went(const Pools* p, int body)
 {
-	BodyState state = p->body[body];
+	const GLOBAL BodyState* state = p->body + body;
 	Advance advance;
-	advance.path = vec(state.dx, state.dy);
-	advance.turn = state.da;
+	advance.path = vec(state->dx, state->dy);
+	advance.turn = state->da;
 	return advance;
 }
 
@@ -97,23 +97,29 @@ typedef struct // a collidable on its path
 	Float4 box;
 } GuardPath;
 
-// The end of the path of a collidable by j, which is in its way, if that comes before least. Leaves are not in the same order everywhere:
+// Whether j may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the other.
+INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
+{
+	int kind = p->collidable_kind[j];
+	if (kind != KIND_DYNAMIC)
+		return kind == KIND_STATIC;
+	int body = p->collidable_body[j];
+	Advance went = guard_went(p, body);
+	float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
+	return guard_far(vec_sub(g->way.path, went.path), swing) > GUARD_CROSS * g->thickness;
+}
+
+// The end of the path of a collidable by j, which may stop it, if that comes before least. Leaves are not in the same order everywhere:
 // of equal shares, the lower index counts.
-INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
+RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
 {
 	int i = g->index, moves = p->collidable_kind[j] == KIND_DYNAMIC;
-	if (!moves && p->collidable_kind[j] != KIND_STATIC)
-		return least;
 	Advance went;
 	Vec apart = g->way.path;
 	if (moves)
 	{
-		int body = p->collidable_body[j];
-		went = guard_went(p, body);
+		went = guard_went(p, p->collidable_body[j]);
 		apart = vec_sub(apart, went.path);
-		float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
-		if (!(guard_far(apart, swing) > GUARD_CROSS * g->thickness))
-			return least;
 	}
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
@@ -161,7 +167,11 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 		TreeWalk walk = tree_walk(p, tree, g.box, 0, 0, 0x7fffffff);
 		for (int first = tree_next(p, tree, g.box, &walk); first >= 0; first = tree_next(p, tree, g.box, &walk))
 			for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
-				least = guard_leaf(p, &g, p->leaf[tree->leaf_begin + first + tree_lowest(leaves)], least);
+			{
+				int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
+				if (guard_meets(p, &g, j))
+					least = guard_leaf(p, &g, j, least);
+			}
 	}
 	return least;
 }
