@@ -69,9 +69,12 @@ STAGE(guard)
 	Guarded guarded = p->guarded[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
 	float da = p->body[body].da, turn = da, least = 0.0f;
-	for (int free = guard_free(p, guarded, body, d, da); !free;)
+	int free = guard_free(p, guarded, body, d, da);
+	for (;;)
 	{
-		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
+		GuardStop stop = guard_stop(1.0f, d, 0);
+		if (!free)
+			stop = guard_part(p, guarded, item.y, to, turn);
 		if (slides)
 		{
 			if (stop.share > least)

@@ -209,14 +209,14 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	return far + swing * guarded.reach > way;
 }
 
-// Whether nothing can be in the way of a body that is one part: no static leaf is near a box around its path, and it goes too little
+// Whether nothing can be in the way of a body: no static leaf is near a box around its path, and it goes too little
 // for what moves. Most bodies end here, and nothing is read of their collidables. The box holds that of guard_collidable for each
 // of them, rounding included.
 INLINE int guard_free(const Pools* p, Guarded guarded, int body, Vec path, float turn)
 {
 	const GLOBAL Tree* tree = p->tree + 1;
 	float swing = absolute(turn) * guarded.reach;
-	if (guarded.parts > 1 || tree->leaves == 0 || !(guard_far(path, swing) < GUARD_NEAR * guarded.way))
+	if (tree->leaves == 0 || !(guard_far(path, swing) < GUARD_NEAR * guarded.way))
 		return 0;
 	Float4 pose = p->pose[body], box = make_float4(pose.x, pose.y, pose.x, pose.y);
 	Float4 then = make_float4(pose.x + path.x, pose.y + path.y, pose.x + path.x, pose.y + path.y);
