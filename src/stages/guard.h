@@ -168,7 +168,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 		for (int first = tree_next(p, tree, g.box, &walk); first >= 0; first = tree_next(p, tree, g.box, &walk))
 			for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
 			{
-				int j = p->leaf[tree->leaf_begin + first + tree_lowest(leaves)];
+				int j = p->leaf[tree->leaf_begin + first + lowest_bit(leaves)];
 				if (guard_meets(p, &g, j))
 					least = guard_leaf(p, &g, j, least);
 			}

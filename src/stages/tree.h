@@ -172,9 +172,6 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	return walk;
 }
 
-// The number of the lowest set bit.
-INLINE int tree_lowest(Word64 bits) { return 63 - leading_zeros(bits & (~bits + (Word64)1)); }
-
 // Advances to the next node over leaves and returns its first leaf; walk->leaves has a bit for each that overlaps the
 // box. Returns TREE_DONE behind the last, TREE_LEFT when the walk has visited as many nodes as it may: walk->first is
 // the leaf at which it has to continue.
@@ -199,7 +196,7 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 			walk->first = walk->first / ARITY & ~(ARITY - 1);
 			continue;
 		}
-		int child = tree_lowest(siblings);
+		int child = lowest_bit(siblings);
 		walk->masks ^= (Word64)1 << (8 * walk->level + child);
 		walk->first = ARITY * (walk->first + child);
 		if (--walk->level == 0 && --walk->nodes < 0)
