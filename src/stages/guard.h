@@ -95,6 +95,7 @@ typedef struct // a collidable on its path
 	WorldShape from;
 	Sweep way;
 	Float4 box;
+	Filter filter;
 } GuardPath;
 
 // Whether j may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the other.
@@ -103,6 +104,9 @@ INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
 	int kind = p->collidable_kind[j];
 	if (kind != KIND_DYNAMIC)
 		return kind == KIND_STATIC;
+	// soon ruled out: itself, and what its filter leaves alone
+	if (j == g->index || !filter_accepts(g->filter, p->filter[j]))
+		return 0;
 	int body = p->collidable_body[j];
 	Advance went = guard_went(p, body);
 	float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
@@ -138,6 +142,23 @@ RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop l
 	return guard_stop(met.time, met.normal, j);
 }
 
+// The end of a path by the leaves of a tree, if that comes before least.
+RARE GuardStop guard_search(const Pools* p, const GLOBAL Tree* tree, const GuardPath* g, GuardStop least)
+{
+	if (tree->leaves == 0)
+		return least;
+	Float4 box = g->box;
+	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
+	for (int first = tree_next(p, tree, box, &walk); first >= 0; first = tree_next(p, tree, box, &walk))
+		for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
+		{
+			int j = p->leaf[tree->leaf_begin + first + lowest_bit(leaves)];
+			if (guard_meets(p, g, j))
+				least = guard_leaf(p, g, j, least);
+		}
+	return least;
+}
+
 // The share of its path that collidable i moves, with its body's displacement.
 INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 {
@@ -148,6 +169,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 	advance.turn = turn;
 	g.index = i;
 	g.from = p->world_shape[i];
+	g.filter = p->filter[i];
 	g.thickness = p->thickness[g.from.attribute];
 	g.way = guard_way(p, g.from, advance);
 	g.swing = absolute(turn) * g.way.reach;
@@ -160,19 +182,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, Vec path, float turn)
 	g.box = box_grow(box_union(box, then), g.swing);
 	// one call for both trees, as in guard
 	for (int t = far > GUARD_CROSS * g.thickness ? 0 : 1; t < 2; ++t)
-	{
-		const GLOBAL Tree* tree = p->tree + t;
-		if (tree->leaves == 0)
-			continue;
-		TreeWalk walk = tree_walk(p, tree, g.box, 0, 0, 0x7fffffff);
-		for (int first = tree_next(p, tree, g.box, &walk); first >= 0; first = tree_next(p, tree, g.box, &walk))
-			for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
-			{
-				int j = p->leaf[tree->leaf_begin + first + lowest_bit(leaves)];
-				if (guard_meets(p, &g, j))
-					least = guard_leaf(p, &g, j, least);
-			}
-	}
+		least = guard_search(p, p->tree + t, &g, least);
 	return least;
 }
 
