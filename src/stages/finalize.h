@@ -41,7 +41,8 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da))
+	// a GPU looks for what is near in guard, as that would use registers of all bodies here
+	if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !(FETCHES && guard_free(p, p->guarded[i], i, d, da)))
 		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);
@@ -69,7 +70,7 @@ STAGE(guard)
 	Guarded guarded = p->guarded[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
 	float da = p->body[body].da, turn = da, least = 0.0f;
-	int free = guard_free(p, guarded, body, d, da);
+	int free = !FETCHES && guard_free(p, guarded, body, d, da);
 	for (;;)
 	{
 		GuardStop stop = guard_stop(1.0f, d, 0);
