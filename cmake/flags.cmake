@@ -46,6 +46,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
 endif()
 
+# A file has all stages. Without this, gcc stops inlining when it has grown by 40 %, and each new stage makes others slower.
+if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+	set_property(SOURCE src/cpu/lanes1.c src/cpu/one8.c APPEND PROPERTY COMPILE_OPTIONS --param=inline-unit-growth=100)
+endif()
+
 # A page downloads all of it: what is not of a step is made small. Loops are unrolled in full or not at all: the two points of a
 # contact stay in registers then; in part, loops would be larger and no faster.
 if(EMSCRIPTEN)

@@ -25,8 +25,9 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	if(CMAKE_C_FLAGS MATCHES "-msimd128")
 		list(APPEND features --enable-simd --enable-sign-ext --enable-nontrapping-float-to-int)
 	endif()
-	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} -Oz --traps-never-happen
-		--low-memory-unused --converge --strip-producers --strip-target-features $<TARGET_FILE:engine> -o $<TARGET_FILE:engine>)
+	# strips first: behind -Oz the package is 0.3 kB larger
+	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} --strip-producers --strip-target-features
+		-Oz --traps-never-happen --low-memory-unused --converge $<TARGET_FILE:engine> -o $<TARGET_FILE:engine>)
 	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
 		-sWARN_ON_UNDEFINED_SYMBOLS=0 -sEXPORTED_FUNCTIONS=@${package}/exports.json)
 endif()

@@ -178,7 +178,9 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	Real depth = choose(splat(step->pair.depth), splat(step->fixed.depth), fixed);
 	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
 	Real leak = choose(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
-	leak = leak * choose(splat(1.0f), most / push, push < most);
+	Int limited = push < most;
+	if (lane_bits(limited)) // few are: it saves a division
+		leak = leak * choose(splat(1.0f), most / push, limited);
 	Real mass_scale = choose(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
 	goal.bias = choose(maximum(push, most), goal.bias, apart);
 	goal.mass_scale = choose(mass_scale, goal.mass_scale, apart);

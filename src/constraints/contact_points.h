@@ -34,11 +34,11 @@ INLINE ContactPoints contact_points_choose(ContactPoints a, ContactPoints b, Int
 	return a;
 }
 
-// The part of the motion of an arm that is still to come, for a body that will turn so far and has the arm then: how the solver
-// moves the arm (body_shift), less how it will move.
-INLINE Vec contact_points_ahead(Vec turn, Vec arm)
+// The part of the motion of an arm that is still to come, for a body that will turn so far, by an angle, and has the arm then: how
+// the solver moves the arm (body_shift), less how it will move.
+INLINE Vec contact_points_ahead(Vec turn, Real angle, Vec arm)
 {
-	return vec_sub(vec_spin(vec_angle(turn), arm), vec_sub(arm, vec_turn_back(turn, arm)));
+	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
 // From rows of the pools world_shape and contact_manifold; manifold has both rows of the contact, one behind the other.
@@ -55,6 +55,13 @@ INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const
 	Vec turned_a = vec_turn_back(axes_a, then_a), turned_b = vec_turn_back(axes_b, then_b);
 	Vec center_a = vec_turn(turned_a, vec(a[4], a[5])), center_b = vec_turn(turned_b, vec(b[4], b[5]));
 	Int ahead = manifold[15] < splat(0.0f);
+	// before the loop: with them in it, gcc unrolls it too late to keep the points in registers
+	Real angle_a = splat(0.0f), angle_b = angle_a;
+	if (lane_bits(ahead))
+	{
+		angle_a = vec_angle(turned_a);
+		angle_b = vec_angle(turned_b);
+	}
 	ContactPoints points;
 	points.normal = vec_turn(then_a, normal);
 	points.offset = vec_sub(center_a, vec_add(vec_turn(then_a, shift), center_b));
@@ -69,8 +76,8 @@ INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const
 		if (lane_bits(ahead))
 		{
 			Vec arm_a = points.anchor[k], arm_b = vec_add(arm_a, points.offset);
-			Vec less =
-			    vec_sub(parted, vec_sub(contact_points_ahead(turned_b, arm_b), contact_points_ahead(turned_a, arm_a)));
+			Vec less = vec_sub(parted, vec_sub(contact_points_ahead(turned_b, angle_b, arm_b),
+			                                   contact_points_ahead(turned_a, angle_a, arm_a)));
 			parted = vec_choose(parted, less, ahead);
 		}
 		points.separation[k] = manifold[2 + k] + vec_dot(points.normal, parted);

@@ -42,8 +42,8 @@ typedef struct // of b against a
 	Real within; // m: the separation from which on it has points
 } Closing;
 
-// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
-INLINE Real sweep_grain(Int moved)
+// The factor of the tolerances of a pair, from the MOVED_* bits of both sides, in a world with small bodies.
+RARE Real sweep_halves(Int moved)
 {
 	Real grain = splat(1.0f);
 	for (int level = 0; level < GRAIN_LEVELS; ++level)
@@ -51,14 +51,19 @@ INLINE Real sweep_grain(Int moved)
 	return grain;
 }
 
+// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
+INLINE Real sweep_grain(const Step* step, Int moved) { return step->small ? sweep_halves(moved) : splat(1.0f); }
+
 // The same of the distance from which on a pair has points.
-INLINE Real sweep_room(Int moved) { return sweep_grain(moved >> GRAIN_LEVELS); }
+INLINE Real sweep_room(const Step* step, Int moved) { return sweep_grain(step, moved >> GRAIN_LEVELS); }
 
 // m: the separation from which on a pair has points: the speculative distance, less for small bodies, but never less than gravity closes
 // in a step.
-INLINE Real sweep_within(const Step* step, Real room)
+INLINE Real sweep_within(const Step* step, Int moved)
 {
-	return maximum(SPECULATIVE_DISTANCE * room, splat(step->fall));
+	if (!step->small)
+		return splat(SPECULATIVE_DISTANCE);
+	return maximum(SPECULATIVE_DISTANCE * sweep_room(step, moved), splat(step->fall));
 }
 
 // a member of the attributes with these indices; member is that of attribute 0
@@ -121,10 +126,11 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 // approach: so they have points as far apart as they move.
 INLINE Closing sweep_fine(const Step* step, Closing c, Int moved)
 {
+	if (!step->small)
+		return c;
 	Real way_a = absolute(c.a.path.x) + absolute(c.a.path.y), way_b = absolute(c.b.path.x) + absolute(c.b.path.y);
-	c.grain = sweep_grain(moved);
-	c.within =
-	    minimum(maximum(sweep_within(step, sweep_room(moved)), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
+	c.grain = sweep_grain(step, moved);
+	c.within = minimum(maximum(sweep_within(step, moved), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
 	return c;
 }
 

@@ -44,6 +44,7 @@ INLINE float bits_float(int i)
 	return x;
 }
 INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
+INLINE int lowest_bit(Word64 x) { return __builtin_ctzll(x); }
 #define square_root(x) __builtin_sqrtf(x)
 
 #define FETCHES           1

@@ -19,6 +19,13 @@
 #define INLINE static inline
 #endif
 
+// Parts of hot stages of one lane that gcc would not inline, as they are long; a call writes what it returns to memory.
+#ifdef CALLS
+#define INLINE_LONG INLINE
+#else
+#define INLINE_LONG static inline __attribute__((always_inline))
+#endif
+
 // Large parts of large kernels, without barriers. Where CALLS is defined they are calls: PoCL makes three copies of a kernel, and in
 // each of them three of what is between barriers that not all work-items reach, so that the persistent kernel took it minutes.
 #ifdef CALLS

@@ -19,6 +19,7 @@ typedef int2 Int2;
 #define float_word(x)           as_uint(x)
 #define bits_float(x)           as_float(x)
 #define leading_zeros(x)        ((int)clz(x))
+#define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
 #define square_root(x)          sqrt(x)
 
 // Integer atomics count and build sets; what they collect is sorted before it is read in order.

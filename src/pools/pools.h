@@ -60,7 +60,7 @@
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
 // m: what is so deep in something kinematic, or static, is pressed by it, or against it
 #define PRESS_FROM  2.0e-5f
-#define PRESS_START 0.0005f // and so deep in something static it may be pressed
+#define PRESS_START 0.0001f // and so deep in something static it may be pressed
 // m: a joint whose anchors are so far from each other drags a body that cannot follow
 #define PRESS_GAP 0.01f
 // m: no body gets deeper than that in something static into which something kinematic presses it. With less, the small overlap at which
@@ -99,6 +99,8 @@
 #define MOVED_BOX 1 // its box differs from old_box
 #define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
 #define MOVED_ON  4 // it is not at rest in this step
+// m: thinner bodies have finer tolerances. Twice the speculative distance
+#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
 // Each of these is set for a dynamic collidable that is thinner than so many halves of GRAIN_SIZE. Of a pair, the tolerances of
 // contacts are halved once for each that either has: they would exceed the smaller body.
 #define MOVED_GRAIN  8 // the first one
@@ -613,6 +615,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int paths;            // some joint follows a path
 	int presses;          // there are kinematic bodies, or joints
 	int round;            // some attribute has a radius
+	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
 	float guard_way;      // m: lower bound of all Guarded.way of the world
 	float guard_reach;    // m: upper bound of all Guarded.reach
 	int collidables;      // slots in use

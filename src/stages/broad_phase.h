@@ -63,7 +63,7 @@ INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int
 		first += tree->leaf_begin;
 		Word64 leaves = broad_phase_fresh(p, i, first, walk.leaves);
 		for (; leaves != 0; leaves &= leaves - (Word64)1)
-			if (!broad_phase_leaf(p, i, p->leaf[first + tree_lowest(leaves)]))
+			if (!broad_phase_leaf(p, i, p->leaf[first + lowest_bit(leaves)]))
 				return 0;
 	}
 }

@@ -34,6 +34,9 @@
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
+// in GUARD_TRAVEL: what goes less far is not stopped by what moves; a little less than GUARD_CROSS, for rounding
+#define GUARD_NEAR (0.99f * GUARD_CROSS / GUARD_TRAVEL)
+
 typedef struct // where a path ends
 {
 	float share; // of the path, 1 is all
@@ -56,10 +59,10 @@ INLINE float guard_far(Vec path, float swing) { return absolute(path.x) + absolu
 // How the body of a dynamic collidable went in the step.
 INLINE Advance guard_went(const Pools* p, int body)
 {
-	BodyState state = p->body[body];
+	const GLOBAL BodyState* state = p->body + body;
 	Advance advance;
-	advance.path = vec(state.dx, state.dy);
-	advance.turn = state.da;
+	advance.path = vec(state->dx, state->dy);
+	advance.turn = state->da;
 	return advance;
 }
 
@@ -94,25 +97,35 @@ typedef struct // a collidable on its path
 	WorldShape from;
 	Sweep way;
 	Float4 box;
+	Filter filter;
 } GuardPath;
 
-// The end of the path of a collidable by j, which is in its way, if that comes before least. Leaves are not in the same order everywhere:
+// Whether j may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the other.
+INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
+{
+	int kind = p->collidable_kind[j];
+	if (kind != KIND_DYNAMIC)
+		return kind == KIND_STATIC;
+	// soon ruled out: itself, and what its filter leaves alone
+	if (j == g->index || !filter_accepts(g->filter, p->filter[j]))
+		return 0;
+	int body = p->collidable_body[j];
+	Advance went = guard_went(p, body);
+	float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
+	return guard_far(vec_sub(g->way.path, went.path), swing) > GUARD_CROSS * g->thickness;
+}
+
+// The end of the path of a collidable by j, which may stop it, if that comes before least. Leaves are not in the same order everywhere:
 // of equal shares, the lower index counts.
-INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
+RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
 {
 	int i = g->index, moves = p->collidable_kind[j] == KIND_DYNAMIC;
-	if (!moves && p->collidable_kind[j] != KIND_STATIC)
-		return least;
 	Advance went;
 	Vec apart = g->way.path;
 	if (moves)
 	{
-		int body = p->collidable_body[j];
-		went = guard_went(p, body);
+		went = guard_went(p, p->collidable_body[j]);
 		apart = vec_sub(apart, went.path);
-		float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
-		if (!(guard_far(apart, swing) > GUARD_CROSS * g->thickness))
-			return least;
 	}
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
@@ -133,6 +146,23 @@ INLINE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop
 	return guard_stop(met.time, met.normal, j);
 }
 
+// The end of a path by the leaves of a tree, if that comes before least.
+RARE GuardStop guard_search(const Pools* p, const GLOBAL Tree* tree, const GuardPath* g, GuardStop least)
+{
+	if (tree->leaves == 0)
+		return least;
+	Float4 box = g->box;
+	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
+	for (int first = tree_next(p, tree, box, &walk); first >= 0; first = tree_next(p, tree, box, &walk))
+		for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
+		{
+			int j = p->leaf[tree->leaf_begin + first + lowest_bit(leaves)];
+			if (guard_meets(p, g, j))
+				least = guard_leaf(p, g, j, least);
+		}
+	return least;
+}
+
 // The share of its path that collidable i moves, with its body's displacement.
 INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
 {
@@ -144,6 +174,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, 
 	g.index = i;
 	g.pressed = pressed;
 	g.from = p->world_shape[i];
+	g.filter = p->filter[i];
 	g.thickness = p->thickness[g.from.attribute];
 	g.way = guard_way(p, g.from, advance);
 	g.swing = absolute(turn) * g.way.reach;
@@ -156,15 +187,7 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, 
 	g.box = box_grow(box_union(box, then), g.swing);
 	// one call for both trees, as in guard
 	for (int t = far > GUARD_CROSS * g.thickness ? 0 : 1; t < 2; ++t)
-	{
-		const GLOBAL Tree* tree = p->tree + t;
-		if (tree->leaves == 0)
-			continue;
-		TreeWalk walk = tree_walk(p, tree, g.box, 0, 0, 0x7fffffff);
-		for (int first = tree_next(p, tree, g.box, &walk); first >= 0; first = tree_next(p, tree, g.box, &walk))
-			for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
-				least = guard_leaf(p, &g, p->leaf[tree->leaf_begin + first + tree_lowest(leaves)], least);
-	}
+		least = guard_search(p, p->tree + t, &g, least);
 	return least;
 }
 
@@ -206,6 +229,22 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 INLINE int guard_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
+}
+
+// Whether nothing can be in the way of a body: no static leaf is near a box around its path, and it goes too little
+// for what moves. Most bodies end here, and nothing is read of their collidables. The box holds that of guard_collidable for each
+// of them, rounding included.
+INLINE int guard_free(const Pools* p, Guarded guarded, int body, Vec path, float turn)
+{
+	const GLOBAL Tree* tree = p->tree + 1;
+	float swing = absolute(turn) * guarded.reach;
+	if (tree->leaves == 0 || !(guard_far(path, swing) < GUARD_NEAR * guarded.way))
+		return 0;
+	Float4 pose = p->pose[body], box = make_float4(pose.x, pose.y, pose.x, pose.y);
+	Float4 then = make_float4(pose.x + path.x, pose.y + path.y, pose.x + path.x, pose.y + path.y);
+	box = box_grow(box_union(box, then), guarded.reach + swing + LINEAR_SLOP);
+	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
+	return tree_next(p, tree, box, &walk) == TREE_DONE;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.

@@ -84,10 +84,10 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	found_at.ahead = 0;
 	Closing closing;
 	closing.most = 0.0f;
-	closing.within = sweep_within(&p->step, sweep_room(moved));
+	closing.within = sweep_within(&p->step, moved);
 	if (far)
 		closing = sweep_closing(p, a, b, moved);
-	if (closing.most > sweep_within(&p->step, sweep_room(moved)))
+	if (closing.most > sweep_within(&p->step, moved))
 		return ahead_meeting(p, a, b, closing, found_at);
 	found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
 	if (answers && found_at.m.count > 0)
@@ -152,8 +152,8 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
 	manifold.then = make_float4(at->axes.x, at->axes.y, a->reach,
 	                            at->ahead ? -1.0f
-	                                      : narrow_phase_distance(a, b, flags, m->gap, sweep_grain(moved),
-	                                                              sweep_within(&p->step, sweep_room(moved))));
+	                                      : narrow_phase_distance(a, b, flags, m->gap, sweep_grain(&p->step, moved),
+	                                                              sweep_within(&p->step, moved)));
 	p->contact_manifold[i] = manifold;
 }
 

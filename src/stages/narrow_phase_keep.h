@@ -145,8 +145,8 @@ WIDE_STAGE(narrow_phase_keep)
 	Word anew = there & ~stays & ~apart;
 
 	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
-	c.grain = sweep_grain(moved);
-	c.room = sweep_room(moved);
+	c.grain = sweep_grain(&p->step, moved);
+	c.room = sweep_room(&p->step, moved);
 	c.far = (moved & MOVED_FAR) != 0;
 	c.on = ((moved & MOVED_ON) != 0) & points;
 	Word wanders = there & stays & ~apart & lane_bits(answers & (c.far | c.on));

@@ -40,7 +40,7 @@ INLINE Closing sweep_between(WorldShape a, Sweep sa, WorldShape b, Sweep sb)
 	return sweep_apart(vec(b.x - a.x, b.y - a.y), sa, sb);
 }
 
-INLINE Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, Int moved)
+INLINE_LONG Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, Int moved)
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Closing closing = sweep_between(a, sa, b, sb);

@@ -6,8 +6,6 @@
 #include "stages/box.h"
 #include "stages/sweep.h"
 
-// m: thinner bodies have finer tolerances. Twice the speculative distance
-#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
 // The share of a reach that counts as thickness.
 #define REACH_SHARE 0.125f
 
@@ -156,7 +154,7 @@ LIST_STAGE(transform, moved_list, moved)
 	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
 	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
-	int how = p->collidable_kind[i] == KIND_DYNAMIC
+	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
 	              ? transform_grains(p->thickness[world_shape.attribute], attribute->reach)
 	              : 0;
 	if (moves)
@@ -165,10 +163,10 @@ LIST_STAGE(transform, moved_list, moved)
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
-		float grain = sweep_grain(how), room = sweep_room(how);
+		float grain = sweep_grain(&p->step, how), within = sweep_within(&p->step, how);
 		if (travel > 0.5f * SWEEP_REST * grain)
 			how |= MOVED_ON;
-		if (travel > 0.5f * sweep_within(&p->step, room))
+		if (travel > 0.5f * within)
 		{
 			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
 			// step needs no margin

@@ -172,9 +172,6 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	return walk;
 }
 
-// The number of the lowest set bit.
-INLINE int tree_lowest(Word64 bits) { return 63 - leading_zeros(bits & (~bits + (Word64)1)); }
-
 // Advances to the next node over leaves and returns its first leaf; walk->leaves has a bit for each that overlaps the
 // box. Returns TREE_DONE behind the last, TREE_LEFT when the walk has visited as many nodes as it may: walk->first is
 // the leaf at which it has to continue.
@@ -184,22 +181,19 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 {
 	for (;;)
 	{
-		Word64 siblings = walk->masks >> (8 * walk->level) & (Word64)255;
-		if (walk->level == 0 && siblings != 0)
+		// the lowest level that has nodes left, in one go
+		Word64 left = walk->masks >> (8 * walk->level);
+		if (left == 0)
+			return TREE_DONE;
+		int lowest = lowest_bit(left), up = lowest / 8, child = lowest % 8;
+		walk->level += up;
+		walk->first = walk->first >> (ARITY_BITS * up) & ~(ARITY - 1);
+		if (walk->level == 0)
 		{
-			walk->leaves = siblings;
-			walk->masks ^= siblings;
+			walk->leaves = walk->masks & (Word64)255;
+			walk->masks ^= walk->leaves;
 			return walk->first;
 		}
-		if (siblings == 0)
-		{
-			if (walk->level == tree->top)
-				return TREE_DONE;
-			++walk->level;
-			walk->first = walk->first / ARITY & ~(ARITY - 1);
-			continue;
-		}
-		int child = tree_lowest(siblings);
 		walk->masks ^= (Word64)1 << (8 * walk->level + child);
 		walk->first = ARITY * (walk->first + child);
 		if (--walk->level == 0 && --walk->nodes < 0)

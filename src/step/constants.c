@@ -97,6 +97,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .paths = pipeline->paths,
 	    .presses = request->kinematic > 0 || pipeline->counters.joints > 0,
 	    .round = pipeline->round,
+	    .small = pipeline->guard_way <= GUARD_TRAVEL * (0.5f * GRAIN_SIZE),
 	    .guard_way = pipeline->guard_way,
 	    .guard_reach = pipeline->guard_reach,
 	    .collidables = collidables,

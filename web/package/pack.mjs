@@ -1,29 +1,47 @@
 // SPDX-License-Identifier: MIT
 // pack.mjs -- pack.mjs SOURCES SCALAR SIMD FOLDER: puts the package together from the builds of two forms, and prints what a visitor downloads.
 //
-// The engine lies in a module as a text of one letter a byte, so that every bundler takes it along. Letters of one byte stand for the
-// bytes that are most frequent: compressed, the text is 2 % larger than the file (base64: 35 %).
+// The engine lies in a module as texts of one letter a byte, so that every bundler takes it along: one text for each column of
+// columns.js. Letters of one byte stand for the bytes that are most frequent in it: compressed, the texts are 2 % larger than what they
+// stand for (base64: 35 %).
 import {execFileSync} from "node:child_process";
-import {copyFileSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
+import {follow} from "./columns.js";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
 const compressed = (text) => brotliCompressSync(text, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}).length;
 
-// What stands for each byte: a frequent one for itself where it can; nothing that has a meaning in a text between backticks.
-function choose_letters(wasm) {
-	const times = new Array(256).fill(0), letters = new Array(256), meaning = [10, 13, 36, 92, 96];
-	for (const byte of wasm)
+// A column as join() takes it: bytes, in order, have the letters in order; those that are rare have letters of two bytes. Nothing that has
+// a meaning in a text between backticks is a letter.
+function write_column(column) {
+	const times = new Array(256).fill(0), meaning = [10, 13, 36, 92, 96];
+	for (const byte of column)
 		++times[byte];
 	const short = [...Array(128).keys()].filter((code) => code > 0 && !meaning.includes(code));
-	const order = [...times.keys()].sort((a, b) => times[b] - times[a] || a - b), frequent = order.slice(0, short.length);
-	const free = short.filter((code) => !frequent.includes(code));
-	for (const byte of frequent)
-		letters[byte] = String.fromCharCode(short.includes(byte) ? byte : free.shift());
-	order.slice(short.length).forEach((byte, k) => letters[byte] = String.fromCharCode(0xa1 + k));
-	return letters;
+	const used = [...times.keys()].filter((byte) => times[byte]).sort((a, b) => times[b] - times[a] || a - b);
+	const letters = [], ascending = (list) => list.sort((a, b) => a - b);
+	ascending(used.slice(0, short.length)).forEach((byte, k) => letters[byte] = String.fromCharCode(short[k]));
+	ascending(used.slice(short.length)).forEach((byte, k) => letters[byte] = String.fromCharCode(0xa1 + k));
+	for (let byte = letters.length - 2; byte >= 0; --byte)
+		letters[byte] ??= letters[byte + 1];
+	return `[\`${letters.join("")}\`, \`${column.map((byte) => letters[byte]).join("")}\`]`;
 }
+
+function write_module(wasm, head) {
+	const columns = [];
+	let at = 0;
+	follow(wasm.length, (column) => {
+		(columns[column] ??= []).push(wasm[at]);
+		return wasm[at++];
+	});
+	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
+}
+
+// Debian has terser where node looks when it is told
+const minify = (from, to) => execFileSync("terser", [from, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", to],
+	{env: {...process.env, NODE_PATH: "/usr/share/nodejs"}});
 
 mkdirSync(folder, {recursive: true});
 const header = readFileSync(`${sources}/include/scree/scree.h`, "utf8");
@@ -33,15 +51,14 @@ copyFileSync(`${sources}/LICENSE`, `${folder}/LICENSE`);
 copyFileSync(`${sources}/web/package/README.md`, `${folder}/README.md`);
 copyFileSync(`${simd}/package/scree.d.ts`, `${folder}/scree.d.ts`);
 
-// Debian has terser where node looks when it is told
-execFileSync("terser", [`${simd}/package/scree.js`, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", `${folder}/scree.js`],
-	{env: {...process.env, NODE_PATH: "/usr/share/nodejs"}});
-const script = readFileSync(`${folder}/scree.js`);
+minify(`${simd}/package/scree.js`, `${folder}/scree.js`);
+minify(`${sources}/web/package/columns.js`, `${folder}/columns.js`);
+const script = readFileSync(`${folder}/scree.js`), head = readFileSync(`${folder}/columns.js`, "utf8");
+rmSync(`${folder}/columns.js`);
 let good = true;
 for (const [form, build] of [["scalar", scalar], ["simd", simd]]) {
 	const wasm = readFileSync(`${build}/engine.wasm`);
-	const letters = choose_letters(wasm), text = Array.from(wasm, (byte) => letters[byte]).join("");
-	const module = `// SPDX-License-Identifier: MIT\nexport const letters = \`${letters.join("")}\`;\nexport const text = \`${text}\`;\n`;
+	const module = write_module(wasm, head);
 	writeFileSync(`${folder}/${form}.js`, module);
 	writeFileSync(`${folder}/${form}.wasm`, wasm);
 	const bytes = compressed(module) + compressed(script);

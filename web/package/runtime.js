@@ -580,11 +580,8 @@ async function compile(wasm) {
 
 async function start({wasm, simd, log = console.warn}) {
 	const form = simd ?? WebAssembly.validate(new Uint8Array(VECTORS)) ? "simd" : "scalar";
-	if (!wasm) {
-		const {text, letters} = await (form === "simd" ? import("./simd.js") : import("./scalar.js"));
-		const bytes = new Map(Array.from(letters, (letter, byte) => [letter, byte]));
-		wasm = Uint8Array.from(text, (letter) => bytes.get(letter));
-	}
+	if (!wasm)
+		wasm = (await (form === "simd" ? import("./simd.js") : import("./scalar.js"))).wasm();
 	let engine;
 	const write = (at, text) => {
 		new Uint8Array(engine.memory.buffer).set(new TextEncoder().encode(text), at);
