@@ -157,13 +157,13 @@ static void rows_travel_together(void** state)
 	writes = 0;
 	assert_ok(scree_bodies_create(world, defs, COUNT_OF, bodies));
 	assert_ok(world_upload(world));
-	assert_true(writes <= 20);
+	assert_true(writes <= 24);
 
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; ++k)
 		assert_ok(scree_body_create(world, defs + k, NULL));
 	assert_ok(world_upload(world));
-	assert_true(writes <= 20);
+	assert_true(writes <= 24);
 
 	// scattered rows are commands
 	writes = 0;

@@ -23,7 +23,7 @@ static const double depths[] = {0.0, 0.02, 0.05, 0.2};       // m
 
 typedef struct
 {
-	double worst, rises;            // %, m/s: what it loses, beside the law; its fastest way up
+	double worst, rises; // %, m/s: what it loses, beside the law; its fastest way up
 	char worst_at[64], rises_at[64];
 } Braking;
 
@@ -34,7 +34,8 @@ static void slide(Validation* v, const Slider* s, double speed, double depth, in
 	def.substeps = substeps;
 	Lab* lab = lab_open(v, &def);
 	add_floor(lab, 1000.0);
-	int body = lab_throw(lab, &s->surface, 0.0f, (float)(s->half - depth), 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
+	int body =
+	    lab_throw(lab, &s->surface, 0.0f, (float)(s->half - depth), 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	int steps = (int)fmin(STEPS, fmax(1.0, floor(0.5 * s->slides * speed / BRAKE / (double)LAB_DT)));
 	double rises = 0.0;
 	for (int n = 0; n < steps; ++n)
@@ -43,7 +44,8 @@ static void slide(Validation* v, const Slider* s, double speed, double depth, in
 		lab_read(lab);
 		rises = fmax(rises, (double)lab->velocities[body].linear.y);
 	}
-	double off = 100.0 * fabs((speed - (double)lab->velocities[body].linear.x) / (BRAKE * steps * (double)LAB_DT) - 1.0);
+	double off =
+	    100.0 * fabs((speed - (double)lab->velocities[body].linear.x) / (BRAKE * steps * (double)LAB_DT) - 1.0);
 	char at[64];
 	snprintf(at, sizeof at, "%g m/s %g m deep with %d substeps", speed, depth, substeps);
 	// an engine that failed has no motion

@@ -11,7 +11,8 @@ typedef struct
 	double hertz; // stiffness of contacts; 0 is the engine's own
 } Setting;
 
-static const Setting settings[] = {{4, 0.0}, {1, 0.0}, {2, 0.0}, {8, 0.0}, {12, 0.0}, {4, 30.0}, {4, 240.0}, {12, 240.0}};
+static const Setting settings[] = {{4, 0.0},  {1, 0.0},  {2, 0.0},   {8, 0.0},
+                                   {12, 0.0}, {4, 30.0}, {4, 240.0}, {12, 240.0}};
 
 static Lab* open_with(Validation* v, const Setting* setting, double gravity)
 {

@@ -20,8 +20,8 @@ typedef struct
 	scree_vec gravity; // m/s^2
 	float dt;          // s
 	int substeps;
-	float max_speed; // m/s
-	bool bullets;    // where an engine has such a flag, bodies that are thrown have it
+	float max_speed;     // m/s
+	bool bullets;        // where an engine has such a flag, bodies that are thrown have it
 	float contact_hertz; // stiffness of contacts; 0 is the engine's own
 } LabDef;
 

@@ -184,7 +184,8 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 // Disks with friction, shot into the corner of a wedge: how deep they stay in its walls.
 static void jam(Validation* v, bool thick, double speed, int runs)
 {
-	begin(v, "disk of 50 cm shot at %g m/s into the corner of a wedge of %s", speed, thick ? "boxes of 2 cm" : "segments");
+	begin(v, "disk of 50 cm shot at %g m/s into the corner of a wedge of %s", speed,
+	      thick ? "boxes of 2 cm" : "segments");
 	Lab* lab = open_empty(v);
 	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0), disk = circle_of(0.25);
 	int bodies[512];
@@ -202,7 +203,8 @@ static void jam(Validation* v, bool thick, double speed, int runs)
 	for (int k = 0; k < runs; ++k)
 	{
 		double half = opening(k, runs), y = fabs((double)lab->poses[bodies[k]].position.y - APART * (k - runs / 2));
-		double depth = 0.25 + (thick ? 0.01 : 0.0) + (double)lab->poses[bodies[k]].position.x * sin(half) + y * cos(half);
+		double depth =
+		    0.25 + (thick ? 0.01 : 0.0) + (double)lab->poses[bodies[k]].position.x * sin(half) + y * cos(half);
 		if (!(depth <= deepest) && lab->poses[bodies[k]].position.x > -4.0f * (float)cos(half))
 		{
 			deepest = depth;

@@ -681,17 +681,17 @@ typedef struct
 	int arranged;                  // 1 if all that changed was laid out
 	int penetration;               // bits of the deepest overlap, m
 	int joint_gap;                 // bits of the widest gap of a joint, m
-	int taut;                      // 1 if the pull of some joint was large against the inertia of a body, until body_taut
-	int nonfinite;                 // bodies frozen because their state was not finite
-	int first_nonfinite;           // lowest index of these
-	int press[2];                  // 1 if some body is deep in something static; in something kinematic
-	int guarded;                   // items of guard: bodies that went far; a body of many collidables has several
-	int held;                      // bodies that guard stopped before something static
-	int joint_moved;               // 1 if some joint got another place among the chains, until joint_update
-	int joint_stir;                // INT_MAX if some joint was made, changed or broke since the last step, else 0
-	int overflow_first, overflow;  // among the sorted keys of joints those without a color and a chain begin; how many
-	int joined;                    // pairs of bodies that joints or the user keep from touching
-	int joint_events;              // joints whose force exceeded a threshold in the step
+	int taut;            // 1 if the pull of some joint was large against the inertia of a body, until body_taut
+	int nonfinite;       // bodies frozen because their state was not finite
+	int first_nonfinite; // lowest index of these
+	int press[2];        // 1 if some body is deep in something static; in something kinematic
+	int guarded;         // items of guard: bodies that went far; a body of many collidables has several
+	int held;            // bodies that guard stopped before something static
+	int joint_moved;     // 1 if some joint got another place among the chains, until joint_update
+	int joint_stir;      // INT_MAX if some joint was made, changed or broke since the last step, else 0
+	int overflow_first, overflow; // among the sorted keys of joints those without a color and a chain begin; how many
+	int joined;                   // pairs of bodies that joints or the user keep from touching
+	int joint_events;             // joints whose force exceeded a threshold in the step
 	int touches_began, touches_ended, hits; // of the step
 	int waiting, refused, asked;            // contacts that wait, that were refused, that are listed
 	int holds;                              // INT_MAX if some wait, else 0

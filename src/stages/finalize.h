@@ -74,8 +74,7 @@ STAGE(finalize)
 	if (pressed)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
 	// a GPU looks for what is near in guard, as that would use registers of all bodies here
-	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) &&
-	         !(FETCHES && guard_free(p, p->guarded[i], i, d, da)))
+	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !(FETCHES && guard_free(p, p->guarded[i], i, d, da)))
 		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);

@@ -17,20 +17,29 @@
 #include "stages/contact.h"
 #include "stages/narrow_phase.h"
 #include "stages/hub_one.h"
+SMALL_BEGIN
 #include "stages/press.h"
+SMALL_END
 #include "stages/color.h"
+SMALL_BEGIN
 #include "stages/field.h"
+SMALL_END
 #include "stages/prepare_one.h"
 #include "stages/prepare.h"
 #include "stages/integrate.h"
 #include "stages/solve.h"
+SMALL_BEGIN
 #include "stages/taut.h"
 #include "stages/overflow.h"
+SMALL_END
 #include "stages/chain.h"
+SMALL_BEGIN
 #include "stages/branch.h"
+SMALL_END
 #include "stages/hub.h"
 #include "stages/guard.h"
 #include "stages/finalize.h"
+SMALL_BEGIN
 #include "stages/ask.h"
 #include "stages/listed.h"
 #include "stages/event.h"
@@ -39,3 +48,4 @@
 #include "stages/told.h"
 #include "stages/joint_show.h"
 #include "stages/hash.h"
+SMALL_END
