@@ -613,7 +613,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
-	int presses;          // there are kinematic bodies, or joints
+	int presses;          // there are kinematic bodies, or joints with what does not move
 	int round;            // some attribute has a radius
 	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
 	float guard_way;      // m: lower bound of all Guarded.way of the world

@@ -78,6 +78,7 @@ typedef struct
 	bool couplings; // some joint is a gear or a pulley
 	bool paths;     // some joint follows a path
 	bool bare;      // some body with joints may have no collidables
+	bool tethers;   // some joint may hold what moves to what does not
 	bool breaks;    // some joint may break
 	int chains, chain_ranges; // items of a pass over rows of joints that are solved together; these rows
 	int chain_places;         // joints in them and in branches, with padding

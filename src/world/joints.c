@@ -254,6 +254,16 @@ static bool is_bare(const scree_world* world, int index)
 	return false;
 }
 
+// Whether a joint holds a body to one that no force moves.
+static bool is_tether(const scree_world* world, int index)
+{
+	const int* bodies = world->host_joints[index].bodies;
+	for (int side = 0; side < 2; ++side)
+		if (bodies[side] <= 0 || world->host_bodies[bodies[side]].type != SCREE_BODY_DYNAMIC)
+			return true;
+	return false;
+}
+
 static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
 
 scree_status upload_joints(scree_world* world, void* memory)
@@ -273,6 +283,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 		pipeline->paths |= ((int)rows[k].data.modes & JOINT_RAILED) != 0;
 		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
 		pipeline->bare |= is_bare(world, p->joints[k]);
+		pipeline->tethers |= is_tether(world, p->joints[k]);
 	}
 	TRY(b->f->write(b, POOL_joint_edit, 0, p->joint_count, rows));
 	Step step = {0};
