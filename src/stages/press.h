@@ -178,6 +178,22 @@ STAGE(press_joint)
 	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
 }
 
+typedef struct // of a body: what press_hand_on reads of its row, whose depth it raises
+{
+	int way[2], speed, left;
+} PressWays;
+
+INLINE PressWays press_ways(const Pools* p, int body)
+{
+	const GLOBAL Press* press = p->press + body;
+	PressWays ways;
+	ways.way[0] = press->way[0];
+	ways.way[1] = press->way[1];
+	ways.speed = press->speed;
+	ways.left = press->left;
+	return ways;
+}
+
 // Contact i hands ways on. What is pressed into something static is marked for guard.
 STAGE(press_hand_on)
 {
@@ -189,10 +205,10 @@ STAGE(press_hand_on)
 	{
 		int body_a = p->collidable_body[p->pair[i].x], body_b = p->collidable_body[p->pair[i].y];
 		int kind = p->collidable_kind[p->pair[i].y];
-		Press a = p->press[body_a], b = a;
+		PressWays a = press_ways(p, body_a), b = a;
 		b.way[0] = b.way[1] = 0;
 		if (kind == KIND_DYNAMIC)
-			b = p->press[body_b];
+			b = press_ways(p, body_b);
 		if ((a.way[0] | a.way[1] | b.way[0] | b.way[1] | a.left) != 0 && kind != KIND_KINEMATIC)
 		{
 			ContactPoints at = press_points(p, i);
