@@ -5,7 +5,6 @@
 // its weight. A disk slides until it rolls, which it does at two thirds of its speed.
 #include "props.h"
 #include <math.h>
-#include <string.h>
 
 #define BRAKE 6.0 // m/s^2
 #define STEPS 12
@@ -23,8 +22,7 @@ static const double depths[] = {0.0, 0.02, 0.05, 0.2};       // m
 
 typedef struct
 {
-	double worst, rises; // %, m/s: what it loses, beside the law; its fastest way up
-	char worst_at[64], rises_at[64];
+	Peak off, rises; // %, what a body loses beside the law; m/s, its fastest way up
 } Braking;
 
 // Slides one body over a floor. What it lost is measured after the step in which 0.05 s are over, or half of its sliding.
@@ -48,17 +46,8 @@ static void slide(Validation* v, const Slider* s, double speed, double depth, in
 	    100.0 * fabs((speed - (double)lab->velocities[body].linear.x) / (BRAKE * steps * (double)LAB_DT) - 1.0);
 	char at[64];
 	snprintf(at, sizeof at, "%g m/s %g m deep with %d substeps", speed, depth, substeps);
-	// an engine that failed has no motion
-	if (!(off <= all->worst))
-	{
-		all->worst = off;
-		memcpy(all->worst_at, at, sizeof at);
-	}
-	if (!(rises <= all->rises))
-	{
-		all->rises = rises;
-		memcpy(all->rises_at, at, sizeof at);
-	}
+	peak_take(&all->off, off, at);
+	peak_take(&all->rises, rises, at);
 	lab_close(lab);
 }
 
@@ -70,10 +59,10 @@ static void slides(Validation* v, const Slider* s)
 		for (int k = 0; k < 4; ++k)
 			for (int substeps = 1; substeps <= 16; substeps *= v->quick ? 4 : 2)
 				slide(v, s, speeds[i], depths[k], substeps, &all);
-	where(v, "%s", all.worst_at);
-	row(v, "lost speed beside the law", all.worst, "%", AT_MOST, 3.0);
-	where(v, "%s", all.rises_at);
-	row(v, "fastest way up", all.rises, "m/s", AT_MOST, 0.05);
+	where(v, "%s", all.off.at);
+	row(v, "lost speed beside the law", all.off.value, "%", AT_MOST, 3.0);
+	where(v, "%s", all.rises.at);
+	row(v, "fastest way up", all.rises.value, "m/s", AT_MOST, 0.05);
 }
 
 // A disk rolls without sliding: how deep it sinks in 5 s, in all and after the first second.

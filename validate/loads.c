@@ -2,6 +2,7 @@
 // loads.c -- light bodies under heavy ones, and bodies that are pressed together, come to rest with any number of substeps and stiffness.
 #include "props.h"
 #include <math.h>
+#include <stdarg.h>
 
 #define SECONDS 20
 
@@ -14,22 +15,24 @@ typedef struct
 static const Setting settings[] = {{4, 0.0},  {1, 0.0},  {2, 0.0},   {8, 0.0},
                                    {12, 0.0}, {4, 30.0}, {4, 240.0}, {12, 240.0}};
 
-static Lab* open_with(Validation* v, const Setting* setting, double gravity)
+// Begins a case with its setting, and opens its lab.
+__attribute__((format(printf, 4, 5))) static Lab* open_case(Validation* v, const Setting* setting, double gravity,
+                                                            const char* format, ...)
 {
+	char name[64];
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(name, sizeof name, format, arguments);
+	va_end(arguments);
+	if (setting->hertz > 0.0)
+		begin(v, "%s: %d substeps and %g Hz", name, setting->substeps, setting->hertz);
+	else
+		begin(v, "%s: %d substeps", name, setting->substeps);
 	LabDef def = lab_def();
 	def.substeps = setting->substeps;
 	def.contact_hertz = (float)setting->hertz;
 	def.gravity.y = (float)-gravity;
 	return lab_open(v, &def);
-}
-
-// Names a case and its setting.
-static void name_case(Validation* v, const char* name, const Setting* s)
-{
-	if (s->hertz > 0.0)
-		begin(v, "%s: %d substeps and %g Hz", name, s->substeps, s->hertz);
-	else
-		begin(v, "%s: %d substeps", name, s->substeps);
 }
 
 // m/s: the fastest body in the last second.
@@ -52,10 +55,7 @@ static double settle(Lab* lab)
 // A pyramid of nine rows, ten boxes wide, on whose top a box of so many times the mass of each falls from 2 m.
 static void pyramid(Validation* v, double ratio, const Setting* setting)
 {
-	char name[64];
-	snprintf(name, sizeof name, "pyramid of nine rows under a box of %g times the mass", ratio);
-	name_case(v, name, setting);
-	Lab* lab = open_with(v, setting, 10.0);
+	Lab* lab = open_case(v, setting, 10.0, "pyramid of nine rows under a box of %g times the mass", ratio);
 	add_floor(lab, 100.0);
 	scree_attribute_def box = box_of(1.0, 1.0), heavy = box;
 	heavy.density = (float)ratio;
@@ -75,10 +75,7 @@ static void pyramid(Validation* v, double ratio, const Setting* setting)
 // A cart of a heavy box on two wheels of 1.6 kg each, at rest on the floor.
 static void cart(Validation* v, double mass, const Setting* setting)
 {
-	char name[64];
-	snprintf(name, sizeof name, "cart of %g kg on wheels of 1.6 kg", mass);
-	name_case(v, name, setting);
-	Lab* lab = open_with(v, setting, 10.0);
+	Lab* lab = open_case(v, setting, 10.0, "cart of %g kg on wheels of 1.6 kg", mass);
 	add_floor(lab, 100.0);
 	scree_attribute_def body = box_of(1.5, 0.25), wheel = circle_of(0.5);
 	body.density = (float)(mass / 1.5);
@@ -100,10 +97,7 @@ static void cart(Validation* v, double mass, const Setting* setting)
 // 625 disks of 1 m, 491 m^2, in a room without gravity that is too small for them.
 static void press(Validation* v, double half, const Setting* setting)
 {
-	char name[64];
-	snprintf(name, sizeof name, "625 disks of 1 m in a room of %g m", 2.0 * half);
-	name_case(v, name, setting);
-	Lab* lab = open_with(v, setting, 0.0);
+	Lab* lab = open_case(v, setting, 0.0, "625 disks of 1 m in a room of %g m", 2.0 * half);
 	scree_attribute_def side = box_of(1.0, half + 2.0), disk = circle_of(0.5);
 	for (int k = 0; k < 4; ++k)
 	{

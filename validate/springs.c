@@ -5,7 +5,6 @@
 // D x[n - 1] with T and D of the eigenvalues. Least squares give T and D, and these the frequency and the decay.
 #include "props.h"
 #include <math.h>
-#include <string.h>
 
 #define PI        3.14159265358979
 #define MOST_READ 400  // steps
@@ -126,8 +125,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 static void swings(Validation* v, const Kind* kind)
 {
 	static const double hertz[] = {0.5, 1.0, 2.0, 5.0, 10.0, 20.0}, ratios[] = {0.0, 0.1, 0.5, 1.0, 2.0};
-	double frequency = 0.0, decay = 0.0, none = 0.0;
-	char frequency_at[64] = "", decay_at[64] = "", none_at[64] = "";
+	Peak frequency = {0}, decay = {0}, none = {0};
 	begin(v, "%s of 0.5 to 20 Hz and damping ratio 0 to 2", kind->name);
 	for (int i = 0; i < 6; i += v->quick ? 3 : 1)
 		for (int k = 0; k < 5; ++k)
@@ -135,29 +133,18 @@ static void swings(Validation* v, const Kind* kind)
 			Swing s = swing(v, kind, hertz[i], ratios[k]);
 			char at[64];
 			snprintf(at, sizeof at, "%g Hz and %g", hertz[i], ratios[k]);
-			// a failed engine has no motion
-			if (!(fabs(s.frequency - 1.0) <= frequency))
-			{
-				frequency = fabs(s.frequency - 1.0);
-				memcpy(frequency_at, at, sizeof at);
-			}
-			if (k == 0 && !(fabs(s.ratio) <= none))
-			{
-				none = fabs(s.ratio);
-				memcpy(none_at, at, sizeof at);
-			}
-			if (k > 0 && !(fabs(s.decay - 1.0) <= decay))
-			{
-				decay = fabs(s.decay - 1.0);
-				memcpy(decay_at, at, sizeof at);
-			}
+			peak_take(&frequency, fabs(s.frequency - 1.0), at);
+			if (k == 0)
+				peak_take(&none, fabs(s.ratio), at);
+			else
+				peak_take(&decay, fabs(s.decay - 1.0), at);
 		}
-	where(v, "%s", frequency_at);
-	row(v, "frequency off", 100.0 * frequency, "%", AT_MOST, 3.0);
-	where(v, "%s", decay_at);
-	row(v, "decay off", 100.0 * decay, "%", AT_MOST, 3.0);
-	where(v, "%s", none_at);
-	row(v, "damping ratio of an undamped spring", none, "", AT_MOST, 0.001);
+	where(v, "%s", frequency.at);
+	row(v, "frequency off", 100.0 * frequency.value, "%", AT_MOST, 3.0);
+	where(v, "%s", decay.at);
+	row(v, "decay off", 100.0 * decay.value, "%", AT_MOST, 3.0);
+	where(v, "%s", none.at);
+	row(v, "damping ratio of an undamped spring", none.value, "", AT_MOST, 0.001);
 }
 
 #define WIDE 6

@@ -27,6 +27,14 @@ const Experiment* validate_find(const char* name)
 	return NULL;
 }
 
+void peak_take(Peak* peak, double value, const char* at)
+{
+	if (value <= peak->value)
+		return;
+	peak->value = value;
+	snprintf(peak->at, sizeof peak->at, "%s", at);
+}
+
 void validate_heading(FILE* out)
 {
 	fprintf(out, "experiment,case,engine,quantity,value,unit,limit,result,steps,hash,where\n");

@@ -17,6 +17,15 @@ extern const int validate_count;
 // Returns null when no experiment has the name.
 const Experiment* validate_find(const char* name);
 
+typedef struct // the largest value of some runs, and the run that gave it
+{
+	double value;
+	char at[64];
+} Peak;
+
+// Takes a value that is larger, or no number, as of an engine that failed.
+void peak_take(Peak* peak, double value, const char* at);
+
 void validate_heading(FILE* out);
 
 // Runs one experiment and prints its rows. False when an engine failed or a row is beyond its limit.

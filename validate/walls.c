@@ -133,22 +133,29 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 // Half of the angle between the walls of a run, rad.
 static double opening(int run, int runs) { return 0.1 + 0.4 * run / runs; }
 
+// Two walls of 4 m that meet at x = 0, half the angle between them from the x axis.
+static void put_wedge(Lab* lab, bool thick, double y, double half)
+{
+	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0);
+	// upright walls are rotated
+	for (int s = -1; s <= 1; s += 2)
+		lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
+		        (float)(s * (1.57079633 - half)));
+}
+
 // A box of 30 cm is shot into the corner of two walls; the angle between them grows from run to run.
 static void wedge(Validation* v, bool thick, double speed, int runs)
 {
 	begin(v, "box of 30 cm shot at %g m/s into a wedge of %s", speed, thick ? "boxes of 2 cm" : "segments");
 	Lab* lab = open_empty(v);
-	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0), box = box_of(0.15, 0.15);
+	scree_attribute_def box = box_of(0.15, 0.15);
 	int bodies[512], out = 0, fastest_run = 0;
 	uint64_t seed = 5;
 	double fastest = 0.0;
 	for (int k = 0; k < runs; ++k)
 	{
-		// upright walls are rotated so that they meet at x = 0
 		double y = APART * (k - runs / 2), half = opening(k, runs);
-		for (int s = -1; s <= 1; s += 2)
-			lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
-			        (float)(s * (1.57079633 - half)));
+		put_wedge(lab, thick, y, half);
 		bodies[k] = lab_throw(lab, &box, -3.5f, (float)(y + random_between(&seed, -0.05, 0.05)),
 		                      (float)random_between(&seed, -0.8, 0.8), (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
@@ -187,14 +194,12 @@ static void jam(Validation* v, bool thick, double speed, int runs)
 	begin(v, "disk of 50 cm shot at %g m/s into the corner of a wedge of %s", speed,
 	      thick ? "boxes of 2 cm" : "segments");
 	Lab* lab = open_empty(v);
-	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0), disk = circle_of(0.25);
+	scree_attribute_def disk = circle_of(0.25);
 	int bodies[512];
 	for (int k = 0; k < runs; ++k)
 	{
 		double y = APART * (k - runs / 2), half = opening(k, runs);
-		for (int s = -1; s <= 1; s += 2)
-			lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
-			        (float)(s * (1.57079633 - half)));
+		put_wedge(lab, thick, y, half);
 		bodies[k] = lab_throw(lab, &disk, -8.0f, (float)y, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
 	lab_step(lab, 120);

@@ -1407,10 +1407,10 @@ typedef struct scree_mover
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
-// ground down, ride on what moves below them, and are pushed out of what moves into them, and by kinematic bodies of any speed. One that nothing can push out, as between a lift
-// and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing. They do not collide with each other, and push
-// no body: give wall an impulse yourself. Add gravity to the velocity of those in the air. A velocity against up is dropped on ground; one
-// along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
+// ground down, ride on what moves below them, and are pushed out of what moves into them, and by kinematic bodies of any speed. One
+// that nothing can push out, as between a lift and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing.
+// They do not collide with each other, and push no body: give wall an impulse yourself. Add gravity to the velocity of those in the
+// air. A velocity against up is dropped on ground; one along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
 // on every device. Components of velocities are at most SCREE_HUGE. Fails without a change to movers.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);

@@ -12,14 +12,14 @@
 #include "world/world.h"
 #include <math.h>
 
-// of a mover's radius: slower walls are left to walk_recover
+// share of a mover's radius: slower walls are left to walk_recover
 #define SWEPT_FAR 0.5f
 
 typedef struct // a collidable of a kinematic body on its way
 {
 	scree_collidable handle;
 	scree_shape shape;
-	scree_pose from, to; // of its origin, in the world
+	scree_pose from, to; // poses of its origin, in the world
 	float reach, far;    // m: of its points from its origin; most that one of them went
 } Sweeper;
 
@@ -202,7 +202,7 @@ typedef struct // kinematic bodies, where and how fast they are; what they sweep
 	scree_pose* poses;
 	scree_velocity* velocities;
 	Sweeper* sweepers;
-	scree_collidable* crushers; // of each mover that is asked for
+	scree_collidable* crushers; // one for each mover that is asked for
 } Swept;
 
 static scree_status push(Walk* walk, const Swept* swept, int bodies, float dt)

@@ -41,7 +41,7 @@
 #define RARE static __attribute__((noinline))
 #endif
 
-// What is between these two is made small for WebAssembly, which a page downloads: stages that most worlds do not run. It saves 1.5 kB,
+// Stages between these two are made small for WebAssembly, which a page downloads: most worlds do not run them. It saves 1.5 kB,
 // compressed.
 #ifdef __EMSCRIPTEN__
 #define SMALL_BEGIN _Pragma("clang attribute push(__attribute__((minsize)), apply_to = function)")

@@ -92,9 +92,10 @@ STAGE(finalize)
 	}
 }
 
-// Item i of the bodies that go far: each moves as far as nothing static is in its way. In a world with joints, or if it is pressed, it then
-// moves on along what stopped it, as far as that is free: a chain would press a link that is held ever harder. What is pressed also turns
-// on, unless that is in the way, and is one item whatever its collidables. The searches are one call: of two, clang for PTX inlines neither, and keeps the pools on the stack of every work-item; an H200 was slower in all kernels.
+// Item i of the bodies that go far: each moves as far as nothing static is in its way. In a world with joints, or if it is pressed, it
+// then moves on along what stopped it, as far as that is free: a chain would press a link that is held ever harder. What is pressed
+// also turns on, unless that is in the way, and is one item whatever its collidables. The searches are one call: of two, clang for PTX
+// inlines neither, and keeps the pools on the stack of every work-item; an H200 was slower in all kernels.
 STAGE(guard)
 {
 	Int2 item = p->guard_list[i];

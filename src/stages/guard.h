@@ -27,7 +27,7 @@
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
-// of the thickness: how deep what is pressed into something static may be, if that is less than PRESS_MOST
+// share of the thickness: how deep a body that is pressed into something static may be, if that is less than PRESS_MOST
 #define GUARD_PRESSED 0.5f
 // of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
 #define GUARD_SLACK 0.15f

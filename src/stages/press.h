@@ -178,7 +178,7 @@ STAGE(press_joint)
 	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
 }
 
-typedef struct // of a body: what press_hand_on reads of its row, whose depth it raises
+typedef struct // the part of a body's row that press_hand_on reads; it raises the depth
 {
 	int way[2], speed, left;
 } PressWays;

@@ -54,7 +54,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	bool moves = request->dt > 0.0f;
 	float dt = request->dt, h = dt / (float)request->substeps, rate = moves ? 1.0f / h : 0.0f;
 
-	float stiffest = CONTACT_STIFFEST * rate, deepest = CONTACT_DEEP / dt;
+	float stiffest = CONTACT_STIFFEST * rate, deepest = moves ? CONTACT_DEEP / dt : 0.0f;
 	float firm = tuning->contact_hertz < stiffest ? tuning->contact_hertz : stiffest;
 	float hertz = firm < deepest ? firm : deepest, firmer = moves ? firm / hertz : 1.0f;
 	float ratio = tuning->contact_damping_ratio;
