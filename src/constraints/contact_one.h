@@ -7,6 +7,16 @@
 // Whether a slot holds a contact.
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
+// Counts a contact with these flags at its bodies, or, with by = -1, no more. Body 0 is that of what has none.
+INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
+{
+	GLOBAL int* count = flags & CONTACT_STATIC ? p->static_contacts : p->other_contacts;
+	if (bodies.x > 0)
+		atomic_add_int(count + bodies.x, by);
+	if (bodies.y > 0 && !(flags & CONTACT_STATIC))
+		atomic_add_int(count + bodies.y, by);
+}
+
 // Rows that come from the surfaces of the two collidables.
 INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 {

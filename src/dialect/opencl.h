@@ -112,16 +112,23 @@ INLINE void scatter_rows4of8(__global float* base, int index, const float in[4],
 // work-group barrier for bench alone
 #define bench_meet() barrier(CLK_LOCAL_MEM_FENCE)
 
-// The name of a kernel is in parentheses, because a macro may have the same name (store).
-#define STAGE(name)                                                                                   \
-	INLINE void name##_item(const Pools* p, int i);                                                   \
-	__kernel void(name)(POOL_ARGUMENTS Step step, Run run)                                            \
+// A kernel of a stage, of which specialize may set members of pools.step to constants. One in spread(items) work-items works, so that
+// few long items do not wait for each other. The name of a kernel is in parentheses, because a macro may have the same name (store).
+#define STAGE_KERNEL(kernel_name, name, specialize, spread)                                           \
+	__kernel void(kernel_name)(POOL_ARGUMENTS Step step, Run run)                                     \
 	{                                                                                                 \
 		Pools pools = {POOL_NAMES step, run.argument};                                                \
+		specialize;                                                                                   \
 		int end = run.count < 0 ? run.end : min(run.end, ((__global int*)pools.counters)[run.count]); \
-		for (int i = run.begin + (int)get_global_id(0); i < end; i += (int)get_global_size(0))        \
-			name##_item(&pools, i);                                                                   \
-	}                                                                                                 \
+		int apart = spread(end - run.begin), by = (int)get_global_size(0) / apart;                    \
+		if ((int)get_global_id(0) % apart == 0)                                                       \
+			for (int i = run.begin + (int)get_global_id(0) / apart; i < end; i += by)                 \
+				name##_item(&pools, i);                                                               \
+	}
+#define SPREAD_NOT(items) 1
+#define STAGE(name)                                 \
+	INLINE void name##_item(const Pools* p, int i); \
+	STAGE_KERNEL(name, name, (void)0, SPREAD_NOT)   \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_STAGE(name) STAGE(name)
 #define LIST_STAGE(name, list, length)                            \

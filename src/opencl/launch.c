@@ -71,11 +71,22 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 	return SCREE_OK;
 }
 
+// The kernel of a stage for the world as it is.
+static Kernel* stage_kernel(OpenCl* d, int stage)
+{
+	const Step* step = &d->constants.step;
+	if (stage == STAGE_narrow_phase && !step->small)
+		return &d->plain[PLAIN_NARROW_PHASE];
+	if (stage == STAGE_guard && !step->rules && !step->asks && step->material_pairs == 0)
+		return &d->plain[PLAIN_GUARD];
+	return &d->stages[stage];
+}
+
 scree_status stage_run(OpenCl* d, const Run* run) { return stage_run_within(d, run, GROUPS_A_UNIT); }
 
 scree_status stage_run_within(OpenCl* d, const Run* run, size_t groups_a_unit)
 {
-	Kernel* kernel = &d->stages[run->stage];
+	Kernel* kernel = stage_kernel(d, run->stage);
 	d->timing.box = stage_boxes[run->stage];
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));

@@ -40,6 +40,9 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < STAGE_COUNT; ++i)
 			if (d->stages[i].kernel)
 				opencl.ReleaseKernel(d->stages[i].kernel);
+		for (int i = 0; i < PLAIN_KERNELS; ++i)
+			if (d->plain[i].kernel)
+				opencl.ReleaseKernel(d->plain[i].kernel);
 		read_close(d);
 		exchange_close(d);
 		carry_close(d);
@@ -144,11 +147,14 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 {
 	for (int k = 0; k < STAGE_COUNT; ++k)
 		TRY(kernel_bind(d, per, &d->stages[k]));
+	for (int k = 0; k < PLAIN_KERNELS; ++k)
+		TRY(kernel_bind(d, per, &d->plain[k]));
 	if (d->resident)
 	{
 		TRY(kernel_bind(d, per, &d->persistent.kernel));
 		TRY(kernel_bind(d, per, &d->relay.colors));
 		TRY(kernel_bind(d, per, &d->relay.plain));
+		TRY(kernel_bind(d, per, &d->relay.locks));
 		TRY(kernel_bind(d, per, &d->relay.joints));
 		TRY(kernel_bind(d, per, &d->relay.hubs));
 		TRY(kernel_bind(d, per, &d->relay.hubs_joints));
@@ -260,11 +266,15 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], stage_widths[i] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
+	const char* const plain[PLAIN_KERNELS] = {"narrow_phase_plain", "guard_plain"};
+	for (int i = 0; i < PLAIN_KERNELS; ++i)
+		TRY(kernel_create(d, plain[i], STAGE_GROUP, &d->plain[i]));
 	if (d->resident)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
 		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay.plain));
+		TRY(kernel_create(d, "relay_locks", RELAY_GROUP, &d->relay.locks));
 		TRY(kernel_create(d, "relay_joints", RELAY_GROUP, &d->relay.joints));
 		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay.hubs));
 		TRY(kernel_create(d, "relay_hubs_joints", HUB_GROUP, &d->relay.hubs_joints));

@@ -95,12 +95,19 @@ typedef struct
 
 typedef struct
 {
-	Kernel colors, plain, joints; // kernels relay, relay_plain and relay_joints
-	Kernel hubs, hubs_joints;     // relay_hubs and relay_hubs_joints
-	Scratch mailboxes;            // MAILBOX_WORDS words per body; also for the border of the tiles
-	Scratch stream;               // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
-	Scratch parts;                // two words per spoke and per hub
+	Kernel colors, plain, locks, joints; // kernels relay, relay_plain, relay_locks and relay_joints
+	Kernel hubs, hubs_joints;            // relay_hubs and relay_hubs_joints
+	Scratch mailboxes;                   // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;                      // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;                       // two words per spoke and per hub
 } RelayState;
+
+enum // kernels of kernels.cl for worlds without what the stage has else
+{
+	PLAIN_NARROW_PHASE,
+	PLAIN_GUARD,
+	PLAIN_KERNELS
+};
 
 enum // kernels of tiles.cl that take all pools, in launch order
 {
@@ -182,7 +189,7 @@ typedef struct
 	int argument[PER_COUNT];   // argument index of each buffer; of a kind without one its position among these
 	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind before this one
 
-	Kernel stages[STAGE_COUNT];
+	Kernel stages[STAGE_COUNT], plain[PLAIN_KERNELS];
 	Constants constants;
 	Primitives primitives;
 	bool resident; // the program has the kernels whose work-groups must be resident at once

@@ -134,11 +134,12 @@
 #define CONTACT_REFUSED 2097152u // the answer was no, or none
 #define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
-#define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
+#define CONTACT_HIGH    8388608u  // it passes, but was higher than its platform, and may be held as if it were new
+#define CONTACT_STATIC  16777216u // one side of it was static when it was created
 #define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
-#define CONTACT_LASTS                                                         \
-	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | \
-	 CONTACT_HIGH) // what narrow_phase leaves alone
+#define CONTACT_LASTS                                                                        \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH | \
+	 CONTACT_STATIC) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -613,7 +614,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
-	int presses;          // there are kinematic bodies, or joints with what does not move
+	int presses;          // there is something static, and kinematic bodies or joints with what does not move
 	int round;            // some attribute has a radius
 	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
 	float guard_way;      // m: lower bound of all Guarded.way of the world

@@ -111,8 +111,12 @@ STAGE(contact_create)
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
 	item_clear(p, PER_CONTACT, slot);
 	p->pair[slot] = pair;
-	p->contact_bodies[slot] = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
-	p->contact_flags[slot] = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);
+	Int2 bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
+	Word flags = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);
+	flags |= p->collidable_kind[b] == KIND_STATIC ? CONTACT_STATIC : 0u;
+	p->contact_bodies[slot] = bodies;
+	p->contact_flags[slot] = flags;
+	contact_count(p, bodies, flags, 1);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
 	p->contact_place[slot] = -1;

@@ -73,8 +73,7 @@ STAGE(finalize)
 	}
 	if (pressed)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
-	// a GPU looks for what is near in guard, as that would use registers of all bodies here
-	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !(FETCHES && guard_free(p, p->guarded[i], i, d, da)))
+	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !guard_clear(p, i, d, da))
 		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);
@@ -105,12 +104,9 @@ STAGE(guard)
 	float da = p->body[body].da, turn = da, least = 0.0f;
 	if (pressed)
 		guarded.parts = 1;
-	int free = !FETCHES && !pressed && guard_free(p, guarded, body, d, da);
 	for (;;)
 	{
-		GuardStop stop = guard_stop(1.0f, d, 0);
-		if (!free)
-			stop = guard_part(p, guarded, item.y, to, turn);
+		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
 		if (slides)
 		{
 			if (stop.share > least)

@@ -34,9 +34,6 @@
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
-// in GUARD_TRAVEL: what goes less far is not stopped by what moves; a little less than GUARD_CROSS, for rounding
-#define GUARD_NEAR (0.99f * GUARD_CROSS / GUARD_TRAVEL)
-
 typedef struct // where a path ends
 {
 	float share; // of the path, 1 is all
@@ -103,13 +100,14 @@ typedef struct // a collidable on its path
 // Whether j may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the other.
 INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
 {
-	int kind = p->collidable_kind[j];
+	// all that most leaves need is read at once: a GPU waits for it once
+	int kind = p->collidable_kind[j], body = p->collidable_body[j];
+	Filter filter = p->filter[j];
 	if (kind != KIND_DYNAMIC)
 		return kind == KIND_STATIC;
 	// soon ruled out: itself, and what its filter leaves alone
-	if (j == g->index || !filter_accepts(g->filter, p->filter[j]))
+	if (j == g->index || !filter_accepts(g->filter, filter))
 		return 0;
-	int body = p->collidable_body[j];
 	Advance went = guard_went(p, body);
 	float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
 	return guard_far(vec_sub(g->way.path, went.path), swing) > GUARD_CROSS * g->thickness;
@@ -163,10 +161,9 @@ RARE GuardStop guard_search(const Pools* p, const GLOBAL Tree* tree, const Guard
 	return least;
 }
 
-// The share of its path that collidable i moves, with its body's displacement.
-INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
+// The way of collidable i with its body's displacement.
+INLINE GuardPath guard_path(const Pools* p, int i, int pressed, Vec path, float turn)
 {
-	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 	GuardPath g;
 	Advance advance;
 	advance.path = path;
@@ -178,16 +175,47 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, 
 	g.thickness = p->thickness[g.from.attribute];
 	g.way = guard_way(p, g.from, advance);
 	g.swing = absolute(turn) * g.way.reach;
-	float far = guard_far(path, g.swing);
-	if (p->collidable_kind[i] & KIND_SENSOR || (!pressed && !(far > GUARD_TRAVEL * g.thickness)))
-		return least;
-
 	Float4 box = world_box(g.from, p->attribute + g.from.attribute, 0.0f);
 	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
 	g.box = box_grow(box_union(box, then), g.swing);
+	return g;
+}
+
+// Bits of the trees that may hold what is in the way of a collidable: 1 << t of tree t. As long as its path stays in the box of the step,
+// what is near has a contact.
+INLINE int guard_trees(const Pools* p, const GuardPath* g)
+{
+	float far = guard_far(g->way.path, g->swing);
+	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > GUARD_TRAVEL * g->thickness)))
+		return 0;
+	int body = g->from.body, inside = box_contains(p->box[g->index], g->box);
+	int moves = far > GUARD_CROSS * g->thickness && !(inside && p->other_contacts[body] == 0);
+	int rests = !(inside && p->static_contacts[body] == 0);
+	return moves | rests << 1;
+}
+
+// Whether nothing can be in the way of a body. Most bodies end here.
+INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
+{
+	int trees = p->static_contacts[body] != 0;
+	for (int k = p->guarded[body].first; k > 0 && !trees; k = p->next_collidable[k - 1])
+	{
+		GuardPath g = guard_path(p, k - 1, 0, path, turn);
+		trees = guard_trees(p, &g);
+	}
+	return !trees;
+}
+
+// The share of its path that collidable i moves, with its body's displacement.
+INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
+{
+	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
+	GuardPath g = guard_path(p, i, pressed, path, turn);
+	int trees = guard_trees(p, &g);
 	// one call for both trees, as in guard
-	for (int t = far > GUARD_CROSS * g.thickness ? 0 : 1; t < 2; ++t)
-		least = guard_search(p, p->tree + t, &g, least);
+	for (int t = 0; t < 2; ++t)
+		if (trees >> t & 1)
+			least = guard_search(p, p->tree + t, &g, least);
 	return least;
 }
 
@@ -229,22 +257,6 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 INLINE int guard_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + guard_far(path, absolute(turn) * p->guarded[body].reach) > PRESS_MOST;
-}
-
-// Whether nothing can be in the way of a body: no static leaf is near a box around its path, and it goes too little
-// for what moves. Most bodies end here, and nothing is read of their collidables. The box holds that of guard_collidable for each
-// of them, rounding included.
-INLINE int guard_free(const Pools* p, Guarded guarded, int body, Vec path, float turn)
-{
-	const GLOBAL Tree* tree = p->tree + 1;
-	float swing = absolute(turn) * guarded.reach;
-	if (tree->leaves == 0 || !(guard_far(path, swing) < GUARD_NEAR * guarded.way))
-		return 0;
-	Float4 pose = p->pose[body], box = make_float4(pose.x, pose.y, pose.x, pose.y);
-	Float4 then = make_float4(pose.x + path.x, pose.y + path.y, pose.x + path.x, pose.y + path.y);
-	box = box_grow(box_union(box, then), guarded.reach + swing + LINEAR_SLOP);
-	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
-	return tree_next(p, tree, box, &walk) == TREE_DONE;
 }
 
 // A GPU combines atomics of neighboring work-items that add 1 each.

@@ -2,6 +2,7 @@
 // narrow_phase.h -- manifolds of contacts; points inherit impulses; contacts whose boxes parted are released.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
+#include "constraints/contact_one.h"
 #include "stages/ahead.h"
 #include "stages/box.h"
 #include "stages/edge.h"
@@ -63,6 +64,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	if (!box_parted(p, pair))
 		return 0;
 	contact_end(p, i);
+	contact_count(p, p->contact_bodies[i], p->contact_flags[i], -1);
 	p->pair[i] = make_int2(-1, -1);
 	p->contact_flags[i] = 0;
 	atomic_add_int(&p->counters->released, 1);
@@ -188,7 +190,10 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	if (!touching)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))
+	{
+		p->contact_press[i] = 0; // those of its last touch
 		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
+	}
 }
 
 // Contacts between the one that is processed and the one whose rows are fetched, because pairs are anywhere in the

@@ -56,12 +56,11 @@ INLINE int press_left(int code, Vec normal)
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Whether contact i may push.
-INLINE int press_looks(const Pools* p, int i)
-{
-	return !p->counters->stalled && i < p->counters->live && p->pair[i].x >= 0 &&
-	       (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)) == CONTACT_TOUCHING;
-}
+// Whether the stages have nothing to do, as the solve began with a layout that changed (argument: whether it may have).
+INLINE int press_waits(const Pools* p) { return p->argument && !p->counters->kept; }
+
+// The contact at place i, -1 for none.
+INLINE int press_contact(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
 
 INLINE ContactPoints press_points(const Pools* p, int i)
 {
@@ -102,7 +101,7 @@ STAGE(press_begin)
 {
 	BodyState state = p->body[i];
 	Vec v = vec(state.vx, state.vy);
-	if (p->counters->stalled || !(state.inv_mass > 0.0f))
+	if (press_waits(p) || !(state.inv_mass > 0.0f))
 		return;
 	GLOBAL Press* press = p->press + i;
 	press->way[0] = 0;
@@ -113,19 +112,19 @@ STAGE(press_begin)
 	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
-// Contact i gives its bodies their ways: those of the last step, and those that begin at it.
+// The contact at place i gives its bodies their ways: those of the last step, and those that begin at it.
 STAGE(press_gather)
 {
-	if (!press_looks(p, i))
+	int contact = press_contact(p, i);
+	if (contact < 0)
 		return;
-	Word bits = p->contact_press[i];
-	Int2 pair = p->pair[i];
-	int kind = p->collidable_kind[pair.y], still = kind < KIND_DYNAMIC;
-	int body_a = p->collidable_body[pair.x], body_b = p->collidable_body[pair.y];
+	Word bits = p->contact_press[contact];
+	int kind = p->collidable_kind[p->contact_place_pair[i].y], still = kind < KIND_DYNAMIC;
+	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i);
 	int lasts = p->press[body_a].left > 0 || (!still && p->press[body_b].left > 0);
 	if (bits == 0 && !still && !lasts)
 		return;
-	ContactPoints at = press_points(p, i);
+	ContactPoints at = press_points(p, contact);
 	float gap = minimum(at.separation[0], at.separation[1]);
 	if (lasts && gap < -PRESS_MOST)
 	{
@@ -138,7 +137,7 @@ STAGE(press_gather)
 		if (gap < -PRESS_FROM)
 			press_give(p, body_a, kind == KIND_KINEMATIC, PRESS_HOPS, vec_neg(at.normal));
 		if (gap < -PRESS_FROM && kind == KIND_KINEMATIC)
-			raise_int(&p->press[body_a].speed, float_bits(press_pushes(p, i, at)));
+			raise_int(&p->press[body_a].speed, float_bits(press_pushes(p, contact, at)));
 		return;
 	}
 	if (!(gap < 0.0f))
@@ -161,7 +160,7 @@ STAGE(press_gather)
 STAGE(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
-	if (p->counters->stalled || (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
+	if (press_waits(p) || (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
 	    modes & (JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) || !(modes & PRESS_HOLDS(JOINT_ALONG)) ||
 	    !(modes & PRESS_HOLDS(JOINT_ACROSS)))
 		return;
@@ -194,40 +193,37 @@ INLINE PressWays press_ways(const Pools* p, int body)
 	return ways;
 }
 
-// Contact i hands ways on. What is pressed into something static is marked for guard.
+// The contact at place i hands ways on. What is pressed into something static is marked for guard.
 STAGE(press_hand_on)
 {
-	if (i >= p->counters->live)
+	int contact = press_contact(p, i), way[2] = {0, 0};
+	if (contact < 0)
 		return;
-	int way[2] = {0, 0};
 	float speed = 0.0f;
-	if (press_looks(p, i))
+	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i);
+	int kind = p->collidable_kind[p->contact_place_pair[i].y];
+	PressWays a = press_ways(p, body_a), b = a;
+	b.way[0] = b.way[1] = 0;
+	if (kind == KIND_DYNAMIC)
+		b = press_ways(p, body_b);
+	if ((a.way[0] | a.way[1] | b.way[0] | b.way[1] | a.left) != 0 && kind != KIND_KINEMATIC)
 	{
-		int body_a = p->collidable_body[p->pair[i].x], body_b = p->collidable_body[p->pair[i].y];
-		int kind = p->collidable_kind[p->pair[i].y];
-		PressWays a = press_ways(p, body_a), b = a;
-		b.way[0] = b.way[1] = 0;
-		if (kind == KIND_DYNAMIC)
-			b = press_ways(p, body_b);
-		if ((a.way[0] | a.way[1] | b.way[0] | b.way[1] | a.left) != 0 && kind != KIND_KINEMATIC)
+		ContactPoints at = press_points(p, contact);
+		float gap = minimum(at.separation[0], at.separation[1]);
+		for (int k = 0; k < 2 && gap < 0.0f; ++k)
 		{
-			ContactPoints at = press_points(p, i);
-			float gap = minimum(at.separation[0], at.separation[1]);
-			for (int k = 0; k < 2 && gap < 0.0f; ++k)
-			{
-				int to = press_left(a.way[k], at.normal), back = press_left(b.way[k], vec_neg(at.normal));
-				way[k] = back > to ? back | PRESS_BACK : to;
-				speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
-			}
-			if (kind == KIND_STATIC && gap < 0.0f && (way[1] > 0 || a.left > 0))
-				raise_int(&p->press[body_a].depth, float_bits(-gap));
-			if (kind == KIND_STATIC)
-				way[0] = way[1] = 0;
+			int to = press_left(a.way[k], at.normal), back = press_left(b.way[k], vec_neg(at.normal));
+			way[k] = back > to ? back | PRESS_BACK : to;
+			speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
 		}
+		if (kind == KIND_STATIC && gap < 0.0f && (way[1] > 0 || a.left > 0))
+			raise_int(&p->press[body_a].depth, float_bits(-gap));
+		if (kind == KIND_STATIC)
+			way[0] = way[1] = 0;
 	}
 	Word bits = press_bits(way, speed);
-	if (bits != p->contact_press[i])
-		p->contact_press[i] = bits;
+	if (bits != p->contact_press[contact])
+		p->contact_press[contact] = bits;
 	if (way[1])
 		raise_int(&p->counters->ways, 1);
 }

@@ -162,9 +162,11 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 // Whether the light end is static. What does not move is the second collidable of a pair.
 INLINE Int spoke_static(const Pools* p, int i, const SpokeArms* s)
 {
-	Int ia, ib;
+	Int ia, ib, still = s->whole_mass == splat(0.0f);
+	if (!lane_bits(still))
+		return still;
 	load_int2(p->contact_place_pair, i, &ia, &ib);
-	return (s->whole_mass == splat(0.0f)) & (gather_int(p->collidable_kind, ib) == KIND_STATIC);
+	return still & (gather_int(p->collidable_kind, ib) == KIND_STATIC);
 }
 
 // Computes masses and slopes: zero if one of them is not finite.

@@ -122,23 +122,6 @@ static void ask(RunList* list, const Step* step, int bodies)
 		runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
 }
 
-// Contacts by which a press goes on in a step. With one, a press of 1 m/s moves a row of 5 capsules 2.01 cm into a wall before the wall
-// holds them.
-#define PRESS_ROUNDS 2
-
-// What is pressed against something static.
-static void press(RunList* list, const Step* step, int bodies, int joints)
-{
-	runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), 0);
-	if (joints > 0)
-		runs_add(list, STAGE_press_joint, 0, joints, COUNT(presses), 0);
-	for (int round = 0; round < PRESS_ROUNDS; ++round)
-	{
-		runs_add(list, STAGE_press_gather, 0, step->contact_capacity, COUNT(presses), 0);
-		runs_add(list, STAGE_press_hand_on, 0, step->contact_capacity, COUNT(presses), 0);
-	}
-}
-
 static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
@@ -153,8 +136,6 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
-	if (step->presses && step->dt > 0.0f)
-		press(list, step, bodies, pipeline->counters.joints);
 	if (pipeline->platforms)
 		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 }
@@ -293,6 +274,8 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));
 		follow_paths(pipeline);
+		if (ahead && step->presses)
+			press_list(list, c, request->bodies, true);
 		TRY(ahead ? solve_ahead(pipeline, step, request) : read_back(pipeline, step));
 		*solved = ahead && c->kept;
 		if (!c->stalled)

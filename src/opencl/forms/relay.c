@@ -73,8 +73,9 @@ bool solve_plain(const OpenCl* d)
 
 static Kernel* relay_kernel(OpenCl* d)
 {
-	if (d->constants.step.joints)
-		return &d->relay.joints;
+	const Step* step = &d->constants.step;
+	if (step->joints)
+		return step->drives || step->couplings || step->paths ? &d->relay.joints : &d->relay.locks;
 	return solve_plain(d) ? &d->relay.plain : &d->relay.colors;
 }
 
@@ -129,6 +130,7 @@ scree_status relay_open(OpenCl* d)
 		return SCREE_OK;
 	TRY(count_groups(d, &d->relay.colors));
 	TRY(count_groups(d, &d->relay.plain));
+	TRY(count_groups(d, &d->relay.locks));
 	TRY(count_groups(d, &d->relay.joints));
 	TRY(count_groups(d, &d->relay.hubs));
 	TRY(count_groups(d, &d->relay.hubs_joints));
@@ -158,9 +160,10 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel,       d->relay.joints.kernel,
-	                       d->relay.hubs.kernel,   d->relay.hubs_joints.kernel, d->solve_end.kernel};
-	for (int i = 0; i < 6; ++i)
+	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel, d->relay.locks.kernel,
+	                       d->relay.joints.kernel, d->relay.hubs.kernel,  d->relay.hubs_joints.kernel,
+	                       d->solve_end.kernel};
+	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)
 		if (kernels[i])
 			opencl.ReleaseKernel(kernels[i]);
 	scratch_release(&d->relay.mailboxes);
