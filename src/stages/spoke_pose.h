@@ -13,13 +13,6 @@
 // The same for restitution, which is solved once: no later pass corrects what this holds back.
 #define BOUNCE_YIELD 0.001f
 
-// The same for normal impulses at points that are deep in something static, so that what presses the hub into it moves the hub by a hundredth. For all
-// points, the many of a comb would need more rounds of Newton's method: 3 combs of 80 teeth sink by 28 mm.
-#define PRESSED_YIELD 0.001f
-
-// m: a spoke that is deeper in something that cannot move leaks less of its impulse, and none at this depth
-#define STOP_DEPTH 0.005f
-
 // 1/kg: a smaller inverse mass counts as immovable. Its inverse is a finite float
 #define LEAST_RESISTS 1.0e-37f
 
@@ -82,14 +75,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 		*bias = -bounce_speed(&p->step, spoke_rebound(p, i, k), load(&contact_rare(p, fall, i), 0), gap);
 		return;
 	}
-	Int fixed = s->whole_mass == splat(0.0f);
-	PairGoal goal = pair_goal(gap, fixed, &p->step, what == HUB_SOFT, 1);
-	if (what == HUB_SOFT)
-	{
-		// A spoke that presses something static, or kinematic, gets no deeper than STOP_DEPTH: its impulse leaks less.
-		Real yields = minimum(maximum((gap + STOP_DEPTH) * (2.0f / STOP_DEPTH), splat(0.0f)), splat(1.0f));
-		goal.impulse_scale = choose(goal.impulse_scale, yields * goal.impulse_scale, fixed);
-	}
+	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), &p->step, what == HUB_SOFT, 1);
 	*bias = goal.bias / goal.mass_scale;
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
@@ -159,31 +145,18 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 	s->w = load(&spoke_at(p, w, m), 0);
 }
 
-// Whether the light end is static. What does not move is the second collidable of a pair.
-INLINE Int spoke_static(const Pools* p, int i, const SpokeArms* s)
-{
-	Int ia, ib, still = s->whole_mass == splat(0.0f);
-	if (!lane_bits(still))
-		return still;
-	load_int2(p->contact_place_pair, i, &ia, &ib);
-	return still & (gather_int(p->collidable_kind, ib) == KIND_STATIC);
-}
-
 // Computes masses and slopes: zero if one of them is not finite.
 INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, SpokeProblem* r)
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), speed[2];
 	Real cross = s->mass + s->inertia * s->light[0] * s->light[1];
-	float usual = what == HUB_BOUNCE ? BOUNCE_YIELD : HUB_YIELD;
-	Int holds = spoke_static(p, i, s);
+	float yield = what == HUB_BOUNCE ? BOUNCE_YIELD : HUB_YIELD;
 	spoke_speeds(h, s, speed);
 	for (int k = 0; k < 2; ++k)
 	{
 		Real bias, soft;
 		spoke_wants(p, h, i, what, s, k, &bias, &soft);
-		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass), yield = splat(usual);
-		if (!spoke_limited(what) && lane_bits(holds))
-			yield = choose(yield, splat(PRESSED_YIELD), holds & (spoke_gap(p, i, k) < splat(-0.5f * STOP_DEPTH)));
+		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
 		// a little more than the mass itself, so that two points at one place have a solution
 		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->light[k] * s->light[k]) +
 		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
