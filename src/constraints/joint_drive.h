@@ -121,13 +121,16 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	Real zero = splat(0.0f), yield = joint_yield(c, k), speed = joint_speed(c, k);
 	Int yields = yield > zero;
 	Real safe = choose(splat(1.0f), yield, yields);
-	Int spring = joint_has(u, JOINT_SPRING(k)) & yields, motor = joint_has(u, JOINT_MOTOR(k)) & yields,
-	    limit = joint_has(u, JOINT_LIMITED(k)) & yields;
+	Int motor = joint_has(u, JOINT_MOTOR(k)) & yields, limit = joint_has(u, JOINT_LIMITED(k)) & yields;
 	Int together = joint_has(u, k == JOINT_ANGLE ? 0 : JOINT_ELLIPTIC);
-	Real pull = soft ? joint_spring(&d, safe, speed, c->value[k] - d.target)
-	                 : joint_spring_relaxed(&d, safe, speed, full & together);
-	d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
-	speed = speed + yield * (d.spring_impulse - old.spring_impulse);
+	if (p->step.springs)
+	{
+		Int spring = joint_has(u, JOINT_SPRING(k)) & yields;
+		Real pull = soft ? joint_spring(&d, safe, speed, c->value[k] - d.target)
+		                 : joint_spring_relaxed(&d, safe, speed, full & together);
+		d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
+		speed = speed + yield * (d.spring_impulse - old.spring_impulse);
+	}
 	Real drive = hold_of(d.motor_impulse - (speed - d.speed) / safe);
 	d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
 	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
@@ -195,7 +198,7 @@ INLINE Int joint_springs_full(const Pools* p, int i)
 INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose* c)
 {
 	Int full = splat(0.0f) > splat(0.0f);
-	if (!soft && p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
+	if (!soft && p->step.springs && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 		full = joint_springs_full(p, i);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 		if (joint_drives(p, u, k))

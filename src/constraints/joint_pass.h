@@ -53,7 +53,7 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 	softness[0] = soft ? u->soft_along : zero;
 	softness[1] = soft ? u->soft_across : zero;
 	softness[2] = soft ? u->soft_angle : zero;
-	if (soft || !p->step.drives || !lane_bits(joint_has(u, JOINT_SOFT(0) | JOINT_SOFT(1) | JOINT_SOFT(2))))
+	if (soft || !p->step.springs || !lane_bits(joint_has(u, JOINT_SOFT(0) | JOINT_SOFT(1) | JOINT_SOFT(2))))
 		return;
 	softness[0] = choose(zero, load(&joint_rare(p, along_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(0)));
 	softness[1] = choose(zero, load(&joint_rare(p, across_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(1)));
@@ -132,7 +132,7 @@ INLINE JointSystem joint_system(const Pools* p, int i, int soft, int chained, fl
 	s.cross[0] = choose(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
 	s.cross[1] = choose(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
 	s.cross[2] = choose(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);
-	if (soft && !chained && p->step.drives && lane_bits(joint_has(u, JOINT_SPRINGS)))
+	if (soft && !chained && p->step.springs && lane_bits(joint_has(u, JOINT_SPRINGS)))
 		joint_hold_springs(p, i, u, c, cross, softness, speed, &s);
 	return s;
 }

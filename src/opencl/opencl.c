@@ -154,7 +154,7 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 		TRY(kernel_bind(d, per, &d->persistent.kernel));
 		TRY(kernel_bind(d, per, &d->relay.colors));
 		TRY(kernel_bind(d, per, &d->relay.plain));
-		TRY(kernel_bind(d, per, &d->relay.locks));
+		TRY(kernel_bind(d, per, &d->relay.hinges));
 		TRY(kernel_bind(d, per, &d->relay.joints));
 		TRY(kernel_bind(d, per, &d->relay.hubs));
 		TRY(kernel_bind(d, per, &d->relay.hubs_joints));
@@ -274,7 +274,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
 		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay.plain));
-		TRY(kernel_create(d, "relay_locks", RELAY_GROUP, &d->relay.locks));
+		TRY(kernel_create(d, "relay_hinges", RELAY_GROUP, &d->relay.hinges));
 		TRY(kernel_create(d, "relay_joints", RELAY_GROUP, &d->relay.joints));
 		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay.hubs));
 		TRY(kernel_create(d, "relay_hubs_joints", HUB_GROUP, &d->relay.hubs_joints));

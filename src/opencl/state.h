@@ -95,11 +95,11 @@ typedef struct
 
 typedef struct
 {
-	Kernel colors, plain, locks, joints; // kernels relay, relay_plain, relay_locks and relay_joints
-	Kernel hubs, hubs_joints;            // relay_hubs and relay_hubs_joints
-	Scratch mailboxes;                   // MAILBOX_WORDS words per body; also for the border of the tiles
-	Scratch stream;                      // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
-	Scratch parts;                       // two words per spoke and per hub
+	Kernel colors, plain, hinges, joints; // kernels relay, relay_plain, relay_hinges and relay_joints
+	Kernel hubs, hubs_joints;             // relay_hubs and relay_hubs_joints
+	Scratch mailboxes;                    // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;                       // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;                        // two words per spoke and per hub
 } RelayState;
 
 enum // kernels of kernels.cl for worlds without what the stage has else

@@ -612,6 +612,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int joints;           // there may be joints among the constraints
 	int chain_places;     // spots of chains
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	int springs;          // some joint has a spring or a soft lock
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
 	int presses;          // there is something static, and kinematic bodies or joints with what does not move

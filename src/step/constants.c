@@ -93,6 +93,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .joints = pipeline->counters.joints > 0,
 	    .chain_places = pipeline->chain_places,
 	    .drives = pipeline->drives,
+	    .springs = pipeline->springs,
 	    .couplings = pipeline->couplings,
 	    .paths = pipeline->paths,
 	    .presses = pipeline->trees[1].tree.leaves > 0 && (request->kinematic > 0 || pipeline->tethers),

@@ -215,6 +215,7 @@ scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
 	Run run = {.stage = STAGE_joint_show, .begin = first, .end = first + count, .count = NO_COUNT};
 	Step step = pipeline->step;
 	step.drives = pipeline->drives;
+	step.springs = pipeline->springs;
 	step.couplings = pipeline->couplings;
 	step.paths = pipeline->paths;
 	return b->f->run(b, &step, &run, 1);

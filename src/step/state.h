@@ -75,6 +75,7 @@ typedef struct
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
 	bool drives;    // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	bool springs;   // some joint has a spring or a soft lock
 	bool couplings; // some joint is a gear or a pulley
 	bool paths;     // some joint follows a path
 	bool bare;      // some body with joints may have no collidables

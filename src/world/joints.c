@@ -279,6 +279,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 	{
 		rows[k] = joint_edit(world, p->joints[k]);
 		pipeline->drives |= drives(rows + k);
+		pipeline->springs |= ((int)rows[k].data.modes & JOINT_SPRINGS) != 0;
 		pipeline->couplings |= ((int)rows[k].data.modes & JOINT_COUPLED) != 0;
 		pipeline->paths |= ((int)rows[k].data.modes & JOINT_RAILED) != 0;
 		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;

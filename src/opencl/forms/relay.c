@@ -75,7 +75,7 @@ static Kernel* relay_kernel(OpenCl* d)
 {
 	const Step* step = &d->constants.step;
 	if (step->joints)
-		return step->drives || step->couplings || step->paths ? &d->relay.joints : &d->relay.locks;
+		return step->springs || step->couplings || step->paths ? &d->relay.joints : &d->relay.hinges;
 	return solve_plain(d) ? &d->relay.plain : &d->relay.colors;
 }
 
@@ -130,7 +130,7 @@ scree_status relay_open(OpenCl* d)
 		return SCREE_OK;
 	TRY(count_groups(d, &d->relay.colors));
 	TRY(count_groups(d, &d->relay.plain));
-	TRY(count_groups(d, &d->relay.locks));
+	TRY(count_groups(d, &d->relay.hinges));
 	TRY(count_groups(d, &d->relay.joints));
 	TRY(count_groups(d, &d->relay.hubs));
 	TRY(count_groups(d, &d->relay.hubs_joints));
@@ -160,7 +160,7 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel, d->relay.locks.kernel,
+	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel, d->relay.hinges.kernel,
 	                       d->relay.joints.kernel, d->relay.hubs.kernel,  d->relay.hubs_joints.kernel,
 	                       d->solve_end.kernel};
 	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)

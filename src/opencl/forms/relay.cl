@@ -265,7 +265,7 @@ INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream,
 	}
 RELAY_KERNEL(relay, STEP_CONTACTS)
 RELAY_KERNEL(relay_plain, STEP_PLAIN)
-RELAY_KERNEL(relay_locks, STEP_LOCKS)
+RELAY_KERNEL(relay_hinges, STEP_HINGES)
 RELAY_KERNEL(relay_joints, STEP_JOINTS)
 
 // Tests whether work-items make progress independently and whether words arrive whole. In round k each work-item
