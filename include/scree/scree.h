@@ -1112,7 +1112,8 @@ typedef struct scree_contact
 	scree_collidable a, b;
 	scree_vec normal; // unit vector from a to b
 	int color;        // of the solver's constraint graph coloring, 0 to 62: constraints of one color share no body that
-	                  // can move. 63: contact of a hub (a body with more than 32 contacts). -1: overlap
+	                  // can move. 63: contact of a hub (a body with more than 32 contacts, or
+	                  // on belts that run against each other). -1: overlap
 	int count;        // number of points, 1 or 2
 	scree_contact_point points[2];
 	scree_body body_a, body_b;       // of a and b; null for a collidable without a body

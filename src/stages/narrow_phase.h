@@ -70,9 +70,10 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 }
 
 // Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
-// only. far: the pair may approach by more than the speculative distance. rolls gets the MANIFOLD_* bits of a manifold
-// that follows its corners.
-INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int moved, Word* rolls)
+// only. far: the pair may approach by more than the speculative distance. belt: a surface of it runs. rolls gets the MANIFOLD_*
+// bits of a manifold that follows its corners.
+INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt, int moved,
+                               Word* rolls)
 {
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Vec turn = vec(a.c, a.s);
@@ -97,6 +98,8 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 		found_at = ahead_past(p, a, b, closing, found_at);
 		if (!found_at.ahead && shape_a->radius + shape_b->radius > 0.0f)
 			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
+		else if (!found_at.ahead && belt)
+			return ahead_end(p, a, b, closing, found_at);
 	}
 	return found_at;
 }
@@ -177,7 +180,8 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
 	Word rolls = 0;
 	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
-	Ahead at = narrow_phase_find(p, a, b, answers, far, moved, &rolls);
+	int belt = edge_belt_of(p, CONSTRAINT_CONTACT, i);
+	Ahead at = narrow_phase_find(p, a, b, answers, far, belt, moved, &rolls);
 	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
 	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
