@@ -22,7 +22,8 @@ static int lay(Lab* lab, int boxes, bool hinged, double height, double x)
 	int first = lab->count;
 	for (int k = 0; k < boxes; ++k)
 	{
-		int body = lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)(x + step * (k - 0.5 * (boxes - 1))), (float)height, 0.0f);
+		int body =
+		    lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)(x + step * (k - 0.5 * (boxes - 1))), (float)height, 0.0f);
 		scree_joint_def joint = scree_joint_def_make(hinged ? SCREE_JOINT_REVOLUTE : SCREE_JOINT_WELD);
 		joint.frame_a.position.x = (float)(0.5 * step);
 		joint.frame_b.position.x = (float)(-0.5 * step);

@@ -650,7 +650,7 @@ typedef struct
 #undef CONSTRAINT_KIND
 	int presses;                         // INT_MAX if something may be pressed, else 0
 	int ways;                            // 1 if some contact hands a press on
-	int belts;                           // 1 if a belt began to run or turned back after the search for hubs, until the next one
+	int belts;                           // 1 if a belt turned back since hubs were searched for
 	int alive;                           // live contacts, and those released in the last step
 	int touching;                        // contacts with a color, spokes included
 	KindLayout layout[CONSTRAINT_KINDS]; // where constraints lie

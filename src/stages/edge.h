@@ -75,22 +75,22 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 }
 
 // Ends constraint i of a kind, if it has begun.
-#define CONSTRAINT_KIND(kind, Kind, KIND)           \
-	INLINE void kind##_end(const Pools* p, int i)   \
-	{                                               \
-		int color = p->kind##_color[i];             \
-		if (color == COLOR_NONE)                    \
-			return;                                 \
-		Int2 bodies = p->kind##_bodies[i];          \
-		edge_free_color(p, bodies, color);          \
-		atomic_add_int(&p->touching[bodies.x], -1); \
-		atomic_add_int(&p->touching[bodies.y], -1); \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                 \
+	INLINE void kind##_end(const Pools* p, int i)                         \
+	{                                                                     \
+		int color = p->kind##_color[i];                                   \
+		if (color == COLOR_NONE)                                          \
+			return;                                                       \
+		Int2 bodies = p->kind##_bodies[i];                                \
+		edge_free_color(p, bodies, color);                                \
+		atomic_add_int(&p->touching[bodies.x], -1);                       \
+		atomic_add_int(&p->touching[bodies.y], -1);                       \
 		edge_add_belt(p, bodies, -edge_belt_of(p, CONSTRAINT_##KIND, i)); \
-		p->kind##_color[i] = COLOR_NONE;            \
-		p->kind##_place[i] = -1;                    \
-		kind##_forget(p, i);                        \
-		atomic_add_int(&p->counters->ended, 1);     \
-		edge_stir(p, CONSTRAINT_##KIND);            \
+		p->kind##_color[i] = COLOR_NONE;                                  \
+		p->kind##_place[i] = -1;                                          \
+		kind##_forget(p, i);                                              \
+		atomic_add_int(&p->counters->ended, 1);                           \
+		edge_stir(p, CONSTRAINT_##KIND);                                  \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
