@@ -209,7 +209,7 @@ typedef struct scree_world_def
 	// contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate, where contacts are deep to 2/3 of the step rate
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
-	float contact_push_speed;    // maximum speed that pushes overlap out, m/s, 0 to SCREE_HUGE, default 3
+	float contact_push_speed;    // maximum speed that pushes a pair apart, m/s, 0 to SCREE_HUGE, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
 	float max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_HUGE, default 400. Rotation is limited to pi
 	                 // radians per step and pi / 4 per substep
