@@ -402,6 +402,48 @@ static void hubs_are_equal(void** state)
 	assert_true(last.spokes > 0);
 }
 
+static scree_attribute belt_of(scree_world* world, float speed)
+{
+	scree_attribute_def def = surface_of(box_shape(10.0f, 0.5f));
+	def.tangent_speed = speed;
+	return add_attribute(world, &def);
+}
+
+// A box lies on the ends of two belts of 1 m/s, of which the second one runs back or does not. Returns the box and the second belt.
+static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
+{
+	scree_world* world = open_world(-(float)G);
+	add_body(world, SCREE_BODY_STATIC, belt_of(world, 1.0f), -10.0f, -0.5f, 0.0f);
+	*second = add_body(world, SCREE_BODY_STATIC, belt_of(world, back ? -1.0f : 1.0f), 10.0f, -0.5f, 0.0f);
+	*box = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 0.0f, 0.25f);
+	run_steps(world, 1);
+	return world;
+}
+
+// A box in the middle of two belts that run towards each other is a hub, and rests there: both carry the same. On belts that run one way
+// it is none, until one of them turns back.
+static void belts_make_hubs(void** state)
+{
+	(void)state;
+	scree_body box, second;
+	scree_world* world = lay_on_belts(true, &box, &second);
+	assert_int_equal(counters_of(world).spokes, 2);
+	run_steps(world, 600);
+	NEAR(position_of(world, box).x, 0.0, 1e-3);
+	NEAR(velocity_of(world, box).linear.x, 0.0, 1e-3);
+	scree_world_destroy(world);
+
+	world = lay_on_belts(false, &box, &second);
+	assert_int_equal(counters_of(world).spokes, 0);
+	scree_collidable part;
+	int parts;
+	OK(scree_body_get_collidables(world, second, &part, 1, &parts));
+	OK(scree_collidable_set_attribute(world, part, belt_of(world, -1.0f)));
+	run_steps(world, 2);
+	assert_int_equal(counters_of(world).spokes, 2);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -409,7 +451,8 @@ int main(void)
 	    cmocka_unit_test(impacts_keep_momentum), cmocka_unit_test(hubs_slide_by_coulomb),
 	    cmocka_unit_test(hubs_bounce),           cmocka_unit_test(hubs_resist_rolling),
 	    cmocka_unit_test(locked_hubs_carry),     cmocka_unit_test(combs_rest_on_combs),
-	    cmocka_unit_test(joints_make_hubs),      cmocka_unit_test(hubs_are_equal),
+	    cmocka_unit_test(joints_make_hubs),      cmocka_unit_test(belts_make_hubs),
+	    cmocka_unit_test(hubs_are_equal),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

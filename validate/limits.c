@@ -125,6 +125,33 @@ static void bursts(Validation* v, int count, double width, int movers, double ma
 	row(v, "bodies frozen", extremes.frozen, "", AT_MOST, 0.0);
 }
 
+// Equal bodies of 1 m begin in a small square, without gravity. Each pair parts at no more than 3 m/s, contact_push_speed, and from the middle
+// to the side of the disk that 500 fill there are 11 pairs. They leave each other.
+static void crowd(Validation* v, int count, bool boxes, double width)
+{
+	begin(v, "%d %s on %g x %g m without gravity", count, boxes ? "boxes" : "circles", width, width);
+	Lab* lab = open_with(v, 0.0, 400.0);
+	uint64_t seed = 1;
+	double fastest = 0.0, overlap = 0.0;
+	scree_attribute_def surface = boxes ? box_of(0.5, 0.5) : circle_of(0.5);
+	for (int k = 0; k < count; ++k)
+	{
+		double x = random_between(&seed, -0.5 * width, 0.5 * width),
+		       y = random_between(&seed, -0.5 * width, 0.5 * width);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f);
+	}
+	for (int step = 0; step < 180; ++step)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		fastest = fmax(fastest, lab_fastest(lab, NULL));
+	}
+	overlap = lab_overlap(lab, NULL);
+	row(v, "fastest", fastest, "m/s", AT_MOST, 40.0);
+	row(v, "deepest overlap after 3 s", 1e3 * overlap, "mm", AT_MOST, 100.0);
+	lab_close(lab);
+}
+
 // A very large force accelerates a body to the limit and does not freeze it.
 static void force(Validation* v, double newton)
 {
@@ -156,6 +183,13 @@ void limits_experiment(Validation* v)
 	bursts(v, 300, 8.0, 6, 400.0, runs);
 	bursts(v, 300, 2.0, 6, 400.0, runs);
 	bursts(v, 300, 8.0, 6, 20.0, runs);
+	for (int boxes = 0; boxes < 2; ++boxes)
+	{
+		int count = v->quick ? 100 : 500;
+		crowd(v, count, boxes, 0.0);
+		crowd(v, count, boxes, 0.001);
+		crowd(v, count, boxes, 0.1);
+	}
 	force(v, 1e5);
 	force(v, 1e22);
 	force(v, 1e38);

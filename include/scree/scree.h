@@ -209,7 +209,7 @@ typedef struct scree_world_def
 	// contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate, where contacts are deep to 2/3 of the step rate
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
-	float contact_push_speed;    // maximum speed that pushes overlap out, m/s, 0 to SCREE_HUGE, default 3
+	float contact_push_speed;    // maximum speed that pushes a pair apart, m/s, 0 to SCREE_HUGE, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
 	float max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_HUGE, default 400. Rotation is limited to pi
 	                 // radians per step and pi / 4 per substep
@@ -1112,7 +1112,8 @@ typedef struct scree_contact
 	scree_collidable a, b;
 	scree_vec normal; // unit vector from a to b
 	int color;        // of the solver's constraint graph coloring, 0 to 62: constraints of one color share no body that
-	                  // can move. 63: contact of a hub (a body with more than 32 contacts). -1: overlap
+	                  // can move. 63: contact of a hub (a body with more than 32 contacts, or
+	                  // on belts that run against each other). -1: overlap
 	int count;        // number of points, 1 or 2
 	scree_contact_point points[2];
 	scree_body body_a, body_b;       // of a and b; null for a collidable without a body

@@ -23,6 +23,10 @@
 // at most 31 other contacts.
 #define HUB_CONTACTS 32
 
+// Weight of a contact with a belt that runs back, in the pool belts. The counts of static bodies may exceed it, but only those
+// of bodies that move are read.
+#define BELT_BACK 65536
+
 // A pass solves hubs in so many turns, by their numbers, so that hubs that touch are mostly solved one after the other.
 #define HUB_TURNS 4
 
@@ -648,6 +652,7 @@ typedef struct
 #undef CONSTRAINT_KIND
 	int presses;                         // INT_MAX if something may be pressed, else 0
 	int ways;                            // 1 if some contact hands a press on
+	int belts;                           // 1 if a belt turned back since hubs were searched for
 	int alive;                           // live contacts, and those released in the last step
 	int touching;                        // contacts with a color, spokes included
 	KindLayout layout[CONSTRAINT_KINDS]; // where constraints lie

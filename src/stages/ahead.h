@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ahead.h -- manifolds of future poses: of fast bodies where they will meet, and of corners that pass each other.
+// ahead.h -- manifolds of future poses: of fast bodies where they will meet, of corners that pass each other, of belts.
 #ifndef AHEAD_H
 #define AHEAD_H
 #include "stages/sweep.h"
@@ -52,6 +52,18 @@ INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing clos
 	Real time = maximum(sweep_end(&p->step), PAST_MOTION * closing.grain / closing.most);
 	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
 	return said > -PAST_ERROR ? now : ahead_later(p, a, b, closing, now, time, said);
+}
+
+// The manifold of the end of the step, for a pair whose surfaces run: a body on two belts is driven by the difference of what they carry,
+// which follows its arms. Arms that lag behind its motion drive it on (rolling.h has the same rule).
+RARE Ahead ahead_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now)
+{
+	Ahead then = now;
+	Vec turn = sweep_frame(a, b, closing, 1.0f, &then.f);
+	then.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, then.f, reach_of(closing.within));
+	then.axes = vec_turn(turn, now.axes);
+	then.ahead = 1;
+	return then.m.count > 0 ? then : now;
 }
 
 // Whether a pair is farther apart than it can approach in the step: then it has no manifold, of whatever poses. Shapes are no

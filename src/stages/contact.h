@@ -151,6 +151,12 @@ STAGE(contact_mix)
 	int c = p->contact_place[i];
 	if (p->step.material_pairs > 0)
 		surface = rule_surface(rule_materials(p, pair.x, pair.y), surface);
+	int belt = edge_belt(surface.w) - edge_belt(p->contact_surface[i].w);
+	if (p->contact_color[i] != COLOR_NONE && belt != 0)
+	{
+		edge_add_belt(p, p->contact_bodies[i], belt);
+		raise_int(&p->counters->belts, 1);
+	}
 	p->contact_surface[i] = surface;
 	p->contact_flags[i] = (p->contact_flags[i] & ~CONTACT_REPORTS) | touch_reports(p, pair);
 	if (c < 0)

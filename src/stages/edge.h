@@ -3,6 +3,7 @@
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/kinds.h"
+#include "stages/spoke.h"
 
 INLINE int edge_of(int kind, int slot) { return kind << EDGE_KIND | slot; }
 INLINE int edge_kind(int edge) { return CONSTRAINT_KINDS == 1 ? 0 : edge >> EDGE_KIND; }
@@ -26,21 +27,39 @@ INLINE void edge_stir(const Pools* p, int kind)
 	raise_int(&p->counters->stirred[kind], 1);
 }
 
-// Counts a constraint that begins at a body. Where a body may have too many now, some of them with colors, hubs are searched
-// for (spoke.h). Every constraint that begins requests that itself. Others begin and end meanwhile, so that more may request it
-// than need it, and then nothing is found.
-INLINE void edge_count(const Pools* p, int body)
+// What a contact adds to the pool belts at its bodies, by its tangent speed. Seen from either body, a belt runs the same way.
+INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
+
+INLINE int edge_belt_of(const Pools* p, int kind, int slot)
 {
-	if (atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS && p->body[body].inv_mass > 0.0f &&
-	    read_shared_word64(&p->color_mask[body]) != 0)
+	return kind == CONSTRAINT_CONTACT && p->step.rolls ? edge_belt(p->contact_surface[slot].w) : 0;
+}
+
+INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
+{
+	if (belt == 0)
+		return;
+	atomic_add_int(&p->belts[bodies.x], belt);
+	atomic_add_int(&p->belts[bodies.y], belt);
+}
+
+// Counts a constraint that begins at a body. Where a body may have too many now, or lies on belts that run against each other, and some
+// of them have colors, hubs are searched for (spoke.h). Every constraint that begins requests that itself. Others begin and end meanwhile,
+// so that more may request it than need it, and then nothing is found.
+INLINE void edge_count(const Pools* p, int body, int belt)
+{
+	int crowded = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
+	int opposed = belt != 0 && hub_belts(atomic_add_int(&p->belts[body], belt) + belt);
+	if ((crowded || opposed) && p->body[body].inv_mass > 0.0f && read_shared_word64(&p->color_mask[body]) != 0)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
 // Counts and lists a constraint that begins; it gets a color later in the step.
 INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
 {
-	edge_count(p, bodies.x);
-	edge_count(p, bodies.y);
+	int belt = edge_belt_of(p, edge_kind(edge), edge_slot(edge));
+	edge_count(p, bodies.x, belt);
+	edge_count(p, bodies.y, belt);
 	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
 	edge_stir(p, edge_kind(edge));
 }
@@ -56,21 +75,22 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 }
 
 // Ends constraint i of a kind, if it has begun.
-#define CONSTRAINT_KIND(kind, Kind, KIND)           \
-	INLINE void kind##_end(const Pools* p, int i)   \
-	{                                               \
-		int color = p->kind##_color[i];             \
-		if (color == COLOR_NONE)                    \
-			return;                                 \
-		Int2 bodies = p->kind##_bodies[i];          \
-		edge_free_color(p, bodies, color);          \
-		atomic_add_int(&p->touching[bodies.x], -1); \
-		atomic_add_int(&p->touching[bodies.y], -1); \
-		p->kind##_color[i] = COLOR_NONE;            \
-		p->kind##_place[i] = -1;                    \
-		kind##_forget(p, i);                        \
-		atomic_add_int(&p->counters->ended, 1);     \
-		edge_stir(p, CONSTRAINT_##KIND);            \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                 \
+	INLINE void kind##_end(const Pools* p, int i)                         \
+	{                                                                     \
+		int color = p->kind##_color[i];                                   \
+		if (color == COLOR_NONE)                                          \
+			return;                                                       \
+		Int2 bodies = p->kind##_bodies[i];                                \
+		edge_free_color(p, bodies, color);                                \
+		atomic_add_int(&p->touching[bodies.x], -1);                       \
+		atomic_add_int(&p->touching[bodies.y], -1);                       \
+		edge_add_belt(p, bodies, -edge_belt_of(p, CONSTRAINT_##KIND, i)); \
+		p->kind##_color[i] = COLOR_NONE;                                  \
+		p->kind##_place[i] = -1;                                          \
+		kind##_forget(p, i);                                              \
+		atomic_add_int(&p->counters->ended, 1);                           \
+		edge_stir(p, CONSTRAINT_##KIND);                                  \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

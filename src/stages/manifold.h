@@ -18,6 +18,10 @@
 // m: tolerance between a manifold on an edge and the distance of the cores; a shorter vector counts as having no
 // direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
+// m: circles whose centers are closer have no direction from one to the other. Finer than NEAREST_TOLERANCE, so that the pairs of a crowd at
+// nearly one place agree on where its bodies are
+#define CENTERS_APART (0.0002f * LINEAR_SLOP)
+
 // cosine: edges face each other if their normals are opposite by more. Then features are two corners, because equal
 // boxes in a stack must keep them while one slides over the other's corner; otherwise a corner and an edge.
 #define FACING 0.9f
@@ -96,7 +100,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Vec from = shape_corner(a, 0);
 	Vec delta = vec_sub(frame_point(f, shape_corner(b, 0)), from);
 	Real distance = root(vec_dot(delta, delta));
-	m.normal = distance > NEAREST_TOLERANCE ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
+	m.normal = distance > CENTERS_APART ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
 	m.made = MANIFOLD_CORNERS;
 	m.gap = distance - a->radius - b->radius;
 	manifold_add(&m, from, distance, a->radius, b->radius, 0, reach_along(reach, m.normal));

@@ -4,13 +4,26 @@
 // A body with more than HUB_CONTACTS constraints, joints among them, becomes a hub: all of its contacts become spokes, and stay
 // spokes as long as they touch. This is a hysteresis: a number of contacts that varies does not switch the layout back and
 // forth.
+//
+// So does a body on belts that run against each other. Its friction is the difference of what they carry, and of two contacts that are
+// solved one after the other the first takes every change of the load; it is shared only as impulses leak, within 0.2 s. A hub's
+// contacts share it at once, as springs do. With that delay a body on two belts swings more and more, until it is as fast as they are.
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"
 
+// Whether a body has contacts with belts that run against each other, from its item of the pool belts.
+INLINE int hub_belts(int belts) { return (belts & (BELT_BACK - 1)) != 0 && belts / BELT_BACK != 0; }
+
+// The number of constraints of a body; more than HUB_CONTACTS for a hub.
+INLINE int hub_load(const Pools* p, int body)
+{
+	return p->touching[body] + (p->step.rolls && hub_belts(p->belts[body]) ? HUB_CONTACTS : 0);
+}
+
 INLINE int hub_crowded(const Pools* p, int body)
 {
-	return p->touching[body] > HUB_CONTACTS && p->body[body].inv_mass > 0.0f;
+	return hub_load(p, body) > HUB_CONTACTS && p->body[body].inv_mass > 0.0f;
 }
 
 // Whether a contact without a color becomes a spoke.
@@ -20,7 +33,7 @@ INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies
 // side of it may crush it: a hub is solved exactly.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
-	int a = bodies.x, b = bodies.y, touching_a = p->touching[a], touching_b = p->touching[b];
+	int a = bodies.x, b = bodies.y, touching_a = hub_load(p, a), touching_b = hub_load(p, b);
 	float mass_a = p->body[a].inv_mass, mass_b = p->body[b].inv_mass;
 	if (!(mass_a > 0.0f && mass_b > 0.0f))
 		return mass_a > 0.0f ? a : b;

@@ -41,7 +41,8 @@ STAGE(step_begin)
 	c->released = 0;
 	c->began = 0;
 	c->ended = 0;
-	c->gathered = 0;
+	c->gathered = c->belts ? c->contacts : 0;
+	c->belts = 0;
 	c->entered = 0;
 	c->guarded = 0;
 	if (p->step.dt > 0.0f)

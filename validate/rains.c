@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// rains.c -- ragdolls that fall 40 m onto floors, many a second: how far their joints open when they land on each other.
+#include "bones.h"
+#include "props.h"
+#include "support.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define ROW_HEIGHT 45.0 // m
+#define DROP       40.0 // m above a floor
+#define GROUP      5    // ragdolls of a column
+#define EVERY      8    // steps from column to column
+#define COLUMN     6.25 // m
+#define TILE       0.5  // m
+#define LANDING    171  // steps of a fall of 40 m
+
+static void add_ragdoll(Lab* lab, scree_vec feet, int group)
+{
+	int first = lab->count;
+	for (int k = 0; k < BONES; ++k)
+	{
+		LabPart parts[BONE_PARTS];
+		scree_body_def def = bone_def(k, feet, group);
+		lab_add(lab, &def, parts, bone_parts(k, group, parts));
+		if (bone_parent(k) < 0)
+			continue;
+		scree_joint_def joint = bone_joint(k);
+		lab_join(lab, &joint, first + bone_parent(k), first + k);
+	}
+}
+
+static void add_tiles(Lab* lab, double span, double height)
+{
+	int tiles = (int)(span / TILE) + 1;
+	scree_body_def def = scree_body_def_default();
+	def.type = SCREE_BODY_STATIC;
+	LabPart* parts = require_memory(malloc((size_t)tiles * sizeof *parts));
+	for (int k = 0; k < tiles; ++k)
+	{
+		scree_pose at = {{(float)(TILE * k - 0.5 * span), (float)height}, {1.0f, 0.0f}};
+		parts[k] = (LabPart){box_of(0.5 * TILE, 0.5 * TILE), scree_filter_default()};
+		lab->validation->broken |=
+		    scree_shape_transform(&parts[k].surface.shape, at, &parts[k].surface.shape) != SCREE_OK;
+	}
+	lab_add(lab, &def, parts, tiles);
+	free(parts);
+}
+
+// The rain of Box2D's benchmarks, without those that leave: so many columns on each of the rows of floors. From one height all ragdolls land
+// in the same part of a step. In Box2D then all land alike; here colors differ from ragdoll to ragdoll, so the widest of 25 that land is
+// of 25 different ones. So in another rain heights vary by up to spread, about the way of a step.
+static void rain(Validation* v, int columns, int rows, double spread)
+{
+	begin(v, "%d ragdolls that fall onto %d floors from %s", columns * rows * GROUP, rows,
+	      spread > 0.0 ? "40 to 40.5 m" : "40 m");
+	LabDef def = lab_def();
+	Lab* lab = lab_open(v, &def);
+	double span = COLUMN * columns;
+	for (int row = 0; row < rows; ++row)
+		add_tiles(lab, span, ROW_HEIGHT * row);
+	int last = EVERY * columns + LANDING, steps = last - LANDING;
+	double* gaps = require_memory(malloc((size_t)steps * sizeof *gaps));
+	double widest = 0.0;
+	uint64_t seed = 1;
+	for (int step = 0; step < last; ++step)
+	{
+		int column = step / EVERY;
+		for (int k = 0; k < rows * GROUP && step % EVERY == 0 && column < columns; ++k)
+		{
+			double x = COLUMN * (column + 0.5) - 0.5 * span + 0.5 * (k % GROUP);
+			double y = DROP + ROW_HEIGHT * (k / GROUP) + random_between(&seed, 0.0, spread);
+			add_ragdoll(lab, (scree_vec){(float)x, (float)y}, k % GROUP + 1);
+		}
+		lab_step(lab, 1);
+		lab_read(lab);
+		double gap = lab_gap(lab);
+		widest = fmax(widest, gap);
+		if (step >= LANDING)
+			gaps[step - LANDING] = gap;
+	}
+	row(v, "median of the widest gaps", 1e3 * median_of_values(gaps, steps), "mm", AT_MOST, spread > 0.0 ? 60.0 : 40.0);
+	row(v, "widest gap", 1e3 * widest, "mm", AT_MOST, spread > 0.0 ? 250.0 : 140.0);
+	free(gaps);
+	lab_close(lab);
+}
+
+void rains_experiment(Validation* v)
+{
+	rain(v, v->quick ? 4 : 40, v->quick ? 1 : 5, 0.0);
+	rain(v, v->quick ? 4 : 40, v->quick ? 1 : 5, 0.5);
+}
