@@ -251,11 +251,12 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	Int far = turns > bound;
 	if (!lane_bits(far))
 		return;
-	Real less = choose(zero, one - root(bound / choose(one, turns, far)), far);
+	Real less = one - root(bound / choose(one, turns, far));
 	for (int k = 0; k < 2; ++k)
 	{
-		c->arm_a = vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k]));
-		c->lever_a[k] = c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]);
+		// choose, because others of a block must not see this: zeros have signs
+		c->arm_a = vec_choose(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
+		c->lever_a[k] = choose(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
 	}
 }
 
