@@ -378,8 +378,7 @@ static void sliders_come_together(void** state)
 		for (int n = 0; n < 6; ++n)
 		{
 			body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.6f + 1.2f * (float)n);
-			scree_joint_def def =
-			    joint_def_at(world, SCREE_JOINT_PRISMATIC, last, body, 0.0f, 1.2f * (float)n, 0.0f);
+			scree_joint_def def = joint_def_at(world, SCREE_JOINT_PRISMATIC, last, body, 0.0f, 1.2f * (float)n, 0.0f);
 			def.coordinates[SCREE_ALONG].limited = true;
 			def.coordinates[SCREE_ALONG].lower = -6.0f;
 			def.coordinates[SCREE_ALONG].upper = 6.0f;
@@ -391,8 +390,8 @@ static void sliders_come_together(void** state)
 		{
 			double t = 0.1 * step;
 			if (step < 240)
-				OK(scree_body_apply_force(
-				    world, last, (scree_vec){(float)(force * cos(0.37 * t)), (float)(force * sin(0.23 * t))}));
+				OK(scree_body_apply_force(world, last,
+				                          (scree_vec){(float)(force * cos(0.37 * t)), (float)(force * sin(0.23 * t))}));
 			run_steps(world, 1);
 		}
 		for (int n = 0; n < 6; ++n)
@@ -409,10 +408,14 @@ static void sliders_come_together(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(hubs_hold),      cmocka_unit_test(many_joints),
-	    cmocka_unit_test(a_net_hangs),    cmocka_unit_test(joints_rest),
-	    cmocka_unit_test(far_away),       cmocka_unit_test(tiny_and_huge),
-	    cmocka_unit_test(unequal_masses), cmocka_unit_test(only_the_lost_is_frozen),
+	    cmocka_unit_test(hubs_hold),
+	    cmocka_unit_test(many_joints),
+	    cmocka_unit_test(a_net_hangs),
+	    cmocka_unit_test(joints_rest),
+	    cmocka_unit_test(far_away),
+	    cmocka_unit_test(tiny_and_huge),
+	    cmocka_unit_test(unequal_masses),
+	    cmocka_unit_test(only_the_lost_is_frozen),
 	    cmocka_unit_test(sliders_come_together),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -54,30 +54,30 @@ INLINE float joint_stiffened(const Pools* p, int slot, int modes, const JointPos
 }
 
 // The spring of one coordinate, or its soft lock.
-#define JOINT_SPRING_SETUP(of, k)                                                                               \
-	if (modes & JOINT_SPRING(k))                                                                                \
-	{                                                                                                           \
-		JointDriveData from = p->joint_data[slot].drive[k];                                                     \
-		float share = joint_share_free(u, &c, k);                                                               \
-		float more = joint_stiffened(p, slot, modes, &c, k);                                                    \
+#define JOINT_SPRING_SETUP(of, k)                                                                                     \
+	if (modes & JOINT_SPRING(k))                                                                                      \
+	{                                                                                                                 \
+		JointDriveData from = p->joint_data[slot].drive[k];                                                           \
+		float share = joint_share_free(u, &c, k);                                                                     \
+		float more = joint_stiffened(p, slot, modes, &c, k);                                                          \
 		JointSpring s = joint_spring_of(p, more * from.spring_hertz, more * from.spring_ratio, share, beside, alone); \
-		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                        \
-		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                    \
-		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                          \
-		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                              \
-	}                                                                                                           \
-	if (modes & JOINT_SOFT(k))                                                                                  \
-	{                                                                                                           \
-		JointLock from = p->joint_data[slot].lock[k];                                                           \
-		float share = joint_share_free(u, &c, k);                                                               \
-		float more = joint_stiffened(p, slot, modes, &c, k);                                                    \
-		JointSpring s = joint_spring_of(p, more * from.hertz, more * from.ratio, share, beside, alone);         \
-		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                            \
-		u->rate_##of = s.pull * p->step.inv_h / answer;                                                         \
-		u->soft_##of = share * (1.0f - answer) / answer;                                                        \
-		joint_row(p, rate_##of, i) = u->rate_##of;                                                              \
-		joint_row(p, soft_##of, i) = u->soft_##of;                                                              \
-		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST); \
+		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                              \
+		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                          \
+		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                                \
+		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                                    \
+	}                                                                                                                 \
+	if (modes & JOINT_SOFT(k))                                                                                        \
+	{                                                                                                                 \
+		JointLock from = p->joint_data[slot].lock[k];                                                                 \
+		float share = joint_share_free(u, &c, k);                                                                     \
+		float more = joint_stiffened(p, slot, modes, &c, k);                                                          \
+		JointSpring s = joint_spring_of(p, more * from.hertz, more * from.ratio, share, beside, alone);               \
+		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                                  \
+		u->rate_##of = s.pull * p->step.inv_h / answer;                                                               \
+		u->soft_##of = share * (1.0f - answer) / answer;                                                              \
+		joint_row(p, rate_##of, i) = u->rate_##of;                                                                    \
+		joint_row(p, soft_##of, i) = u->soft_##of;                                                                    \
+		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST);       \
 	}
 
 // The impulse of a force within a substep.

@@ -84,7 +84,8 @@ RARE Ahead ahead_over(const Pools* p, WorldShape a, WorldShape b, Closing closin
 	Vec normal = vec_turn(later.axes, later.m.normal);
 	Real turned = vec_dot(normal, vec_turn(met.axes, met.m.normal));
 	// as deep as then, or as it is now below the plane of then: what it sinks on the way, this plane takes away
-	Real deep = minimum(later.m.separation[0], later.m.separation[1]) - time * minimum(vec_dot(normal, closing.near), 0.0f);
+	Real deep =
+	    minimum(later.m.separation[0], later.m.separation[1]) - time * minimum(vec_dot(normal, closing.near), 0.0f);
 	return later.m.count > 0 && deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME ? later : met;
 }
 
