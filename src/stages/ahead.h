@@ -69,11 +69,12 @@ INLINE int ahead_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Clos
 
 // What a round shape does at a corner that it meets: a loaded wheel on a row of segments is a little below their ends, and would be thrown
 // up by the next one as by a step. Where it will roll on no deeper than that, it has the manifold of then. A pair alone cannot
-// tell a seam from a low step, so such steps push wheels up softly.
+// tell a seam from a low step, so such steps push wheels up softly. Only of what cannot move: arms that are not those of the impact would
+// cost angular momentum.
 RARE Ahead ahead_over(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead met)
 {
 	Real deepest = OVER_DEPTH * (p->attribute + a.attribute)->radius;
-	if (!(deepest > SWEEP_DEPTH) || (p->attribute + b.attribute)->radius > 0.0f)
+	if (!(deepest > SWEEP_DEPTH) || (p->attribute + b.attribute)->radius > 0.0f || p->body[b.body].inv_mass > 0.0f)
 		return met;
 	Ahead later = met;
 	Real time = sweep_end(&p->step);
