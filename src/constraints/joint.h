@@ -232,10 +232,8 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 
 // times the radius of gyration of body a: how far off locks may be that make its arm longer
 #define JOINT_FAR 2.0f
-// A soft lock counts for so much of what it is off: it may open, and keeps the angular momentum longer.
-#define JOINT_FAR_SOFT 0.125f
 
-// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where locks are so far
+// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks are so far
 // off that the arm would turn a rather than pull, it ends nearer to a's own anchor: impulses at the end of a long arm hardly pull b
 // back, and turn a with a force that other joints of a cannot hold.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
@@ -244,10 +242,9 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	Int others = joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED);
 	for (int k = 0; k < 2; ++k)
 	{
-		off[k] = choose(joint_beyond(p, i, u, k, c->value[k]), c->value[k], joint_has(u, JOINT_LOCKED(k)));
-		off[k] = choose(off[k], zero, others);
-		Real counts = off[k] * choose(one, splat(JOINT_FAR_SOFT), joint_has(u, JOINT_SOFT(k)));
-		square = square + counts * counts;
+		Int rigid = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0);
+		off[k] = choose(choose(joint_beyond(p, i, u, k, c->value[k]), c->value[k], rigid), zero, others);
+		square = square + off[k] * off[k];
 	}
 	Real bound = splat(JOINT_FAR * JOINT_FAR) * c->a.inv_mass, turns = c->a.inv_inertia * square;
 	Int far = turns > bound;
