@@ -324,6 +324,37 @@ static void soft_locks_of_nothing(void** state)
 	}
 }
 
+// Limits hold motors and springs of their own joint, however strong: both act between the same two bodies.
+static void limits_hold_their_drives(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 12; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		int turns = k & 1, spring = k & 2;
+		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, turns ? 0.5f : 0.0f, 0.0f);
+		scree_joint_def def =
+		    joint_def_at(world, turns ? SCREE_JOINT_REVOLUTE : SCREE_JOINT_PRISMATIC, NOBODY, body, 0.0f, 0.0f, 0.0f);
+		scree_coordinate which = turns ? SCREE_ANGLE : SCREE_ALONG;
+		scree_joint_coordinate* driven = &def.coordinates[which];
+		driven->limited = true;
+		driven->lower = -1.0f;
+		driven->upper = 1.0f;
+		driven->spring = spring != 0;
+		driven->spring_hertz = k < 4 ? 10.0f : k < 8 ? 30.0f : 1000.0f;
+		driven->spring_damping_ratio = 1.0f;
+		driven->target = turns ? 2.0f : 5.0f;
+		driven->motor = spring == 0;
+		driven->motor_speed = 5.0f;
+		driven->motor_max = k < 4 ? 100.0f : k < 8 ? 1e5f : 1e8f;
+		scree_joint joint = add_joint(world, &def);
+		run_steps(world, 120);
+		NEAR(joint_state_of(world, joint).values[which], 1.0, spring && turns ? 0.12 : 2e-3);
+		NEAR(joint_state_of(world, joint).speeds[which], 0.0, 1e-3);
+		scree_world_destroy(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -338,6 +369,7 @@ int main(void)
 	    cmocka_unit_test(drives_are_limited),
 	    cmocka_unit_test(springs_of_nothing),
 	    cmocka_unit_test(soft_locks_of_nothing),
+	    cmocka_unit_test(limits_hold_their_drives),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -258,6 +258,41 @@ static void soft_locks_after_a_jump(void** state)
 	scree_world_destroy(world);
 }
 
+// A row of softly welded boxes hangs by its first one. Its joints open by decimeters and turn, but each pulls as ever: the last one
+// carries the weight of one box, 2 N, along its axis by the mass 1 / (1 / 0.2 + 1 / 0.2) kg times (2 pi f)^2, across it by that at arms of
+// 0.5 m.
+static void soft_rows_carry(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_body last = {0, 0};
+	scree_joint joint = {0, 0};
+	for (int k = 0; k < 4; ++k)
+	{
+		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.5f + (float)k, 0.0f);
+		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, last, body, (float)k, 0.0f, 0.0f);
+		for (int c = 0; c < 3; ++c)
+			set_spring(&def.coordinates[c], true, 1.0, 1.0);
+		joint = add_joint(world, &def);
+		OK(scree_body_set_damping(world, body, 2.0f, 2.0f));
+		last = body;
+	}
+	double lowest = 0.0;
+	for (int k = 0; k < 1200; ++k)
+	{
+		run_steps(world, 1);
+		lowest = fmin(lowest, (double)position_of(world, last).y);
+	}
+	assert_true(lowest > -20.0);
+	scree_joint_state at = joint_state_of(world, joint);
+	double along = 0.1 * 4.0 * PI * PI * at.values[0];
+	double across = 4.0 * PI * PI / (10.0 * (1.0 + 0.25 / (1.04 / 12.0))) * at.values[1];
+	print_message("row: the last joint carries %.3f N\n", hypot(along, across));
+	NEAR(hypot(along, across), 2.0, 0.2);
+	NEAR(velocity_of(world, last).linear.y, 0.0, 0.01);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -267,6 +302,7 @@ int main(void)
 	    cmocka_unit_test(springs_together_gain_nothing),
 	    cmocka_unit_test(soft_locks_after_a_jump),
 	    cmocka_unit_test(arms_in_a_row_gain_nothing),
+	    cmocka_unit_test(soft_rows_carry),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,6 +138,48 @@ static void ledge(Validation* v, double height)
 	lab_close(lab);
 }
 
+// A car of 1,000 kg on springs, whose wheels sink into the road by millimeters, drives over segments of 10 m.
+static void drive(Validation* v, double hertz, double speed)
+{
+	LabDef def = lab_def();
+	begin(v, "car on springs of %g Hz at %g m/s over segments", hertz, speed);
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def road = box_of(1.0, 1.0), body = box_of(2.0, 0.5), wheel = circle_of(0.6);
+	if (scree_shape_make_segment((scree_vec){-5.0f, 0.0f}, (scree_vec){5.0f, 0.0f}, &road.shape) != SCREE_OK)
+		v->broken = true;
+	body.density = 250.0f;
+	wheel.density = 30.0f;
+	for (int k = -2; k < 90; ++k)
+		lab_put(lab, SCREE_BODY_STATIC, &road, 10.0f * (float)k, 0.0f, 0.0f);
+	int car = lab_throw(lab, &body, 0.0f, 1.3f, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
+	for (int side = -1; side <= 1; side += 2)
+	{
+		int round = lab_throw(lab, &wheel, 1.4f * (float)side, 0.6f, 0.0f,
+		                      (scree_velocity){{(float)speed, 0.0f}, (float)(-speed / 0.6)});
+		scree_joint_def axle = scree_joint_def_make(SCREE_JOINT_WHEEL);
+		axle.frame_a = (scree_pose){{1.4f * (float)side, -0.7f}, {0.0f, 1.0f}};
+		axle.frame_b.rotation = (scree_rot){0.0f, 1.0f};
+		scree_joint_coordinate* spring = &axle.coordinates[SCREE_ALONG];
+		spring->spring_hertz = (float)hertz;
+		spring->limited = true;
+		spring->lower = -0.3f;
+		spring->upper = 0.3f;
+		lab_join(lab, &axle, car, round);
+	}
+	double bounce = 0.0, slowest = speed;
+	lab_step(lab, 60);
+	for (int k = 60; k < 480; ++k)
+	{
+		lab_step(lab, 1);
+		lab_read(lab);
+		bounce = fmax(bounce, fabs((double)lab->velocities[car].linear.y));
+		slowest = fmin(slowest, (double)lab->velocities[car].linear.x);
+	}
+	row(v, "fastest up or down", bounce, "m/s", AT_MOST, 0.5);
+	row(v, "slowest", slowest / speed, "of its speed", AT_LEAST, 0.97);
+	lab_close(lab);
+}
+
 // A pyramid of boxes stands across the seams of tiles for a minute, with friction.
 static void stack(Validation* v)
 {
@@ -170,5 +212,7 @@ void seams_experiment(Validation* v)
 	}
 	ledge(v, 0.1);
 	ledge(v, -0.1);
+	for (int k = 0; k < (v->quick ? 2 : 6); ++k)
+		drive(v, k % 2 ? 8.0 : 3.0, k < 2 ? 100.0 : k < 4 ? 65.0 : 30.0);
 	stack(v);
 }

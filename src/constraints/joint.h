@@ -218,8 +218,49 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
+// How far a translation is beyond its limits, m.
+INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real value)
+{
+	Real zero = splat(0.0f);
+	Int limited = joint_has(u, JOINT_LIMITED(k));
+	if (!p->step.drives || !lane_bits(limited))
+		return zero;
+	Real lower = k == JOINT_ALONG ? load(&joint_rare(p, along_lower, i), 0) : load(&joint_rare(p, across_lower, i), 0);
+	Real upper = k == JOINT_ALONG ? load(&joint_rare(p, along_upper, i), 0) : load(&joint_rare(p, across_upper, i), 0);
+	return choose(zero, value - minimum(maximum(value, lower), upper), limited);
+}
+
+// times the radius of gyration of body a: how far off locks may be that make its arm longer
+#define JOINT_FAR 2.0f
+
+// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks are so far
+// off that the arm would turn a rather than pull, it ends nearer to a's own anchor: impulses at the end of a long arm hardly pull b
+// back, and turn a with a force that other joints of a cannot hold.
+INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
+	Int others = joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED);
+	for (int k = 0; k < 2; ++k)
+	{
+		Int rigid = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0);
+		off[k] = choose(choose(joint_beyond(p, i, u, k, c->value[k]), c->value[k], rigid), zero, others);
+		square = square + off[k] * off[k];
+	}
+	Real bound = splat(JOINT_FAR * JOINT_FAR) * c->a.inv_mass, turns = c->a.inv_inertia * square;
+	Int far = turns > bound;
+	if (!lane_bits(far))
+		return;
+	Real less = one - root(bound / choose(one, turns, far));
+	for (int k = 0; k < 2; ++k)
+	{
+		// choose, because others of a block must not see this: zeros have signs
+		c->arm_a = vec_choose(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
+		c->lever_a[k] = choose(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
+	}
+}
+
 // The pose of a joint whose bodies are set.
-INLINE void joint_pose(const Joint* u, JointPose* c)
+INLINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	const Body *a = &c->a, *b = &c->b;
 	Vec arm_a = vec(u->arm_a_x, u->arm_a_y), arm_b = vec(u->arm_b_x, u->arm_b_y), axis = vec(u->axis_x, u->axis_y);
@@ -250,6 +291,7 @@ INLINE void joint_pose(const Joint* u, JointPose* c)
 	c->value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
 	c->mass = a->inv_mass + b->inv_mass;
 	joint_alone(c);
+	joint_shorten_arm(p, i, u, c);
 }
 
 // m/s: the speed along or across, k is a constant

@@ -98,6 +98,14 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
+// The part of a limit's impulse under which it gives way: what holds the spring of its joint is known, and not soft. sign: of the
+// limit's impulses, whose size is given.
+INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
+{
+	Real zero = splat(0.0f);
+	return maximum(impulse - maximum(-(sign * d->spring_impulse), zero), zero);
+}
+
 // The impulse of a limit: the nearer one, from which it pushes away. It ends an approach just there (s > 0), and is as soft
 // as a lock behind it.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, Real yield, Real speed, Real value, int soft)
@@ -110,7 +118,24 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, Real yield, Real sp
 	Real yields = choose(soft ? d->limit_soft : zero, zero, inside);
 	Real bias = choose(maximum(rate * s, splat(-p->step.max_speed)), rate * s, inside);
 	Real old = maximum(sign * d->limit_impulse, zero);
-	return sign * push_of(old - (sign * speed + bias + yields * yield * old) / (yield + yields * yield));
+	Real back = sign * speed + bias + yields * yield * joint_limit_load(d, sign, old);
+	return sign * push_of(old - back / (yield + yields * yield));
+}
+
+// The speed at which a coordinate may go to a limit that is so far ahead, or must come back from behind it.
+INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, Real ahead, int soft)
+{
+	Real zero = splat(0.0f), back = maximum(d->limit_rate * ahead, splat(-p->step.max_speed));
+	return choose(soft ? back : zero, p->step.inv_h * ahead, ahead > zero);
+}
+
+// The speed that a motor wants: that of the user, but not through a limit. Impulses of a motor and of a limit that work against each
+// other would both grow up to the maximum of the motor, under which the limit, a spring, gives way: a slider of 1 kg by 29 m at 1e8 N.
+INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, Real value, Int limit, int soft)
+{
+	Real least = -joint_limit_speed(p, d, value - d->lower, soft);
+	Real most = joint_limit_speed(p, d, d->upper - value, soft);
+	return choose(d->speed, minimum(maximum(d->speed, least), most), limit);
 }
 
 // Solves the spring, the motor and the limit of coordinate k, one after the other. full: springs that are bounded together are at
@@ -131,7 +156,7 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 		d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
 		speed = speed + yield * (d.spring_impulse - old.spring_impulse);
 	}
-	Real drive = hold_of(d.motor_impulse - (speed - d.speed) / safe);
+	Real drive = hold_of(d.motor_impulse - (speed - joint_motor_speed(p, &d, c->value[k], limit, soft)) / safe);
 	d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
 	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
 	d.limit_impulse = choose(zero, joint_limit(p, &d, safe, speed, c->value[k], soft), limit);

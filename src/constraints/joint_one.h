@@ -31,29 +31,54 @@
 			joint_rare(p, of##_motor_impulse, i) = 0.0f;                                             \
 	}
 
+// Where coordinate k, a translation, is with locks and springs at their targets, m. A lock moves the frame to its target.
+INLINE float joint_aim(const Pools* p, int slot, int modes, const JointPose* c, int k)
+{
+	if (modes & JOINT_LOCKED(k))
+		return 0.0f;
+	return modes & JOINT_SPRING(k) ? p->joint_data[slot].lock[k].target : c->value[k];
+}
+
+// How much stiffer a spring of coordinate k is than one of the same frequency with arms as they are now: the root of a ratio of
+// yields. The stiffness is that of arms where locks and springs are at their targets. The arm of body a ends at the anchor of b:
+// a spring whose stiffness followed its length would pull the less the longer it is, and lose its load.
+INLINE float joint_stiffened(const Pools* p, int slot, int modes, const Joint* u, const JointPose* c, int k)
+{
+	if (k == JOINT_ANGLE || modes & (JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED))
+		return 1.0f;
+	float aim = joint_aim(p, slot, modes, c, JOINT_ACROSS - k);
+	float lever = vec_cross(vec(u->arm_a_x, u->arm_a_y), c->axis[k]) + (k == JOINT_ALONG ? -aim : aim);
+	float own = joint_yield(c, k);
+	float there = c->mass + c->a.inv_inertia * lever * lever + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
+	float ratio = there > 0.0f ? own / there : 1.0f;
+	return ratio < MOST_FLOAT ? root(ratio) : 1.0f;
+}
+
 // The spring of one coordinate, or its soft lock.
-#define JOINT_SPRING_SETUP(of, k)                                                                               \
-	if (modes & JOINT_SPRING(k))                                                                                \
-	{                                                                                                           \
-		JointDriveData from = p->joint_data[slot].drive[k];                                                     \
-		float share = joint_share_free(u, &c, k);                                                               \
-		JointSpring s = joint_spring_of(p, from.spring_hertz, from.spring_ratio, share, beside, alone);         \
-		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                        \
-		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                    \
-		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                          \
-		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                              \
-	}                                                                                                           \
-	if (modes & JOINT_SOFT(k))                                                                                  \
-	{                                                                                                           \
-		JointLock from = p->joint_data[slot].lock[k];                                                           \
-		float share = joint_share_free(u, &c, k);                                                               \
-		JointSpring s = joint_spring_of(p, from.hertz, from.ratio, share, beside, alone);                       \
-		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                            \
-		u->rate_##of = s.pull * p->step.inv_h / answer;                                                         \
-		u->soft_##of = share * (1.0f - answer) / answer;                                                        \
-		joint_row(p, rate_##of, i) = u->rate_##of;                                                              \
-		joint_row(p, soft_##of, i) = u->soft_##of;                                                              \
-		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST); \
+#define JOINT_SPRING_SETUP(of, k)                                                                                     \
+	if (modes & JOINT_SPRING(k))                                                                                      \
+	{                                                                                                                 \
+		JointDriveData from = p->joint_data[slot].drive[k];                                                           \
+		float share = joint_share_free(u, &c, k);                                                                     \
+		float more = joint_stiffened(p, slot, modes, u, &c, k);                                                       \
+		JointSpring s = joint_spring_of(p, more * from.spring_hertz, more * from.spring_ratio, share, beside, alone); \
+		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                              \
+		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                          \
+		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                                \
+		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                                    \
+	}                                                                                                                 \
+	if (modes & JOINT_SOFT(k))                                                                                        \
+	{                                                                                                                 \
+		JointLock from = p->joint_data[slot].lock[k];                                                                 \
+		float share = joint_share_free(u, &c, k);                                                                     \
+		float more = joint_stiffened(p, slot, modes, u, &c, k);                                                       \
+		JointSpring s = joint_spring_of(p, more * from.hertz, more * from.ratio, share, beside, alone);               \
+		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                                  \
+		u->rate_##of = s.pull * p->step.inv_h / answer;                                                               \
+		u->soft_##of = share * (1.0f - answer) / answer;                                                              \
+		joint_row(p, rate_##of, i) = u->rate_##of;                                                                    \
+		joint_row(p, soft_##of, i) = u->soft_##of;                                                                    \
+		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST);       \
 	}
 
 // The impulse of a force within a substep.
@@ -93,7 +118,7 @@ INLINE void joint_setup_springs(const Pools* p, int i, Joint* u)
 	c.a.da = c.b.da = 0.0f;
 	body_turn(&c.a);
 	body_turn(&c.b);
-	joint_pose(u, &c);
+	joint_pose(p, i, u, &c);
 	coupling_pose(p, i, u, &c);
 	path_pose(p, i, u, &c);
 	int most = joint_most_beside(p, i, &c);

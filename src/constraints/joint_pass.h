@@ -10,10 +10,14 @@
 // share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
 #define JOINT_LEAST_YIELD 1.0e-6f
 
-// m/s, rad/s: errors are corrected at most so fast in a chain, and angles everywhere. Frames that are far apart, because a body was
+// m/s, rad/s: errors are corrected at most so fast in a chain. Frames that are far apart, because a body was
 // teleported or a contact held it back, come together without a blow. Other joints correct distances at up to START_SHARE of
 // max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
 #define JOINT_CORRECTION 10.0f
+
+// rad/s: the same of angles outside of chains. Sliders in a row that a mouse tore apart by 200 m stay so with 10: what holds a body back
+// at an arm turns it faster than its angle comes back.
+#define JOINT_TURNING 30.0f
 
 // By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
 #define JOINT_CARRIES 1.5f
@@ -100,7 +104,7 @@ INLINE JointSystem joint_system(const Pools* p, int i, int soft, int chained, fl
 {
 	JointSystem s;
 	Real zero = splat(0.0f), one = splat(1.0f), cross[3], softness[3], speed[3], softer[3];
-	Real most[3] = {splat(fastest), splat(fastest), splat(JOINT_CORRECTION)};
+	Real most[3] = {splat(fastest), splat(fastest), splat(chained ? JOINT_CORRECTION : JOINT_TURNING)};
 	Real impulse[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
 	Real error[3] = {c->value[0] - u->length, c->value[1], c->value[2]};
@@ -303,7 +307,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, int held, Joint* u, Body
 	JointPose c;
 	c.a = *a;
 	c.b = *b;
-	joint_pose(u, &c);
+	joint_pose(p, i, u, &c);
 	coupling_pose(p, i, u, &c);
 	path_pose(p, i, u, &c);
 	if (pass == PASS_WARM_START)

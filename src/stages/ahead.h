@@ -75,6 +75,33 @@ INLINE int ahead_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Clos
 	return vec_dot(apart, apart) > reach * reach;
 }
 
+// Of its radius: how deep a round shape may pass over a corner. And the cosine of normals that are the same but for rounding.
+#define OVER_DEPTH 0.075f
+#define OVER_SAME  0.9999f
+
+// What a round shape does at a corner that it meets: a loaded wheel on a row of segments is a little below their ends, and would be thrown
+// up by the next one as by a step. Where it will roll on no deeper than that, it has the manifold of then. A pair alone cannot
+// tell a seam from a low step, so such steps push wheels up softly. Only of what cannot move: arms that are not those of the impact would
+// cost angular momentum.
+RARE Ahead ahead_over(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead met)
+{
+	Real deepest = OVER_DEPTH * (p->attribute + a.attribute)->radius;
+	if (!(deepest > SWEEP_DEPTH) || (p->attribute + b.attribute)->radius > 0.0f || p->body[b.body].inv_mass > 0.0f)
+		return met;
+	Ahead later = met;
+	Real time = sweep_end(&p->step);
+	Vec turn = sweep_frame(a, b, closing, time, &later.f);
+	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(closing.within));
+	// the rotation of a now is that of the frame
+	later.axes = vec_turn(turn, vec(a.c, a.s));
+	Vec normal = vec_turn(later.axes, later.m.normal);
+	Real turned = vec_dot(normal, vec_turn(met.axes, met.m.normal));
+	// as deep as then, or as it is now below the plane of then: what it sinks on the way, this plane takes away
+	Real deep =
+	    minimum(later.m.separation[0], later.m.separation[1]) - time * minimum(vec_dot(normal, closing.near), 0.0f);
+	return later.m.count > 0 && deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME ? later : met;
+}
+
 // The manifold of a pair that may approach by more than the speculative distance: of the poses where they meet, with the
 // points that may follow in the rest of the step; if they will not meet, of the poses now.
 INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead start)
@@ -93,7 +120,7 @@ INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing c
 		if (gap <= (round + 1 < SWEEP_ROUNDS ? -depth : closing.within))
 		{
 			then.ahead = 1;
-			return then;
+			return ahead_over(p, a, b, closing, then);
 		}
 		// an approach that the forces of one step may cause is kept without a meeting, or nothing would roll or slide
 		// fast on a floor

@@ -64,7 +64,7 @@ INLINE void chain_load(const Pools* p, int place, ChainLink* link)
 INLINE void chain_load_posed(const Pools* p, int place, ChainLink* link)
 {
 	chain_load(p, place, link);
-	joint_pose(&link->u, &link->c);
+	joint_pose(p, place, &link->u, &link->c);
 }
 
 // What the end of a pass needs of a pose: impulses are given along the axes of the equations.

@@ -31,7 +31,7 @@ WIDE_STAGE(joint_taut)
 	c.a.da = c.b.da = splat(0.0f);
 	body_turn(&c.a);
 	body_turn(&c.b);
-	joint_pose(&u, &c);
+	joint_pose(p, i, &u, &c);
 	joint_sums(p, i, &u, sum);
 	JointPull pull = joint_pull(p, &u, &c, joint_impulse(&c, sum[0], sum[1], splat(0.0f)).push);
 	taut_add(p, ia, &c.a, turn_a, p->step.h_ratio * pull.a);
