@@ -97,27 +97,17 @@ typedef struct // a collidable on its path
 	Filter filter;
 } GuardPath;
 
-// Which of eight leaves may stop a collidable, by kinds and filters: a bit for each, as in leaves. A GPU reads those of all at once.
-INLINE int guard_sees(const Pools* p, const GuardPath* g, int first, int leaves)
-{
-	int seen = 0;
-	for (int k = 0; k < ARITY; ++k)
-	{
-		if (FETCHES && !(leaves >> k & 1))
-			continue;
-		int j = leaves >> k & 1 ? p->leaf[first + k] : g->index;
-		int kind = p->collidable_kind[j], accepts = filter_accepts(g->filter, p->filter[j]);
-		seen |= (int)((kind == KIND_STATIC || kind == KIND_DYNAMIC) && j != g->index && accepts) << k;
-	}
-	return seen;
-}
-
-// Whether j, which a collidable sees, is static, or the two go so far against each other that one may get past the middle of the other.
+// Whether j may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the other.
 INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
 {
-	if (p->collidable_kind[j] == KIND_STATIC)
-		return 1;
-	int body = p->collidable_body[j];
+	// all that most leaves need is read at once: a GPU waits for it once
+	int kind = p->collidable_kind[j], body = p->collidable_body[j];
+	Filter filter = p->filter[j];
+	if (kind != KIND_DYNAMIC)
+		return kind == KIND_STATIC;
+	// soon ruled out: itself, and what its filter leaves alone
+	if (j == g->index || !filter_accepts(g->filter, filter))
+		return 0;
 	Advance went = guard_went(p, body);
 	float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
 	return guard_far(vec_sub(g->way.path, went.path), swing) > GUARD_CROSS * g->thickness;
@@ -162,12 +152,12 @@ RARE GuardStop guard_search(const Pools* p, const GLOBAL Tree* tree, const Guard
 	Float4 box = g->box;
 	TreeWalk walk = tree_walk(p, tree, box, 0, 0, 0x7fffffff);
 	for (int first = tree_next(p, tree, box, &walk); first >= 0; first = tree_next(p, tree, box, &walk))
-	{
-		int begin = tree->leaf_begin + first, seen = guard_sees(p, g, begin, (int)walk.leaves);
-		for (int k = 0; seen >> k != 0; ++k)
-			if (seen >> k & 1 && guard_meets(p, g, p->leaf[begin + k]))
-				least = guard_leaf(p, g, p->leaf[begin + k], least);
-	}
+		for (Word64 leaves = walk.leaves; leaves != 0; leaves &= leaves - (Word64)1)
+		{
+			int j = p->leaf[tree->leaf_begin + first + lowest_bit(leaves)];
+			if (guard_meets(p, g, j))
+				least = guard_leaf(p, g, j, least);
+		}
 	return least;
 }
 
