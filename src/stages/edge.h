@@ -32,7 +32,7 @@ INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BEL
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)
 {
-	return kind == CONSTRAINT_CONTACT && p->step.rolls ? edge_belt(p->contact_surface[slot].w) : 0;
+	return kind == CONSTRAINT_CONTACT && p->step.belts ? edge_belt(p->contact_surface[slot].w) : 0;
 }
 
 INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)

@@ -18,7 +18,7 @@ INLINE int hub_belts(int belts) { return (belts & (BELT_BACK - 1)) != 0 && belts
 // The number of constraints of a body; more than HUB_CONTACTS for a hub.
 INLINE int hub_load(const Pools* p, int body)
 {
-	return p->touching[body] + (p->step.rolls && hub_belts(p->belts[body]) ? HUB_CONTACTS : 0);
+	return p->touching[body] + (p->step.belts && hub_belts(p->belts[body]) ? HUB_CONTACTS : 0);
 }
 
 INLINE int hub_crowded(const Pools* p, int body)

@@ -84,6 +84,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .pair = moves ? softness(hertz, ratio, h, firmer * FIRM_PAIR, gravity) : (Softness){0},
 	    .fixed = moves ? softness(hertz, ratio, h, firmer * FIRM_FIXED, gravity) : (Softness){0},
 	    .rolls = pipeline->rolls,
+	    .belts = pipeline->belts,
 	    .details = request->details || request->reports,
 	    .reports = request->reports,
 	    .rules = pipeline->rules,

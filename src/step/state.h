@@ -72,6 +72,7 @@ typedef struct
 	bool begun;                   // the current step has changed something on the device
 	bool undone;                  // the last step was refused: boxes are older than the poses that it found
 	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
+	bool belts;                   // some attribute, or pair of materials, has a tangent speed
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
 	bool drives;    // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path

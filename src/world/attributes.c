@@ -91,6 +91,8 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 	*host = (HostAttribute){.name = name, .waiting = true};
 	if (plain->restitution != 0.0f || plain->rolling_resistance != 0.0f || plain->tangent_speed != 0.0f)
 		world->pipeline.rolls = true;
+	if (plain->tangent_speed != 0.0f)
+		world->pipeline.belts = true;
 	if (plain->restitution != 0.0f)
 		world->pipeline.bounces = true;
 	if (plain->shape.radius != 0.0f)
