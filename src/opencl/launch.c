@@ -75,7 +75,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 static Kernel* stage_kernel(OpenCl* d, int stage)
 {
 	const Step* step = &d->constants.step;
-	if (stage == STAGE_narrow_phase && !step->small && !step->belts)
+	if (stage == STAGE_narrow_phase && !step->small && !step->belts && !step->segments)
 		return &d->plain[PLAIN_NARROW_PHASE];
 	if (stage == STAGE_guard && !step->rules && !step->asks && step->material_pairs == 0)
 		return &d->plain[PLAIN_GUARD];

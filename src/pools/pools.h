@@ -604,6 +604,7 @@ typedef struct // constants of one step, passed by value to every stage
 	float h_ratio;        // h over that of the last step that took time
 	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
 	int belts;            // some attribute, or pair of materials, has a tangent speed
+	int segments;         // some attribute is a segment
 	int details;          // the user wants to know what contacts did in the step
 	int reports;          // some collidable reports touches or hits
 	int rules;            // some pair may be subject to a rule

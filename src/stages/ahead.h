@@ -7,12 +7,16 @@
 // Cosine of the normals of two poses: what passes a corner turns its normal by a right angle at most, and rounding.
 #define PAST_THROUGH (-0.5f)
 
+// poses in the future: where the two meet, or others
+#define AHEAD_MEETS 1
+#define AHEAD_LATER 2
+
 typedef struct // a manifold and the poses that it is of
 {
 	Manifold m;
 	Frame f;   // of b in the frame of a
 	Vec axes;  // rotation of a in the world
-	int ahead; // whether the poses are in the future
+	int ahead; // 0 for the poses now, or AHEAD_*
 } Ahead;
 
 // m: a manifold whose plane is off by less counts as exact. An approach of less than SWEEP_REST is ignored: a push
@@ -23,34 +27,35 @@ typedef struct // a manifold and the poses that it is of
 // otherwise a body that sags by less at a seam would seem to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// Why the manifold of a later pose is looked at.
-#define AHEAD_NOT  0
-#define AHEAD_PAST 1 // a corner may pass by
-#define AHEAD_OVER 2 // a wheel may roll over the corner that it meets
-#define AHEAD_END  3 // a surface runs
-
-// A manifold pushes along its normal as if both shapes were flat. If a pair passes by a corner, it predicts an overlap
-// that will not happen, and would stop a body that slides over a seam between two floors. Whether that may be, at a time, and the separation
-// that it predicts (said, m).
-INLINE int ahead_passes(const Pools* p, const Closing* closing, const Ahead* now, Real* time, Real* said)
+// The manifold of a later pose, if it overlaps much less than now predicts for it (said, m).
+RARE Ahead ahead_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now, Real time, Real said)
 {
-	if (now->m.count == 0)
-		return 0;
-	Real closes = -vec_dot(vec_turn(now->axes, now->m.normal), closing->near);
-	if (!(closes > SWEEP_REST * closing->grain))
-		return 0;
-	*time = maximum(sweep_end(&p->step), PAST_MOTION * closing->grain / closing->most);
-	*said = minimum(now->m.separation[0], now->m.separation[1]) - *time * closes;
-	return !(*said > -PAST_ERROR);
+	Ahead later = now;
+	Vec turn = sweep_frame(a, b, closing, time, &later.f);
+	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(closing.within));
+	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
+		return now;
+	later.axes = vec_turn(turn, now.axes);
+	// a thin shape that has not passed a corner but gone through has its normal the other way around, and would be pushed out there
+	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < PAST_THROUGH)
+		return now;
+	later.ahead = AHEAD_LATER;
+	return later;
 }
 
-// Then the manifold of the later pose is used, if it overlaps much less.
-INLINE int ahead_passed(const Ahead* now, const Ahead* later, Real said)
+// A manifold pushes along its normal as if both shapes were flat. If a pair passes by a corner, it predicts an overlap
+// that will not happen, and would stop a body that slides over a seam between two floors. Then the manifold of the later
+// pose is used.
+INLINE Ahead ahead_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now)
 {
-	if (minimum(later->m.separation[0], later->m.separation[1]) - said < PAST_ERROR)
-		return 0;
-	// a thin shape that has not passed a corner but gone through has its normal the other way around, and would be pushed out there
-	return !(vec_dot(vec_turn(later->axes, later->m.normal), vec_turn(now->axes, now->m.normal)) < PAST_THROUGH);
+	if (now.m.count == 0)
+		return now;
+	Real closes = -vec_dot(vec_turn(now.axes, now.m.normal), closing.near);
+	if (!(closes > SWEEP_REST * closing.grain))
+		return now;
+	Real time = maximum(sweep_end(&p->step), PAST_MOTION * closing.grain / closing.most);
+	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
+	return said > -PAST_ERROR ? now : ahead_later(p, a, b, closing, now, time, said);
 }
 
 // Whether a pair is farther apart than it can approach in the step: then it has no manifold, of whatever poses. Shapes are no
@@ -68,12 +73,13 @@ INLINE int ahead_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Clos
 
 // A round shape at a corner that it meets: a loaded wheel on a row of segments is a little below their ends, and would be thrown
 // up by the next one as by a step. If it will roll on no deeper than that, it has the manifold of then. A pair alone cannot
-// tell a seam from a low step, so such steps push wheels up softly. Only of what cannot move: arms that are not those of the impact would
-// cost angular momentum. Whether that may be:
+// tell a seam from a low step, so such steps push wheels up softly. Only of segments that cannot move: arms that are not those of the
+// impact would cost angular momentum. Whether that may be:
 INLINE int ahead_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
-	return OVER_DEPTH * (p->attribute + a.attribute)->radius > SWEEP_DEPTH &&
-	       !((p->attribute + b.attribute)->radius > 0.0f) && !(p->body[b.body].inv_mass > 0.0f);
+	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
+	return p->step.segments && OVER_DEPTH * (p->attribute + a.attribute)->radius > SWEEP_DEPTH &&
+	       attribute->count == 2 && !(attribute->radius > 0.0f) && !(p->body[b.body].inv_mass > 0.0f);
 }
 
 INLINE int ahead_rolled(const Pools* p, WorldShape a, const Closing* closing, const Ahead* met, const Ahead* later,
@@ -85,35 +91,21 @@ INLINE int ahead_rolled(const Pools* p, WorldShape a, const Closing* closing, co
 	// as deep as then, or as it is now below the plane of then: what it sinks on the way, this plane takes away
 	Real deep =
 	    minimum(later->m.separation[0], later->m.separation[1]) - time * minimum(vec_dot(normal, closing->near), 0.0f);
-	return later->m.count > 0 && deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
+	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// The manifold of a later pose, where the reason holds, or that of now. A pair with a surface that runs has that of the end of the step: a
-// body on two belts is driven by the difference of what they carry, which follows its arms. Arms that lag behind its motion drive it on
-// (rolling.h has the same rule). One call of collide for all reasons, because each uses registers of a GPU.
-INLINE_LONG Ahead ahead_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now, int why, int belt)
+// The manifold of the end of the step, or a little before, if it rolls then, or a surface of the pair runs: a body on two belts is driven by
+// the difference of what they carry, which follows its arms. Arms that lag behind its motion drive it on (rolling.h has the same rule).
+// One call of collide for both, as each uses registers of a GPU.
+RARE Ahead ahead_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Ahead now, int rolls)
 {
-	Real time = sweep_end(&p->step), said = 0.0f;
-	if (why == AHEAD_PAST && !ahead_passes(p, &closing, &now, &time, &said))
-		why = belt ? AHEAD_END : AHEAD_NOT;
-	while (why != AHEAD_NOT)
-	{
-		Ahead later = now;
-		time = why == AHEAD_END ? 1.0f : time;
-		Vec turn = sweep_frame(a, b, closing, time, &later.f);
-		later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(closing.within));
-		later.axes = vec_turn(turn, vec(a.c, a.s));
-		later.ahead = 1;
-		int holds = later.m.count > 0;
-		if (why == AHEAD_PAST)
-			holds = ahead_passed(&now, &later, said);
-		if (why == AHEAD_OVER)
-			holds = ahead_rolled(p, a, &closing, &now, &later, time);
-		if (holds)
-			return later;
-		why = why == AHEAD_PAST && belt ? AHEAD_END : AHEAD_NOT;
-	}
-	return now;
+	Ahead later = now;
+	Real time = rolls ? sweep_end(&p->step) : 1.0f;
+	Vec turn = sweep_frame(a, b, closing, time, &later.f);
+	later.m = collide(p->attribute + a.attribute, p->attribute + b.attribute, later.f, reach_of(closing.within));
+	later.axes = vec_turn(turn, vec(a.c, a.s));
+	later.ahead = AHEAD_LATER;
+	return later.m.count > 0 && (!rolls || ahead_rolled(p, a, &closing, &now, &later, time)) ? later : now;
 }
 
 // The manifold of a pair that may approach by more than the speculative distance: of the poses where they meet, with the
@@ -133,7 +125,7 @@ INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing c
 		Real gap = minimum(then.m.separation[0], then.m.separation[1]);
 		if (gap <= (round + 1 < SWEEP_ROUNDS ? -depth : closing.within))
 		{
-			then.ahead = 1;
+			then.ahead = AHEAD_MEETS;
 			return then;
 		}
 		// an approach that the forces of one step may cause is kept without a meeting, or nothing would roll or slide
@@ -146,7 +138,7 @@ INLINE Ahead ahead_meeting(const Pools* p, WorldShape a, WorldShape b, Closing c
 		time = time + (gap + 2.0f * depth) / speed;
 		then.axes = vec_turn(sweep_frame(a, b, closing, time, &then.f), start.axes);
 	}
-	return now;
+	return ahead_past(p, a, b, closing, now);
 }
 
 #endif

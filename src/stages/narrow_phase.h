@@ -120,26 +120,25 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	closing.within = sweep_within(&p->step, moved);
 	if (far)
 		closing = sweep_closing(p, a, b, moved);
-	int meets = closing.most > sweep_within(&p->step, moved), why = AHEAD_PAST;
+	int meets = closing.most > sweep_within(&p->step, moved), ends = 0;
 	if (meets)
 	{
 		found_at = ahead_meeting(p, a, b, closing, found_at);
-		if (found_at.ahead)
-			why = ahead_rolls(p, a, b) ? AHEAD_OVER : AHEAD_NOT;
+		ends = found_at.ahead == AHEAD_MEETS && ahead_rolls(p, a, b);
 	}
 	else
-	{
 		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
-		if (!answers || found_at.m.count == 0)
-			return found_at;
+	if (!meets && answers && found_at.m.count > 0)
+	{
 		if (!far)
 			closing = sweep_closing(p, a, b, moved);
+		found_at = ahead_past(p, a, b, closing, found_at);
+		int round = shape_a->radius + shape_b->radius > 0.0f;
+		if (!found_at.ahead && round)
+			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
+		ends = !found_at.ahead && belt && !round;
 	}
-	int round = shape_a->radius + shape_b->radius > 0.0f;
-	found_at = ahead_later(p, a, b, closing, found_at, why, belt && !meets && !round);
-	if (!meets && !found_at.ahead && round)
-		*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
-	return found_at;
+	return ends ? ahead_end(p, a, b, closing, found_at, meets) : found_at;
 }
 
 // Gives each new point the impulses of the old point that it matches. Returns the features of the new points.

@@ -85,6 +85,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .fixed = moves ? softness(hertz, ratio, h, firmer * FIRM_FIXED, gravity) : (Softness){0},
 	    .rolls = pipeline->rolls,
 	    .belts = pipeline->belts,
+	    .segments = pipeline->segments,
 	    .details = request->details || request->reports,
 	    .reports = request->reports,
 	    .rules = pipeline->rules,

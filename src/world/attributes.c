@@ -93,6 +93,8 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 		world->pipeline.rolls = true;
 	if (plain->tangent_speed != 0.0f)
 		world->pipeline.belts = true;
+	if (plain->shape.count == 2 && plain->shape.radius == 0.0f)
+		world->pipeline.segments = true;
 	if (plain->restitution != 0.0f)
 		world->pipeline.bounces = true;
 	if (plain->shape.radius != 0.0f)
