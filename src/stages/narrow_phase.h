@@ -120,25 +120,28 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	closing.within = sweep_within(&p->step, moved);
 	if (far)
 		closing = sweep_closing(p, a, b, moved);
-	int meets = closing.most > sweep_within(&p->step, moved), ends = 0;
+	int meets = closing.most > sweep_within(&p->step, moved);
 	if (meets)
 	{
 		found_at = ahead_meeting(p, a, b, closing, found_at);
-		ends = found_at.ahead == AHEAD_MEETS && ahead_rolls(p, a, b);
+		if (found_at.ahead != AHEAD_MEETS || !ahead_rolls(p, a, b))
+			return found_at;
 	}
 	else
-		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
-	if (!meets && answers && found_at.m.count > 0)
 	{
+		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
+		if (!answers || found_at.m.count == 0)
+			return found_at;
 		if (!far)
 			closing = sweep_closing(p, a, b, moved);
 		found_at = ahead_past(p, a, b, closing, found_at);
 		int round = shape_a->radius + shape_b->radius > 0.0f;
 		if (!found_at.ahead && round)
 			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
-		ends = !found_at.ahead && belt && !round;
+		if (found_at.ahead || round || !belt)
+			return found_at;
 	}
-	return ends ? ahead_end(p, a, b, closing, found_at, meets) : found_at;
+	return ahead_end(p, a, b, closing, found_at, meets);
 }
 
 // Gives each new point the impulses of the old point that it matches. Returns the features of the new points.
