@@ -3,6 +3,7 @@
 #include "joint_support.h"
 #include "platform/processor.h"
 #include "support.h"
+#include <stdlib.h>
 
 #define G 10.0 // m/s^2
 
@@ -42,7 +43,40 @@ static double worst(scree_world* world, int count, double* speed)
 	return gap;
 }
 
-// Dragged over the corner of a static box by a body that moves steadily: the guard against tunneling lets links slide on.
+// Drags a chain over the corner of a static box by a body that moves steadily, for 10 s. Returns the largest gap, m; fastest gets the
+// speed of the fastest link, m/s.
+static double dragged(int count, float drag, double* fastest)
+{
+	scree_world* world = open_world((float)-G);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 4.7f, 0.0f, -5.0f);
+	scree_body_def def = scree_body_def_default();
+	def.type = SCREE_BODY_KINEMATIC;
+	def.pose.position = (scree_vec){2.0f, 0.0f};
+	def.velocity.linear.x = drag;
+	scree_body hand;
+	OK(scree_body_create(world, &def, &hand));
+	add_chain(world, hand, count, 2.0f, 0.0f);
+	double most = 0.0, speed;
+	*fastest = 0.0;
+	for (int step = 0; step < 600; ++step)
+	{
+		run_steps(world, 1);
+		most = fmax(most, worst(world, count, &speed));
+		*fastest = fmax(*fastest, speed);
+	}
+	scree_world_destroy(world);
+	return most;
+}
+
+#define DRAGS 9 // speeds near each other: the whip of a long chain differs by a factor of ten between them
+
+static int compare_doubles(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+// The guard against tunneling lets links slide on. Box2D: gaps up to 0.2 m, of 40 links 12 m, and 405 m/s.
 static void chains_slide_over_corners(void** state)
 {
 	(void)state;
@@ -50,28 +84,20 @@ static void chains_slide_over_corners(void** state)
 	static const int counts[] = {8, 10, 40};
 	for (int k = 0; k < 9; ++k)
 	{
-		float drag = speeds[k % 3];
 		int count = counts[k / 3];
-		scree_world* world = open_world((float)-G);
-		add_box(world, SCREE_BODY_STATIC, 0.5f, 4.7f, 0.0f, -5.0f);
-		scree_body_def def = scree_body_def_default();
-		def.type = SCREE_BODY_KINEMATIC;
-		def.pose.position = (scree_vec){2.0f, 0.0f};
-		def.velocity.linear.x = drag;
-		scree_body hand;
-		OK(scree_body_create(world, &def, &hand));
-		add_chain(world, hand, count, 2.0f, 0.0f);
-		double most = 0.0, fastest = 0.0, speed;
-		for (int step = 0; step < 600; ++step)
+		double gaps[DRAGS], fastest = 0.0;
+		for (int m = 0; m < DRAGS; ++m)
 		{
-			run_steps(world, 1);
-			most = fmax(most, worst(world, count, &speed));
+			double speed;
+			gaps[m] = dragged(count, speeds[k % 3] * (0.96f + 0.01f * (float)m), &speed);
 			fastest = fmax(fastest, speed);
 		}
-		print_message("chain of %d links over a corner at %g m/s: gaps up to %.3f m, fastest %.0f m/s\n", count,
-		              (double)drag, most, fastest);
-		assert_true(fastest < 150.0 && most < (count > 10 ? 5.0 : 0.6)); // Box2D: up to 405 m/s, 12 m and 0.2 m
-		scree_world_destroy(world);
+		qsort(gaps, DRAGS, sizeof *gaps, compare_doubles);
+		double median = gaps[DRAGS / 2], most = gaps[DRAGS - 1];
+		print_message(
+		    "chain of %d links over a corner at %g m/s: median of the gaps %.3f m, widest %.3f m, fastest %.0f m/s\n",
+		    count, (double)speeds[k % 3], median, most, fastest);
+		assert_true(fastest < 150.0 && median < 3.0 && most < (count > 10 ? 12.0 : 0.6));
 	}
 }
 

@@ -206,7 +206,7 @@ typedef struct scree_world_def
 	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16; 0 (default): the widest that the processor supports
 	bool allow_unequal_bits; // accept a device whose results are not bit-identical; default false
 	bool timings;            // measure each stage (scree_world_get_timings); slows down a GPU slightly; default false
-	// contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate, where contacts are deep to 2/3 of the step rate
+	// contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate; where contacts are deep, 3 % more, to 2/3 of the step rate
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
 	float contact_push_speed;    // maximum speed that pushes a pair apart, m/s, 0 to SCREE_HUGE, default 3

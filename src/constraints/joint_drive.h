@@ -129,13 +129,15 @@ INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, Real ahead, i
 	return choose(soft ? back : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// The speed that a motor wants: that of the user, but not through a limit. Impulses of a motor and of a limit that work against each
+// The speed that a motor wants: that of the user, but not through the nearer limit. Impulses of a motor and of a limit that work against each
 // other would both grow up to the maximum of the motor, under which the limit, a spring, gives way: a slider of 1 kg by 29 m at 1e8 N.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, Real value, Int limit, int soft)
 {
-	Real least = -joint_limit_speed(p, d, value - d->lower, soft);
-	Real most = joint_limit_speed(p, d, d->upper - value, soft);
-	return choose(d->speed, minimum(maximum(d->speed, least), most), limit);
+	Real below = value - d->lower, above = d->upper - value;
+	Int low = below < above;
+	Real sign = choose(splat(-1.0f), splat(1.0f), low),
+	     least = -joint_limit_speed(p, d, choose(above, below, low), soft);
+	return choose(d->speed, sign * maximum(sign * d->speed, least), limit);
 }
 
 // Solves the spring, the motor and the limit of coordinate k, one after the other. full: springs that are bounded together are at
