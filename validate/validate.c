@@ -29,7 +29,7 @@ const Experiment* validate_find(const char* name)
 
 void peak_take(Peak* peak, double value, const char* at)
 {
-	if (value <= peak->value)
+	if (value <= peak->value || peak->value != peak->value)
 		return;
 	peak->value = value;
 	snprintf(peak->at, sizeof peak->at, "%s", at);

@@ -23,7 +23,7 @@ typedef struct // the largest value of some runs, and the run that gave it
 	char at[64];
 } Peak;
 
-// Takes a value that is larger, or no number, as of an engine that failed.
+// Takes a value that is larger, or no number, as an engine that failed gives it; that stays.
 void peak_take(Peak* peak, double value, const char* at);
 
 void validate_heading(FILE* out);

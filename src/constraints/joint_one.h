@@ -31,7 +31,7 @@
 			joint_rare(p, of##_motor_impulse, i) = 0.0f;                                             \
 	}
 
-// Where coordinate k, a translation, is with locks and springs at their targets, m. A lock moves the frame to its target.
+// The place of coordinate k, a translation, with locks and springs at their targets, m. A lock moves the frame to its target.
 INLINE float joint_aim(const Pools* p, int slot, int modes, const JointPose* c, int k)
 {
 	if (modes & JOINT_LOCKED(k))
@@ -54,31 +54,38 @@ INLINE float joint_stiffened(const Pools* p, int slot, int modes, const Joint* u
 	return ratio < MOST_FLOAT ? root(ratio) : 1.0f;
 }
 
+// The spring of coordinate k with a frequency and a damping ratio, and the stiffness that it has at its target (joint_spring_of has the rest).
+INLINE JointSpring joint_spring_at(const Pools* p, int slot, int k, const Joint* u, const JointPose* c, float hertz,
+                                   float ratio, float share, float beside, float alone)
+{
+	float more = joint_stiffened(p, slot, (int)p->joint_data[slot].modes, u, c, k);
+	return joint_spring_of(p, more * hertz, more * ratio, share, beside, alone);
+}
+
 // The spring of one coordinate, or its soft lock.
-#define JOINT_SPRING_SETUP(of, k)                                                                                     \
-	if (modes & JOINT_SPRING(k))                                                                                      \
-	{                                                                                                                 \
-		JointDriveData from = p->joint_data[slot].drive[k];                                                           \
-		float share = joint_share_free(u, &c, k);                                                                     \
-		float more = joint_stiffened(p, slot, modes, u, &c, k);                                                       \
-		JointSpring s = joint_spring_of(p, more * from.spring_hertz, more * from.spring_ratio, share, beside, alone); \
-		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                              \
-		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                          \
-		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                                \
-		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                                    \
-	}                                                                                                                 \
-	if (modes & JOINT_SOFT(k))                                                                                        \
-	{                                                                                                                 \
-		JointLock from = p->joint_data[slot].lock[k];                                                                 \
-		float share = joint_share_free(u, &c, k);                                                                     \
-		float more = joint_stiffened(p, slot, modes, u, &c, k);                                                       \
-		JointSpring s = joint_spring_of(p, more * from.hertz, more * from.ratio, share, beside, alone);               \
-		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                                  \
-		u->rate_##of = s.pull * p->step.inv_h / answer;                                                               \
-		u->soft_##of = share * (1.0f - answer) / answer;                                                              \
-		joint_row(p, rate_##of, i) = u->rate_##of;                                                                    \
-		joint_row(p, soft_##of, i) = u->soft_##of;                                                                    \
-		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST);       \
+#define JOINT_SPRING_SETUP(of, k)                                                                               \
+	if (modes & JOINT_SPRING(k))                                                                                \
+	{                                                                                                           \
+		JointDriveData from = p->joint_data[slot].drive[k];                                                     \
+		float share = joint_share_free(u, &c, k);                                                               \
+		JointSpring s =                                                                                         \
+		    joint_spring_at(p, slot, k, u, &c, from.spring_hertz, from.spring_ratio, share, beside, alone);     \
+		joint_rare(p, of##_spring_answer, i) = (1.0f - s.keeps) / share;                                        \
+		joint_rare(p, of##_spring_rate, i) = s.pull * p->step.inv_h / share;                                    \
+		joint_rare(p, of##_spring_keeps, i) = s.keeps;                                                          \
+		joint_rare(p, of##_spring_relaxes, i) = s.relaxes / share;                                              \
+	}                                                                                                           \
+	if (modes & JOINT_SOFT(k))                                                                                  \
+	{                                                                                                           \
+		JointLock from = p->joint_data[slot].lock[k];                                                           \
+		float share = joint_share_free(u, &c, k);                                                               \
+		JointSpring s = joint_spring_at(p, slot, k, u, &c, from.hertz, from.ratio, share, beside, alone);       \
+		float answer = maximum(1.0f - s.keeps, SPRING_LEAST_ANSWER);                                            \
+		u->rate_##of = s.pull * p->step.inv_h / answer;                                                         \
+		u->soft_##of = share * (1.0f - answer) / answer;                                                        \
+		joint_row(p, rate_##of, i) = u->rate_##of;                                                              \
+		joint_row(p, soft_##of, i) = u->soft_##of;                                                              \
+		joint_rare(p, of##_spring_relaxes, i) = minimum(share * (1.0f - s.relaxes) / s.relaxes, JOINT_SOFTEST); \
 	}
 
 // The impulse of a force within a substep.

@@ -3,8 +3,8 @@
 #include "stages/program.h"
 #include "opencl/primitives.cl"
 
-// Stages for worlds that have no small bodies, belts and segments, or no rules: so many registers fewer that more work-items are resident. On an H100 the
-// narrow phase of a million bodies in motion takes 1.85 ms with it, and 2.25 ms without.
+// Stages for worlds that have no small bodies, belts and segments, or no rules. They use fewer registers, so more work-items are resident.
+// On an H100 the narrow phase of a million bodies in motion takes 1.83 ms with its own kernel, and 2.25 ms without.
 STAGE_KERNEL(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
 
 // Work-items per item, a power of two, as there is room.

@@ -67,7 +67,7 @@ INLINE int ahead_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Clos
 	return vec_dot(apart, apart) > reach * reach;
 }
 
-// Of its radius: how deep a round shape may pass over a corner. And the cosine of normals that are the same but for rounding.
+// share of its radius: how deep a round shape may pass over a corner; and the cosine of normals that are the same but for rounding.
 #define OVER_DEPTH 0.075f
 #define OVER_SAME  0.9999f
 

@@ -27,7 +27,7 @@ INLINE void edge_stir(const Pools* p, int kind)
 	raise_int(&p->counters->stirred[kind], 1);
 }
 
-// What a contact adds to the pool belts at its bodies, by its tangent speed. Seen from either body, a belt runs the same way.
+// The share of a contact in the pool belts at its bodies, by its tangent speed. Seen from either body, a belt runs the same way.
 INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)

@@ -102,7 +102,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .springs = pipeline->springs,
 	    .couplings = pipeline->couplings,
 	    .paths = pipeline->paths,
-	    .presses = pipeline->trees[1].tree.leaves > 0 && (request->kinematic > 0 || pipeline->tethers),
+	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers),
 	    .round = pipeline->round,
 	    .small = pipeline->guard_way <= GUARD_TRAVEL * (0.5f * GRAIN_SIZE),
 	    .guard_way = pipeline->guard_way,

@@ -74,6 +74,7 @@ typedef struct
 	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
 	bool belts;                   // some attribute, or pair of materials, has a tangent speed
 	bool segments;                // some attribute is a segment
+	bool statics;                 // some collidable has ever been static
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
 	bool drives;    // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path

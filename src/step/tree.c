@@ -72,6 +72,7 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 	}
 	TreeState* state = &pipeline->trees[t];
 	touch(state);
+	pipeline->statics |= t == 1;
 	pipeline->member[collidable] |= BELONGS(t);
 	if (pipeline->member[collidable] & HAS_LEAF(t))
 		return SCREE_OK;
