@@ -8,7 +8,9 @@
 #include "constraints/kinds.h"
 #include "stages/edge.h"
 #include "stages/touch.h"
+SMALL_BEGIN
 #include "stages/command.h"
+SMALL_END
 #include "stages/transform.h"
 #include "stages/tree.h"
 #include "stages/broad_phase.h"

@@ -7,7 +7,7 @@
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
-import {follow} from "./columns.js";
+import {bytes_in_order, follow, LOCALS, move_to_front} from "./columns.js";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
@@ -31,11 +31,15 @@ function write_column(column) {
 
 function write_module(wasm, head) {
 	const columns = [];
-	let at = 0;
+	let at = 0, recent;
 	follow(wasm.length, (column) => {
-		(columns[column] ??= []).push(wasm[at]);
-		return wasm[at++];
-	});
+		const byte = wasm[at++], list = columns[column] ??= [];
+		if (column === LOCALS)
+			move_to_front(recent, list[list.push(recent.indexOf(byte)) - 1]);
+		else
+			list.push(byte);
+		return byte;
+	}, () => recent = bytes_in_order());
 	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
 }
 
