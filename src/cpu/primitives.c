@@ -3,6 +3,9 @@
 #include "cpu/primitives.h"
 #include <string.h>
 
+// keys that are inserted rather than sorted by digits: with 64, both take about as long
+#define FEW_KEYS 64
+
 static void meet(Threads* threads, int workers)
 {
 	if (workers > 1)
@@ -36,11 +39,32 @@ static bool place_digits(int place[RADIX], const Shared* shared, int worker, int
 	return true;
 }
 
+// Insertion sort: of few keys, a look at every digit takes longer than all comparisons.
+static void insert_keys(uint64_t* keys, int count, int low, int high)
+{
+	uint64_t mask = ((uint64_t)2 << (high - low - 1)) - 1;
+	for (int i = 1; i < count; ++i)
+	{
+		uint64_t key = keys[i], digits = key >> low & mask;
+		int place = i;
+		for (; place > 0 && (keys[place - 1] >> low & mask) > digits; --place)
+			keys[place] = keys[place - 1];
+		keys[place] = key;
+	}
+}
+
 // Radix sort from the lowest digit up. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort, 1993; split over
 // workers as in Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
 void sort_keys(Shared* shared, Threads* threads, int worker, int workers, uint64_t* keys, uint64_t* other, int count,
                int low, int high)
 {
+	if (workers == 1 && count <= FEW_KEYS)
+	{
+		if (low < high)
+			insert_keys(keys, count, low, high);
+		return;
+	}
+
 	int begin = split(count, worker, workers), end = split(count, worker + 1, workers);
 	uint64_t *from = keys, *to = other;
 

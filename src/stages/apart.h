@@ -37,6 +37,9 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 	return turned ? make_int2(b, a) : make_int2(a, b);
 }
 
+// A pair as a number of few bits, which are sorted soon.
+INLINE Word64 apart_key(const Pools* p, Int2 pair) { return (Word64)pair.x << p->step.key_bits | (Word64)pair.y; }
+
 // The first of these reasons that keeps i and j apart, or 0. One-way platforms come last, in apart_lets, because their places take
 // long to find.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
@@ -55,13 +58,13 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	if (reasons & APART_MATERIAL && p->step.material_pairs > 0 && rule_ignores(rule_materials(p, i, j)))
 		return APART_MATERIAL;
 	if (reasons & APART_REFUSED && p->step.asks &&
-	    ask_finds(p->refused, p->counters->refused, ask_key(apart_pair(p, i, j))))
+	    ask_finds(p->refused, p->counters->refused, apart_key(p, apart_pair(p, i, j))))
 		return APART_REFUSED;
 	return 0;
 }
 
 // The key of a contact that a one-way platform lets through: among those of contacts that were refused, but the other way round.
-INLINE Word64 apart_passes_key(Int2 pair) { return ask_key(make_int2(pair.y, pair.x)); }
+INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
 // Whether a platform, a, lets b through, for guard. A contact that it holds goes on. What passes, or has no contact as the boxes are
 // apart, is held if it is above by the way that it went. way: of b against a in the step, m. swing: by
@@ -71,7 +74,7 @@ RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 	if (!rule_platform(p, a, b))
 		return 0;
 	if (box_overlap(p->box[a], p->box[b]) &&
-	    !ask_finds(p->refused, p->counters->refused, apart_passes_key(apart_pair(p, a, b))))
+	    !ask_finds(p->refused, p->counters->refused, apart_passes_key(p, apart_pair(p, a, b))))
 		return 0;
 	return one_way_finds(p, a, b, way, swing, ONE_WAY_PAST) != ONE_WAY_HELD;
 }

@@ -18,12 +18,12 @@ STAGE(contact_ask)
 	if (i >= p->counters->live)
 		return;
 	if (flags & CONTACT_PASSES)
-		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_passes_key(p->pair[i]);
+		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_passes_key(p, p->pair[i]);
 	if (!(flags & CONTACT_ASKS) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))
 		return;
 	if (flags & CONTACT_REFUSED)
 	{
-		p->key[atomic_add_int(&p->counters->refused, 1)] = ask_key(p->pair[i]);
+		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_key(p, p->pair[i]);
 		return;
 	}
 	p->contact_flags[i] = flags | CONTACT_WAITS;

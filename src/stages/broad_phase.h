@@ -41,7 +41,7 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	int place = atomic_add_int(&p->counters->pairs, 1);
 	int a = i < j ? i : j, b = i < j ? j : i;
 	if (place < p->step.pair_capacity)
-		p->key[place] = (Word64)a << p->step.key_bits | (Word64)b;
+		p->key[place] = apart_key(p, make_int2(a, b));
 	return place < p->step.contact_limit;
 }
 

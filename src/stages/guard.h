@@ -188,10 +188,12 @@ INLINE int guard_trees(const Pools* p, const GuardPath* g)
 	float far = guard_far(g->way.path, g->swing);
 	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > GUARD_TRAVEL * g->thickness)))
 		return 0;
-	int body = g->from.body, inside = box_contains(p->box[g->index], g->box);
-	int moves = far > GUARD_CROSS * g->thickness && !(inside && p->other_contacts[body] == 0);
-	int rests = !(inside && p->static_contacts[body] == 0);
-	return moves | rests << 1;
+	int body = g->from.body, moves = far > GUARD_CROSS * g->thickness, others = p->other_contacts[body] != 0;
+	int rests = p->static_contacts[body] != 0;
+	// the box is the costly part
+	if ((!rests || (moves && !others)) && !box_contains(p->box[g->index], g->box))
+		return moves | 2;
+	return (moves & others) | rests << 1;
 }
 
 // Whether nothing can be in the way of a body. Most bodies end here.

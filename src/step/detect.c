@@ -113,10 +113,9 @@ static void join(RunList* list, int joints, int excluded, int bodies)
 // The user is asked about contacts that begin. What they refused, and what one-way platforms let through, is sorted for guard.
 static void ask(RunList* list, const Step* step, int bodies)
 {
-	int contacts = step->contact_capacity, bits = index_bits(step->collidables);
+	int contacts = step->contact_capacity;
 	runs_add(list, STAGE_contact_ask, 0, contacts, COUNT(live), 0);
-	runs_add_sort(list, contacts, COUNT(refused), 0, bits);
-	runs_add_sort(list, contacts, COUNT(refused), 32, 32 + bits);
+	runs_add_sort(list, contacts, COUNT(refused), 0, 2 * step->key_bits);
 	runs_add(list, STAGE_refused_pair, 0, contacts, COUNT(refused), 0);
 	if (step->asks)
 		runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
