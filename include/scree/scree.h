@@ -397,7 +397,7 @@ typedef struct scree_shape
 
 // Make a shape; lengths in m. Each fails with SCREE_ERROR_INVALID if a value is not finite, a size is below 1 mm, or a
 // coordinate exceeds SCREE_HUGE. Bodies of 4 cm and more suit the solver best; smaller ones, down to 2 mm, come to rest too, heaps of
-// them with at least 4 substeps (docs/solver.md, "Small bodies").
+// them with at least 4 substeps (docs/manifolds.md, "Small bodies").
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);

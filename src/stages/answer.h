@@ -2,7 +2,7 @@
 // answer.h -- the answer of a spoke: the impulses that satisfy it for a fixed velocity of its hub, while nothing else pushes
 // its light end.
 //
-// docs/solver.md has the formulas.
+// docs/hubs.md has the formulas.
 #ifndef ANSWER_H
 #define ANSWER_H
 #include "stages/spoke_pose.h"

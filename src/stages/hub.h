@@ -7,7 +7,7 @@
 //
 // A contact of a hub is a spoke; the body at its other end is the light end. For a given velocity of the hub each spoke
 // has its own answer (answer.h). The sums of the answers and of their derivatives with respect to the hub's velocity
-// give three equations for the hub, which Newton's method solves. docs/solver.md has the formulas.
+// give three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
 #ifndef HUB_H
 #define HUB_H
 #include "constraints/schedule.h"

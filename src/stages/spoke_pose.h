@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // spoke_pose.h -- the problem of a spoke for one kind of impulse: limits, target velocities, masses; its warm start.
 //
-// docs/solver.md has the formulas.
+// docs/hubs.md has the formulas.
 #ifndef SPOKE_POSE_H
 #define SPOKE_POSE_H
 #include "stages/spoke_arms.h"
