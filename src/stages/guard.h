@@ -29,6 +29,8 @@
 #define GUARD_DEEPEST 0.75f
 // share of the thickness: how deep a body that is pressed into something static may be, if that is less than PRESS_MOST
 #define GUARD_PRESSED 0.5f
+// of the thickness: how far a path may leave the box of the step before something dynamic without a contact is looked for
+#define GUARD_STRAY 0.5f
 // of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
 #define GUARD_SLACK 0.15f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
@@ -182,18 +184,19 @@ INLINE GuardPath guard_path(const Pools* p, int i, int pressed, Vec path, float 
 }
 
 // Bits of the trees that may hold what is in the way of a collidable: 1 << t of tree t. As long as its path stays in the box of the step,
-// what is near has a contact.
+// what is near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long as each leaves its
+// box by less than its thickness.
 INLINE int guard_trees(const Pools* p, const GuardPath* g)
 {
 	float far = guard_far(g->way.path, g->swing);
 	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > GUARD_TRAVEL * g->thickness)))
 		return 0;
-	int body = g->from.body, moves = far > GUARD_CROSS * g->thickness, others = p->other_contacts[body] != 0;
-	int rests = p->static_contacts[body] != 0;
-	// the box is the costly part
-	if ((!rests || (moves && !others)) && !box_contains(p->box[g->index], g->box))
-		return moves | 2;
-	return (moves & others) | rests << 1;
+	int body = g->from.body;
+	Float4 box = p->box[g->index];
+	int moves = far > GUARD_CROSS * g->thickness &&
+	            (p->other_contacts[body] != 0 || !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box));
+	int rests = p->tree[1].leaves > 0 && (p->static_contacts[body] != 0 || !box_contains(box, g->box));
+	return moves | rests << 1;
 }
 
 // Whether nothing can be in the way of a body. Most bodies end here.
