@@ -10,10 +10,11 @@ INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 
 // Counts a contact with these flags at its bodies, or, with by = -1, no more. Body 0 is that of what has none.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
-	GLOBAL int* count = flags & CONTACT_STATIC ? p->static_contacts : p->other_contacts;
+	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;
+	by *= flags & CONTACT_KINEMATIC ? KINEMATIC_CONTACT : 1;
 	if (bodies.x > 0)
 		atomic_add_int(count + bodies.x, by);
-	if (bodies.y > 0 && !(flags & CONTACT_STATIC))
+	if (bodies.y > 0 && !(flags & CONTACT_FIXED))
 		atomic_add_int(count + bodies.y, by);
 }
 

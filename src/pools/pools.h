@@ -121,6 +121,9 @@
 #define KIND_FREE      4 // without a body
 #define KIND_SENSOR    8 // added to the kind of a sensor
 
+// a contact with something kinematic in the pool fixed_contacts, where one with something static is 1
+#define KINEMATIC_CONTACT 65536
+
 // contact_flags
 #define CONTACT_COUNT    3u    // mask of the number of points
 #define CONTACT_FRESH    4u    // created in this step
@@ -138,12 +141,15 @@
 #define CONTACT_REFUSED 2097152u // the answer was no, or none
 #define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
 #define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
-#define CONTACT_HIGH    8388608u  // it passes, but was higher than its platform, and may be held as if it were new
-#define CONTACT_STATIC  16777216u // one side of it was static when it was created
-#define CONTACT_APART   (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
+#define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
+// a side of it was static, or kinematic, when it was created
+#define CONTACT_STATIC    16777216u
+#define CONTACT_KINEMATIC 33554432u
+#define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
+#define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
 #define CONTACT_LASTS                                                                        \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH | \
-	 CONTACT_STATIC) // what narrow_phase leaves alone
+	 CONTACT_FIXED) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -621,6 +627,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int springs;          // some joint has a spring or a soft lock
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
+	int kinematic;        // there are kinematic bodies
 	int presses;          // there is something static, and kinematic bodies or joints with what does not move
 	int round;            // some attribute has a radius
 	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE

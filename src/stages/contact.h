@@ -113,7 +113,8 @@ STAGE(contact_create)
 	p->pair[slot] = pair;
 	Int2 bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
 	Word flags = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);
-	flags |= p->collidable_kind[b] == KIND_STATIC ? CONTACT_STATIC : 0u;
+	int kind = p->collidable_kind[b];
+	flags |= kind == KIND_STATIC ? CONTACT_STATIC : kind == KIND_KINEMATIC ? CONTACT_KINEMATIC : 0u;
 	p->contact_bodies[slot] = bodies;
 	p->contact_flags[slot] = flags;
 	contact_count(p, bodies, flags, 1);

@@ -7,8 +7,8 @@
 // little inside the surface. Its velocity stays, and the next step has a contact for it.
 //
 // Static collidables stop it by its own displacement alone. Dynamic ones move in the same time by theirs, and of two only those stop that
-// go towards the other one where they meet: what goes away must go on, or it would be run through. No order matters, as all that is read
-// is from before.
+// go towards the other one where they meet: what goes away must go on, or it would be run through. Something kinematic does not yield: what
+// goes towards it keeps up with it from there on. No order matters, as all that is read is from before.
 //
 // Such bodies are few, and the work per body is long: finalize lists them for a stage of their own. Within finalize it
 // used registers for all bodies of a GPU: 1M in motion took 0.159 ms instead of 0.043 ms on an H200. Several work-items
@@ -29,7 +29,7 @@
 #define GUARD_DEEPEST 0.75f
 // share of the thickness: how deep a body that is pressed into something static may be, if that is less than PRESS_MOST
 #define GUARD_PRESSED 0.5f
-// of the thickness: how far a path may leave the box of the step before something dynamic without a contact is looked for
+// of the thickness: how far a path may leave the box of the step before something that moves and has no contact is looked for
 #define GUARD_STRAY 0.5f
 // of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
 #define GUARD_SLACK 0.15f
@@ -82,16 +82,25 @@ INLINE Sweep guard_rest(const Pools* p, WorldShape s)
 	return guard_way(p, s, rests);
 }
 
-// Whether the second of two that met goes towards the first one there.
-INLINE int guard_yields(Sweep way, GuardMeeting met)
+// From the center of the body of the second of two that met to where they did.
+INLINE Vec guard_arm(Sweep way, GuardMeeting met)
 {
-	Vec arm = vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
-	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, arm))) < 0.0f;
+	return vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
 }
+
+// How far the second of two goes away from the first one there in a step, m.
+INLINE float guard_away(Sweep way, GuardMeeting met)
+{
+	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, guard_arm(way, met))));
+}
+
+// Whether the second of two that met goes towards the first one there.
+INLINE int guard_yields(Sweep way, GuardMeeting met) { return guard_away(way, met) < 0.0f; }
 
 typedef struct // a collidable on its path
 {
 	int index, pressed;     // pressed: into something static, so that it may get no deeper than PRESS_MOST
+	int seeks;              // bit k: what has the kind k may be in its way
 	float thickness, swing; // m
 	WorldShape from;
 	Sweep way;
@@ -99,27 +108,40 @@ typedef struct // a collidable on its path
 	Filter filter;
 } GuardPath;
 
+// The share of its path after which a collidable keeps up with something kinematic that it met.
+INLINE float guard_follows(const GuardPath* g, WorldShape other, Sweep goes, GuardMeeting met)
+{
+	Vec center = vec_add(vec(g->from.x - other.x, g->from.y - other.y), vec_sub(g->way.center, goes.center));
+	Vec arm = vec_add(vec_add(center, vec_scale(met.time, vec_sub(g->way.path, goes.path))), guard_arm(g->way, met));
+	float away = vec_dot(met.normal, vec_add(goes.path, vec_spin(goes.turn, arm)));
+	float keeps = within(away / guard_away(g->way, met), 1.0f);
+	return met.time + (1.0f - met.time) * maximum(keeps, 0.0f);
+}
+
 // Whether j may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the other.
 INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
 {
 	// all that most leaves need is read at once: a GPU waits for it once
 	int kind = p->collidable_kind[j], body = p->collidable_body[j];
 	Filter filter = p->filter[j];
-	if (kind != KIND_DYNAMIC)
-		return kind == KIND_STATIC;
+	if (kind < 0 || kind > KIND_DYNAMIC || !(g->seeks >> kind & 1))
+		return 0;
+	if (kind == KIND_STATIC)
+		return 1;
 	// soon ruled out: itself, and what its filter leaves alone
 	if (j == g->index || !filter_accepts(g->filter, filter))
 		return 0;
 	Advance went = guard_went(p, body);
 	float swing = g->swing + absolute(went.turn) * p->guarded[body].reach;
-	return guard_far(vec_sub(g->way.path, went.path), swing) > GUARD_CROSS * g->thickness;
+	float least = kind == KIND_DYNAMIC ? GUARD_CROSS : GUARD_TRAVEL;
+	return guard_far(vec_sub(g->way.path, went.path), swing) > least * g->thickness;
 }
 
 // The end of the path of a collidable by j, which may stop it, if that comes before least. Leaves are not in the same order everywhere:
 // of equal shares, the lower index counts.
 RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
 {
-	int i = g->index, moves = p->collidable_kind[j] == KIND_DYNAMIC;
+	int i = g->index, kind = p->collidable_kind[j], moves = kind != KIND_STATIC;
 	Advance went;
 	Vec apart = g->way.path;
 	if (moves)
@@ -129,21 +151,23 @@ RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop l
 	}
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
+	// sooner found than when they meet
+	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
+		return least;
 	WorldShape other = p->world_shape[j];
 	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
 	GuardDepth deep;
-	deep.deeper = moves ? GUARD_DEPTH * g->thickness : minimum(GUARD_DEPTH * g->thickness, GUARD_MOST);
+	deep.deeper = kind == KIND_DYNAMIC ? GUARD_DEPTH * g->thickness : minimum(GUARD_DEPTH * g->thickness, GUARD_MOST);
 	deep.deepest = GUARD_DEEPEST * g->thickness;
-	deep.slack = moves ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
+	deep.slack = kind == KIND_DYNAMIC ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
 	deep.pressed = g->pressed && !moves ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f;
 	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deep);
-	if (!(met.time < 1.0f) || met.time > least.share || (met.time == least.share && j > least.index))
+	if (!(met.time < 1.0f) || (moves && !guard_yields(g->way, met)))
 		return least;
-	if (moves && !guard_yields(g->way, met))
+	float share = kind == KIND_KINEMATIC ? guard_follows(g, other, goes, met) : met.time;
+	if (!(share < 1.0f) || share > least.share || (share == least.share && j > least.index))
 		return least;
-	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
-		return least;
-	return guard_stop(met.time, met.normal, j);
+	return guard_stop(share, met.normal, j);
 }
 
 // The end of a path by the leaves of a tree, if that comes before least.
@@ -183,32 +207,34 @@ INLINE GuardPath guard_path(const Pools* p, int i, int pressed, Vec path, float 
 	return g;
 }
 
-// Bits of the trees that may hold what is in the way of a collidable: 1 << t of tree t. As long as its path stays in the box of the step,
+// The kinds that may be in the way of a collidable, a bit each. As long as its path stays in the box of the step,
 // what is near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long as each leaves its
 // box by less than its thickness.
-INLINE int guard_trees(const Pools* p, const GuardPath* g)
+INLINE int guard_seeks(const Pools* p, const GuardPath* g)
 {
 	float far = guard_far(g->way.path, g->swing);
 	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > GUARD_TRAVEL * g->thickness)))
 		return 0;
-	int body = g->from.body;
+	int body = g->from.body, fixed = p->fixed_contacts[body];
 	Float4 box = p->box[g->index];
-	int moves = far > GUARD_CROSS * g->thickness &&
-	            (p->other_contacts[body] != 0 || !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box));
-	int rests = p->tree[1].leaves > 0 && (p->static_contacts[body] != 0 || !box_contains(box, g->box));
-	return moves | rests << 1;
+	int moves = far > GUARD_CROSS * g->thickness, kinematic = p->step.kinematic && !g->pressed;
+	int strays = (moves || kinematic) && !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box);
+	moves = moves && (strays || p->other_contacts[body] != 0);
+	kinematic = kinematic && (strays || fixed >= KINEMATIC_CONTACT);
+	int statics = p->tree[1].leaves > 0 && (fixed != 0 || !box_contains(box, g->box));
+	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
 // Whether nothing can be in the way of a body. Most bodies end here.
 INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 {
-	int trees = p->static_contacts[body] != 0;
-	for (int k = p->guarded[body].first; k > 0 && !trees; k = p->next_collidable[k - 1])
+	int seeks = p->fixed_contacts[body] != 0;
+	for (int k = p->guarded[body].first; k > 0 && !seeks; k = p->next_collidable[k - 1])
 	{
 		GuardPath g = guard_path(p, k - 1, 0, path, turn);
-		trees = guard_trees(p, &g);
+		seeks = guard_seeks(p, &g);
 	}
-	return !trees;
+	return !seeks;
 }
 
 // The share of its path that collidable i moves, with its body's displacement.
@@ -216,10 +242,10 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, 
 {
 	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 	GuardPath g = guard_path(p, i, pressed, path, turn);
-	int trees = guard_trees(p, &g);
+	g.seeks = guard_seeks(p, &g);
 	// one call for both trees, as in guard
 	for (int t = 0; t < 2; ++t)
-		if (trees >> t & 1)
+		if (t == tree_of_kind(KIND_STATIC) ? g.seeks & 1 << KIND_STATIC : g.seeks & ~(1 << KIND_STATIC))
 			least = guard_search(p, p->tree + t, &g, least);
 	return least;
 }
@@ -254,7 +280,7 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	if (!(far + swing * p->step.guard_reach > p->step.guard_way))
 		return 0;
 	Guarded guarded = p->guarded[body];
-	float way = p->tree[1].leaves > 0 ? guarded.way : GUARD_CROSS / GUARD_TRAVEL * guarded.way;
+	float way = p->tree[1].leaves > 0 || p->step.kinematic ? guarded.way : GUARD_CROSS / GUARD_TRAVEL * guarded.way;
 	return far + swing * guarded.reach > way;
 }
 

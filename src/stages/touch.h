@@ -30,7 +30,7 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);
 	touch_end(p, p->pair[i], flags);
-	p->contact_flags[i] = CONTACT_FRESH | (flags & CONTACT_STATIC) | kept;
+	p->contact_flags[i] = CONTACT_FRESH | (flags & CONTACT_FIXED) | kept;
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 
