@@ -186,10 +186,52 @@ static void block(Validation* v, double hertz, double ratio)
 	lab_close(lab);
 }
 
+// Boxes in a row, welded softly to each other and to a post, of which a force of 10,000 N beside the row pulls the last one for 2 s.
+static void tear(Validation* v, int count, double hertz)
+{
+	LabDef def = lab_def();
+	def.gravity.y = 0.0f;
+	begin(v, "%d boxes in a row welded with %g Hz that a force tore apart", count, hertz);
+	Lab* lab = lab_open(v, &def);
+	scree_attribute_def box = box_of(0.5, 0.25), post = box_of(0.1, 0.1);
+	lab_put(lab, SCREE_BODY_STATIC, &post, -0.5f, 0.0f, 0.0f);
+	for (int k = 0; k < count; ++k)
+	{
+		int body = lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)k, 0.0f, 0.0f);
+		lab->parts[lab->part_count - 1].filter.group = -1;
+		scree_joint_def weld = scree_joint_def_make(SCREE_JOINT_WELD);
+		weld.frame_a.position.x = k > 0 ? 0.5f : 0.0f;
+		weld.frame_b.position.x = -0.5f;
+		for (int c = 0; c < 3; ++c)
+		{
+			weld.coordinates[c].lock_hertz = (float)hertz;
+			weld.coordinates[c].lock_damping_ratio = 1.0f;
+		}
+		lab_join(lab, &weld, body - 1, body);
+	}
+	double far = 0.0;
+	for (int n = 0; n < 120; ++n)
+	{
+		lab_push(lab, count, (scree_vec){0.0f, 10000.0f});
+		lab_step(lab, 1);
+		lab_read(lab);
+		far = fmax(far, lab_gap(lab));
+	}
+	row(v, "widest gap", far, "m", SHOWN, 0.0);
+	lab_step(lab, 1200);
+	lab_read(lab);
+	row(v, "gap 20 s later", lab_gap(lab), "m", AT_MOST, 0.5);
+	row(v, "fastest then", lab_fastest(lab, NULL), "m/s", AT_MOST, 10.0);
+	lab_close(lab);
+}
+
 void springs_experiment(Validation* v)
 {
 	for (int k = 0; k < (int)(sizeof kinds / sizeof *kinds); ++k)
 		swings(v, &kinds[k]);
 	block(v, 5.0, 0.5);
 	block(v, 10.0, 1.0);
+	for (int count = 2; count <= 6; count += 2)
+		for (double hertz = 5.0; hertz <= 10.0; hertz += 5.0)
+			tear(v, count, hertz);
 }

@@ -183,6 +183,7 @@ typedef struct // its bodies and its coordinates now
 	// of lanes with a coupling: what its coordinate along is on the side of a, and what was given there
 	Word couples;
 	Int coupled;
+	Int torn; // springs hold both translations, and are so far off that the arm of a is shortened
 	Vec axis_a, given_a;
 	// of lanes on a path: its curvature here, 1/m
 	Word rails;
@@ -218,6 +219,20 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
+// times the radius of gyration of body a: how far off locks may be that make its arm longer
+#define JOINT_FAR 2.0f
+
+// Whether springs hold both translations, and d is so far off. Then the axes are those of the world, and the impulses keep their direction
+// there: the arm of a is shortened, so that a cannot take the torque of a force that turns with it, and would spin b ever faster.
+INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
+{
+	if (!p->step.springs)
+		return joint_has(u, 0);
+	Int springs = joint_has(u, JOINT_SOFT(JOINT_ALONG)) & joint_has(u, JOINT_SOFT(JOINT_ACROSS));
+	springs = springs & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
+	return springs & (a->inv_inertia * vec_dot(d, d) > splat(JOINT_FAR * JOINT_FAR) * a->inv_mass);
+}
+
 // How far a translation is beyond its limits, m.
 INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real value)
 {
@@ -230,19 +245,16 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	return choose(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
-// times the radius of gyration of body a: how far off locks may be that make its arm longer
-#define JOINT_FAR 2.0f
-
-// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks are so far
-// off that the arm would turn a rather than pull, it ends nearer to a's own anchor: impulses at the end of a long arm hardly pull b
-// back, and turn a with a force that other joints of a cannot hold.
+// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks, or a pair
+// of soft ones, are so far off that the arm would turn a rather than pull, it ends nearer to a's own anchor: impulses at the end of a long
+// arm hardly pull b back, and turn a with a force that other joints of a cannot hold.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
 	Int others = joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED);
 	for (int k = 0; k < 2; ++k)
 	{
-		Int rigid = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0);
+		Int rigid = joint_has(u, JOINT_LOCKED(k)) & ((joint_has(u, JOINT_SOFT(k)) == 0) | c->torn);
 		off[k] = choose(choose(joint_beyond(p, i, u, k, c->value[k]), c->value[k], rigid), zero, others);
 		square = square + off[k] * off[k];
 	}
@@ -280,6 +292,9 @@ INLINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
 	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
 	axis = joint_line(axis, d, joint_has(u, JOINT_RADIAL));
+	c->torn = joint_torn(p, u, a, d);
+	if (p->step.springs)
+		axis = vec_choose(axis, vec(splat(1.0f), splat(0.0f)), c->torn);
 	c->axis[0] = axis;
 	c->axis[1] = vec(-axis.y, axis.x);
 	for (int k = 0; k < 2; ++k)

@@ -231,6 +231,13 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 INLINE void joint_turn(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
+	// the axes of the last pass may have been others
+	if (p->step.springs)
+	{
+		Vec given = vec(u->given_x, u->given_y);
+		u->impulse_along = choose(u->impulse_along, vec_dot(given, c->axis[0]), c->torn);
+		u->impulse_across = choose(u->impulse_across, vec_dot(given, c->axis[1]), c->torn);
+	}
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
 	j.push = vec_sub(j.push, vec(u->given_x, u->given_y));

@@ -11,8 +11,8 @@ INLINE int joint_show_place(const Pools* p, int i)
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
-// The impulses of the last substep along the axes, N s; 0 without a constraint. bend is the curvature of a path.
-INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, float bend, GLOBAL JointState* state)
+// The impulses of the last substep along the axes, N s; 0 without a constraint. off is what locks are off, bend the curvature of a path.
+INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend, GLOBAL JointState* state)
 {
 	int place = joint_show_place(p, i);
 	if (place < 0)
@@ -24,7 +24,8 @@ INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, float b
 	// forms that hold joints in registers leave the rows of the step as they are
 	u.modes = (float)modes;
 	joint_sums(p, place, &u, sum);
-	if (joint_upright(&u))
+	Body a = body_gather(p, p->joint_data[i].body_a);
+	if (joint_upright(&u) || joint_torn(p, &u, &a, off))
 		axis = vec(1.0f, 0.0f);
 	if (modes & JOINT_RAILED)
 		sum[0] = sum[0] - bend * sum[2];
@@ -61,7 +62,7 @@ INLINE void joint_show_coupling(const Pools* p, int i, GLOBAL JointState* state)
 	state->speed[0] = number_of(speeds[1] + ratio * speeds[0]);
 	state->speed[1] = speeds[0];
 	state->speed[2] = speeds[1];
-	joint_show_force(p, i, modes, direction, 0.0f, state);
+	joint_show_force(p, i, modes, direction, vec(0.0f, 0.0f), 0.0f, state);
 }
 
 // Frame A of a joint on a path, at its foot. Returns the foot.
@@ -109,7 +110,11 @@ STAGE(joint_show)
 	if (modes & JOINT_COUPLED)
 		joint_show_coupling(p, i, state);
 	else
-		joint_show_force(p, i, modes, axis, bend, state);
+	{
+		const GLOBAL JointLock* lock = p->joint_data[i].lock;
+		Vec off = vec(state->value[0] - lock[0].target, state->value[1] - lock[1].target);
+		joint_show_force(p, i, modes, axis, off, bend, state);
+	}
 }
 
 #endif
