@@ -422,7 +422,7 @@ typedef struct scree_attribute_def
 	scree_shape shape;
 	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
-	float restitution;        // 0 to 100, default 0; above 1 it adds speed, as a bumper does; a pair uses the larger value
+	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
 	float tangent_speed;      // speed of a conveyor belt along the surface, m/s, default 0; clockwise around the
 	                          // shape if positive, so that a body on top moves to the right

@@ -13,7 +13,7 @@
 #define MOST_DENSITY  1e9f
 
 // up to this, square roots, products and ratios of two values are finite
-#define MOST_SURFACE 1e6f
+#define MOST_SURFACE     1e6f
 #define MOST_RESTITUTION 100.0f
 
 // shortest vector that is a direction
