@@ -17,7 +17,7 @@ static const struct
 } surface_keys[] = {
     {"density", offsetof(scree_attribute_def, density), {0, 1e9, false, false}},
     {"friction", offsetof(scree_attribute_def, friction), {0, 1e6, false, false}},
-    {"restitution", offsetof(scree_attribute_def, restitution), {0, 1, false, false}},
+    {"restitution", offsetof(scree_attribute_def, restitution), {0, 100, false, false}},
     {"rolling_resistance", offsetof(scree_attribute_def, rolling_resistance), {0, 1e6, false, false}},
     {"tangent_speed", offsetof(scree_attribute_def, tangent_speed), {-1e6, 1e6, false, false}},
 };

@@ -35,7 +35,7 @@ static bool read_pair(Reader* reader, const Location* at, const json_t* entry, s
 	made->a = (int)materials[0];
 	made->b = (int)materials[1];
 	return read_optional(reader, at, entry, "friction", (Range){0, 1e6, false, false}, &made->pair.friction) &&
-	       read_optional(reader, at, entry, "restitution", (Range){0, 1, false, false}, &made->pair.restitution) &&
+	       read_optional(reader, at, entry, "restitution", (Range){0, 100, false, false}, &made->pair.restitution) &&
 	       read_optional(reader, at, entry, "tangent_speed", any_coordinate, &made->pair.tangent_speed) &&
 	       reader_boolean(reader, KEY(at, "ignored"), json_object_get(entry, "ignored"), &made->pair.ignored);
 }

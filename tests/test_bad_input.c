@@ -183,7 +183,7 @@ static void attribute_functions(void** state)
 	DEF(density = 1e-30f, "def.density");
 	DEF(density = INFINITY, "def.density");
 	DEF(friction = -0.1f, "def.friction is -0.1");
-	DEF(restitution = 1.5f, "def.restitution is 1.5, must be from 0 to 1");
+	DEF(restitution = 101.0f, "def.restitution is 101, must be from 0 to 100");
 	DEF(rolling_resistance = NAN, "def.rolling_resistance is nan");
 	DEF(tangent_speed = -INFINITY, "def.tangent_speed is -inf");
 	DEF(material = 256, "def.material is 256, must be from 0 to 255");

@@ -390,7 +390,7 @@ static void test_bad_attributes(void** state)
 	    {ATTRIBUTE("\"circle\": 0.0001"), "attributes.a.circle: 0.0001 must be at least 0.001"},
 	    {ATTRIBUTE("\"box\": [1, 0]"), "attributes.a.box[1]: 0 must be positive"},
 	    {ATTRIBUTE("\"circle\": 1, \"density\": -1"), "attributes.a.density: -1 must not be negative"},
-	    {ATTRIBUTE("\"circle\": 1, \"restitution\": 2"), "attributes.a.restitution: 2 must be at most 1"},
+	    {ATTRIBUTE("\"circle\": 1, \"restitution\": 200"), "attributes.a.restitution: 200 must be at most 100"},
 	    {ATTRIBUTE("\"density\": 1"), "attributes.a: no shape"},
 	    {ATTRIBUTE("\"circle\": 1, \"box\": [1, 1]"), "attributes.a: both box and circle"},
 	    {ATTRIBUTE("\"capsule\": [[0, 0], [1, 0]]"), "attributes.a: a capsule needs a radius"},

@@ -107,6 +107,39 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_joint_set_coordinate(world, joints[(k + some) % count], SCREE_ANGLE, &at));
 }
 
+// Carts that fall on light wheels, of which chains lie side by side and behind all others; short ropes with heavy ends, and two long ones.
+static void build_carts(scree_world* world, const void* context)
+{
+	(void)context;
+	add_floor(world);
+	scree_attribute_def light = surface_of(circle_shape(0.15f)), heavy = surface_of(box_shape(0.5f, 0.15f));
+	light.density = 0.5f;
+	heavy.density = 20.0f;
+	scree_attribute wheel = add_attribute(world, &light), load = add_attribute(world, &heavy);
+	for (int k = 0; k < 21; ++k)
+	{
+		float x = 1.6f * (float)(k % 7), y = 0.5f + 0.9f * (float)(k / 7);
+		scree_body cart = add_body(world, SCREE_BODY_DYNAMIC, load, x, y, 0.02f * (float)(k % 5));
+		for (int side = -1; side <= 1; side += 2)
+			join(world, SCREE_JOINT_REVOLUTE, cart,
+			     add_body(world, SCREE_BODY_DYNAMIC, wheel, x + 0.4f * (float)side, y - 0.25f, 0.0f),
+			     x + 0.4f * (float)side, y - 0.25f);
+	}
+	for (int k = 0; k < 7; ++k)
+	{
+		int links = k < 5 ? 2 : 11;
+		scree_body before = NOBODY;
+		for (int n = 0; n <= links; ++n)
+		{
+			float x = 12.0f + 0.5f * (float)n, y = 1.0f + 0.7f * (float)k;
+			scree_body link = n < links ? add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.05f, x, y)
+			                            : add_body(world, SCREE_BODY_DYNAMIC, load, x + 0.4f, y, 0.0f);
+			join(world, SCREE_JOINT_REVOLUTE, before, link, x - 0.25f, y);
+			before = link;
+		}
+	}
+}
+
 // Light hubs with heavy arms of two parts, welded, hinged with limits and motors, some of which break; two hubs beside each other,
 // one in a net with its arms joined at their ends, ropes and a chain of twelve that hang on them.
 static void build_branches(scree_world* world, const void* context)
@@ -503,6 +536,7 @@ static void joints_are_equal(void** state)
 	     .context = form_scene("joint hubs")},
 	    {.name = "wheel", .steps = 30, .build = build_wheel, .act = act_wheel},
 	    {.name = "chains", .steps = 60, .build = build_chains, .act = act_chains},
+	    {.name = "carts", .steps = 60, .build = build_carts, .act = act_chains},
 	    {.name = "branches", .steps = 60, .build = build_branches, .act = act_chains},
 	    {.name = "nets", .steps = 60, .build = build_nets, .act = act_nets},
 	    {.name = "couplings", .steps = 48, .build = build_couplings, .act = act_couplings},

@@ -422,7 +422,7 @@ typedef struct scree_attribute_def
 	scree_shape shape;
 	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
-	float restitution;        // 0 to 1, default 0; a pair uses the larger value
+	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
 	float tangent_speed;      // speed of a conveyor belt along the surface, m/s, default 0; clockwise around the
 	                          // shape if positive, so that a body on top moves to the right
@@ -453,7 +453,7 @@ typedef struct scree_material_pair // what a pair of materials does instead of w
 {
 	uint32_t size;     // set by scree_material_pair_default
 	float friction;    // 0 to 1e6, at most 1000 counts; NaN (default): as ever
-	float restitution; // 0 to 1; NaN (default): as ever
+	float restitution; // 0 to 100; NaN (default): as ever
 	bool ignored;      // they pass through each other, as if their filters kept them apart; default false
 	// m/s, within SCREE_HUGE: how fast the two surfaces run past each other, clockwise around each of the two shapes if
 	// positive; NaN (default): the sum of both, as ever

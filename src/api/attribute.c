@@ -13,7 +13,8 @@
 #define MOST_DENSITY  1e9f
 
 // up to this, square roots, products and ratios of two values are finite
-#define MOST_SURFACE 1e6f
+#define MOST_SURFACE     1e6f
+#define MOST_RESTITUTION 100.0f
 
 // shortest vector that is a direction
 #define LEAST_DIRECTION 1e-3f
@@ -33,7 +34,7 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	if (def->density != 0.0f)
 		TRY(check_real(at, ".density (when it is not 0)", def->density, LEAST_DENSITY, MOST_DENSITY));
 	TRY(check_real(at, ".friction", def->friction, 0.0f, MOST_SURFACE));
-	TRY(check_real(at, ".restitution", def->restitution, 0.0f, 1.0f));
+	TRY(check_real(at, ".restitution", def->restitution, 0.0f, MOST_RESTITUTION));
 	TRY(check_real(at, ".rolling_resistance", def->rolling_resistance, 0.0f, MOST_SURFACE));
 	TRY(check_real(at, ".tangent_speed", def->tangent_speed, -SCREE_HUGE, SCREE_HUGE));
 

@@ -5,7 +5,8 @@
 #include "world/materials.h"
 #include <math.h>
 
-#define MOST_SURFACE 1e6f // as of attributes
+#define MOST_SURFACE     1e6f // as of attributes
+#define MOST_RESTITUTION 100.0f
 
 void scree_material_pair_default_sized(scree_material_pair* pair, size_t size)
 {
@@ -46,7 +47,7 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
 		const scree_material_pair* def = definition_at(pair, 0, &material_definition, &local);
 		row.sets = def->ignored ? MATERIAL_IGNORED : 0;
 		TRY(check_part(at, ".friction", def->friction, 0.0f, MOST_SURFACE, MATERIAL_FRICTION, &row.sets));
-		TRY(check_part(at, ".restitution", def->restitution, 0.0f, 1.0f, MATERIAL_RESTITUTION, &row.sets));
+		TRY(check_part(at, ".restitution", def->restitution, 0.0f, MOST_RESTITUTION, MATERIAL_RESTITUTION, &row.sets));
 		TRY(check_part(at, ".tangent_speed", def->tangent_speed, -SCREE_HUGE, SCREE_HUGE, MATERIAL_SPEED, &row.sets));
 		// adding zero makes a negative zero positive
 		row.friction = row.sets & MATERIAL_FRICTION ? def->friction + 0.0f : 0.0f;

@@ -10,13 +10,14 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// a run a color and kind, two a turn of hubs, chains, branches, and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 4) + 2 * CONSTRAINT_KINDS +
+	// a run a color and kind, two a turn of hubs, two of chains, branches, and one over the bodies in a pass; before and after them a few
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
-// A pass over the hubs, then the colors, then chains and branches. Whether any body is split is known on the host only when nothing
-// changed.
+// A pass over the hubs, then the colors, then chains and branches. Chains that light ends carry give back what pulled their frames together
+// before contacts of these ends relax: those would stop the ends from it with impulses that stay, and a cart that lands would be thrown
+// up again. Whether any body is split is known on the host only when nothing changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;
@@ -29,6 +30,8 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 		else if (c->split > 0)
 			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
 	}
+	if (solve->carried < solve->chains && pass == PASS_RELAX)
+		runs_add(list, STAGE_chain, solve->carried, solve->chains, bound, pass);
 	if (c->overflow > 0)
 		runs_add(list, STAGE_joint_overflow, 0, 1, bound, pass);
 	for (int color = 0; color < COLORS; ++color)

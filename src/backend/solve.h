@@ -16,6 +16,7 @@ typedef struct
 	bool bounces;                // as in Step
 	bool bare;                   // some body with joints may have no collidables, and so no leaf in a tree
 	int chains, chain_places;    // rows of joints that are solved together, and places in them
+	int carried;                 // the first row that is heavy between light ends: from there on, to the last
 	int branches;                // trees of joints that are solved together, behind the chains
 	bool taut;                   // joints with a color may pull so hard that bodies get other inertias for the step
 	const Counters* counters;    // with the layout of the constraints

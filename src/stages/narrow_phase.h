@@ -47,15 +47,15 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 
 // The shift up to which a manifold is kept, m.
 INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap,
-                                   float grain, float within)
+                                   float room, float within)
 {
 	int count = (int)(flags & CONTACT_COUNT);
 	if (count == 0)
-		return STAY_DISTANCE * grain + maximum(gap - within, 0.0f);
+		return STAY_DISTANCE * room + maximum(gap - within, 0.0f);
 	if (flags & CONTACT_DETECTED)
-		return STAY_DISTANCE * grain;
+		return STAY_DISTANCE * room;
 	float distance = count == 2 || (flags & MANIFOLD_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
-	return minimum(distance * grain, HOLD_SHARE * minimum(a->reach, b->reach));
+	return minimum(distance * room, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
 // Whether the boxes of a pair parted. Then its contact is released.
@@ -195,7 +195,7 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
 	manifold.then = make_float4(at->axes.x, at->axes.y, a->reach,
 	                            at->ahead ? -1.0f
-	                                      : narrow_phase_distance(a, b, flags, m->gap, sweep_grain(&p->step, moved),
+	                                      : narrow_phase_distance(a, b, flags, m->gap, sweep_room(&p->step, moved),
 	                                                              sweep_within(&p->step, moved)));
 	p->contact_manifold[i] = manifold;
 }

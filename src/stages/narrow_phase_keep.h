@@ -77,8 +77,8 @@ typedef struct // LANES contacts, and how their collidables moved since their ma
 	Int far, on;       // whether one of the pair has MOVED_FAR; has MOVED_ON, and the contact points
 	Vec then_a;        // rotation of a then
 	Real shift, limit; // m: how far, and for how far the manifold is kept
-	Real grain;        // factor of the tolerances of the pair
-	Real room;         // of the distance from which on it has points
+	Real
+	    room; // factor of the tolerances of the pair along its surfaces, and of the distance from which on it has points
 } Keep;
 
 // Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
@@ -91,12 +91,12 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
 
 	// an approach that cannot close the gap in the step gets no impulse
-	Real limit = maximum(choose(SWEEP_REST * c->grain, SWEEP_HOLD * c->grain, touches),
+	Real limit = maximum(choose(SWEEP_REST * c->room, SWEEP_HOLD * c->room, touches),
 	                     (minimum(at[2], at[3]) - c->shift) / splat(sweep_end(&p->step)));
 	Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
 	Real slide = absolute(vec_cross(vec_turn(c->then_a, vec(at[0], at[1])), closing.near));
-	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > SWEEP_LAG * c->grain);
-	Int in_place = (slide <= SWEEP_LAG * c->grain) & (c->shift <= splat(TURN_SHARE) * c->limit);
+	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > SWEEP_LAG * c->room);
+	Int in_place = (slide <= SWEEP_LAG * c->room) & (c->shift <= splat(TURN_SHARE) * c->limit);
 	Int passes = c->on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
 	Word anew = wanders &
 	            lane_bits(passes | (c->far & ((closing.most > splat(SPECULATIVE_DISTANCE)) | (c->room < splat(1.0f)))));
@@ -145,7 +145,6 @@ WIDE_STAGE(narrow_phase_keep)
 	Word anew = there & ~stays & ~apart;
 
 	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
-	c.grain = sweep_grain(&p->step, moved);
 	c.room = sweep_room(&p->step, moved);
 	c.far = (moved & MOVED_FAR) != 0;
 	c.on = ((moved & MOVED_ON) != 0) & points;

@@ -164,8 +164,8 @@ LIST_STAGE(transform, moved_list, moved)
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
-		float grain = sweep_grain(&p->step, how), within = sweep_within(&p->step, how);
-		if (travel > 0.5f * SWEEP_REST * grain)
+		float room = sweep_room(&p->step, how), within = sweep_within(&p->step, how);
+		if (travel > 0.5f * SWEEP_REST * room)
 			how |= MOVED_ON;
 		if (travel > 0.5f * within)
 		{

@@ -60,7 +60,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	float stiffest = CONTACT_STIFFEST * rate, deepest = moves ? CONTACT_DEEP / dt : 0.0f;
 	float firm = tuning->contact_hertz < stiffest ? tuning->contact_hertz : stiffest;
-	float soft = CONTACT_SOFT * firm, hertz = soft < deepest ? soft : deepest, firmer = moves ? firm / hertz : 1.0f;
+	float soft = CONTACT_SOFT * firm, hertz = soft < deepest ? soft : deepest;
+	float fixed = hertz < firm ? firm : hertz;
 	float ratio = tuning->contact_damping_ratio;
 	float gravity = sqrtf(request->gravity.x * request->gravity.x + request->gravity.y * request->gravity.y);
 	gravity = gravity > FIRM_GRAVITY ? gravity : FIRM_GRAVITY;
@@ -81,8 +82,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .push_speed = tuning->contact_push_speed,
 	    .fall = fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE,
 	    .restitution_threshold = tuning->restitution_threshold,
-	    .pair = moves ? softness(hertz, ratio, h, firmer * FIRM_PAIR, gravity) : (Softness){0},
-	    .fixed = moves ? softness(hertz, ratio, h, firmer * FIRM_FIXED, gravity) : (Softness){0},
+	    .pair = moves ? softness(hertz, ratio, h, firm / hertz * FIRM_PAIR, gravity) : (Softness){0},
+	    .fixed = moves ? softness(fixed, ratio, h, firm / fixed * FIRM_FIXED, gravity) : (Softness){0},
 	    .rolls = pipeline->rolls,
 	    .belts = pipeline->belts,
 	    .segments = pipeline->segments,

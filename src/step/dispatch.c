@@ -83,6 +83,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .bounces = step->bounces,
 	               .bare = pipeline->bare,
 	               .chains = pipeline->chains,
+	               .carried = pipeline->carried,
 	               .branches = pipeline->branches,
 	               .chain_places = pipeline->chain_places,
 	               .taut = pipeline->taut && c->layout[CONSTRAINT_JOINT].begin[COLORS] > 0,

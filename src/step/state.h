@@ -85,6 +85,7 @@ typedef struct
 	bool tethers;   // some joint may hold what moves to what does not
 	bool breaks;    // some joint may break
 	int chains, chain_ranges; // items of a pass over rows of joints that are solved together; these rows
+	int carried;              // the first of these items that is heavy between light ends; they are the last
 	int chain_places;         // joints in them and in branches, with padding
 	int branches,
 	    branch_nodes; // items of a pass over trees of joints that are solved together, which come behind; their bodies

@@ -55,17 +55,20 @@ static int side_by_side(const Placing* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
 	int alone = 0, count = 0, side = SIDE_COST * layout->rows[k].count;
-	for (; !s->alone && k + count < layout->count && count < s->lanes; ++count)
+	for (; !s->alone && k + count < layout->count && count < s->lanes &&
+	       layout->rows[k + count].carried == layout->rows[k].carried;
+	     ++count)
 		alone += layout->rows[k + count].cost;
 	count = alone > side ? count : 1;
 	*cost = count > 1 ? side : layout->rows[k].cost;
 	return count;
 }
 
-// Whether that many chains side by side begin an item of a pass, and do not share the blocks of those before. One alone does.
-static bool begins_item(Placing* s, int count)
+// Whether that many chains side by side, from one on, begin an item of a pass, and do not share the blocks of those before. One alone does.
+static bool begins_item(Placing* s, int k, int count)
 {
-	bool shares = count > 1 && s->column_parts < s->parts;
+	const ChainRow* rows = s->layout->rows;
+	bool shares = count > 1 && s->column_parts < s->parts && rows[k].carried == rows[k - 1].carried;
 	s->column_parts = shares ? s->column_parts + 1 : count > 1 ? 1 : s->parts;
 	return !shares;
 }
@@ -79,7 +82,7 @@ static double cost_of_all(Placing* s)
 	for (int k = 0, cost; k < s->layout->count;)
 	{
 		int count = side_by_side(s, k, &cost);
-		bool begins = begins_item(s, count);
+		bool begins = begins_item(s, k, count);
 		items += begins;
 		item = begins ? cost : item + cost;
 		double* load = loads + dealt((items - 1) / counted, (items - 1) % counted, counted);
@@ -128,10 +131,12 @@ static ChainRange place_side(Placing* s, int count, bool begins)
 	return at;
 }
 
-// The longest first; those of one length as they were found.
+// Those that are carried last; the longest first; those of one length as they were found.
 static int compare_rows(const void* a, const void* b)
 {
 	const ChainRow *first = a, *second = b;
+	if (first->carried != second->carried)
+		return first->carried - second->carried;
 	return first->count != second->count ? second->count - first->count : first->first - second->first;
 }
 
@@ -149,12 +154,13 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 	{
 		const ChainRow* row = layout->rows + k;
 		count = side_by_side(&s, k, &cost);
-		bool begins = begins_item(&s, count);
+		bool begins = begins_item(&s, k, count);
 		ChainRange at = count > 1 ? place_side(&s, row->count, begins) : place_alone(&s, row);
 		for (int c = 0; c < count; ++c)
 			for (int n = 0; n < row[c].count; ++n)
 				layout->spots[layout->joints[row[c].first + n]] = c + CHAIN_SPOT(&at, n);
 		first = begins ? layout->ranged : first;
+		layout->carried += begins && !row->carried;
 		layout->ranges[layout->ranged++] = at;
 		++layout->ranges[first].parts;
 		if (begins)

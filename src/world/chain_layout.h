@@ -7,6 +7,7 @@
 typedef struct // a chain
 {
 	int first, count; // in ChainLayout.joints
+	int carried;      // 1: a short one that is heavy between light ends
 	int bits, cost;   // chain_layout's: of the number of rows that it has alone, and what a pass takes then
 } ChainRow;
 
@@ -23,6 +24,7 @@ typedef struct
 	ChainRange* ranges;        // as many as there are chains, at most
 	int* spots;                // of each joint of the world; those of no chain are left alone
 	int ranged, items, places; // ranges, items of a pass over chains, spots with padding
+	int carried;               // the first item of chains that are carried
 } ChainLayout;
 
 // Gives spots to the joints of all chains, for a device of so many lanes that has so many work-groups at the same time. ranged,

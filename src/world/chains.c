@@ -72,6 +72,35 @@ static bool own(ChainSearch* s, int body)
 	return true;
 }
 
+static float chain_mass(const scree_world* world, int body)
+{
+	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
+}
+
+// By which ratio a body of a short chain is lighter than what it has on both sides, at most.
+static float load_ratio(const scree_world* world, const int* row, int count)
+{
+	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
+	for (int k = 0; k + 1 < count; ++k)
+	{
+		const int *here = world->host_joints[row[k]].bodies, *next = world->host_joints[row[k + 1]].bodies;
+		int shared = here[0] == next[0] || here[0] == next[1] ? here[0] : here[1];
+		masses[k] = chain_mass(world, shared);
+		masses[k + 1] = chain_mass(world, chain_other_body(world, row[k + 1], shared));
+		if (k == 0)
+			before = chain_mass(world, chain_other_body(world, row[0], shared));
+	}
+	for (int k = 0; k + 1 < count; ++k)
+	{
+		float behind = 0.0f;
+		for (int n = k + 1; n < count; ++n)
+			behind = fmaxf(behind, masses[n]);
+		ratio = fmaxf(ratio, fminf(before, behind) / masses[k]);
+		before = fmaxf(before, masses[k]);
+	}
+	return ratio;
+}
+
 static float mass_ratio(const scree_world* world, const int* row, int count)
 {
 	float least = INFINITY, most = 0.0f;
@@ -103,9 +132,12 @@ static void add_chain(ChainSearch* s, int joint)
 	}
 	int joints = count - begin;
 	begin += s->joints;
-	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, s->layout.joints + begin, joints) < LEAST_RATIO))
+	const int* row = s->layout.joints + begin;
+	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, row, joints) < LEAST_RATIO))
 		return;
-	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints};
+	// a cart on light wheels: no body between two joints is light, the ends are
+	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;
+	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints, .carried = carried};
 	s->joints = begin + joints;
 }
 
@@ -168,6 +200,7 @@ scree_status chains_update(scree_world* world)
 		set_spots(world, layout->spots);
 		world->pipeline.chain_ranges = layout->ranged;
 		world->pipeline.chains = layout->items;
+		world->pipeline.carried = layout->carried;
 		world->pipeline.branches = layout->branch_count;
 		world->pipeline.branch_nodes = layout->node_count;
 		world->pipeline.chain_places = layout->places;

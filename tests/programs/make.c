@@ -49,7 +49,7 @@ static void set_surface(Maker* m, Call* call)
 	         chance(m, 0.1) ? PICK(m, 0.0f, 1e-45f, 10.0f, 1e3f, 1e6f, FLT_MAX) : between(m, 0.0f, 1.0f));
 	if (m->extras && chance(m, 0.6))
 	{
-		call_set(call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f));
+		call_set(call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f, 1.5f));
 		call_set(call, "rolling", chance(m, 0.1) ? PICK(m, 1e-30f, 100.0f, 1e6f) : between(m, 0.0f, 0.3f));
 		call_set(call, "tangent", chance(m, 0.5) ? 0.0f : bounded(m, 3.0f));
 	}
@@ -435,7 +435,7 @@ static void put_material(Maker* m)
 	if (chance(m, 0.3))
 		call_set(&call, "friction", factor(m, 1.0f));
 	if (chance(m, 0.3))
-		call_set(&call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f, 2.0f));
+		call_set(&call, "restitution", PICK(m, 0.0f, 0.5f, 1.0f, 1.5f, 101.0f));
 	if (chance(m, 0.3))
 		call_set(&call, "tangent", bounded(m, 3.0f));
 	call_set(&call, "ignored", chance(m, 0.3));
