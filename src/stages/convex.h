@@ -180,7 +180,8 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 }
 
 // The first meeting of a point that moves from q along a path. The half-planes of the edges, moved outward by the radius, bound
-// the shape and its mitred corners; behind a mitre is only the circle around that corner.
+// the shape and its mitred corners; behind a mitre is only the circle around that corner. The two edges of a thin core are one line: both
+// are taken through its first corner, so that the line is entered where it is left, whatever the rounding is.
 INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -189,7 +190,8 @@ INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 	for (int k = 0; c->count > 1 && k < c->count; ++k)
 	{
 		Vec normal = convex_normal(c, k);
-		Real room = vec_dot(normal, vec_sub(convex_corner(c, k), q)) + c->radius, speed = vec_dot(normal, path);
+		Vec through = convex_corner(c, c->thin ? 0 : k);
+		Real room = vec_dot(normal, vec_sub(through, q)) + c->radius, speed = vec_dot(normal, path);
 		if (speed == 0.0f)
 		{
 			if (room < 0.0f)
