@@ -70,6 +70,9 @@ INLINE Sweep guard_way(const Pools* p, WorldShape s, Advance advance)
 	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
+// of a length: by how much rounding may shorten it, and more
+#define GUARD_ROUNDING 1.00001f
+
 // The same with the reach of its corners. The bound that sweep_with has is many times as much where a shape lies far from its origin:
 // what is small and spins would take more rounds than there are, and stay in the air.
 INLINE Sweep guard_near(const Pools* p, WorldShape s, Sweep way)
@@ -81,7 +84,7 @@ INLINE Sweep guard_near(const Pools* p, WorldShape s, Sweep way)
 		Vec arm = vec_sub(vec_turn(vec(s.c, s.s), shape_corner(attribute, k)), way.center);
 		square = maximum(square, vec_dot(arm, arm));
 	}
-	way.reach = minimum(way.reach, square_root(square));
+	way.reach = minimum(way.reach, GUARD_ROUNDING * square_root(square));
 	return way;
 }
 
