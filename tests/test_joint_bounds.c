@@ -160,12 +160,38 @@ static void targets_in_any_direction(void** state)
 		}
 }
 
+// A puck on a floor seen from above, whose friction acts 0.4 m beside its center of mass: 15 N push it on against a friction of 10 N,
+// whose 4 N m the friction of its spin holds, up to 10 N m. So it does not turn. Before, it turned by 0.005 rad/s for ever.
+static void friction_beside_the_center(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 4; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		scree_rot way = scree_rot_make((float)PI / 2.0f * (float)k);
+		scree_body body = add_puck(world, (scree_velocity){0});
+		scree_joint_def def = joint_def_at(world, SCREE_JOINT_MOTOR, NOBODY, body, 0.4f, 0.0f, 0.0f);
+		for (int c = 0; c < 3; ++c)
+			def.coordinates[c].motor_max = 10.0f;
+		add_joint(world, &def);
+		for (int n = 0; n < 60; ++n)
+		{
+			OK(scree_body_apply_force(world, body, (scree_vec){15.0f * way.c, 15.0f * way.s}));
+			run_steps(world, 1);
+		}
+		NEAR(velocity_of(world, body).angular, 0.0, 1e-4);
+		NEAR(velocity_of(world, body).linear.x, 5.0 * way.c, 0.01);
+		NEAR(velocity_of(world, body).linear.y, 5.0 * way.s, 0.01);
+		scree_world_destroy(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(springs_push_or_pull),      cmocka_unit_test(bounds_of_a_side),
 	    cmocka_unit_test(friction_in_any_direction), cmocka_unit_test(friction_of_a_skate),
-	    cmocka_unit_test(targets_in_any_direction),
+	    cmocka_unit_test(targets_in_any_direction),  cmocka_unit_test(friction_beside_the_center),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

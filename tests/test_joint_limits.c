@@ -355,9 +355,84 @@ static void limits_hold_their_drives(void** state)
 	}
 }
 
+// A bar of 3 m on a hinge at its end, whose spring of 30 Hz pulls 3 rad beyond its limit, and a slider whose spring pulls 10 m beyond:
+// the limit takes all of the spring, so the hinge and the rail hold as if neither were there. Before, the hinge was torn by 1.5 m,
+// and the slider turned by 0.05 rad.
+static void limits_take_springs_from_locks(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 6; ++k)
+	{
+		scree_world* world = open_world((float)-G);
+		int turns = k & 1, motor = k / 2 == 1;
+		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 3.0f, 0.2f, turns ? 3.0f : 0.0f, turns ? 0.0f : 1.0f);
+		scree_joint_def def = joint_def_at(world, turns ? SCREE_JOINT_REVOLUTE : SCREE_JOINT_PRISMATIC, NOBODY, body,
+		                                   0.0f, 0.0f, turns ? 0.0f : 0.8f);
+		scree_coordinate which = turns ? SCREE_ANGLE : SCREE_ALONG;
+		scree_joint_coordinate* driven = &def.coordinates[which];
+		driven->limited = driven->spring = true;
+		driven->lower = -0.5f;
+		driven->upper = 0.5f;
+		driven->spring_hertz = k < 4 ? 30.0f : 10.0f;
+		driven->spring_damping_ratio = k < 4 ? 0.5f : 0.0f;
+		driven->target = turns ? 3.5f : 10.5f;
+		driven->motor = motor;
+		driven->motor_max = 10.0f;
+		scree_joint joint = add_joint(world, &def);
+		run_steps(world, 120);
+		scree_joint_state at = joint_state_of(world, joint);
+		NEAR(at.values[which], 0.5, 1e-3);
+		for (int c = 0; c < 3; ++c)
+			if (c != (int)which && (c == SCREE_ACROSS || turns == (c == SCREE_ALONG)))
+				NEAR(at.values[c], 0.0, 1e-3);
+		scree_world_destroy(world);
+	}
+}
+
+// A bar that a motor has turned 32 times gets limits, or a spring: it goes there by the shorter way, no faster than 31 rad/s, and
+// what else it turned is forgotten. Limits that hold the angle as it is, all turns counted, keep it.
+static void turns_count_from_what_uses_them(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 3; ++k)
+	{
+		scree_world* world = open_world(0.0f);
+		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 2.0f, 0.2f, 2.0f, 0.0f);
+		scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, NOBODY, body, 0.0f, 0.0f, 0.0f);
+		scree_joint_coordinate* angle = &def.coordinates[SCREE_ANGLE];
+		angle->motor = true;
+		angle->motor_max = 1e4f;
+		angle->motor_speed = 20.0f;
+		scree_joint joint = add_joint(world, &def);
+		run_steps(world, 605);
+		double turned = joint_state_of(world, joint).values[SCREE_ANGLE];
+		NEAR(turned, 20.0 * 605.0 / 60.0, 0.5);
+		angle->motor = false;
+		angle->limited = k != 1;
+		angle->spring = k == 1;
+		angle->spring_hertz = 1.0f;
+		angle->spring_damping_ratio = 1.0f;
+		angle->lower = k == 2 ? (float)turned - 0.1f : -1.5f;
+		angle->upper = k == 2 ? (float)turned + 2.0f : 0.2f;
+		OK(scree_joint_set_coordinate(world, joint, SCREE_ANGLE, angle));
+		for (int n = 0; n < 120; ++n)
+		{
+			run_steps(world, 1);
+			scree_joint_state at = joint_state_of(world, joint);
+			assert_true(fabs((double)at.speeds[SCREE_ANGLE]) < 31.0);
+			NEAR(at.values[SCREE_ALONG], 0.0, 0.15);
+		}
+		double end = joint_state_of(world, joint).values[SCREE_ANGLE];
+		assert_true(k == 2 ? end > turned - 0.11 && end < turned + 2.01 : end > -1.51 && end < 0.21);
+		scree_world_destroy(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(limits_take_springs_from_locks),
+	    cmocka_unit_test(turns_count_from_what_uses_them),
 	    cmocka_unit_test(angles_count_turns),
 	    cmocka_unit_test(wheels_turn_long),
 	    cmocka_unit_test(sliders_stop),

@@ -123,12 +123,40 @@ static void plates_slide_over_seams(void** state)
 	}
 }
 
+// A triangle of 6 cm whose shape lies 80 m from the origin of its body falls as one at the origin does, and lies after 0.6 s. Before,
+// it stopped in the air, and sank for 2 s.
+static void shapes_far_from_their_origin(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 20; ++k)
+	{
+		scree_world* world = open_world(-10.0f);
+		put(world, SCREE_BODY_STATIC, floor_segment(), 0.0f, 0.0f, 0.0f);
+		float away = 4.0f * (float)(k + 1);
+		scree_vec points[] = {{0.04f - away, 0.0f}, {0.01f - away, 0.03f}, {-0.05f - away, 0.01f}};
+		scree_shape shape;
+		OK(scree_shape_make_polygon(points, 3, 0.0f, &shape));
+		scree_body body = put(world, SCREE_BODY_DYNAMIC, shape, away, 1.42f, 0.0f);
+		scree_mass mass;
+		OK(scree_body_get_mass(world, body, &mass));
+		run_steps(world, 36);
+		scree_vec at;
+		scree_velocity velocity;
+		OK(scree_body_get_world_point(world, body, mass.center, &at));
+		OK(scree_body_get_velocity(world, body, &velocity));
+		assert_true(at.y < 0.02f);
+		NEAR(velocity.linear.y, 0.0, 0.01);
+		scree_world_destroy(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(fall_and_rest),
 	    cmocka_unit_test(plates_stay_in_order),
 	    cmocka_unit_test(plates_slide_over_seams),
+	    cmocka_unit_test(shapes_far_from_their_origin),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

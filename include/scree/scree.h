@@ -1012,7 +1012,8 @@ SCREE_API scree_status scree_body_get_joints(const scree_world* world, scree_bod
 static inline scree_status scree_joint_get_def(const scree_world* world, scree_joint joint, scree_joint_def* def);
 
 // Changes. Each takes count joints and count values; on failure nothing has changed. Impulses stay, so that a motor can get
-// another speed in every step. A joint that broke can be changed, and stays broken.
+// another speed in every step. A joint that broke can be changed, and stays broken. An angle that gets a limit, a spring or a lock,
+// and had none of them, counts from the turn that is nearest to these.
 SCREE_API scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints,
                                                     scree_coordinate which, const scree_joint_coordinate* values,
                                                     int count);

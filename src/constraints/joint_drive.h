@@ -4,6 +4,11 @@
 #define JOINT_DRIVE_H
 #include "constraints/joint_spring.h"
 
+// rad/s: locks and limits correct angles at most so fast outside of chains. Sliders in a row that a mouse tore apart by 200 m stay so
+// with 10: what holds a body back at an arm turns it faster than its angle comes back. A limit of any speed lets a body turn by half
+// a turn in a step, whose turns cannot be counted.
+#define JOINT_TURNING 30.0f
+
 typedef struct // the rows of one coordinate
 {
 	Real lower, upper, limit_rate, limit_soft;
@@ -98,6 +103,13 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
+// What is left of a spring's impulse where the motor and the limit of its coordinate work against it.
+INLINE Real joint_spring_left(const JointDrive* d)
+{
+	Real zero = splat(0.0f), whole = d->spring_impulse, left = joint_drive_sum(d);
+	return minimum(maximum(left, minimum(whole, zero)), maximum(whole, zero));
+}
+
 // The part of a limit's impulse under which it gives way: what holds the spring of its joint is known, and not soft. sign: of the
 // limit's impulses, whose size is given.
 INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
@@ -106,37 +118,34 @@ INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 	return maximum(impulse - maximum(-(sign * d->spring_impulse), zero), zero);
 }
 
+// The speed at which a coordinate may go to a limit that is so far ahead, or must come back from behind it.
+INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real ahead, int soft)
+{
+	Real zero = splat(0.0f), most = splat(k == JOINT_ANGLE ? JOINT_TURNING : p->step.max_speed);
+	return choose(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
+}
+
 // The impulse of a limit: the nearer one, from which it pushes away. It ends an approach just there (s > 0), and is as soft
 // as a lock behind it.
-INLINE Real joint_limit(const Pools* p, const JointDrive* d, Real yield, Real speed, Real value, int soft)
+INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
 	Int low = below < above;
 	Real s = choose(above, below, low), sign = choose(splat(-1.0f), splat(1.0f), low);
-	Int inside = s > zero;
-	Real rate = choose(soft ? d->limit_rate : zero, splat(p->step.inv_h), inside);
-	Real yields = choose(soft ? d->limit_soft : zero, zero, inside);
-	Real bias = choose(maximum(rate * s, splat(-p->step.max_speed)), rate * s, inside);
+	Real yields = choose(soft ? d->limit_soft : zero, zero, s > zero);
 	Real old = maximum(sign * d->limit_impulse, zero);
-	Real back = sign * speed + bias + yields * yield * joint_limit_load(d, sign, old);
+	Real back = sign * speed + joint_limit_speed(p, d, k, s, soft) + yields * yield * joint_limit_load(d, sign, old);
 	return sign * push_of(old - back / (yield + yields * yield));
-}
-
-// The speed at which a coordinate may go to a limit that is so far ahead, or must come back from behind it.
-INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, Real ahead, int soft)
-{
-	Real zero = splat(0.0f), back = maximum(d->limit_rate * ahead, splat(-p->step.max_speed));
-	return choose(soft ? back : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
 // The speed that a motor wants: that of the user, but not through the nearer limit. Impulses of a motor and of a limit that work against each
 // other would both grow up to the maximum of the motor, under which the limit, a spring, gives way: a slider of 1 kg by 29 m at 1e8 N.
-INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, Real value, Int limit, int soft)
+INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
 	Int low = below < above;
 	Real sign = choose(splat(-1.0f), splat(1.0f), low),
-	     least = -joint_limit_speed(p, d, choose(above, below, low), soft);
+	     least = -joint_limit_speed(p, d, k, choose(above, below, low), soft);
 	return choose(d->speed, sign * maximum(sign * d->speed, least), limit);
 }
 
@@ -158,10 +167,10 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 		d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
 		speed = speed + yield * (d.spring_impulse - old.spring_impulse);
 	}
-	Real drive = hold_of(d.motor_impulse - (speed - joint_motor_speed(p, &d, c->value[k], limit, soft)) / safe);
+	Real drive = hold_of(d.motor_impulse - (speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft)) / safe);
 	d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
 	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
-	d.limit_impulse = choose(zero, joint_limit(p, &d, safe, speed, c->value[k], soft), limit);
+	d.limit_impulse = choose(zero, joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
 	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
 	JointImpulse j = joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
@@ -227,11 +236,14 @@ INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose
 	Int full = splat(0.0f) > splat(0.0f);
 	if (!soft && p->step.springs && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 		full = joint_springs_full(p, i);
-	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	for (int k = 0; k < JOINT_ANGLE; ++k)
 		if (joint_drives(p, u, k))
 			joint_drive(p, i, k, soft, full, u, c);
+	// before the angle, whose motor would hold against impulses that are taken back
 	if (p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 		joint_drive_together(p, i, u, c);
+	if (joint_drives(p, u, JOINT_ANGLE))
+		joint_drive(p, i, JOINT_ANGLE, soft, full, u, c);
 }
 
 // The impulses along all coordinates, of locks too.

@@ -15,10 +15,6 @@
 // max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
 #define JOINT_CORRECTION 10.0f
 
-// rad/s: the same of angles outside of chains. Sliders in a row that a mouse tore apart by 200 m stay so with 10: what holds a body back
-// at an arm turns it faster than its angle comes back.
-#define JOINT_TURNING 30.0f
-
 // By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
 #define JOINT_CARRIES 1.5f
 
@@ -80,8 +76,10 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	{
 		own[k] = joint_yield(c, k);
 		rigid[k] = springs & s->locked[k] & (joint_has(u, JOINT_SOFT(k)) == 0);
-		if (joint_drives(p, u, k))
-			pull[k] = choose(pull[k], joint_drive_load(p, i, k).spring_impulse, joint_has(u, JOINT_SPRING(k)));
+		if (!joint_drives(p, u, k))
+			continue;
+		JointDrive d = joint_drive_load(p, i, k);
+		pull[k] = choose(pull[k], joint_spring_left(&d), joint_has(u, JOINT_SPRING(k)));
 	}
 	other[0] = cross[0] * pull[1] + cross[1] * pull[2];
 	other[1] = cross[0] * pull[0] + cross[2] * pull[2];

@@ -39,12 +39,12 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 		held |= holder << 2 * k;
 		s->locked[k] = 1;
 		s->soft[k] = 0.0f;
-		s->goal[k] = joint_motor_speed(p, &d, value, (modes & JOINT_LIMITED(k)) != 0, soft) - speed;
+		s->goal[k] = joint_motor_speed(p, &d, k, value, (modes & JOINT_LIMITED(k)) != 0, soft) - speed;
 		if (holder == HELD_BY_MOTOR)
 			continue;
 		int low = value - d.lower < d.upper - value;
 		float gap = low ? value - d.lower : d.upper - value, sign = low ? 1.0f : -1.0f;
-		float bias = gap > 0.0f ? p->step.inv_h * gap : soft ? maximum(d.limit_rate * gap, -p->step.max_speed) : 0.0f;
+		float bias = joint_limit_speed(p, &d, k, gap, soft);
 		s->soft[k] = gap > 0.0f || !soft ? 0.0f : d.limit_soft * yield;
 		s->goal[k] = -(speed + sign * (bias + s->soft[k] * joint_limit_load(&d, sign, sign * d.limit_impulse)));
 	}

@@ -179,10 +179,53 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
+// The share of the path at which the line of edge k is reached.
+INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
+{
+	Vec normal = convex_normal(c, k);
+	return vec_dot(normal, vec_sub(convex_corner(c, k), q)) / vec_dot(normal, path);
+}
+
+// The first meeting with a sharp core. The line of the path enters and leaves through the edges whose corners are on different sides of
+// it. Each corner has one side for both of its edges, so that no line slips through between two edges, whatever the rounding.
+INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
+{
+	ConvexHit hit = convex_miss();
+	int enters = -1, leaves = -1, before = c->count - 1;
+	int right = vec_cross(path, vec_sub(convex_corner(c, before), q)) < 0.0f;
+	for (int k = 0; k < c->count; before = k, ++k)
+	{
+		int was = right;
+		right = vec_cross(path, vec_sub(convex_corner(c, k), q)) < 0.0f;
+		if (was < right)
+			enters = before;
+		if (was > right)
+			leaves = before;
+	}
+	if (enters >= 0)
+	{
+		Real share = convex_share(c, enters, q, path);
+		if (share > 1.0f || convex_share(c, leaves, q, path) < 0.0f)
+			return hit;
+		if (share > 0.0f)
+		{
+			hit.hit = 1;
+			hit.fraction = share;
+			hit.edge = enters;
+			hit.normal = convex_normal(c, enters);
+			return hit;
+		}
+	}
+	ConvexNearest n = convex_nearest(c, q);
+	return n.separation <= 0.0f ? convex_inside(n.edge, n.corner) : hit;
+}
+
 // The first meeting of a point that moves from q along a path. The half-planes of the edges, moved outward by the radius, bound
 // the shape and its mitred corners; behind a mitre is only the circle around that corner.
 INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 {
+	if (c->count > 1 && !(c->radius > 0.0f))
+		return convex_hit_sharp(c, q, path);
 	ConvexHit hit = convex_miss();
 	Real lower = 0.0f, upper = 1.0f;
 	int edge = -1;
@@ -216,8 +259,7 @@ INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 		return n.corner < 0 ? hit : convex_hit_corner(c, n.edge, n.corner, q, path);
 	}
 	int corner = -1;
-	if (c->thin || c->radius > 0.0f)
-		edge = convex_region(c, edge, vec_add(q, vec_scale(lower, path)), &corner);
+	edge = convex_region(c, edge, vec_add(q, vec_scale(lower, path)), &corner);
 	if (corner >= 0)
 		return convex_hit_corner(c, edge, corner, q, path);
 	hit.hit = 1;

@@ -72,6 +72,24 @@ INLINE Sweep guard_way(const Pools* p, WorldShape s, Advance advance)
 	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
+// of a length: by how much rounding may shorten it, and more
+#define GUARD_ROUNDING 1.00001f
+
+// The same with the reach of its corners. The bound that sweep_with has is many times as much where a shape lies far from its origin:
+// what is small and spins would take more rounds than there are, and stay in the air.
+INLINE Sweep guard_near(const Pools* p, WorldShape s, Sweep way)
+{
+	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
+	float square = 0.0f;
+	for (int k = 0; k < attribute->count; ++k)
+	{
+		Vec arm = vec_sub(vec_turn(vec(s.c, s.s), shape_corner(attribute, k)), way.center);
+		square = maximum(square, vec_dot(arm, arm));
+	}
+	way.reach = minimum(way.reach, GUARD_ROUNDING * square_root(square));
+	return way;
+}
+
 // Of what does not move.
 INLINE Sweep guard_rest(const Pools* p, WorldShape s)
 {
@@ -155,13 +173,13 @@ RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop l
 	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
 		return least;
 	WorldShape other = p->world_shape[j];
-	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
+	Sweep goes = moves ? guard_near(p, other, guard_way(p, other, went)) : guard_rest(p, other);
 	GuardDepth deep;
 	deep.deeper = kind == KIND_DYNAMIC ? GUARD_DEPTH * g->thickness : minimum(GUARD_DEPTH * g->thickness, GUARD_MOST);
 	deep.deepest = GUARD_DEEPEST * g->thickness;
 	deep.slack = kind == KIND_DYNAMIC ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
 	deep.pressed = g->pressed && !moves ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f;
-	GuardMeeting met = guard_time(p, other, goes, g->from, g->way, deep);
+	GuardMeeting met = guard_time(p, other, goes, g->from, guard_near(p, g->from, g->way), deep);
 	if (!(met.time < 1.0f) || (moves && !guard_yields(g->way, met)))
 		return least;
 	float share = kind == KIND_KINEMATIC ? guard_follows(g, other, goes, met) : met.time;

@@ -19,6 +19,23 @@ INLINE void joint_count(const Pools* p, int slot, const JointData* changed)
 	coupling_count_store(p, slot, p->joint_place[slot], &count);
 }
 
+// An angle that gets a limit, a spring or a lock, and had none of them, counts on in the turn that is nearest to these.
+INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
+{
+	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
+	int modes = (int)changed->modes;
+	if ((int)p->joint_data[slot].modes & users || !(modes & users))
+		return;
+	float turned = joint_turned_last(p, slot), near = changed->lock[k].target;
+	if (modes & JOINT_LIMITED(k))
+		near = minimum(maximum(turned, changed->drive[k].lower), changed->drive[k].upper);
+	turned = turned - TURN * joint_round((turned - near) * (1.0f / TURN));
+	if (place < 0)
+		p->joint_kept[slot].turned = turned;
+	else
+		joint_row(p, turned, place) = turned;
+}
+
 // The user placed a body of a joint on a path, or a frame: the next step looks for the nearest part of all.
 INLINE void joint_seek(const Pools* p, int slot)
 {
@@ -43,6 +60,7 @@ STAGE(joint_apply)
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 	{
 		joint_count(p, slot, &edit.data);
+		joint_count_turns(p, slot, &edit.data);
 		if (edit.flags & JOINT_SEEKS)
 			joint_seek(p, slot);
 	}
