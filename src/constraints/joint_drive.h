@@ -236,14 +236,14 @@ INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose
 	Int full = splat(0.0f) > splat(0.0f);
 	if (!soft && p->step.springs && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 		full = joint_springs_full(p, i);
-	for (int k = 0; k < JOINT_ANGLE; ++k)
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		// before the angle, whose motor would hold against impulses that are taken back
+		if (k == JOINT_ANGLE && p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
+			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))
 			joint_drive(p, i, k, soft, full, u, c);
-	// before the angle, whose motor would hold against impulses that are taken back
-	if (p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
-		joint_drive_together(p, i, u, c);
-	if (joint_drives(p, u, JOINT_ANGLE))
-		joint_drive(p, i, JOINT_ANGLE, soft, full, u, c);
+	}
 }
 
 // The impulses along all coordinates, of locks too.

@@ -18,24 +18,22 @@ SMALL_END
 #include "stages/rule.h"
 #include "stages/contact.h"
 #include "stages/narrow_phase.h"
-#include "stages/hub_one.h"
 SMALL_BEGIN
+#include "stages/hub_one.h"
 #include "stages/press.h"
 SMALL_END
 #include "stages/color.h"
 SMALL_BEGIN
 #include "stages/field.h"
-SMALL_END
 #include "stages/prepare_one.h"
+SMALL_END
 #include "stages/prepare.h"
 #include "stages/integrate.h"
 #include "stages/solve.h"
 SMALL_BEGIN
 #include "stages/taut.h"
 #include "stages/overflow.h"
-SMALL_END
 #include "stages/chain.h"
-SMALL_BEGIN
 #include "stages/branch.h"
 SMALL_END
 #include "stages/hub.h"

@@ -7,7 +7,7 @@
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
-import {bytes_in_order, follow, LOCALS, move_to_front} from "./columns.js";
+import {bytes_in_order, follow, is_local, move_to_front} from "./columns.js";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
@@ -34,7 +34,7 @@ function write_module(wasm, head) {
 	let at = 0, recent;
 	follow(wasm.length, (column) => {
 		const byte = wasm[at++], list = columns[column] ??= [];
-		if (column === LOCALS)
+		if (is_local(column))
 			move_to_front(recent, list[list.push(recent.indexOf(byte)) - 1]);
 		else
 			list.push(byte);
