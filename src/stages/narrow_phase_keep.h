@@ -77,8 +77,7 @@ typedef struct // LANES contacts, and how their collidables moved since their ma
 	Int far, on;       // whether one of the pair has MOVED_FAR; has MOVED_ON, and the contact points
 	Vec then_a;        // rotation of a then
 	Real shift, limit; // m: how far, and for how far the manifold is kept
-	Real
-	    room; // factor of the tolerances of the pair along its surfaces, and of the distance from which on it has points
+	Real room; // factor of the pair's tolerances along its surfaces, and of the distance at which it gets points
 } Keep;
 
 // Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
