@@ -73,7 +73,8 @@ STAGE(finalize)
 	}
 	if (pressed)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
-	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !guard_clear(p, i, d, da))
+	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !guard_foreseen(p, i, motion) &&
+	         !guard_clear(p, i, d, da))
 		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);

@@ -243,6 +243,14 @@ INLINE int guard_seeks(const Pools* p, const GuardPath* g)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
+// Whether a body without contacts went as its boxes foresaw when the step began, so that it is inside of them.
+INLINE int guard_foreseen(const Pools* p, int body, Motion motion)
+{
+	Word forces = float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque);
+	return p->step.calm && !forces && absolute(motion.gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
+	       p->other_contacts[body] == 0;
+}
+
 // Whether nothing can be in the way of a body. Most bodies end here.
 INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 {

@@ -6,6 +6,8 @@
 
 // Small bodies have contacts from this many times the distance that gravity moves them in a step.
 #define FALL_SHARE 0.5f
+// m: with one substep a body falls twice as far
+#define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
 // Stiffness of contacts, as a share of the substep rate, at most. A light body that carries a heavy one passes its load on by
 // impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and h the substep. Only
@@ -98,6 +100,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .hit_impulse = request->hit_impulse,
 	    .bounces = pipeline->bounces,
 	    .joints = pipeline->counters.joints > 0,
+	    .calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL,
 	    .chain_places = pipeline->chain_places,
 	    .drives = pipeline->drives,
 	    .springs = pipeline->springs,
