@@ -40,9 +40,13 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 		*w = within(*w, spin);
 		*d = vec_scale(vec_shrink(*d, p->step.dt * maximum(most, p->step.push_speed)), *d);
 		raise_int(&p->counters->ways, 1);
+		p->press[i].left = left;
 	}
-	p->press[i].left = left;
-	p->press[i].speed = left > 0 ? press.speed : 0;
+	else if (press.left != 0 || press.speed != 0)
+	{
+		p->press[i].left = 0;
+		p->press[i].speed = 0;
+	}
 	return press.depth != 0 && guard_presses(p, i, bits_float(press.depth), *d, da);
 }
 

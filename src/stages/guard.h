@@ -236,10 +236,11 @@ INLINE int guard_seeks(const Pools* p, const GuardPath* g)
 	int body = g->from.body, fixed = p->fixed_contacts[body];
 	Float4 box = p->box[g->index];
 	int moves = far > GUARD_CROSS * g->thickness, kinematic = p->step.kinematic && !g->pressed;
-	int strays = (moves || kinematic) && !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box);
+	int inside = box_contains(box, g->box);
+	int strays = !inside && (moves || kinematic) && !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box);
 	moves = moves && (strays || p->other_contacts[body] != 0);
 	kinematic = kinematic && (strays || fixed >= KINEMATIC_CONTACT);
-	int statics = p->tree[1].leaves > 0 && (fixed != 0 || !box_contains(box, g->box));
+	int statics = p->tree[1].leaves > 0 && (fixed != 0 || !inside);
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 

@@ -70,6 +70,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	float fall = FALL_SHARE * (fabsf(request->gravity.x) + fabsf(request->gravity.y)) * dt * dt;
 
+	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL;
+
 	// a rotation above pi per step, or pi / 4 per substep, cannot be told from one in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
@@ -100,7 +102,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .hit_impulse = request->hit_impulse,
 	    .bounces = pipeline->bounces,
 	    .joints = pipeline->counters.joints > 0,
-	    .calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL,
+	    .calm = calm,
 	    .chain_places = pipeline->chain_places,
 	    .drives = pipeline->drives,
 	    .springs = pipeline->springs,
