@@ -458,8 +458,8 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 		boxes[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
 }
 
-// A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle (docs/manifolds.md). It sways, ever
-// less: by some centimeters after 5 s, by millimeters after 60. Heights are exact to a slop of 5 mm a box.
+// A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle (docs/manifolds.md). It
+// sways, ever less: by some centimeters after 5 s, by millimeters after 60. Heights are exact to a slop of 5 mm a box.
 static void stack_stands(void** state)
 {
 	(void)state;

@@ -54,7 +54,7 @@ static void turn(Validation* v, const Door* door, double spin)
 	lab_close(lab);
 }
 
-// A bar of 7 m on a hinge 1.5 m from its end, with gravity, at a limit of 0.2 rad. A spring of so many hertz pulls it 2.8 rad further.
+// A bar of 7 m on a hinge 1.5 m from its end, with gravity, at a limit of 0.2 rad. A spring pulls it 2.8 rad further.
 static void hold(Validation* v, double hertz)
 {
 	begin(v, "bar of 7 m at its limit, spring of %g Hz", hertz);

@@ -112,8 +112,8 @@ static void burst(Validation* v, int count, double width, int movers, double max
 	lab_close(lab);
 }
 
-// What bars that move shoot out of a jumble is a matter of chance: in 100 runs the median is 37 m/s, the 95th 51 to 53 and the fastest 70
-// to 104, with versions that differ by a rounding. So all runs but one have a limit of half of it.
+// Chance decides how fast bars that move shoot something out of a jumble: in 100 runs the median is 37 m/s, the 95th 51 to 53 and the
+// fastest 70 to 104, with versions that differ by a rounding. So all runs but one have the limit of 100 m/s, and the fastest has 200.
 static void bursts(Validation* v, int count, double width, int movers, double max_speed, int runs)
 {
 	Extremes extremes = {0};

@@ -94,8 +94,8 @@ static void cart(Validation* v, double mass, const Setting* setting)
 	lab_close(lab);
 }
 
-// After Erin Catto, Box2D v3, sample Cart: a cart of 1,000 kg falls 1.85 m on wheels of 10 cm, its gravity 22 m/s^2. An impact drives joints
-// and contacts apart; what pulls them together must not throw it up again.
+// After Erin Catto, Box2D v3, sample Cart: a cart of 1,000 kg falls 1.85 m on wheels of 10 cm, its gravity 22 m/s^2. An impact drives
+// joints and contacts apart; their correction must not throw it up again.
 static void falling_cart(Validation* v, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 22.0, "cart of 1000 kg that falls on wheels of 1.6 kg");

@@ -12,10 +12,6 @@
 #define LEAST_DENSITY 1e-6f // kg/m^2
 #define MOST_DENSITY  1e9f
 
-// up to this, square roots, products and ratios of two values are finite
-#define MOST_SURFACE     1e6f
-#define MOST_RESTITUTION 100.0f
-
 // shortest vector that is a direction
 #define LEAST_DIRECTION 1e-3f
 

@@ -5,9 +5,6 @@
 #include "world/materials.h"
 #include <math.h>
 
-#define MOST_SURFACE     1e6f // as of attributes
-#define MOST_RESTITUTION 100.0f
-
 void scree_material_pair_default_sized(scree_material_pair* pair, size_t size)
 {
 	scree_material_pair made = {.size = (uint32_t)size, .friction = NAN, .restitution = NAN, .tangent_speed = NAN};

@@ -64,7 +64,7 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 	Real meet1 = rebound1 / safe, meet2 = rebound2 / safe;
 	Real more1 = choose(zero, meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
 	     more2 = choose(zero, meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
-	// what more than gives back all is meant to add
+	// restitution above 1 adds energy on purpose
 	Real energy = (pair_energy(c) + pair_gained(c, more1, more2)) * maximum(one, e * e);
 	return choose(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
 }

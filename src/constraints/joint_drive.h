@@ -103,7 +103,7 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
-// What is left of a spring's impulse where the motor and the limit of its coordinate work against it.
+// The part of a spring's impulse that is left where the motor and the limit of its coordinate work against it.
 INLINE Real joint_spring_left(const JointDrive* d)
 {
 	Real zero = splat(0.0f), whole = d->spring_impulse, left = joint_drive_sum(d);

@@ -622,7 +622,7 @@ typedef struct // constants of one step, passed by value to every stage
 	float hit_impulse;    // N s: nor are smaller impulses
 	int bounces;          // some attribute has restitution
 	int joints;           // there may be joints among the constraints
-	int calm;             // what has no contact goes as its velocity says, within a quarter of SPECULATIVE_DISTANCE
+	int calm;             // bodies without contacts and forces go as their velocities say, within 5 mm
 	int chain_places;     // spots of chains
 	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int springs;          // some joint has a spring or a soft lock

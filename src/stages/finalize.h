@@ -68,7 +68,7 @@ STAGE(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
-	int pressed = 0;
+	int forced = (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque)) != 0, pressed = 0;
 	if (p->counters->presses != 0 && body->inv_mass > 0.0f)
 	{
 		pressed = finalize_pressed(p, i, &v, &w, &d, da);
@@ -77,8 +77,8 @@ STAGE(finalize)
 	}
 	if (pressed)
 		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
-	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) && !guard_foreseen(p, i, motion) &&
-	         !guard_clear(p, i, d, da))
+	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) &&
+	         (forced || !guard_foreseen(p, i, motion.gravity_scale)) && !guard_clear(p, i, d, da))
 		guard_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);
@@ -88,7 +88,7 @@ STAGE(finalize)
 	body->vx = v.x;
 	body->vy = v.y;
 	body->w = within(w, p->step.max_spin);
-	if (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque))
+	if (forced)
 	{
 		p->motion[i].fx = 0.0f;
 		p->motion[i].fy = 0.0f;

@@ -29,7 +29,7 @@
 #define GUARD_DEEPEST 0.75f
 // share of the thickness: how deep a body that is pressed into something static may be, if that is less than PRESS_MOST
 #define GUARD_PRESSED 0.5f
-// of the thickness: how far a path may leave the box of the step before something that moves and has no contact is looked for
+// share of the thickness: a path that leaves the box of the step by more is swept against what moves and has no contact
 #define GUARD_STRAY 0.5f
 // of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
 #define GUARD_SLACK 0.15f
@@ -72,7 +72,7 @@ INLINE Sweep guard_way(const Pools* p, WorldShape s, Advance advance)
 	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// of a length: by how much rounding may shorten it, and more
+// factor of a length: more than rounding may shorten it
 #define GUARD_ROUNDING 1.00001f
 
 // The same with the reach of its corners. The bound that sweep_with has is many times as much where a shape lies far from its origin:
@@ -90,7 +90,7 @@ INLINE Sweep guard_near(const Pools* p, WorldShape s, Sweep way)
 	return way;
 }
 
-// Of what does not move.
+// The way of something that does not move.
 INLINE Sweep guard_rest(const Pools* p, WorldShape s)
 {
 	Advance rests;
@@ -142,7 +142,7 @@ INLINE int guard_meets(const Pools* p, const GuardPath* g, int j)
 	// all that most leaves need is read at once: a GPU waits for it once
 	int kind = p->collidable_kind[j], body = p->collidable_body[j];
 	Filter filter = p->filter[j];
-	if (kind < 0 || kind > KIND_DYNAMIC || !(g->seeks >> kind & 1))
+	if (!(g->seeks >> kind & 1))
 		return 0;
 	if (kind == KIND_STATIC)
 		return 1;
@@ -169,7 +169,7 @@ RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop l
 	}
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
-	// sooner found than when they meet
+	// takes less time than to find when they meet
 	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
 		return least;
 	WorldShape other = p->world_shape[j];
@@ -225,9 +225,9 @@ INLINE GuardPath guard_path(const Pools* p, int i, int pressed, Vec path, float 
 	return g;
 }
 
-// The kinds that may be in the way of a collidable, a bit each. As long as its path stays in the box of the step,
-// what is near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long as each leaves its
-// box by less than its thickness.
+// The kinds that may be in the way of a collidable, a bit each. As long as its path stays in the box of the step, everything near has a
+// contact. Boxes of two that have none are apart: neither gets past the middle of the other as long as each leaves its box by less than
+// its thickness.
 INLINE int guard_seeks(const Pools* p, const GuardPath* g)
 {
 	float far = guard_far(g->way.path, g->swing);
@@ -244,11 +244,10 @@ INLINE int guard_seeks(const Pools* p, const GuardPath* g)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Whether a body without contacts went as its boxes foresaw when the step began, so that it is inside of them.
-INLINE int guard_foreseen(const Pools* p, int body, Motion motion)
+// Whether a body on which no forces acted, and that has no contacts, went as its boxes foresaw when the step began: it is inside of them.
+INLINE int guard_foreseen(const Pools* p, int body, float gravity_scale)
 {
-	Word forces = float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque);
-	return p->step.calm && !forces && absolute(motion.gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
+	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 
@@ -269,10 +268,11 @@ INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, 
 {
 	GuardStop least = guard_stop(1.0f, vec(0.0f, 0.0f), 0);
 	GuardPath g = guard_path(p, i, pressed, path, turn);
+	int statics = 1 << KIND_STATIC;
 	g.seeks = guard_seeks(p, &g);
 	// one call for both trees, as in guard
 	for (int t = 0; t < 2; ++t)
-		if (t == tree_of_kind(KIND_STATIC) ? g.seeks & 1 << KIND_STATIC : g.seeks & ~(1 << KIND_STATIC))
+		if (g.seeks & (t == 1 ? statics : ~statics))
 			least = guard_search(p, p->tree + t, &g, least);
 	return least;
 }

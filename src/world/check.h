@@ -8,6 +8,10 @@
 
 #define ALONE (-1)
 
+// bounds of a surface's numbers: up to the first, square roots, products and ratios of two values are finite
+#define MOST_SURFACE     1e6f
+#define MOST_RESTITUTION 100.0f
+
 typedef struct // the place of a value in a call
 {
 	const char* function;
