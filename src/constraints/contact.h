@@ -107,8 +107,12 @@ typedef struct // a contact in registers
 {
 	CONTACT_ROWS(ROW_REGISTER)
 	Real normal_mass1, normal_mass2, tangent_mass1, tangent_mass2; // kg: within a step
-	Real gap1, gap2;                                               // m: of the points, now
 } Contact;
+
+typedef struct // of a pass: depends on where the bodies are, and not on their velocities
+{
+	Real gap[2]; // m: of the points
+} ContactReady;
 
 typedef struct // its bodies, and the lever arms of its points
 {
@@ -214,6 +218,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
 	Real change[2], yield[2]; // N s: change of a point's impulse by that point alone; kg: its response to a velocity
+	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		PairGoal goal = pair_goal(gap[k], fixed, step, soft, 0);
@@ -412,21 +417,20 @@ INLINE Real pair_start(const Step* step, Real impulse, Real mass)
 	return minimum(impulse, START_SHARE * step->max_speed * mass);
 }
 
-INLINE void pair_bias(const Pools* p, int i, ContactArms* c, Contact* u)
+INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactArms* c, Contact* u)
 {
 	if (p->step.bounces)
-		pair_meet(p, i, c, u->gap1, u->gap2, u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
+		pair_meet(p, i, c, ready->gap[0], ready->gap[1], u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
 		          &u->normal_impulse2);
-	Real gap[2] = {u->gap1, u->gap2}, mass[2] = {u->normal_mass1, u->normal_mass2},
-	     impulse[2] = {u->normal_impulse1, u->normal_impulse2};
-	pair_normals(c, gap, mass, &p->step, 1, gap, impulse);
+	Real mass[2] = {u->normal_mass1, u->normal_mass2}, impulse[2] = {u->normal_impulse1, u->normal_impulse2};
+	pair_normals(c, ready->gap, mass, &p->step, 1, ready->gap, impulse);
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 }
 
 // Masses and separations that are not held are derived where they are used. Deriving all of them first needs more registers
 // than a CPU has; the pass then takes 5 % longer.
-INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact* u)
+INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
 	if (p->step.rolls)
@@ -438,8 +442,8 @@ INLINE void pair_relax(const Pools* p, int i, int held, ContactArms* c, Contact*
 	}
 
 	Real gaps[2], masses[2], impulse[2] = {u->normal_impulse1, u->normal_impulse2};
-	gaps[0] = held ? u->gap1 : pair_gap(c, 0, u->separation1);
-	gaps[1] = held ? u->gap2 : pair_gap(c, 1, u->separation2);
+	gaps[0] = held ? held->gap[0] : pair_gap(c, 0, u->separation1);
+	gaps[1] = held ? held->gap[1] : pair_gap(c, 1, u->separation2);
 	masses[0] = held ? u->normal_mass1 : pair_mass(c, 0, c->n);
 	masses[1] = held ? u->normal_mass2 : pair_mass(c, 1, c->n);
 	pair_normals(c, gaps, masses, &p->step, 0, rebound, impulse);
@@ -482,33 +486,41 @@ INLINE void contact_start(const Step* step, Contact* u)
 }
 
 // Derives the separations from the positions of the bodies. Their velocities need not be known yet.
-INLINE void contact_ready(const Body* a, const Body* b, Contact* u)
+INLINE void contact_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, const Contact* u,
+                          ContactReady* ready)
 {
+	(void)p;
+	(void)pass;
+	(void)i;
 	ContactArms c = pair_of(u, a, b);
-	u->gap1 = pair_gap(&c, 0, u->separation1);
-	u->gap2 = pair_gap(&c, 1, u->separation2);
+	ready->gap[0] = pair_gap(&c, 0, u->separation1);
+	ready->gap[1] = pair_gap(&c, 1, u->separation2);
 }
 
 // A pass of constraint i. If the caller holds u in registers over a step, it has called contact_derive, and contact_ready for
-// this pass; otherwise (held is 0) the pass derives what it needs.
-INLINE void contact_pass(const Pools* p, int pass, int i, int held, Contact* u, Body* a, Body* b)
+// this pass, and gives what that found; otherwise (held is 0) the pass derives what it needs.
+INLINE void contact_pass(const Pools* p, int pass, int i, const ContactReady* held, Contact* u, Body* a, Body* b)
 {
 	ContactArms c = pair_of(u, a, b);
-	if (!held && pass != PASS_RELAX)
+	ContactReady ready;
+	ready.gap[0] = ready.gap[1] = splat(0.0f);
+	if (held)
+		ready = *held;
+	else if (pass != PASS_RELAX)
 	{
 		contact_derive(1 << pass, a, b, u);
 		if (pass == PASS_WARM_START)
 			contact_start(&p->step, u);
 		else
-			contact_ready(a, b, u);
+			contact_ready(p, pass, i, a, b, u, &ready);
 	}
 	if (pass == PASS_WARM_START)
 		pair_push(p, i, &c, u->normal_impulse1, u->normal_impulse2, u->tangent_impulse1, u->tangent_impulse2);
 	else if (pass == PASS_BOUNCE)
-		pair_bounce(p, i, &c, u->gap1, u->gap2, u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
+		pair_bounce(p, i, &c, ready.gap[0], ready.gap[1], u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
 		            &u->normal_impulse2);
 	else if (pass == PASS_BIAS)
-		pair_bias(p, i, &c, u);
+		pair_bias(p, i, &ready, &c, u);
 	else
 		pair_relax(p, i, held, &c, u);
 	*a = c.a;

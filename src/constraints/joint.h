@@ -252,6 +252,7 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
 	Int others = joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED);
+	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		Int rigid = joint_has(u, JOINT_LOCKED(k)) & ((joint_has(u, JOINT_SOFT(k)) == 0) | c->torn);
@@ -263,6 +264,7 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	if (!lane_bits(far))
 		return;
 	Real less = one - root(bound / choose(one, turns, far));
+	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		// choose, because others of a block must not see this: zeros have signs
@@ -297,6 +299,7 @@ INLINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 		axis = vec_choose(axis, vec(splat(1.0f), splat(0.0f)), c->torn);
 	c->axis[0] = axis;
 	c->axis[1] = vec(-axis.y, axis.x);
+	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		c->lever_a[k] = vec_cross(c->arm_a, c->axis[k]);

@@ -236,6 +236,7 @@ INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose
 	Int full = splat(0.0f) > splat(0.0f);
 	if (!soft && p->step.springs && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 		full = joint_springs_full(p, i);
+	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		// before the angle, whose motor would hold against impulses that are taken back
@@ -252,6 +253,7 @@ INLINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COO
 	sum[JOINT_ALONG] = u->impulse_along;
 	sum[JOINT_ACROSS] = u->impulse_across;
 	sum[JOINT_ANGLE] = u->impulse_angle;
+	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		if (!joint_drives(p, u, k))
@@ -268,6 +270,7 @@ INLINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
 	u->impulse_along = part * u->impulse_along;
 	u->impulse_across = part * u->impulse_across;
 	u->impulse_angle = part * u->impulse_angle;
+	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		if (!joint_drives(p, u, k))

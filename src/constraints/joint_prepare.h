@@ -102,6 +102,7 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 	Real zero = splat(0.0f), off[2];
 	off[0] = vec_dot(gap, axis) - u->length;
 	off[1] = vec_cross(axis, gap);
+	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		Int counts = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k) | JOINT_COUPLED) == 0);
@@ -136,6 +137,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
 	u->modes = choose(zero, head[2], there);
 	Int radial = joint_has(u, JOINT_RADIAL | JOINT_COUPLED);
+	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Real lock[4];

@@ -238,7 +238,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 	const JointPose* c = &link.c;
 	chain_keep_pose(p, spot, c);
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
-	JointSystem s = joint_system(p, branch->chain.begin + spot, pass == PASS_BIAS, 1, most, &link.u, c);
+	JointSystem s = joint_system(p, branch->chain.begin + spot, pass == PASS_BIAS, most, &link.u, c);
 	branch_stiffen(&link.u, &s);
 	chain_damp(p, spot, &link, &s);
 	int held = drives ? branch_drives(p, branch->chain.begin + spot, pass == PASS_BIAS, &link, &s) : 0;

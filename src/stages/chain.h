@@ -59,7 +59,7 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 {
 	chain_keep_pose(p, spot, &link->c);
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
-	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, 1, most, &link->u, &link->c);
+	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, most, &link->u, &link->c);
 	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
 	Int slack = chain_damp(p, spot, link, &s);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);

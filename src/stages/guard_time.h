@@ -73,6 +73,7 @@ INLINE int guard_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep
 {
 	Vec normal = vec_turn(axes, m.normal);
 	float still = GUARD_SLIDES * (absolute(c.near.x) + absolute(c.near.y) + absolute(c.b.turn - c.a.turn) * c.b.reach);
+	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		Vec arm = vec_sub(vec_turn(axes, vec_sub(m.point[k], position)), c.b.center);
@@ -115,7 +116,10 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 				                 guard_sinks(closing, m, axes, f.position, deep.pressed) ? gap : gap - GUARD_TOLERANCE);
 		}
 		met.normal = vec_turn(axes, m.normal);
-		met.point = vec_turn(axes, vec_sub(m.point[m.separation[1] < m.separation[0] ? 1 : 0], f.position));
+		// constant indices keep the manifold in registers
+		int second = m.separation[1] < m.separation[0];
+		Vec deepest = vec(second ? m.point[1].x : m.point[0].x, second ? m.point[1].y : m.point[0].y);
+		met.point = vec_turn(axes, vec_sub(deepest, f.position));
 		if (m.count > 0 && gap <= target)
 			return met;
 		if (m.count > 0)

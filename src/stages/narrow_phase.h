@@ -27,16 +27,19 @@
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
                               int taken)
 {
-	for (int k = 0; k < old_count; ++k)
-		if (old_feature[k] == feature && !(taken & 1 << k))
+	// constant indices keep points and impulses in registers
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+		if (k < old_count && old_feature[k] == feature && !(taken & 1 << k))
 			return k;
 	int best = -1;
 	float nearest = MATCH_DISTANCE * MATCH_DISTANCE;
-	for (int k = 0; k < old_count; ++k)
+	UNROLL
+	for (int k = 0; k < 2; ++k)
 	{
 		Vec d = vec_sub(point, old_point[k]);
 		float square = vec_dot(d, d);
-		if (!(taken & 1 << k) && square < nearest)
+		if (k < old_count && !(taken & 1 << k) && square < nearest)
 		{
 			nearest = square;
 			best = k;
@@ -163,15 +166,18 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
 	int feature[2] = {-1, -1}, taken = 0;
-	for (int k = 0; k < m->count; ++k)
+	UNROLL
+	for (int k = 0; k < 2; ++k)
 	{
+		if (k >= m->count)
+			continue;
 		feature[k] = m->feature[k];
 		int old = narrow_phase_match(feature[k], m->point[k], old_count, old_feature, old_point, taken);
 		if (old >= 0)
 		{
 			taken |= 1 << old;
-			along[k] = normal[old];
-			across[k] = tangent[old];
+			along[k] = old ? normal[1] : normal[0];
+			across[k] = old ? tangent[1] : tangent[0];
 		}
 	}
 	if (constraint >= 0)

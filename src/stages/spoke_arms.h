@@ -67,15 +67,16 @@ INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body light)
 	contact_load(p, i, PASS_BIAS, &u);
 	Int turned = spoke_turned(p, h, i);
 	Body a = body_choose(h->whole, light, turned), b = body_choose(light, h->whole, turned);
-	contact_ready(&a, &b, &u);
+	ContactReady ready;
+	contact_ready(p, PASS_BIAS, i, &a, &b, &u, &ready);
 	int k = spoke_of(p, i);
 	store(&spoke_at(p, vx, k), 0, light.v.x);
 	store(&spoke_at(p, vy, k), 0, light.v.y);
 	store(&spoke_at(p, w, k), 0, light.w);
 	store(&spoke_at(p, inv_mass, k), 0, light.inv_mass);
 	store(&spoke_at(p, inv_inertia, k), 0, light.inv_inertia);
-	store(&spoke_at(p, gap1, k), 0, u.gap1);
-	store(&spoke_at(p, gap2, k), 0, u.gap2);
+	store(&spoke_at(p, gap1, k), 0, ready.gap[0]);
+	store(&spoke_at(p, gap2, k), 0, ready.gap[1]);
 }
 
 INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)

@@ -119,6 +119,13 @@ typedef union // a constraint of some kind; registers are needed for the largest
 #undef CONSTRAINT_KIND
 } AnyKind;
 
+typedef union // what a constraint needs of the positions of its bodies in a pass
+{
+#define CONSTRAINT_KIND(kind, Kind, KIND) Kind##Ready kind;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+} AnyReady;
+
 typedef struct // a constraint in registers
 {
 	AnyKind of;
@@ -184,21 +191,21 @@ INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 }
 
 // Derives what a pass needs of the positions of the bodies.
-INLINE void registers_ready(Registers* u)
+INLINE void registers_ready(const Pools* p, int pass, Registers* u, AnyReady* ready)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
-		name##_ready(&u->a, &u->b, &u->of.name);
+		name##_ready(p, pass, u->at.place, &u->a, &u->b, &u->of.name, &ready->name);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }
 
 // A pass of solve.h over registers.
-OUT_OF_LINE void registers_pass(const Pools* p, int pass, Registers* u)
+OUT_OF_LINE void registers_pass(const Pools* p, int pass, const AnyReady* ready, Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
 	if (u->at.kind == CONSTRAINT_##NAME)  \
-		name##_pass(p, pass, u->at.place, 1, &u->of.name, &u->a, &u->b);
+		name##_pass(p, pass, u->at.place, &ready->name, &u->of.name, &u->a, &u->b);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 }

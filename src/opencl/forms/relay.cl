@@ -165,6 +165,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
 	bool ok = true;
+	int pass = schedule_pass(r->substeps, q);
+	AnyReady ready;
 	if (!u->inert)
 	{
 		Body *a = &u->a, *b = &u->b;
@@ -179,7 +181,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 		                       move, &b->d, &b->da);
 		body_turn(a);
 		body_turn(b);
-		registers_ready(u);
+		registers_ready(p, pass, u, &ready);
 		ok = ok && relay_wait(p, r, sa.moves && (passed || sa.before > 0), mailbox_a, relay_ticket(q, sa.before), &a->v,
 		                          &a->w, sb.moves && (passed || sb.before > 0), mailbox_b, relay_ticket(q, sb.before), &b->v,
 		                          &b->w);
@@ -198,7 +200,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 	}
 	if (u->inert)
 		return true;
-	registers_pass(p, schedule_pass(r->substeps, q), u);
+	registers_pass(p, pass, &ready, u);
 	relay_send_next(r, u->side[0], q, u->a);
 	relay_send_next(r, u->side[1], q, u->b);
 	relay_finish_pass(p, r, u->side[0], q, u->a, motion_a, base_a);

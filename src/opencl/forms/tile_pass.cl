@@ -67,14 +67,15 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 	                             int pass)                                                                       \
 	{                                                                                                            \
 		Kind u;                                                                                                  \
+		Kind##Ready ready;                                                                                       \
 		Body a, b;                                                                                               \
 		uint places = as_uint(kind##_stream_load(&u, 1 << pass, t->stream, t->stride, j));                       \
 		tile_gather(p, tile, places & 0xffffu, &a);                                                              \
 		tile_gather(p, tile, places >> 16, &b);                                                                  \
-		kind##_ready(&a, &b, &u);                                                                                \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
 		int i = KIND##_RARE(&p->step) || ends ? task_at(p, t->order[j]).place : 0;                                        \
-		kind##_pass(p, pass, i, 1, &u, &a, &b);                                                                  \
+		kind##_ready(p, pass, i, &a, &b, &u, &ready);                                                            \
+		kind##_pass(p, pass, i, &ready, &u, &a, &b);                                                             \
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \
 		tile_scatter(tile, places >> 16, &b);                                                                    \
 		if (ends)                                                                                                \
@@ -215,6 +216,8 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
+	int pass = schedule_pass(r->substeps, q);
+	AnyReady ready;
 	if (!u.inert)
 	{
 		Body* bodies[2] = {&u.a, &u.b};
@@ -240,7 +243,7 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 			}
 			body_turn(b);
 		}
-		registers_ready(&u);
+		registers_ready(p, pass, &u, &ready);
 		Side sa = u.side[0], sb = u.side[1];
 		volatile __global ulong* mailbox_a = r->mailboxes + MAILBOX_WORDS * (ulong)sa.body;
 		volatile __global ulong* mailbox_b = r->mailboxes + MAILBOX_WORDS * (ulong)sb.body;
@@ -256,13 +259,13 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 	}
 	if (u.inert)
 		return true;
-	registers_pass(p, schedule_pass(r->substeps, q), &u);
+	registers_pass(p, pass, &ready, &u);
 	for (int k = 0; k < 2; ++k)
 		tile_border_send(p, r, u.side[k], q, k ? u.b : u.a);
 	if (q + 1 == r->passes)
 		registers_store_kept(p, &u);
 	else
-		registers_update(&u, schedule_pass(r->substeps, q), t->stream, t->stride, j);
+		registers_update(&u, pass, t->stream, t->stride, j);
 	return true;
 }
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// joint_locks.h -- the locks of a joint, which are solved together: a symmetric system of up to three equations.
+#ifndef JOINT_LOCKS_H
+#define JOINT_LOCKS_H
+#include "constraints/joint_drive.h"
+
+// share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
+#define JOINT_LEAST_YIELD 1.0e-6f
+
+// m/s, rad/s: errors are corrected at most so fast in a chain. Frames that are far apart, because a body was
+// teleported or a contact held it back, come together without a blow. Other joints correct distances at up to START_SHARE of
+// max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
+#define JOINT_CORRECTION 10.0f
+
+typedef struct // of the locks: yield x = goal
+{
+	Real yield[3], cross[3];     // diagonal; 01, 02, 12
+	Real soft[3], soft_cross[3]; // their softness, which is a part of yield and cross
+	Real softness[3];            // as a share of a coordinate's own yield
+	Real toward[3];              // m/s, rad/s: at which errors are corrected
+	Real back[3];                // m/s, rad/s: by which locks give way to their impulses
+	Real goal[3];
+	Int locked[3];
+} JointSystem;
+
+// How much softer a lock becomes that yields by own. One as soft as nothing must not overflow, and so spoil the others.
+#define JOINT_NOTHING 1.0e12f
+
+INLINE Real joint_softer(Real softness, Real own)
+{
+	Real softer = softness * own;
+	return choose(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
+}
+
+// By which share of itself the yield between two coordinates grows. Rigid locks are soft together, whatever their axes: each by
+// itself, two that pull at a long arm aslant of both axes would give way along the arm by the yield of the lever.
+INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
+{
+	return choose(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
+}
+
+// How soft locks are. In the relaxing pass those are rigid that are no springs; springs damp (joint_spring.h).
+INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Real softness[3])
+{
+	Real zero = splat(0.0f);
+	softness[0] = soft ? u->soft_along : zero;
+	softness[1] = soft ? u->soft_across : zero;
+	softness[2] = soft ? u->soft_angle : zero;
+	if (soft || !p->step.springs || !lane_bits(joint_has(u, JOINT_SOFT(0) | JOINT_SOFT(1) | JOINT_SOFT(2))))
+		return;
+	softness[0] = choose(zero, load(&joint_rare(p, along_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(0)));
+	softness[1] = choose(zero, load(&joint_rare(p, across_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(1)));
+	softness[2] = choose(zero, load(&joint_rare(p, angle_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(2)));
+}
+
+// Rigid locks beside springs. The springs' pull on the locks is known, so the locks hold against it as if they did not yield:
+// otherwise a spring on an arm would swing more slowly, and be damped by the locks. Only the rest of their impulses is soft:
+//
+//     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
+//
+// Only where no other constraint holds the bodies: two such joints of a body would take turns in adding energy.
+INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real speed[3],
+                               JointSystem* s)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), pull[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
+	Real own[3], other[3], cross[3];
+	Int rigid[3], springs = load(&joint_rare(p, springs_alone, i), 0) > zero;
+	joint_crosses(c, cross);
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		own[k] = joint_yield(c, k);
+		rigid[k] = springs & s->locked[k] & (joint_has(u, JOINT_SOFT(k)) == 0);
+		if (!joint_drives(p, u, k))
+			continue;
+		JointDrive d = joint_drive_load(p, i, k);
+		pull[k] = choose(pull[k], joint_spring_left(&d), joint_has(u, JOINT_SPRING(k)));
+	}
+	other[0] = cross[0] * pull[1] + cross[1] * pull[2];
+	other[1] = cross[0] * pull[0] + cross[2] * pull[2];
+	other[2] = cross[1] * pull[0] + cross[2] * pull[1];
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		Real answer = one / (one + s->softness[k]), kept = s->softness[k] * answer;
+		s->goal[k] = choose(s->goal[k], -(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
+		s->yield[k] = choose(s->yield[k], own[k], rigid[k]);
+	}
+	s->cross[0] = choose(s->cross[0], choose(zero, cross[0], s->locked[0] & s->locked[1]), rigid[0] | rigid[1]);
+	s->cross[1] = choose(s->cross[1], choose(zero, cross[1], s->locked[0] & s->locked[2]), rigid[0] | rigid[2]);
+	s->cross[2] = choose(s->cross[2], choose(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
+}
+
+// The equations of the locks without their goals: all that does not depend on velocities. A coordinate that is not locked has a row of
+// the identity. Only rigid locks correct errors at a bounded speed: a spring pulls as it should. chained: other joints are solved
+// together with this one.
+INLINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
+                                const JointPose* c)
+{
+	JointSystem s;
+	Real zero = splat(0.0f), one = splat(1.0f), cross[3], *softness = s.softness, *softer = s.soft;
+	Real most[3] = {splat(fastest), splat(fastest), splat(chained ? JOINT_CORRECTION : JOINT_TURNING)};
+	Real impulse[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
+	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle};
+	Real error[3] = {c->value[0] - u->length, c->value[1], c->value[2]};
+	joint_softnesses(p, i, soft, u, softness);
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		Real own = joint_yield(c, k), toward = rate[k] * error[k];
+		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
+		softness[k] = choose(zero, softness[k], s.locked[k]);
+		softer[k] = joint_softer(softness[k], own);
+		s.toward[k] = choose(within(toward, most[k]), toward, joint_has(u, JOINT_SOFT(k)));
+		s.yield[k] = choose(one, own + softer[k], s.locked[k]);
+		s.goal[k] = zero;
+	}
+	joint_crosses(c, cross);
+	Real softer01 = joint_soft_pair(u, softness, 0, 1) * cross[0],
+	     softer02 = joint_soft_pair(u, softness, 0, 2) * cross[1],
+	     softer12 = joint_soft_pair(u, softness, 1, 2) * cross[2];
+	s.back[0] = softer[0] * impulse[0] + softer01 * impulse[1] + softer02 * impulse[2];
+	s.back[1] = softer01 * impulse[0] + softer[1] * impulse[1] + softer12 * impulse[2];
+	s.back[2] = softer02 * impulse[0] + softer12 * impulse[1] + softer[2] * impulse[2];
+	s.soft_cross[0] = choose(zero, softer01, s.locked[0] & s.locked[1]);
+	s.soft_cross[1] = choose(zero, softer02, s.locked[0] & s.locked[2]);
+	s.soft_cross[2] = choose(zero, softer12, s.locked[1] & s.locked[2]);
+	s.cross[0] = choose(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
+	s.cross[1] = choose(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
+	s.cross[2] = choose(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);
+	return s;
+}
+
+// Their goals, by the velocities.
+INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed[3])
+{
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		speed[k] = joint_speed(c, k);
+		if (soft)
+			speed[k] = speed[k] + s->toward[k];
+		s->goal[k] = choose(splat(0.0f), -(soft ? speed[k] + s->back[k] : speed[k]), s->locked[k]);
+	}
+}
+
+// The equations of a joint of a chain.
+INLINE JointSystem joint_system(const Pools* p, int i, int soft, float fastest, const Joint* u, const JointPose* c)
+{
+	JointSystem s = joint_yields(p, i, soft, 1, fastest, u, c);
+	Real speed[3];
+	joint_goals(soft, c, &s, speed);
+	return s;
+}
+
+typedef struct // the equations as L D L^T
+{
+	Real first, l01, l02, d1, l12, d2;
+} JointFactors;
+
+// mass: in exact arithmetic two translations yield no less than the masses alone.
+INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
+{
+	JointFactors f;
+	f.first = s->yield[0];
+	f.l01 = s->cross[0] / s->yield[0];
+	f.l02 = s->cross[1] / s->yield[0];
+	f.d1 = choose(splat(1.0f), maximum(s->yield[1] - f.l01 * s->cross[0], mass), s->locked[1]);
+	Real rest = s->cross[2] - f.l01 * s->cross[1];
+	f.l12 = rest / f.d1;
+	f.d2 = maximum((s->yield[2] - f.l02 * s->cross[1]) - f.l12 * rest, splat(JOINT_LEAST_YIELD) * s->yield[2]);
+	return f;
+}
+
+INLINE void joint_solve(const JointFactors* f, const Real goal[3], Real x[3])
+{
+	Real y1 = goal[1] - f->l01 * goal[0], y2 = (goal[2] - f->l02 * goal[0]) - f->l12 * y1;
+	x[2] = y2 / f->d2;
+	x[1] = y1 / f->d1 - f->l12 * x[2];
+	x[0] = (goal[0] / f->first - f->l01 * x[1]) - f->l02 * x[2];
+}
+
+#endif
