@@ -82,16 +82,20 @@ static Kernel* stage_kernel(OpenCl* d, int stage)
 	return &d->stages[stage];
 }
 
-scree_status stage_run(OpenCl* d, const Run* run) { return stage_run_within(d, run, GROUPS_A_UNIT); }
+scree_status stage_run(OpenCl* d, const Run* run)
+{
+	size_t group = stage_kernel(d, run->stage)->group;
+	return stage_run_within(d, run, stage_widths[run->stage] >= WIDTH_GROUP ? 1 : group, GROUPS_A_UNIT);
+}
 
-scree_status stage_run_within(OpenCl* d, const Run* run, size_t groups_a_unit)
+scree_status stage_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit)
 {
 	Kernel* kernel = stage_kernel(d, run->stage);
 	d->timing.box = stage_boxes[run->stage];
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
 	size_t items = (size_t)(run->end - run->begin);
-	size_t groups = stage_widths[run->stage] >= WIDTH_GROUP ? items : (items + kernel->group - 1) / kernel->group;
+	size_t groups = (items + items_a_group - 1) / items_a_group;
 	size_t most = (size_t)d->device.about.units * groups_a_unit;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
 }

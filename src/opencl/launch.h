@@ -36,9 +36,8 @@ void step_set(OpenCl* d, const Step* step);
 // Sets the step of a kernel that takes all pools, if it changed.
 scree_status kernel_step(OpenCl* d, Kernel* kernel);
 
-// Launches a run of a stage.
+// Launches a run of a stage; with so many items to a work-group, as long as there are no more groups per compute unit than this.
 scree_status stage_run(OpenCl* d, const Run* run);
-scree_status stage_run_within(OpenCl* d, const Run* run,
-                              size_t groups_a_unit); // with at most so many work-groups per unit
+scree_status stage_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit);
 
 #endif

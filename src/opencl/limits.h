@@ -5,6 +5,8 @@
 
 // Work-items per work-group of a stage. Small, so that one color of a small scene uses many compute units.
 #define STAGE_GROUP 128
+// The same of guard. It uses so many registers that larger groups leave many of them idle.
+#define GUARD_GROUP 32
 
 // Work-items of a work-group that solves a hub: one per column of its sums (HUB_COLUMNS).
 #define HUB_GROUP 256

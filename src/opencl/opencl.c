@@ -43,6 +43,8 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < PLAIN_KERNELS; ++i)
 			if (d->plain[i].kernel)
 				opencl.ReleaseKernel(d->plain[i].kernel);
+		if (d->solve_end.kernel)
+			opencl.ReleaseKernel(d->solve_end.kernel);
 		read_close(d);
 		exchange_close(d);
 		carry_close(d);
@@ -152,12 +154,7 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 	if (d->resident)
 	{
 		TRY(kernel_bind(d, per, &d->persistent.kernel));
-		TRY(kernel_bind(d, per, &d->relay.colors));
-		TRY(kernel_bind(d, per, &d->relay.plain));
-		TRY(kernel_bind(d, per, &d->relay.hinges));
-		TRY(kernel_bind(d, per, &d->relay.joints));
-		TRY(kernel_bind(d, per, &d->relay.hubs));
-		TRY(kernel_bind(d, per, &d->relay.hubs_joints));
+		TRY(relay_bind(d, per));
 		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));
 	}
@@ -230,6 +227,14 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
+// Work-items per work-group of a stage.
+static size_t stage_group(int stage)
+{
+	if (stage == STAGE_guard)
+		return GUARD_GROUP;
+	return stage_widths[stage] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP;
+}
+
 static scree_status open_device(Backend* b, const BackendOptions* options)
 {
 	OpenCl* d = b->state = scree_allocate(sizeof *d);
@@ -265,19 +270,13 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(program_build(d->context, &d->device, program_options, opencl_program, opencl_program_length, &d->program));
 
 	for (int i = 0; i < STAGE_COUNT; ++i)
-		TRY(kernel_create(d, stage_names[i], stage_widths[i] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP, &d->stages[i]));
-	const char* const plain[PLAIN_KERNELS] = {"narrow_phase_plain", "guard_plain"};
-	for (int i = 0; i < PLAIN_KERNELS; ++i)
-		TRY(kernel_create(d, plain[i], STAGE_GROUP, &d->plain[i]));
+		TRY(kernel_create(d, stage_names[i], stage_group(i), &d->stages[i]));
+	TRY(kernel_create(d, "narrow_phase_plain", STAGE_GROUP, &d->plain[PLAIN_NARROW_PHASE]));
+	TRY(kernel_create(d, "guard_plain", GUARD_GROUP, &d->plain[PLAIN_GUARD]));
 	if (d->resident)
 	{
 		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
-		TRY(kernel_create(d, "relay", RELAY_GROUP, &d->relay.colors));
-		TRY(kernel_create(d, "relay_plain", RELAY_GROUP, &d->relay.plain));
-		TRY(kernel_create(d, "relay_hinges", RELAY_GROUP, &d->relay.hinges));
-		TRY(kernel_create(d, "relay_joints", RELAY_GROUP, &d->relay.joints));
-		TRY(kernel_create(d, "relay_hubs", HUB_GROUP, &d->relay.hubs));
-		TRY(kernel_create(d, "relay_hubs_joints", HUB_GROUP, &d->relay.hubs_joints));
+		TRY(relay_create(d));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}

@@ -29,22 +29,6 @@ static scree_status counters_note(Backend* b, const Counters* counters)
 	            "The work-groups of %s timed out waiting for each other (SCREE_PERSISTENT=0 avoids it).", b->name);
 }
 
-scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
-{
-	OpenCl* d = b->state;
-	size_t bytes = pool_info[pool].bytes;
-	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
-	if (count == 0)
-		return SCREE_OK;
-	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	if (carry_wanted(d, all))
-		TRY(carry_down(d, pool_buffer(d, pool), offset, items, all));
-	else
-		TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, offset, all, items, 0, NULL, NULL));
-	d->staging.used = 0;
-	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
-}
-
 scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
 {
 	OpenCl* d = b->state;
@@ -68,4 +52,26 @@ scree_status opencl_read_end(Backend* b, void* items)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);
 	return d->read.bytes == sizeof(Counters) ? counters_note(b, items) : SCREE_OK;
+}
+
+scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count == 0)
+		return SCREE_OK;
+	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
+	// a copy to memory that is not pinned would pass through the driver's own, and take longer
+	if (all <= READ_ASYNC_BYTES && !d->read.event)
+	{
+		TRY(opencl_read_begin(b, pool, first, count));
+		return opencl_read_end(b, items);
+	}
+	if (carry_wanted(d, all))
+		TRY(carry_down(d, pool_buffer(d, pool), offset, items, all));
+	else
+		TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, offset, all, items, 0, NULL, NULL));
+	d->staging.used = 0;
+	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
 }

@@ -93,13 +93,25 @@ typedef struct
 	Counters last; // as last read; they predict the item counts of runs
 } Persistent;
 
+enum // kernels of the relay (registers.cl has the worlds that each is for), then the same for worlds with hubs
+{
+	RELAY_COLORS,
+	RELAY_PLAIN,
+	RELAY_HINGES,
+	RELAY_JOINTS,
+	RELAY_HUBS,
+	RELAY_HUBS_HINGES,
+	RELAY_HUBS_JOINTS,
+	RELAY_KERNELS
+};
+
 typedef struct
 {
-	Kernel colors, plain, hinges, joints; // kernels relay, relay_plain, relay_hinges and relay_joints
-	Kernel hubs, hubs_joints;             // relay_hubs and relay_hubs_joints
-	Scratch mailboxes;                    // MAILBOX_WORDS words per body; also for the border of the tiles
-	Scratch stream;                       // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
-	Scratch parts;                        // two words per spoke and per hub
+	Kernel kernels[RELAY_KERNELS];
+	int groups;        // of the kernels that are resident at once; 0 if the device cannot run the relay
+	Scratch mailboxes; // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;     // two words per spoke and per hub
 } RelayState;
 
 enum // kernels of kernels.cl for worlds without what the stage has else

@@ -117,11 +117,14 @@ static bool relay_solve(const Solve* solve)
 	note_most(&form_counts.spread, task.spread);
 	form_counts.by_hubs += found > 0;
 	form_counts.split += pools.counters->split > 0;
-	bool joints = pools.step.joints;
-	if (found > 0)
-		return launch(joints ? KERNEL_relay_hubs_joints : KERNEL_relay_hubs, form.groups > 1 ? hubs + groups : 1,
-		              group);
-	return launch(joints ? KERNEL_relay_joints : plain() ? KERNEL_relay_plain : KERNEL_relay, groups, group);
+	bool hinges = !pools.step.springs && !pools.step.couplings && !pools.step.paths;
+	int kernel = plain() ? KERNEL_relay_plain : KERNEL_relay, by_hubs = KERNEL_relay_hubs;
+	if (pools.step.joints)
+	{
+		kernel = hinges ? KERNEL_relay_hinges : KERNEL_relay_joints;
+		by_hubs = hinges ? KERNEL_relay_hubs_hinges : KERNEL_relay_hubs_joints;
+	}
+	return found > 0 ? launch(by_hubs, form.groups > 1 ? hubs + groups : 1, group) : launch(kernel, groups, group);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

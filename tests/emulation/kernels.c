@@ -25,10 +25,12 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
 	CALL(name, t->mailboxes, t->stream, t->constraints, t->substeps, t->passes, t->bound, t->spins, t->spread)
 RELAY(relay)
 RELAY(relay_plain)
+RELAY(relay_hinges)
 RELAY(relay_joints)
 #define RELAY_HUBS(name) \
 	CALL(name, t->mailboxes, t->stream, t->substeps, t->passes, t->bound, t->spins, t->spread, t->parts, t->hub_groups)
 RELAY_HUBS(relay_hubs)
+RELAY_HUBS(relay_hubs_hinges)
 RELAY_HUBS(relay_hubs_joints)
 CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
 CALL(tile_settle, t->place, t->border, t->places, t->bound)
@@ -78,8 +80,10 @@ static void call_tile_range(const void* arguments)
 static void (*const calls[KERNEL_COUNT])(const void* arguments) = {
     ENTRY(relay),
     ENTRY(relay_plain),
+    ENTRY(relay_hinges),
     ENTRY(relay_joints),
     ENTRY(relay_hubs),
+    ENTRY(relay_hubs_hinges),
     ENTRY(relay_hubs_joints),
     ENTRY(solve_end),
     ENTRY(tile_settle),

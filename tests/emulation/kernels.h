@@ -21,8 +21,10 @@ typedef enum
 {
 	KERNEL_relay,
 	KERNEL_relay_plain,
+	KERNEL_relay_hinges,
 	KERNEL_relay_joints,
 	KERNEL_relay_hubs,
+	KERNEL_relay_hubs_hinges,
 	KERNEL_relay_hubs_joints,
 	KERNEL_solve_end,
 	KERNEL_tile_settle,

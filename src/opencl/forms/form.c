@@ -13,8 +13,9 @@
 // Up to this many constraints a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
 
-// Work-groups of guard per compute unit. It usually has few items, so more groups would find none.
-#define GUARD_GROUPS 4
+// Work-groups of guard per compute unit, at most. It usually has few items, each of which gets a group as long as there is room:
+// work-items side by side would wait for each other.
+#define GUARD_GROUPS 12
 
 // arguments of solve_end after the step
 enum
@@ -46,7 +47,7 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
 	// joints without a color have runs of their own
 	bool uncolored = solve->chains > 0 || solve->branches > 0 || solve->counters->overflow > 0;
-	if (d->relay.colors.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
+	if (d->relay.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
@@ -70,7 +71,7 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	size_t group = d->solve_end.group;
 	d->timing.box = BOX_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
-	TRY(stage_run_within(d, &guard, GUARD_GROUPS));
+	TRY(stage_run_within(d, &guard, 1, GUARD_GROUPS));
 	int joints = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
 	Run joint = {.stage = STAGE_joint_finalize, .end = joints, .count = solve->bound};
 	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? stage_run(d, &joint) : SCREE_OK;

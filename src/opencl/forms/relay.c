@@ -33,7 +33,45 @@ scree_status mailboxes_reserve(OpenCl* d, const Solve* solve)
 	return scratch_reserve(d, &d->relay.mailboxes, (size_t)solve->bodies * MAILBOX_WORDS * sizeof(cl_ulong));
 }
 
-static Kernel* hubs_kernel(OpenCl* d) { return d->constants.step.joints ? &d->relay.hubs_joints : &d->relay.hubs; }
+static const struct
+{
+	const char* name;
+	size_t group;
+} relay_kernels[RELAY_KERNELS] = {
+    [RELAY_COLORS] = {"relay", RELAY_GROUP},
+    [RELAY_PLAIN] = {"relay_plain", RELAY_GROUP},
+    [RELAY_HINGES] = {"relay_hinges", RELAY_GROUP},
+    [RELAY_JOINTS] = {"relay_joints", RELAY_GROUP},
+    [RELAY_HUBS] = {"relay_hubs", HUB_GROUP},
+    [RELAY_HUBS_HINGES] = {"relay_hubs_hinges", HUB_GROUP},
+    [RELAY_HUBS_JOINTS] = {"relay_hubs_joints", HUB_GROUP},
+};
+
+bool solve_plain(const OpenCl* d)
+{
+	return !d->constants.step.joints && !STEP_RARE(d->constants.step) && !d->constants.step.bounces &&
+	       !d->constants.step.round;
+}
+
+// Whether all joints are ones for which the kernels of hinges suffice.
+static bool solve_hinges(const OpenCl* d)
+{
+	const Step* step = &d->constants.step;
+	return !step->springs && !step->couplings && !step->paths;
+}
+
+// The kernel for the world as it is, without hubs; with hubs.
+static Kernel* relay_kernel(OpenCl* d)
+{
+	int plain = solve_plain(d) ? RELAY_PLAIN : RELAY_COLORS, joints = solve_hinges(d) ? RELAY_HINGES : RELAY_JOINTS;
+	return &d->relay.kernels[d->constants.step.joints ? joints : plain];
+}
+
+static Kernel* hubs_kernel(OpenCl* d)
+{
+	int joints = solve_hinges(d) ? RELAY_HUBS_HINGES : RELAY_HUBS_JOINTS;
+	return &d->relay.kernels[d->constants.step.joints ? joints : RELAY_HUBS];
+}
 
 // work-groups for hubs, at least one; other_groups are for the other constraints; if only one is resident, it does both
 static size_t hub_groups(OpenCl* d, const Solve* solve)
@@ -65,20 +103,6 @@ static size_t other_groups(OpenCl* d, const Solve* solve)
 	return groups < most ? groups : most;
 }
 
-bool solve_plain(const OpenCl* d)
-{
-	return !d->constants.step.joints && !STEP_RARE(d->constants.step) && !d->constants.step.bounces &&
-	       !d->constants.step.round;
-}
-
-static Kernel* relay_kernel(OpenCl* d)
-{
-	const Step* step = &d->constants.step;
-	if (step->joints)
-		return step->springs || step->couplings || step->paths ? &d->relay.joints : &d->relay.hinges;
-	return solve_plain(d) ? &d->relay.plain : &d->relay.colors;
-}
-
 scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
 	TRY(mailboxes_reserve(d, solve));
@@ -102,7 +126,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	TRY(CALL(SetKernelArg, kernel, 1, sizeof fault, &fault));
 	TRY(CALL(SetKernelArg, kernel, 2, sizeof rounds, &rounds));
 	TRY(CALL(SetKernelArg, kernel, 3, sizeof spins, &spins));
-	TRY(launch(d, kernel, (size_t)d->relay.colors.groups * d->relay.colors.group, d->relay.colors.group));
+	TRY(launch(d, kernel, (size_t)d->relay.groups * d->relay.kernels[RELAY_COLORS].group,
+	           d->relay.kernels[RELAY_COLORS].group));
 	TRY(CALL(EnqueueReadBuffer, d->queue, fault, CL_TRUE, 0, sizeof found, &found, 0, NULL, NULL));
 	*runs = found == 0;
 	if (found)
@@ -124,16 +149,27 @@ static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 	return SCREE_OK;
 }
 
+scree_status relay_create(OpenCl* d)
+{
+	for (int k = 0; k < RELAY_KERNELS; ++k)
+		TRY(kernel_create(d, relay_kernels[k].name, relay_kernels[k].group, &d->relay.kernels[k]));
+	return SCREE_OK;
+}
+
+scree_status relay_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < RELAY_KERNELS; ++k)
+		TRY(kernel_bind(d, per, &d->relay.kernels[k]));
+	return SCREE_OK;
+}
+
 scree_status relay_open(OpenCl* d)
 {
 	if (d->persistent.groups == 0)
 		return SCREE_OK;
-	TRY(count_groups(d, &d->relay.colors));
-	TRY(count_groups(d, &d->relay.plain));
-	TRY(count_groups(d, &d->relay.hinges));
-	TRY(count_groups(d, &d->relay.joints));
-	TRY(count_groups(d, &d->relay.hubs));
-	TRY(count_groups(d, &d->relay.hubs_joints));
+	for (int k = 0; k < RELAY_KERNELS; ++k)
+		TRY(count_groups(d, &d->relay.kernels[k]));
+	d->relay.groups = d->relay.kernels[RELAY_COLORS].groups;
 
 	cl_int error;
 	cl_mem mailboxes = NULL, fault = NULL;
@@ -141,14 +177,14 @@ scree_status relay_open(OpenCl* d)
 	cl_kernel kernel = opencl.CreateKernel(d->program, "relay_probe", &error);
 	scree_status status = opencl_check("clCreateKernel", error);
 	if (!status)
-		status =
-		    buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.colors.groups * d->relay.colors.group, &mailboxes);
+		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.groups * d->relay.kernels[RELAY_COLORS].group,
+		                       &mailboxes);
 	if (!status)
 		status = buffer_create(d, sizeof(cl_int), &fault);
 	if (!status)
 		status = probe(d, kernel, mailboxes, fault, &runs);
 	if (!runs)
-		d->relay.colors.groups = 0;
+		d->relay.groups = 0;
 	if (mailboxes)
 		opencl.ReleaseMemObject(mailboxes);
 	if (fault)
@@ -160,12 +196,9 @@ scree_status relay_open(OpenCl* d)
 
 void relay_close(OpenCl* d)
 {
-	cl_kernel kernels[] = {d->relay.colors.kernel, d->relay.plain.kernel, d->relay.hinges.kernel,
-	                       d->relay.joints.kernel, d->relay.hubs.kernel,  d->relay.hubs_joints.kernel,
-	                       d->solve_end.kernel};
-	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)
-		if (kernels[i])
-			opencl.ReleaseKernel(kernels[i]);
+	for (int k = 0; k < RELAY_KERNELS; ++k)
+		if (d->relay.kernels[k].kernel)
+			opencl.ReleaseKernel(d->relay.kernels[k].kernel);
 	scratch_release(&d->relay.mailboxes);
 	scratch_release(&d->relay.stream);
 	scratch_release(&d->relay.parts);

@@ -4,7 +4,9 @@
 #define OPENCL_RELAY_H
 #include "opencl/state.h"
 
-// Tests whether the device can run the relay.
+// Makes the kernels, gives them the buffer of a kind, tests whether the device can run them.
+scree_status relay_create(OpenCl* d);
+scree_status relay_bind(OpenCl* d, Per per);
 scree_status relay_open(OpenCl* d);
 void relay_close(OpenCl* d);
 // Reserves the memory of a solve.

@@ -310,4 +310,5 @@ INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* str
 		relay_hub_tasks(&pools, &r, stream, bound, spread, parts, hub_groups, bench, &fault);                    \
 	}
 RELAY_HUBS_KERNEL(relay_hubs, STEP_CONTACTS)
+RELAY_HUBS_KERNEL(relay_hubs_hinges, STEP_HINGES)
 RELAY_HUBS_KERNEL(relay_hubs_joints, STEP_JOINTS)

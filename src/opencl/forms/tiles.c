@@ -219,8 +219,8 @@ scree_status tiles_run(OpenCl* d, const Solve* solve)
 	TRY(tile_run(d, prepare, stride,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(order), VALUE(stream), VALUE(stride),
 	                    VALUE(rows), VALUE(solve->bound))));
-	int border = d->relay.colors.groups * RELAY_GROUP;
-	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.colors.groups)
+	int border = d->relay.groups * RELAY_GROUP;
+	if (t->border >= 0 && t->border / BORDER_GRAIN < d->relay.groups)
 		border = (t->border / BORDER_GRAIN + 1) * RELAY_GROUP;
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	for (cl_int q = 0; q < passes; ++q)
