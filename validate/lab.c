@@ -265,7 +265,7 @@ double lab_gap(const Lab* lab)
 	return most;
 }
 
-double lab_overlap(Lab* lab, int* touching)
+double lab_overlap(Lab* lab, int* touches)
 {
 	lab_read(lab);
 	if (lab->validation->broken)
@@ -284,10 +284,10 @@ double lab_overlap(Lab* lab, int* touching)
 	void* state = scree_lab.open(&options, &still.def);
 	scree_counters counters = {0};
 	check(lab, state && measure(&still, state, &counters));
+	for (int k = 0; touches && k < lab->count; ++k)
+		touches[k] = lab->validation->broken ? 0 : scree_lab_touches(state, k);
 	if (state)
 		scree_lab.close(state);
 	free(still.bodies);
-	if (touching)
-		*touching = counters.touching;
 	return (double)counters.penetration;
 }

@@ -36,10 +36,10 @@ scree_vec lab_center(const Lab* lab, int body);
 double lab_fastest(const Lab* lab, int* body); // m/s, of dynamic bodies; body may be null
 double lab_gap(const Lab* lab);                // m, the largest distance between the two anchors of a joint
 
-// Measures the deepest overlap of all bodies, m, and the number of touching contacts (touching may be null). All poses are
-// copied into a new Scree world, at rest and without gravity, which takes one very short step. So the measurement is the same
+// Measures the deepest overlap of all bodies, m, and how many others each body overlaps (touches has a place for each, or is null). All
+// poses are copied into a new Scree world, at rest and without gravity, which takes one very short step. So the measurement is the same
 // for all engines and does not depend on earlier ones.
-double lab_overlap(Lab* lab, int* touching);
+double lab_overlap(Lab* lab, int* touches);
 
 // A hash of the end states of all labs of the case, with the present state of the open lab.
 uint64_t lab_case_hash(Validation* validation);

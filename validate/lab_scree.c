@@ -233,6 +233,19 @@ static double bytes(void* context)
 	return report(scree_world_get_counters(state->world, &counters)) ? (double)counters.device_bytes : 0.0;
 }
 
+int scree_lab_touches(void* context, int body)
+{
+	State* state = context;
+	scree_contact contacts[64];
+	int count = 0, overlaps = 0;
+	if (!report(scree_body_get_contacts(state->world, state->bodies[body], contacts, 64, &count)))
+		return 0;
+	for (int k = 0; k < count && k < 64; ++k)
+		overlaps += contacts[k].points[0].separation < 0.0f ||
+		            (contacts[k].count > 1 && contacts[k].points[1].separation < 0.0f);
+	return overlaps;
+}
+
 bool scree_lab_counters(void* context, scree_counters* counters)
 {
 	State* state = context;

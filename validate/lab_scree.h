@@ -8,5 +8,7 @@ extern const LabEngine scree_lab;
 
 // The counters of Scree's last step; state is that of scree_lab.
 bool scree_lab_counters(void* state, scree_counters* counters);
+// How many bodies a body overlaps.
+int scree_lab_touches(void* state, int body);
 
 #endif

@@ -107,25 +107,40 @@ static void point_at(const Lab* lab, int body)
 	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
 }
 
-// Prints the largest distance that a body crept, mm a minute. Bodies that moved more than a quarter of their size are left out.
+// How far a disk rolled by its turn between two poses, m; 0 for other shapes.
+static double rolled(const scree_shape* shape, scree_pose from, scree_pose to)
+{
+	if (shape->kind != SCREE_SHAPE_CIRCLE)
+		return 0.0;
+	double cosine = (double)from.rotation.c * (double)to.rotation.c + (double)from.rotation.s * (double)to.rotation.s;
+	double sine = (double)from.rotation.c * (double)to.rotation.s - (double)from.rotation.s * (double)to.rotation.c;
+	return (double)shape->radius * fabs(atan2(sine, cosine));
+}
+
+// Prints the largest distance that a body crept, mm a minute. Bodies that moved more than a quarter of their size are left out. A disk that
+// touches one body alone has nothing that holds it: its roll goes on, and is no creep.
 static void creep(Validation* v, Lab* lab, int first, int steps)
 {
 	scree_pose* before = require_memory(malloc((size_t)lab->count * sizeof *before));
+	int* touches = require_memory(malloc((size_t)lab->count * sizeof *touches));
 	double most = 0.0;
 	int farthest = first;
 	for (int k = 0; k < lab->count; ++k)
 		before[k] = lab->poses[k];
 	lab_step(lab, steps);
-	lab_read(lab);
+	lab_overlap(lab, touches);
 	for (int k = first; k < lab->count; ++k)
 	{
+		const scree_shape* shape = &lab->parts[lab->bodies[k].first].surface.shape;
 		double moved = hypot((double)(lab->poses[k].position.x - before[k].position.x),
 		                     (double)(lab->poses[k].position.y - before[k].position.y));
-		if (moved > 0.25 * (double)lab->parts[lab->bodies[k].first].surface.shape.reach || moved <= most)
+		double crept = touches[k] == 1 ? moved - rolled(shape, before[k], lab->poses[k]) : moved;
+		if (moved > 0.25 * (double)shape->reach || crept <= most)
 			continue;
-		most = moved;
+		most = crept;
 		farthest = k;
 	}
+	free(touches);
 	free(before);
 	point_at(lab, farthest);
 	row(v, "creep a minute", 1e3 * most * 3600.0 / steps, "mm", AT_MOST, CREEP);
