@@ -109,7 +109,7 @@ typedef struct // a contact in registers
 	Real normal_mass1, normal_mass2, tangent_mass1, tangent_mass2; // kg: within a step
 } Contact;
 
-typedef struct // of a pass: depends on where the bodies are, and not on their velocities
+typedef struct // the part of a pass that depends on where the bodies are, and not on their velocities
 {
 	Real gap[2]; // m: of the points
 } ContactReady;

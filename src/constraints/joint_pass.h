@@ -87,7 +87,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give(u, c, j);
 }
 
-// What the arms' turn since the last substep changed of the impulses' worth.
+// The change of the impulses' worth by the turn of the arms since the last substep.
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -166,7 +166,7 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 	joint_give_where(u, c, joint_impulse(c, choose(zero, impulse, pulled), zero, zero), pulled);
 }
 
-typedef struct // of a pass: depends on where the bodies are, and not on their velocities
+typedef struct // the part of a pass that depends on where the bodies are, and not on their velocities
 {
 	JointPose c; // without velocities
 	JointImpulse turned;

@@ -121,7 +121,7 @@ INLINE float guard_follows(const GuardPath* g, WorldShape other, Sweep goes, Gua
 // Leaves of which what rules most of them out is read at once: a GPU waits for it once, a CPU gains nothing.
 #define GUARD_LEAVES (FETCHES ? 1 : 4)
 
-typedef struct // what rules out a leaf
+typedef struct // facts that rule out a leaf
 {
 	int index, kind, body;
 	Filter filter;
@@ -153,7 +153,7 @@ INLINE int guard_meets(const Pools* p, const GuardPath* g, const GuardLeaf* leaf
 	return guard_far(vec_sub(g->way.path, went.path), swing) > least * g->thickness;
 }
 
-// Those of the leaves from first on that may stop a collidable, a bit each, as leaves.
+// The leaves from first on that may stop a collidable, a bit each, as in leaves.
 INLINE Word64 guard_meeting(const Pools* p, const GuardPath* g, int first, Word64 leaves)
 {
 	Word64 meeting = 0;

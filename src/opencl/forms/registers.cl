@@ -119,7 +119,7 @@ typedef union // a constraint of some kind; registers are needed for the largest
 #undef CONSTRAINT_KIND
 } AnyKind;
 
-typedef union // what a constraint needs of the positions of its bodies in a pass
+typedef union // the part of a pass that depends on the positions of the bodies of a constraint
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) Kind##Ready kind;
 #include "pools/kinds.def"
