@@ -2,12 +2,12 @@
 // pack.mjs -- pack.mjs SOURCES SCALAR SIMD FOLDER: puts the package together from the builds of two forms, and prints what a visitor downloads.
 //
 // The engine lies in a module as texts of one letter a byte, so that every bundler takes it along: one text for each column of
-// columns.js. Letters of one byte stand for the bytes that are most frequent in it: compressed, the texts are 2 % larger than what they
+// columns.mjs. Letters of one byte stand for the bytes that are most frequent in it: compressed, the texts are 2 % larger than what they
 // stand for (base64: 35 %).
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
-import {bytes_in_order, follow, is_local, move_to_front} from "./columns.js";
+import {bytes_in_order, follow, is_local, move_to_front} from "./columns.mjs";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
@@ -56,7 +56,7 @@ copyFileSync(`${sources}/web/package/README.md`, `${folder}/README.md`);
 copyFileSync(`${simd}/package/scree.d.ts`, `${folder}/scree.d.ts`);
 
 minify(`${simd}/package/scree.js`, `${folder}/scree.js`);
-minify(`${sources}/web/package/columns.js`, `${folder}/columns.js`);
+minify(`${sources}/web/package/columns.mjs`, `${folder}/columns.js`);
 const script = readFileSync(`${folder}/scree.js`), head = readFileSync(`${folder}/columns.js`, "utf8");
 rmSync(`${folder}/columns.js`);
 let good = true;

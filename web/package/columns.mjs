@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// columns.js -- an engine from its columns: the head of scalar.js and of simd.js, which pack.mjs writes.
+// columns.mjs -- an engine from its columns: the head of scalar.js and of simd.js, which pack.mjs writes.
 //
 // Compressed, a module of WebAssembly is 10 % smaller by columns than as a file, where opcodes, locals, offsets and numbers take turns:
 // each repeats itself more than their mixture does. More columns than these would save 0.1 % at most. One fewer would cost 0.2 %, if
