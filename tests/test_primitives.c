@@ -249,9 +249,33 @@ static void test_scan_counts_from_device(void** state)
 		check_scan(900000, bounds[i], true, 2, 29 + i);
 }
 
+// A read of as many bytes as the counters have is none of the counters: its bytes must not be taken for a fault of the device.
+static void reads_have_any_size(void** state)
+{
+	(void)state;
+	enum
+	{
+		WORDS = 1024
+	};
+	static uint32_t words[WORDS], got[WORDS];
+	for (int k = 0; k < WORDS; ++k)
+		words[k] = 0x01010101u * (uint32_t)(k % 255 + 1);
+	int counts[] = {1, (int)(sizeof(Counters) / sizeof(uint32_t)), WORDS - 1, WORDS};
+	for (int n = 0; n < backend_count; ++n)
+		for (int k = 0; k < 4; ++k)
+		{
+			Backend* b = backends[n];
+			assert_int_equal(b->f->write(b, POOL_scan, 0, counts[k], words), SCREE_OK);
+			memset(got, 0, sizeof got);
+			assert_int_equal(b->f->read(b, POOL_scan, 0, counts[k], got), SCREE_OK);
+			assert_memory_equal(got, words, (size_t)counts[k] * sizeof *words);
+		}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(reads_have_any_size),
 	    cmocka_unit_test(test_sort_sizes),
 	    cmocka_unit_test(test_sort_inputs),
 	    cmocka_unit_test(test_sort_bits),

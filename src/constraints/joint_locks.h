@@ -12,7 +12,7 @@
 // max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
 #define JOINT_CORRECTION 10.0f
 
-typedef struct // of the locks: yield x = goal
+typedef struct // equations of the locks: yield x = goal
 {
 	Real yield[3], cross[3];     // diagonal; 01, 02, 12
 	Real soft[3], soft_cross[3]; // their softness, which is a part of yield and cross

@@ -33,6 +33,7 @@ scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
 {
 	OpenCl* d = b->state;
 	size_t bytes = pool_info[pool].bytes;
+	d->read.pool = pool;
 	d->read.bytes = bytes * (size_t)count;
 	d->read.staged = d->staging.used;
 	ASSERT(d->read.bytes <= READ_ASYNC_BYTES && !d->read.event);
@@ -51,7 +52,7 @@ scree_status opencl_read_end(Backend* b, void* items)
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);
-	return d->read.bytes == sizeof(Counters) ? counters_note(b, items) : SCREE_OK;
+	return d->read.pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
 }
 
 scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)

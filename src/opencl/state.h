@@ -59,6 +59,7 @@ typedef struct
 typedef struct // what opencl_read_begin reads
 {
 	Pinned pinned;
+	PoolId pool;
 	size_t bytes;
 	size_t staged;  // Staging.used when the read was enqueued
 	cl_event event; // null unless a read is in flight
@@ -108,7 +109,7 @@ enum // kernels of the relay (registers.cl has the worlds that each is for), the
 typedef struct
 {
 	Kernel kernels[RELAY_KERNELS];
-	int groups;        // of the kernels that are resident at once; 0 if the device cannot run the relay
+	int groups;        // resident at once; 0 if the device cannot run the relay
 	Scratch mailboxes; // MAILBOX_WORDS words per body; also for the border of the tiles
 	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
 	Scratch parts;     // two words per spoke and per hub

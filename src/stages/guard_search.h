@@ -7,20 +7,20 @@
 #include "stages/transform.h"
 #include "stages/tree.h"
 
-// of the thickness: how much deeper a body may be at the end of the step than before; and how deep in all, so that its
+// share of the thickness: how much deeper a body may be at the end of the step than before; and how deep in all, so that its
 // middle stays outside
 #define GUARD_DEPTH   0.25f
 #define GUARD_DEEPEST 0.75f
 // share of the thickness: how deep a body that is pressed into something static may be, if that is less than PRESS_MOST
 #define GUARD_PRESSED 0.5f
-// of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
+// share of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
 #define GUARD_SLACK 0.15f
 // m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
 #define GUARD_MOST 0.015f
 
-typedef struct // where a path ends
+typedef struct // the end of a path
 {
-	float share; // of the path, 1 is all
+	float share; // part of the path, 1 is all
 	Vec normal;  // of what ends it, in the world
 	int index;   // of that collidable
 } GuardStop;
