@@ -166,11 +166,87 @@ static void seams(void** state)
 	}
 }
 
+#define DRUM_BOXES 100
+#define DRUM_SHOTS 6
+#define FAR_BODIES 12
+#define DRUM_HALF  5.0f // m: between its middle and its walls
+
+typedef struct
+{
+	scree_world* world;
+	scree_body drum, inside[DRUM_BOXES + DRUM_SHOTS], far[FAR_BODIES];
+} Drum;
+
+// A drum of four walls that turns, boxes in it, and balls at 90 m/s.
+static Drum open_drum(void)
+{
+	Drum d = {.world = open_world(-10.0f)};
+	scree_attribute_def wall = surface_of(box_shape(0.3f, DRUM_HALF + 0.6f)),
+	                    crate = surface_of(box_shape(0.25f, 0.25f)), ball = surface_of(circle_shape(0.15f));
+	scree_attribute walls = add_attribute(d.world, &wall), crates = add_attribute(d.world, &crate),
+	                balls = add_attribute(d.world, &ball);
+	scree_body_def def = scree_body_def_default();
+	def.type = SCREE_BODY_KINEMATIC;
+	def.velocity.angular = 2.0f;
+	OK(scree_body_create(d.world, &def, &d.drum));
+	for (int k = 0; k < 4; ++k)
+	{
+		scree_collidable_def part = scree_collidable_def_default();
+		part.body = d.drum;
+		part.attribute = walls;
+		part.pose.rotation = scree_rot_make(0.5f * (float)PI * (float)k);
+		part.pose.position =
+		    (scree_vec){(DRUM_HALF + 0.3f) * part.pose.rotation.c, (DRUM_HALF + 0.3f) * part.pose.rotation.s};
+		OK(scree_collidable_create(d.world, &part, &(scree_collidable){0}));
+	}
+	for (int k = 0; k < DRUM_BOXES; ++k)
+		d.inside[k] = add_body(d.world, SCREE_BODY_DYNAMIC, crates, 0.6f * (float)(k % 10) - 2.7f,
+		                       0.6f * (float)(k / 10) - 2.7f, 0.0f);
+	for (int k = 0; k < DRUM_SHOTS; ++k)
+	{
+		d.inside[DRUM_BOXES + k] = add_body(d.world, SCREE_BODY_DYNAMIC, balls, 0.4f * (float)k - 1.0f, 3.4f, 0.0f);
+		OK(scree_body_set_velocity(d.world, d.inside[DRUM_BOXES + k],
+		                           (scree_velocity){{90.0f - 36.0f * (float)k, 60.0f}, 0.0f}));
+	}
+	return d;
+}
+
+// Guard compares paths with each kinematic body as long as they are few, and searches when they are many: what turns with a drum, and what
+// hits its walls, moves alike, bit for bit, while bodies far away become kinematic and static again. Nothing leaves the drum.
+static void drum(void** state)
+{
+	(void)state;
+	Drum few = open_drum(), many = open_drum();
+	for (int k = 0; k < FAR_BODIES; ++k)
+		many.far[k] = add_box(many.world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 1000.0f + 3.0f * (float)k, 0.0f);
+	for (int step = 0, far = FAR_BODIES; step < 240; ++step)
+	{
+		for (int k = 0; k < far && step % 7 == 0; ++k)
+			OK(scree_body_set_type(many.world, many.far[k],
+			                       (step + k) % 3 == 0 ? SCREE_BODY_STATIC : SCREE_BODY_KINEMATIC));
+		while (step == 100 && far > FAR_BODIES / 2)
+			OK(scree_body_destroy(many.world, many.far[--far]));
+		run_steps(few.world, 1);
+		run_steps(many.world, 1);
+		for (int k = 0; k < DRUM_BOXES + DRUM_SHOTS; ++k)
+		{
+			scree_pose a, b;
+			OK(scree_body_get_pose(few.world, few.inside[k], &a));
+			OK(scree_body_get_pose(many.world, many.inside[k], &b));
+			assert_memory_equal(&a, &b, sizeof a);
+			assert_true(hypotf(a.position.x, a.position.y) < 1.4143f * DRUM_HALF);
+		}
+	}
+	scree_world_destroy(few.world);
+	scree_world_destroy(many.world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(passes_by),     cmocka_unit_test(thin_wall), cmocka_unit_test(bounces),
 	    cmocka_unit_test(meets_head_on), cmocka_unit_test(blade),     cmocka_unit_test(seams),
+	    cmocka_unit_test(drum),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 #include "world/fields.h"
 #include "world/handles.h"
 #include "world/joints.h"
+#include "world/kinematics.h"
 #include "world/mass.h"
 #include "world/memory.h"
 #include "world/targets.h"
@@ -82,7 +83,6 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
 	world->dynamic_bodies += moves;
-	world->kinematic_bodies += def->type == SCREE_BODY_KINEMATIC;
 	world->disabled_bodies += def->disabled;
 	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
@@ -99,6 +99,8 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                   .user = def->user,
 	                   .disabled = def->disabled,
 	                   .waiting = host->waiting};
+	if (def->type == SCREE_BODY_KINEMATIC)
+		kinematic_put(world, index);
 	if (has_attribute(def))
 	{
 		HostCollidable made = {.body = index,
@@ -126,7 +128,7 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 	                            .disabled = def->disabled});
 }
 
-static scree_status reserve(scree_world* world, const char* function, int count, int collidables)
+static scree_status reserve(scree_world* world, const char* function, int count, int kinematics, int collidables)
 {
 	if (world->bodies.alive + count > MAX_ITEMS)
 		return fail(SCREE_ERROR_INVALID, "%s: %d more bodies beside %d: a world holds at most %d", function, count,
@@ -134,6 +136,7 @@ static scree_status reserve(scree_world* world, const char* function, int count,
 	if (!slots_reserve(&world->bodies, count))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more bodies", function, count);
 	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
+	TRY(kinematics_reserve(world, function, kinematics));
 	TRY(collidables_reserve(world, function, collidables));
 	return edits_reserve(world, function, count, collidables, 0);
 }
@@ -144,7 +147,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, defs, count));
 	scree_body_def local;
-	int collidables = 0;
+	int collidables = 0, kinematics = 0;
 	for (int k = 0; k < count; ++k)
 	{
 		Where at = {function, argument, alone ? ALONE : k};
@@ -152,8 +155,9 @@ static scree_status create(scree_world* world, const char* function, const char*
 		const scree_body_def* def = def_at(defs, k, &local);
 		TRY(check_def(world, at, def));
 		collidables += has_attribute(def);
+		kinematics += def->type == SCREE_BODY_KINEMATIC;
 	}
-	TRY(reserve(world, function, count, collidables));
+	TRY(reserve(world, function, count, kinematics, collidables));
 	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
 	if (!slots)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
@@ -236,7 +240,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
 		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
-		world->kinematic_bodies -= host->type == SCREE_BODY_KINEMATIC;
+		kinematic_drop(world, index);
 		world->disabled_bodies -= host->disabled;
 		host->disabled = false;
 		target_drop(world, index);

@@ -8,6 +8,7 @@
 #include "world/fields.h"
 #include "world/handles.h"
 #include "world/joints.h"
+#include "world/kinematics.h"
 #include "world/mass.h"
 #include "world/targets.h"
 #include "world/world.h"
@@ -39,6 +40,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	HostBody* host = world->host_bodies + index;
 	if (host->type == type)
 		return SCREE_OK;
+	TRY(kinematics_reserve(world, function, type == SCREE_BODY_KINEMATIC));
 	int old_tree = tree_of_kind(kind_of_type(host->type)), new_tree = tree_of_kind(kind_of_type(type));
 	for (int k = host->first_collidable; !host->disabled && k >= 0; k = world->host_collidables[k].next)
 	{
@@ -50,7 +52,9 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 		return status;
 	}
 
-	world->kinematic_bodies += (type == SCREE_BODY_KINEMATIC) - (host->type == SCREE_BODY_KINEMATIC);
+	kinematic_drop(world, index);
+	if (type == SCREE_BODY_KINEMATIC)
+		kinematic_put(world, index);
 	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
 	target_drop(world, index);
 	host->type = type;

@@ -223,7 +223,7 @@ scree_status walk_swept(Walk* walk, float dt)
 {
 	scree_world* world = walk->world;
 	int count = 0, parts = 0;
-	if (world->kinematic_bodies == 0 || dt == 0.0f || !(walk->def->kinds & SCREE_QUERY_KINEMATIC))
+	if (world->kinematic_count == 0 || dt == 0.0f || !(walk->def->kinds & SCREE_QUERY_KINEMATIC))
 		return SCREE_OK;
 	for (int k = 0; k < world->bodies.used; ++k)
 		if (sweeps(world, k))

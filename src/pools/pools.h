@@ -62,6 +62,8 @@
 // of a body's thickness: how far it may go in a step before guard tests its path
 #define GUARD_TRAVEL 0.2f
 #define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
+// kinematic bodies that guard compares a path with, before it looks which of them are near
+#define KINEMATIC_FEW 8
 // m: what is so deep in something kinematic, or static, is pressed by it, or against it
 #define PRESS_FROM  2.0e-5f
 #define PRESS_START 0.0001f // and so deep in something static it may be pressed
@@ -70,6 +72,9 @@
 // m: no body gets deeper than that in something static into which something kinematic presses it. With less, the small overlap at which
 // contacts hold a load is none.
 #define PRESS_MOST 0.015f
+// bits of the argument of its stages: the layout of the constraints may have changed; it is not the first round
+#define PRESS_MAY_WAIT 1
+#define PRESS_AGAIN    2
 // fewest collidables of a body per work-item of guard, and most work-items per body
 #define GUARD_SHARE 2
 #define GUARD_PARTS 64
@@ -122,7 +127,9 @@
 #define KIND_SENSOR    8 // added to the kind of a sensor
 
 // a contact with something kinematic in the pool fixed_contacts, where one with something static is 1
-#define KINEMATIC_CONTACT 65536
+#define KINEMATIC_CONTACT         65536
+#define STATIC_CONTACTS(fixed)    ((fixed) & (KINEMATIC_CONTACT - 1))
+#define KINEMATIC_CONTACTS(fixed) ((Word)(fixed) / KINEMATIC_CONTACT)
 
 // contact_flags
 #define CONTACT_COUNT    3u    // mask of the number of points
@@ -146,10 +153,11 @@
 #define CONTACT_STATIC    16777216u
 #define CONTACT_KINEMATIC 33554432u
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
+#define CONTACT_SUNK      67108864u // contact_sunk found in this step how deep its collidables are in a platform
 #define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
-#define CONTACT_LASTS                                                                        \
-	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH | \
-	 CONTACT_FIXED) // what narrow_phase leaves alone
+#define CONTACT_LASTS                                                                                        \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH | CONTACT_FIXED | \
+	 CONTACT_SUNK) // what narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew
@@ -598,6 +606,11 @@ enum
 };
 #define EDGE_KIND 27 // bits of a slot: MAX_CONTACTS of them
 
+typedef struct // the kinematic bodies of a world that has no more; in Step, an index that is not constant would put that on a GPU's stack
+{
+	int body[KINEMATIC_FEW];
+} Kinematics;
+
 typedef struct // constants of one step, passed by value to every stage
 {
 	float dt, h, inv_h; // s, substep s, 1/s
@@ -628,7 +641,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int springs;          // some joint has a spring or a soft lock
 	int couplings;        // some joint is a gear or a pulley
 	int paths;            // some joint follows a path
-	int kinematic;        // there are kinematic bodies
+	int kinematic;        // kinematic bodies
 	int presses;          // there is something static, and kinematic bodies or joints with what does not move
 	int round;            // some attribute has a radius
 	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE

@@ -37,28 +37,50 @@ INLINE GuardPath guard_path(const Pools* p, int i, int pressed, Vec path, float 
 	g.thickness = p->thickness[g.from.attribute];
 	g.way = guard_way(p, g.from, advance);
 	g.swing = absolute(turn) * g.way.reach;
-	Float4 box = world_box(g.from, p->attribute + g.from.attribute, 0.0f);
-	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
-	g.box = box_grow(box_union(box, then), g.swing);
 	return g;
 }
 
-// The kinds that may be in the way of a collidable, a bit each. As long as its path stays in the box of the step, everything near has a
-// contact. Boxes of two that have none are apart: neither gets past the middle of the other as long as each leaves its box by less than
-// its thickness.
-INLINE int guard_seeks(const Pools* p, const GuardPath* g)
+// The box around a path.
+INLINE Float4 guard_box(const Pools* p, const GuardPath* g)
+{
+	Float4 box = world_box(g->from, p->attribute + g->from.attribute, 0.0f);
+	Vec path = g->way.path;
+	Float4 then = make_float4(box.x + path.x, box.y + path.y, box.z + path.x, box.w + path.y);
+	return box_grow(box_union(box, then), g->swing);
+}
+
+// Whether a collidable goes far against something kinematic. Where many bodies are, only the search can tell.
+INLINE int guard_far_from_some(const Pools* p, const GuardPath* g)
+{
+	int far = p->step.kinematic > KINEMATIC_FEW;
+	for (int k = 0; k < p->step.kinematic && !far; ++k)
+	{
+		int first = p->guarded[p->kinematics->body[k]].first;
+		far = first > 0 && guard_far_from(p, g, p->world_shape[first - 1]) > GUARD_TRAVEL * g->thickness;
+	}
+	return far;
+}
+
+// The kinds that may be in the way of a collidable, a bit each. Sets the box of its path if there are any. As long as its path stays in the
+// box of the step, everything near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long
+// as each leaves its box by less than its thickness. compares: with few kinematic bodies, it has to go far against one of them.
+INLINE int guard_seeks(const Pools* p, GuardPath* g, int compares)
 {
 	float far = guard_far(g->way.path, g->swing);
 	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > GUARD_TRAVEL * g->thickness)))
 		return 0;
+	int moves = far > GUARD_CROSS * g->thickness, statics = p->tree[1].leaves > 0;
+	int kinematic = !g->pressed && p->step.kinematic > 0;
+	if (!(moves | kinematic | statics))
+		return 0;
+	g->box = guard_box(p, g);
 	int body = g->from.body, fixed = p->fixed_contacts[body];
 	Float4 box = p->box[g->index];
-	int moves = far > GUARD_CROSS * g->thickness, kinematic = p->step.kinematic && !g->pressed;
 	int inside = box_contains(box, g->box);
 	int strays = !inside && (moves || kinematic) && !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box);
 	moves = moves && (strays || p->other_contacts[body] != 0);
-	kinematic = kinematic && (strays || fixed >= KINEMATIC_CONTACT);
-	int statics = p->tree[1].leaves > 0 && (fixed != 0 || !inside);
+	kinematic = kinematic && (strays || KINEMATIC_CONTACTS(fixed) != 0) && !(compares && !guard_far_from_some(p, g));
+	statics = statics && (STATIC_CONTACTS(fixed) != 0 || !inside);
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
@@ -69,14 +91,15 @@ INLINE int guard_foreseen(const Pools* p, int body, float gravity_scale)
 	       p->other_contacts[body] == 0;
 }
 
-// Whether nothing can be in the way of a body. Most bodies end here.
+// Whether nothing can be in the way of a body. Most bodies end here. A GPU leaves it to guard to compare paths with kinematic bodies: finalize
+// would use registers for that.
 INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 {
-	int seeks = p->fixed_contacts[body] != 0;
+	int fixed = p->fixed_contacts[body], seeks = (FETCHES ? STATIC_CONTACTS(fixed) : fixed) != 0;
 	for (int k = p->guarded[body].first; k > 0 && !seeks; k = p->next_collidable[k - 1])
 	{
 		GuardPath g = guard_path(p, k - 1, 0, path, turn);
-		seeks = guard_seeks(p, &g);
+		seeks = guard_seeks(p, &g, FETCHES);
 	}
 	return !seeks;
 }
@@ -85,7 +108,7 @@ INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
 {
 	GuardPath g = guard_path(p, i, pressed, path, turn);
-	g.seeks = guard_seeks(p, &g);
+	g.seeks = guard_seeks(p, &g, 1);
 	return guard_search(p, &g);
 }
 

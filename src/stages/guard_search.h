@@ -137,6 +137,19 @@ INLINE GuardLeaf guard_leaf_at(const Pools* p, int place)
 	return leaf;
 }
 
+// How far points of a collidable may go against a kinematic body, as one sees it who turns with the body, m. other is a shape of that body.
+// What goes round with a drum does not go far, and has nothing in its way.
+INLINE float guard_far_from(const Pools* p, const GuardPath* g, WorldShape other)
+{
+	Advance went = guard_went(p, other.body);
+	Vec apart = vec_sub(g->way.path, went.path);
+	Vec arm = vec(g->from.x - other.x + (g->from.center_x - other.center_x),
+	              g->from.y - other.y + (g->from.center_y - other.center_y));
+	Vec middle = vec_add(arm, vec_scale(0.5f, apart));
+	float swing = absolute(g->way.turn - went.turn) * g->way.reach;
+	return guard_far(vec_sub(apart, vec_spin(went.turn, middle)), swing);
+}
+
 // Whether a leaf may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the
 // other. Soon ruled out are the collidable itself, and what its filter leaves alone.
 INLINE int guard_meets(const Pools* p, const GuardPath* g, const GuardLeaf* leaf)
@@ -147,10 +160,11 @@ INLINE int guard_meets(const Pools* p, const GuardPath* g, const GuardLeaf* leaf
 		return 1;
 	if (leaf->index == g->index || !filter_accepts(g->filter, leaf->filter))
 		return 0;
+	if (leaf->kind == KIND_KINEMATIC)
+		return guard_far_from(p, g, p->world_shape[leaf->index]) > GUARD_TRAVEL * g->thickness;
 	Advance went = guard_went(p, leaf->body);
 	float swing = g->swing + absolute(went.turn) * p->guarded[leaf->body].reach;
-	float least = leaf->kind == KIND_DYNAMIC ? GUARD_CROSS : GUARD_TRAVEL;
-	return guard_far(vec_sub(g->way.path, went.path), swing) > least * g->thickness;
+	return guard_far(vec_sub(g->way.path, went.path), swing) > GUARD_CROSS * g->thickness;
 }
 
 // The leaves from first on that may stop a collidable, a bit each, as in leaves.

@@ -108,7 +108,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .springs = pipeline->springs,
 	    .couplings = pipeline->couplings,
 	    .paths = pipeline->paths,
-	    .kinematic = request->kinematic > 0,
+	    .kinematic = request->kinematic,
 	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers),
 	    .round = pipeline->round,
 	    .small = pipeline->guard_way <= GUARD_TRAVEL * (0.5f * GRAIN_SIZE),

@@ -74,6 +74,20 @@ static scree_status command(Pipeline* pipeline, const Step* step, const StepComm
 	return b->f->run(b, step, &run, 1);
 }
 
+// Sends the kinematic bodies if they are few, and others than before.
+static scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* request)
+{
+	Backend* b = pipeline->backend;
+	Kinematics now = {{0}};
+	for (int k = 0; k < request->kinematic && k < KINEMATIC_FEW; ++k)
+		now.body[k] = request->kinematics[k];
+	if (request->kinematic > KINEMATIC_FEW || memcmp(&now, &pipeline->kinematics, sizeof now) == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_kinematics, 0, 1, &now));
+	pipeline->kinematics = now;
+	return SCREE_OK;
+}
+
 // Some collidable has another attribute: recomputes the surfaces of all contacts.
 static scree_status mix(Pipeline* pipeline, const Step* step)
 {
@@ -143,6 +157,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	// reserves the longest list before the step begins, so that a lack of memory cannot break it off
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_upload(pipeline));
+	TRY(kinematics_upload(pipeline, request));
 	TRY(events_reserve(pipeline, request));
 	if (request->field_shapes)
 		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));

@@ -37,6 +37,7 @@ typedef struct // what a step is asked for
 	scree_tuning tuning;
 	int bodies, collidables; // slots in use
 	int kinematic;           // kinematic bodies
+	const int* kinematics;   // these
 	int contact_limit;       // 0 for the default
 	StepCommands commands;
 	bool timings;
@@ -52,9 +53,10 @@ typedef struct // what a step is asked for
 typedef struct
 {
 	Backend* backend;
-	Counters counters;  // as read back in the last step
-	TreeState trees[2]; // what moves; what is static
-	uint8_t* member;    // of each collidable slot; tree.c
+	Counters counters;     // as read back in the last step
+	TreeState trees[2];    // what moves; what is static
+	Kinematics kinematics; // as sent
+	uint8_t* member;       // of each collidable slot; tree.c
 	int member_capacity;
 	RunList list;
 	Step step;           // constants of the last step: kernels that need none keep those

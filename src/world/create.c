@@ -61,6 +61,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->host_joints);
 	paths_close(world);
 	fields_close(world);
+	scree_release(world->kinematics);
 	scree_release(world->targets);
 	idle_close(world);
 	scree_release(world->scratch);

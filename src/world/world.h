@@ -23,6 +23,7 @@ typedef struct // host data of a body
 	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; how many
 	int fields;                      // that lie on it
 	int target;                      // 1 + its place among the targets, 0 for none
+	int kinematic;                   // 1 + its place among the kinematic bodies, 0 for none
 	scree_pose stands, from; // of a kinematic body: where it stands; where it stood before it went to its last target
 	int64_t went;            // Pipeline.steps when it got to that
 	bool still;              // it stands: it has no velocity
@@ -216,7 +217,9 @@ struct scree_world
 	int first_path, last_path;    // by the places of their samples, 1 + index, 0 for none
 	int samples_used, sample_end; // of all paths; behind the last one
 	bool chains_stale;            // joints came or went since the chains were found
-	int dynamic_bodies, kinematic_bodies, disabled_bodies;
+	int dynamic_bodies, disabled_bodies;
+	int* kinematics; // kinematic bodies, in no order
+	int kinematic_count, kinematic_capacity;
 	bool own_masses; // some body has or had a mass that the user set
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;

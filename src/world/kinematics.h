@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// kinematics.h -- the list of a world's kinematic bodies.
+#ifndef KINEMATICS_H
+#define KINEMATICS_H
+#include "scree/scree.h"
+
+// Room for so many more, after which kinematic_put cannot fail.
+scree_status kinematics_reserve(scree_world* world, const char* function, int more);
+
+// Adds a body, or removes it if it is in the list.
+void kinematic_put(scree_world* world, int body);
+void kinematic_drop(scree_world* world, int body);
+
+#endif
