@@ -29,6 +29,8 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];
+	if ((press.way[1] | press.left | press.speed | press.depth) == 0)
+		return 0;
 	int between = press.way[0] != 0 && press.way[1] != 0;
 	int left = between ? PRESS_STEPS : press.left - (press.left > 0 && !press.tight);
 	if (left > 0)

@@ -56,21 +56,57 @@ INLINE int press_left(int code, Vec normal)
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Whether the stages have nothing to do, as the solve began with a layout that changed (argument: whether it may have).
-INLINE int press_waits(const Pools* p) { return p->argument && !p->counters->kept; }
+// Whether the stages have nothing to do, as the solve began with a layout that changed.
+INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
-// The contact at place i, -1 for none.
-INLINE int press_contact(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
+// The slot of the contact at place i, -1 for none.
+INLINE int press_slot(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
 
-INLINE ContactPoints press_points(const Pools* p, int i)
+// The points of the contact in a slot.
+RARE ContactPoints press_points(const Pools* p, int slot)
 {
-	Int2 pair = p->pair[i];
+	Int2 pair = p->pair[slot];
 	float a[8], b[8], manifold[16];
 	load_rows8((GLOBAL float*)(p->world_shape + pair.x), 0, a);
 	load_rows8((GLOBAL float*)(p->world_shape + pair.y), 0, b);
-	load_rows8((GLOBAL float*)(p->contact_manifold + i), 0, manifold);
-	load_rows8((GLOBAL float*)(p->contact_manifold + i), 1, manifold + 8);
-	return listed_points(p->attribute, a, b, manifold, p->contact_flags[i], p->contact_feature[i]);
+	load_rows8((GLOBAL float*)(p->contact_manifold + slot), 0, manifold);
+	load_rows8((GLOBAL float*)(p->contact_manifold + slot), 1, manifold + 8);
+	return listed_points(p->attribute, a, b, manifold, p->contact_flags[slot], p->contact_feature[slot]);
+}
+
+typedef struct // facts of a contact that the rounds share
+{
+	Vec normal;
+	float gap; // of the deeper point, m
+} PressContact;
+
+// normal_x of a contact whose facts no stage has needed yet
+#define PRESS_NONE 2.0f
+
+// Keeps the facts of the contact at place i until the solve prepares the same rows.
+INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
+{
+	PressContact facts;
+	facts.normal = at->normal;
+	facts.gap = minimum(at->separation[0], at->separation[1]);
+	contact_row(p, normal_x, i) = facts.normal.x;
+	contact_row(p, normal_y, i) = facts.normal.y;
+	contact_row(p, separation1, i) = facts.gap;
+	return facts;
+}
+
+// The facts of the contact in a slot, at place i.
+INLINE PressContact press_facts(const Pools* p, int i, int slot)
+{
+	PressContact facts;
+	facts.normal = vec(contact_row(p, normal_x, i), contact_row(p, normal_y, i));
+	facts.gap = contact_row(p, separation1, i);
+	if (facts.normal.x == PRESS_NONE)
+	{
+		ContactPoints at = press_points(p, slot);
+		facts = press_keep(p, i, &at);
+	}
+	return facts;
 }
 
 // m/s: of the faster point of contact i on what is kinematic, if it comes
@@ -112,42 +148,60 @@ STAGE(press_begin)
 	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
+// The contact in a slot, at place i, of something that does not move: a way begins at it.
+RARE void press_start(const Pools* p, int i, int slot, int lasts)
+{
+	ContactPoints at = press_points(p, slot);
+	PressContact facts = press_keep(p, i, &at);
+	int body = contact_row(p, body_a, i), kinematic = p->collidable_kind[p->contact_place_pair[i].y] == KIND_KINEMATIC;
+	if (lasts && facts.gap < -PRESS_MOST)
+		raise_int(&p->press[body].tight, 1);
+	if (!(facts.gap < -PRESS_FROM))
+		return;
+	press_give(p, body, kinematic, PRESS_HOPS, vec_neg(facts.normal));
+	if (kinematic)
+		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
+}
+
 // The contact at place i gives its bodies their ways: those of the last step, and those that begin at it.
 STAGE(press_gather)
 {
-	int contact = press_contact(p, i);
-	if (contact < 0)
+	int slot = press_slot(p, i);
+	if (slot < 0)
 		return;
-	Word bits = p->contact_press[contact];
-	int kind = p->collidable_kind[p->contact_place_pair[i].y], still = kind < KIND_DYNAMIC;
-	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i);
-	int lasts = p->press[body_a].left > 0 || (!still && p->press[body_b].left > 0);
-	if (bits == 0 && !still && !lasts)
+	Word bits = p->contact_press[slot];
+	int first = !(p->argument & PRESS_AGAIN);
+	// what does not move hands nothing on, and gives the same in each round
+	if (!first && bits == 0)
 		return;
-	ContactPoints at = press_points(p, contact);
-	float gap = minimum(at.separation[0], at.separation[1]);
-	if (lasts && gap < -PRESS_MOST)
+	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;
+	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i), lasts = 0;
+	if (first)
 	{
-		raise_int(&p->press[body_a].tight, 1);
-		if (!still)
-			raise_int(&p->press[body_b].tight, 1);
+		contact_row(p, normal_x, i) = PRESS_NONE;
+		lasts = p->press[body_a].left > 0 || (!still && p->press[body_b].left > 0);
 	}
 	if (still)
 	{
-		if (gap < -PRESS_FROM)
-			press_give(p, body_a, kind == KIND_KINEMATIC, PRESS_HOPS, vec_neg(at.normal));
-		if (gap < -PRESS_FROM && kind == KIND_KINEMATIC)
-			raise_int(&p->press[body_a].speed, float_bits(press_pushes(p, contact, at)));
+		press_start(p, i, slot, lasts);
 		return;
 	}
-	if (!(gap < 0.0f))
+	if (bits == 0 && !lasts)
+		return;
+	PressContact facts = press_facts(p, i, slot);
+	if (lasts && facts.gap < -PRESS_MOST)
+	{
+		raise_int(&p->press[body_a].tight, 1);
+		raise_int(&p->press[body_b].tight, 1);
+	}
+	if (!(facts.gap < 0.0f))
 		return;
 	for (int k = 0; k < 2; ++k)
 	{
 		int way = PRESS_WAY(bits, k), back = way & PRESS_BACK;
 		if (way == 0)
 			continue;
-		press_give(p, back ? body_a : body_b, k, way & (PRESS_BACK - 1), back ? vec_neg(at.normal) : at.normal);
+		press_give(p, back ? body_a : body_b, k, way & (PRESS_BACK - 1), back ? vec_neg(facts.normal) : facts.normal);
 		if (k)
 			raise_int(&p->press[back ? body_a : body_b].speed, float_bits(press_speed(bits)));
 	}
@@ -196,8 +250,8 @@ INLINE PressWays press_ways(const Pools* p, int body)
 // The contact at place i hands ways on. What is pressed into something static is marked for guard.
 STAGE(press_hand_on)
 {
-	int contact = press_contact(p, i), way[2] = {0, 0};
-	if (contact < 0)
+	int slot = press_slot(p, i), way[2] = {0, 0};
+	if (slot < 0)
 		return;
 	float speed = 0.0f;
 	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i);
@@ -206,24 +260,24 @@ STAGE(press_hand_on)
 	b.way[0] = b.way[1] = 0;
 	if (kind == KIND_DYNAMIC)
 		b = press_ways(p, body_b);
-	if ((a.way[0] | a.way[1] | b.way[0] | b.way[1] | a.left) != 0 && kind != KIND_KINEMATIC)
+	int gives = kind == KIND_DYNAMIC ? a.way[0] | a.way[1] | b.way[0] | b.way[1] : a.way[1] | a.left;
+	if (gives != 0 && kind != KIND_KINEMATIC)
 	{
-		ContactPoints at = press_points(p, contact);
-		float gap = minimum(at.separation[0], at.separation[1]);
-		for (int k = 0; k < 2 && gap < 0.0f; ++k)
+		PressContact facts = press_facts(p, i, slot);
+		for (int k = 0; k < 2 && facts.gap < 0.0f; ++k)
 		{
-			int to = press_left(a.way[k], at.normal), back = press_left(b.way[k], vec_neg(at.normal));
+			int to = press_left(a.way[k], facts.normal), back = press_left(b.way[k], vec_neg(facts.normal));
 			way[k] = back > to ? back | PRESS_BACK : to;
 			speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
 		}
-		if (kind == KIND_STATIC && gap < 0.0f && (way[1] > 0 || a.left > 0))
-			raise_int(&p->press[body_a].depth, float_bits(-gap));
+		if (kind == KIND_STATIC && facts.gap < 0.0f && (way[1] > 0 || a.left > 0))
+			raise_int(&p->press[body_a].depth, float_bits(-facts.gap));
 		if (kind == KIND_STATIC)
 			way[0] = way[1] = 0;
 	}
 	Word bits = press_bits(way, speed);
-	if (bits != p->contact_press[contact])
-		p->contact_press[contact] = bits;
+	if (bits != p->contact_press[slot])
+		p->contact_press[slot] = bits;
 	if (way[1])
 		raise_int(&p->counters->ways, 1);
 }

@@ -52,14 +52,14 @@ static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest
 
 void press_list(RunList* list, const Counters* c, int bodies, bool may_wait)
 {
-	int places = c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1];
-	runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), may_wait);
+	int places = c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1], waits = may_wait ? PRESS_MAY_WAIT : 0;
+	runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), waits);
 	if (c->joints > 0)
-		runs_add(list, STAGE_press_joint, 0, c->joints, COUNT(presses), may_wait);
+		runs_add(list, STAGE_press_joint, 0, c->joints, COUNT(presses), waits);
 	for (int round = 0; round < PRESS_ROUNDS; ++round)
 	{
-		runs_add(list, STAGE_press_gather, 0, places, COUNT(presses), may_wait);
-		runs_add(list, STAGE_press_hand_on, 0, places, COUNT(presses), may_wait);
+		runs_add(list, STAGE_press_gather, 0, places, COUNT(presses), waits | (round > 0 ? PRESS_AGAIN : 0));
+		runs_add(list, STAGE_press_hand_on, 0, places, COUNT(presses), waits);
 	}
 }
 
