@@ -11,12 +11,19 @@
 #include "stages/guard.h"
 
 // Contact i, after the narrow phase: it is listed when it has points. Those that were refused, or that a one-way
-// platform lets through, are made keys, for guard.
+// platform lets through, are made keys, for guard. argument: whether there are platforms.
 STAGE(contact_ask)
 {
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live)
 		return;
+	if (p->argument)
+	{
+		int found = (flags & CONTACT_SUNK) != 0;
+		flags &= ~CONTACT_SUNK;
+		sunk_find(p, i, flags, found);
+		p->contact_flags[i] = flags;
+	}
 	if (flags & CONTACT_PASSES)
 		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_passes_key(p, p->pair[i]);
 	if (!(flags & CONTACT_ASKS) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))

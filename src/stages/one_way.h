@@ -42,15 +42,18 @@ typedef struct // of a shape along a direction, and across it, m
 
 RARE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
 {
-	OneWaySpan span = {0.0f, 0.0f, 0.0f, 0.0f};
-	for (int k = 0; k < shape->count; ++k)
+	Vec corner = frame_point(f, shape_corner(shape, 0));
+	OneWaySpan span;
+	span.low = span.high = vec_dot(n, corner);
+	span.left = span.right = vec_cross(n, corner);
+	for (int k = 1; k < shape->count; ++k)
 	{
-		Vec corner = frame_point(f, shape_corner(shape, k));
+		corner = frame_point(f, shape_corner(shape, k));
 		float along = vec_dot(n, corner), across = vec_cross(n, corner);
-		span.low = k == 0 ? along : minimum(span.low, along);
-		span.high = k == 0 ? along : maximum(span.high, along);
-		span.left = k == 0 ? across : minimum(span.left, across);
-		span.right = k == 0 ? across : maximum(span.right, across);
+		span.low = minimum(span.low, along);
+		span.high = maximum(span.high, along);
+		span.left = minimum(span.left, across);
+		span.right = maximum(span.right, across);
 	}
 	span.low = span.low - shape->radius;
 	span.high = span.high + shape->radius;
@@ -84,24 +87,44 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// How high a visitor at a frame, with a margin around its shape, is against a platform whose direction is up.
-INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
-                          float margin, Vec way, OneWayDepth depth)
+// Whether a side with the normal n is an upper one, other than its whole width.
+INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
+
+typedef struct // a platform and a visitor along up, in the frame of the platform
 {
-	int most = ONE_WAY_LOW;
+	OneWaySpan platform, visitor;
+} OneWayWhole;
+
+INLINE OneWayWhole one_way_whole(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f)
+{
+	OneWayWhole whole;
+	whole.platform = one_way_span(platform, frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), up);
+	whole.visitor = one_way_span(visitor, f, up);
+	return whole;
+}
+
+INLINE OneWaySpan one_way_grow(OneWaySpan span, float margin)
+{
+	span.low -= margin;
+	span.left -= margin;
+	span.right += margin;
+	return span;
+}
+
+// How high a visitor at a frame, with a margin around its shape, is against a platform whose direction is up: over its whole width, and over
+// each of its upper sides.
+INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
+                          OneWayWhole whole, float margin, Vec way, OneWayDepth depth)
+{
 	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
-	// its upper sides, and last its whole width
-	for (int k = platform->count > 1 ? 0 : platform->count; k <= platform->count; ++k)
+	int most = one_way_over(whole.platform, one_way_grow(whole.visitor, margin), up, way, depth);
+	for (int k = 0; platform->count > 1 && k < platform->count; ++k)
 	{
-		int whole = k == platform->count;
-		Vec n = whole ? up : shape_normal(platform, k);
-		if (!(vec_dot(n, up) > ONE_WAY_UPPER))
+		Vec n = shape_normal(platform, k);
+		if (!one_way_upper(n, up))
 			continue;
-		OneWaySpan side = one_way_span(platform, own, n), span = one_way_span(visitor, f, n);
-		span.low -= margin;
-		span.left -= margin;
-		span.right += margin;
-		int height = one_way_over(side, span, n, way, depth);
+		int height = one_way_over(one_way_span(platform, own, n), one_way_grow(one_way_span(visitor, f, n), margin), n,
+		                          way, depth);
 		most = height > most ? height : most;
 	}
 	return most;
@@ -145,13 +168,13 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
 	Vec up = one_way_up(p, a);
-	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
+	Frame f = one_way_frame(a, b);
 	way = vec_turn_back(vec(a.c, a.s), way);
+	OneWayWhole whole = one_way_whole(shape_a, up, shape_b, f);
 	OneWayPlace place;
-	place.height = one_way_height(shape_a, up, shape_b, f, 0.0f, way, one_way_depth(p, b, known, swing));
-	OneWaySpan platform = one_way_span(shape_a, own, up), visitor = one_way_span(shape_b, f, up);
-	place.below = visitor.high < platform.high;
-	place.beside = !one_way_meet(platform, visitor);
+	place.height = one_way_height(shape_a, up, shape_b, f, whole, 0.0f, way, one_way_depth(p, b, known, swing));
+	place.below = whole.visitor.high < whole.platform.high;
+	place.beside = !one_way_meet(whole.platform, whole.visitor);
 	return place;
 }
 
@@ -163,14 +186,14 @@ RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 	const GLOBAL Attribute* visitor = p->attribute + b.attribute;
 	Vec up = one_way_up(p, a);
 	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
-	OneWaySpan whole = one_way_span(platform, own, up), span = one_way_span(visitor, f, up);
-	float depth = minimum(whole.high - span.low, p->thickness[b.attribute]);
-	if (span.high < whole.high || !one_way_meet(whole, span))
+	OneWayWhole whole = one_way_whole(platform, up, visitor, f);
+	float depth = minimum(whole.platform.high - whole.visitor.low, p->thickness[b.attribute]);
+	if (whole.visitor.high < whole.platform.high || !one_way_meet(whole.platform, whole.visitor) || !(depth > 0.0f))
 		return 0.0f;
 	for (int k = 0; platform->count > 1 && k < platform->count; ++k)
 	{
 		Vec n = shape_normal(platform, k);
-		if (vec_dot(n, up) > ONE_WAY_UPPER)
+		if (one_way_upper(n, up))
 			depth = minimum(depth, one_way_span(platform, own, n).high - one_way_span(visitor, f, n).low);
 	}
 	return depth;

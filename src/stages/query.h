@@ -103,14 +103,15 @@ INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 INLINE int query_passes(const Pools* p, Seen seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
 {
 	Rule rule = p->rule[seen.attribute];
-	const GLOBAL Attribute* platform = p->attribute + seen.attribute;
+	const GLOBAL Attribute *platform = p->attribute + seen.attribute, *visitor = &p->query_plan->shape;
 	if (!rule.one_way)
 		return 0;
 	if (form == QUERY_NEAREST ? hit->fraction < -ONE_WAY_SLOP : hit->inside)
 		return 1;
 	Vec up = vec(rule.up_x, rule.up_y);
 	OneWayDepth depth = {ONE_WAY_SLOP, 0.0f};
-	return one_way_height(platform, up, &p->query_plan->shape, f, radius, path, depth) != ONE_WAY_ABOVE;
+	OneWayWhole whole = one_way_whole(platform, up, visitor, f);
+	return one_way_height(platform, up, visitor, f, whole, radius, path, depth) != ONE_WAY_ABOVE;
 }
 
 INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, Found* found)

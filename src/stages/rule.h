@@ -77,30 +77,46 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 // Body i, before it is known which platforms hold it.
 STAGE(sunk_begin) { p->sunk[i] = 0; }
 
-// Contact i: how deep its platform holds the visitor. It runs before contact_rule, when contacts are what they were in the last step,
-// and again after the narrow phase, for guard.
+// A visitor is so deep in the platform of a contact in a slot, by its manifold, or deeper by depth, m.
+INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
+{
+	if (p->contact_flags[slot] & CONTACT_COUNT)
+	{
+		Float4 normal = p->contact_manifold[slot].normal;
+		depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
+	}
+	// depths that are not negative are ordered like their bits
+	if (depth > 0.0f)
+		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
+}
+
+// How deep platform a holds b, by their contact in a slot. found: their poses are those of the time when this was found before.
+RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
+{
+	if (rule_platform(p, a, b))
+		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
+}
+
+// How deep the platforms of contact i, with these flags, hold a visitor. found: this was found before, for the same poses.
+INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
+{
+	Int2 pair = p->pair[i];
+	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
+		return;
+	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
+	if (by_a)
+		sunk_by(p, i, pair.x, pair.y, found);
+	if (by_b)
+		sunk_by(p, i, pair.y, pair.x, found);
+	if ((by_a || by_b) && !found)
+		p->contact_flags[i] = flags | CONTACT_SUNK;
+}
+
+// Contact i, before contact_rule, when contacts are what they were in the last step. contact_ask does the same again, for guard.
 STAGE(contact_sunk)
 {
-	Word flags = p->contact_flags[i];
-	Int2 pair = p->pair[i];
-	if (i >= p->counters->live || pair.x < 0 ||
-	    flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
-		return;
-	for (int side = 0; side < 2; ++side)
-	{
-		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
-		if (!rule_platform(p, a, b))
-			continue;
-		float depth = one_way_sunk(p, p->world_shape[a], p->world_shape[b]);
-		if (flags & CONTACT_COUNT)
-		{
-			Float4 normal = p->contact_manifold[i].normal;
-			depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
-		}
-		// depths that are not negative are ordered like their bits
-		if (depth > 0.0f)
-			atomic_max_int(&p->sunk[p->collidable_body[b]], float_bits(depth));
-	}
+	if (i < p->counters->live)
+		sunk_find(p, i, p->contact_flags[i] & ~CONTACT_SUNK, 0);
 }
 
 INLINE Word64 ask_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }

@@ -111,10 +111,10 @@ static void join(RunList* list, int joints, int excluded, int bodies)
 }
 
 // The user is asked about contacts that begin. What they refused, and what one-way platforms let through, is sorted for guard.
-static void ask(RunList* list, const Step* step, int bodies)
+static void ask(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
-	runs_add(list, STAGE_contact_ask, 0, contacts, COUNT(live), 0);
+	runs_add(list, STAGE_contact_ask, 0, contacts, COUNT(live), platforms);
 	runs_add_sort(list, contacts, COUNT(refused), 0, 2 * step->key_bits);
 	runs_add(list, STAGE_refused_pair, 0, contacts, COUNT(refused), 0);
 	if (step->asks)
@@ -135,8 +135,6 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
 	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
-	if (pipeline->platforms)
-		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 }
 
 // Constraints of joints begin and end.
@@ -268,7 +266,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
 		narrow_phase(pipeline, step, request->bodies);
 		if (step->asks || pipeline->platforms)
-			ask(list, step, request->bodies);
+			ask(list, step, request->bodies, pipeline->platforms);
 		if (joints)
 			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));
