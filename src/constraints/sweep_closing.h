@@ -122,16 +122,15 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	return c;
 }
 
-// The closing of a pair with finer tolerances. What stops one of two fast bodies within the step may make them meet, though they do not
-// approach: so they have points as far apart as they move.
-INLINE Closing sweep_fine(const Step* step, Closing c, Int moved)
+// Sets the tolerances of a closing to those of its pair. What stops one of two fast bodies within the step may make them meet, though they do
+// not approach: so they have points as far apart as they move.
+INLINE void sweep_fine(const Step* step, Closing* c, Int moved)
 {
 	if (!step->small)
-		return c;
-	Real way_a = absolute(c.a.path.x) + absolute(c.a.path.y), way_b = absolute(c.b.path.x) + absolute(c.b.path.y);
-	c.grain = sweep_grain(step, moved);
-	c.within = minimum(maximum(sweep_within(step, moved), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
-	return c;
+		return;
+	Real way_a = absolute(c->a.path.x) + absolute(c->a.path.y), way_b = absolute(c->b.path.x) + absolute(c->b.path.y);
+	c->grain = sweep_grain(step, moved);
+	c->within = minimum(maximum(sweep_within(step, moved), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
 }
 
 #endif

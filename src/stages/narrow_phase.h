@@ -105,10 +105,10 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 }
 
 // Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
-// only. far: the pair may approach by more than the speculative distance. belt: a surface of it runs. rolls gets the MANIFOLD_*
-// bits of a manifold that follows its corners.
+// only. far: the pair may approach by more than the speculative distance. belt: a surface of it runs. within: the separation from which on
+// it has points, m. rolls gets the MANIFOLD_* bits of a manifold that follows its corners.
 INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt, int moved,
-                               Word* rolls)
+                               float within, Word* rolls)
 {
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Vec turn = vec(a.c, a.s);
@@ -120,10 +120,10 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	found_at.ahead = 0;
 	Closing closing;
 	closing.most = 0.0f;
-	closing.within = sweep_within(&p->step, moved);
+	closing.within = within;
 	if (far)
 		closing = sweep_closing(p, a, b, moved);
-	int meets = closing.most > sweep_within(&p->step, moved);
+	int meets = closing.most > within;
 	if (meets)
 	{
 		found_at = ahead_meeting(p, a, b, closing, found_at);
@@ -191,7 +191,8 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 }
 
 // Writes a manifold. flags are those of the new one.
-INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b, int moved)
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b, int moved,
+                               float within)
 {
 	const Manifold* m = &at->m;
 	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
@@ -199,10 +200,9 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 	manifold.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
 	manifold.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
 	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
-	manifold.then = make_float4(at->axes.x, at->axes.y, a->reach,
-	                            at->ahead ? -1.0f
-	                                      : narrow_phase_distance(a, b, flags, m->gap, sweep_room(&p->step, moved),
-	                                                              sweep_within(&p->step, moved)));
+	manifold.then = make_float4(
+	    at->axes.x, at->axes.y, a->reach,
+	    at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap, sweep_room(&p->step, moved), within));
 	p->contact_manifold[i] = manifold;
 }
 
@@ -229,14 +229,15 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	int belt = edge_belt_of(p, CONSTRAINT_CONTACT, i);
 	if (answers)
 		b = narrow_phase_apart(p, a, b);
-	Ahead at = narrow_phase_find(p, a, b, answers, far, belt, moved, &rolls);
+	float within = sweep_within(&p->step, moved);
+	Ahead at = narrow_phase_find(p, a, b, answers, far, belt, moved, within, &rolls);
 	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
 	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
 	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | rolls | overlaps;
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
-	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved);
+	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved, within);
 	if (!touching)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))

@@ -44,7 +44,8 @@ INLINE_LONG Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, In
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Closing closing = sweep_between(a, sa, b, sb);
-	return sweep_fine(&p->step, closing, moved);
+	sweep_fine(&p->step, &closing, moved);
+	return closing;
 }
 
 // The most by which any two points of the pair may approach along a normal from a to b, m per step.
