@@ -99,7 +99,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	TRY(reports_reserve(world, function));
 	reports_forget(world);
 	sensors_forget(world);
-	TRY(world_upload(world));
+	TRY(world_upload_to_step(world));
 	double begin = auto_clock();
 	StepRequest request = {.dt = dt,
 	                       .substeps = substeps,

@@ -562,7 +562,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin stays
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity stays
-#define COMMAND_BODY            12 // a new row, without mass: pose of the origin x, y, cos, sin
+#define COMMAND_BODY            12 // a new row, without mass: center of mass x, y, cos, sin; whole: bits of that in the body's frame
 #define COMMAND_GUARDED         13 // Guarded: whole first, parts; x way, y reach
 #define COMMAND_ENABLED         14 // whole[0]: 1, or 0 for a body that takes no part from now on
 #define COMMAND_TARGET          15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks

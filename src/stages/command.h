@@ -48,7 +48,9 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	BodyState state = p->body[i];
 	Vec v = vec_add(vec(state.vx, state.vy), vec_spin(state.w, shift));
 	p->local_center[i] = make_float2(value.z, value.w);
-	pose_move(p, i, shift, turn);
+	// a coordinate of -0 stays
+	if (shift.x != 0.0f || shift.y != 0.0f)
+		pose_move(p, i, shift, turn);
 	p->body[i].inv_mass = value.x;
 	p->body[i].inv_inertia = value.y;
 	command_velocity(p, i, v);
@@ -128,12 +130,13 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// A new row: at rest, without mass, forces or locks, its center of mass at its origin.
-INLINE void command_body(const Pools* p, int i, Float4 pose)
+// A new row: at rest, without mass, forces or locks. The host computes the pose of its center of mass, as for rows that are written at once.
+INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
 	item_clear(p, PER_BODY, i);
 	p->told_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->pose[i] = pose;
+	p->local_center[i] = center;
 	p->motion[i].free_x = 1.0f;
 	p->motion[i].free_y = 1.0f;
 }
@@ -187,7 +190,7 @@ INLINE void command_body_change(const Pools* p, Command c)
 		command_motion(p, i, value, c.whole[0]);
 		break;
 	case COMMAND_BODY:
-		command_body(p, i, value);
+		command_body(p, i, value, make_float2(bits_float(c.whole[0]), bits_float(c.whole[1])));
 		break;
 	case COMMAND_GUARDED:
 		p->guarded[i].first = c.whole[0];

@@ -104,11 +104,14 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
 		return;
 	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
+	// a collidable that was destroyed may have anything as its attribute
+	if (!(by_a || by_b) || box_parted(p, pair))
+		return;
 	if (by_a)
 		sunk_by(p, i, pair.x, pair.y, found);
 	if (by_b)
 		sunk_by(p, i, pair.y, pair.x, found);
-	if ((by_a || by_b) && !found)
+	if (!found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 

@@ -128,10 +128,11 @@ static bool no_edits(const Edits* p)
 	       p->attribute_count + p->joint_count + p->path_count == 0;
 }
 
-static scree_status upload_all(scree_world* world)
+static scree_status upload_all(scree_world* world, bool steps)
 {
 	TRY(upload_fields(world));
-	TRY(chains_update(world)); // joints whose place changed are edits
+	if (steps)
+		TRY(chains_update(world)); // joints whose place changed are edits
 	TRY(upload_materials(world));
 	TRY(upload_exclusions(world));
 	if (no_edits(&world->edits))
@@ -151,15 +152,20 @@ static scree_status upload_all(scree_world* world)
 	return SCREE_OK;
 }
 
-scree_status world_upload(scree_world* world)
+static scree_status upload(scree_world* world, bool steps)
 {
-	if (no_edits(&world->edits) && !world->chains_stale && !world->materials.waiting && !world->exclusions.waiting &&
+	bool chains = steps && world->chains_stale;
+	if (no_edits(&world->edits) && !chains && !world->materials.waiting && !world->exclusions.waiting &&
 	    !world->fields.stale)
 		return SCREE_OK;
 	TRY(reports_fetch(world)); // an upload may change what they refer to
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();
-	scree_status status = world_note(world, upload_all(world));
+	scree_status status = world_note(world, upload_all(world, steps));
 	auto_count(world, begin);
 	return status;
 }
+
+scree_status world_upload(scree_world* world) { return upload(world, false); }
+
+scree_status world_upload_to_step(scree_world* world) { return upload(world, true); }

@@ -12,7 +12,8 @@
 static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
-	to[0] = (Command){.kind = COMMAND_BODY, .value = pose_row(row->pose)};
+	to[0] = (Command){.kind = COMMAND_BODY, .value = body_pose(row)};
+	memcpy(to[0].whole, &row->center, sizeof row->center);
 	to[1] = (Command){.kind = COMMAND_MASS,
 	                  .whole = {0, row->disabled},
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};

@@ -11,10 +11,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+Float4 body_pose(const BodyRow* row)
+{
+	scree_vec center = pose_point(row->pose, row->center);
+	return make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
+}
+
 // What is not zero of a new body in a pool.
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
-	scree_vec center = pose_point(row->pose, row->center);
 	// a disabled body has velocity 0; its own velocity is in the pool stored_velocity
 	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
@@ -27,7 +32,7 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		                                .inv_inertia = row->inv_inertia};
 		break;
 	case POOL_pose:
-		*(Float4*)item = make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
+		*(Float4*)item = body_pose(row);
 		break;
 	case POOL_motion:
 		*(Motion*)item = (Motion){.gravity_scale = row->disabled ? 0.0f : row->gravity_scale,

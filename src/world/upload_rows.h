@@ -10,4 +10,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage);
 scree_status upload_collidables(scree_world* world, int begin, int end, char* stage);
 scree_status upload_attributes(scree_world* world, char* stage);
 
+// The pose of the center of mass of a new body, as the pool pose holds it.
+Float4 body_pose(const BodyRow* row);
+
 #endif

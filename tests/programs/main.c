@@ -22,6 +22,7 @@ static const char usage[] =
     "  --every N       steps after which hashes are compared (1)\n"
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
+    "  --reads         the other world is read between calls, and moved to the device where it is\n"
     "  --limits        a body that exceeds max_speed after a step is a failure, and one that turns too fast\n"
     "  --shrink S      seconds to make a program that fails shorter (20; 0 with --replay)\n"
     "  --seconds S     after which no more are begun (0: no end)\n"
@@ -49,6 +50,7 @@ static Options parse(int count, char** arguments)
 		bool* flag = strcmp(name, "--show") == 0       ? &o.shown
 		             : strcmp(name, "--infinite") == 0 ? &o.infinite
 		             : strcmp(name, "--limits") == 0   ? &o.limits
+		             : strcmp(name, "--reads") == 0    ? &o.places[1].reads
 		                                               : NULL;
 		if (flag)
 		{

@@ -63,6 +63,7 @@ typedef struct // where a world runs, and the device to which the call "move" ta
 {
 	char device[128], other[128];
 	int threads, lanes;
+	bool reads; // between calls, the world is read, and moved to its own device
 } Place;
 
 typedef struct // two worlds on which programs run one after the other
@@ -76,6 +77,7 @@ typedef struct // two worlds on which programs run one after the other
 	bool infinite;         // state that is not finite is no difference
 	bool limits;           // a body beyond the limits of its world is a difference
 	bool anew;             // every program gets new worlds
+	uint32_t reads;        // calls of worlds that are read between calls
 	int every;             // steps after which hashes are compared, and at a program's end; 0 is 1
 } Pair;
 
