@@ -135,6 +135,19 @@ INLINE GuardStop guard_part(const Pools* p, Guarded guarded, int part, Vec path,
 	return least;
 }
 
+// Whether something static may be near the path of a body whose points are no further from its center of mass than reach, m. A GPU looks
+// for it in guard.
+INLINE int guard_near_statics(const Pools* p, int body, Vec path, float reach)
+{
+	const GLOBAL Tree* tree = p->tree + 1;
+	if (!FETCHES || tree->leaves == 0)
+		return tree->leaves > 0;
+	Float4 pose = p->pose[body];
+	Float4 box = make_float4(pose.x + minimum(path.x, 0.0f), pose.y + minimum(path.y, 0.0f),
+	                         pose.x + maximum(path.x, 0.0f), pose.y + maximum(path.y, 0.0f));
+	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
+}
+
 // Whether a body goes far enough to be tested. The bounds in Step rule most bodies out without reading their own rows.
 INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 {
@@ -142,8 +155,10 @@ INLINE int guard_wanted(const Pools* p, int body, Vec path, float turn)
 	if (!(far + swing * p->step.guard_reach > p->step.guard_way))
 		return 0;
 	Guarded guarded = p->guarded[body];
-	float way = p->tree[1].leaves > 0 || p->step.kinematic ? guarded.way : GUARD_CROSS / GUARD_TRAVEL * guarded.way;
-	return far + swing * guarded.reach > way;
+	far = far + swing * guarded.reach;
+	if (far > GUARD_CROSS / GUARD_TRAVEL * guarded.way)
+		return 1;
+	return far > guarded.way && (p->step.kinematic || guard_near_statics(p, body, path, guarded.reach));
 }
 
 // Whether a body that is pressed so deep into something static, m, goes so far that it may get too deep.
