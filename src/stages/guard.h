@@ -63,8 +63,9 @@ INLINE int guard_far_from_some(const Pools* p, const GuardPath* g)
 
 // The kinds that may be in the way of a collidable, a bit each. Sets the box of its path if there are any. As long as its path stays in the
 // box of the step, everything near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long
-// as each leaves its box by less than its thickness. compares: with few kinematic bodies, it has to go far against one of them.
-INLINE int guard_seeks(const Pools* p, GuardPath* g, int compares)
+// as each leaves its box by less than its thickness. lists: whether
+// there is any kind is enough, and a GPU leaves it to guard to compare paths with kinematic bodies: finalize would use registers for that.
+INLINE int guard_seeks(const Pools* p, GuardPath* g, int lists)
 {
 	float far = guard_far(g->way.path, g->swing);
 	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > GUARD_TRAVEL * g->thickness)))
@@ -73,13 +74,17 @@ INLINE int guard_seeks(const Pools* p, GuardPath* g, int compares)
 	int kinematic = !g->pressed && p->step.kinematic > 0;
 	if (!(moves | kinematic | statics))
 		return 0;
+	int body = g->from.body, fixed = p->fixed_contacts[body], meets = moves && p->other_contacts[body] != 0;
+	if (lists && meets)
+		return 1 << KIND_DYNAMIC;
 	g->box = guard_box(p, g);
-	int body = g->from.body, fixed = p->fixed_contacts[body];
 	Float4 box = p->box[g->index];
 	int inside = box_contains(box, g->box);
 	int strays = !inside && (moves || kinematic) && !box_contains(box_grow(box, GUARD_STRAY * g->thickness), g->box);
-	moves = moves && (strays || p->other_contacts[body] != 0);
-	kinematic = kinematic && (strays || KINEMATIC_CONTACTS(fixed) != 0) && !(compares && !guard_far_from_some(p, g));
+	moves = moves && (strays || meets);
+	kinematic = kinematic && (strays || KINEMATIC_CONTACTS(fixed) != 0);
+	if (kinematic && (FETCHES || !lists))
+		kinematic = guard_far_from_some(p, g);
 	statics = statics && (STATIC_CONTACTS(fixed) != 0 || !inside);
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
@@ -91,15 +96,14 @@ INLINE int guard_foreseen(const Pools* p, int body, float gravity_scale)
 	       p->other_contacts[body] == 0;
 }
 
-// Whether nothing can be in the way of a body. Most bodies end here. A GPU leaves it to guard to compare paths with kinematic bodies: finalize
-// would use registers for that.
+// Whether nothing can be in the way of a body. Most bodies end here.
 INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 {
 	int fixed = p->fixed_contacts[body], seeks = (FETCHES ? STATIC_CONTACTS(fixed) : fixed) != 0;
 	for (int k = p->guarded[body].first; k > 0 && !seeks; k = p->next_collidable[k - 1])
 	{
 		GuardPath g = guard_path(p, k - 1, 0, path, turn);
-		seeks = guard_seeks(p, &g, FETCHES);
+		seeks = guard_seeks(p, &g, 1);
 	}
 	return !seeks;
 }
@@ -108,7 +112,7 @@ INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 INLINE GuardStop guard_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
 {
 	GuardPath g = guard_path(p, i, pressed, path, turn);
-	g.seeks = guard_seeks(p, &g, 1);
+	g.seeks = guard_seeks(p, &g, 0);
 	return guard_search(p, &g);
 }
 
