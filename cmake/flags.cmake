@@ -62,8 +62,8 @@ if(EMSCRIPTEN)
 	if(CMAKE_C_FLAGS MATCHES "-flto")
 		# clang's own limits, 225 and 325 for inline functions, make a step 1 to 4 % faster, but the package 3 kB larger, compressed
 		list(APPEND hot_options -mllvm -inline-threshold=100 -mllvm -inlinehint-threshold=100)
-		# the linker inlines again, as much: with 160 a step of a pile was 4 % shorter, but the package is 1.3 kB larger, and too large
-		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=100,-mllvm,-inlinehint-threshold=100)
+		# the linker inlines again, less: with 100 a step is 3 % shorter, but the package is 1.2 kB larger, and too large
+		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=45,-mllvm,-inlinehint-threshold=45)
 	endif()
 	if(NOT 1 IN_LIST SCREE_LANES)
 		list(APPEND hot_options -Wno-unused-function) # the wide stages of lanes1.c

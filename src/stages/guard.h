@@ -50,7 +50,7 @@ INLINE Float4 guard_box(const Pools* p, const GuardPath* g)
 }
 
 // Whether a collidable goes far against something kinematic. Where many bodies are, only the search can tell.
-INLINE int guard_far_from_some(const Pools* p, const GuardPath* g)
+RARE int guard_far_from_some(const Pools* p, const GuardPath* g)
 {
 	int far = p->step.kinematic > KINEMATIC_FEW;
 	for (int k = 0; k < p->step.kinematic && !far; ++k)
