@@ -562,17 +562,18 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin stays
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity stays
-#define COMMAND_BODY            12 // a new row, without mass: center of mass x, y, cos, sin; whole: bits of that in the body's frame
-#define COMMAND_GUARDED         13 // Guarded: whole first, parts; x way, y reach
-#define COMMAND_ENABLED         14 // whole[0]: 1, or 0 for a body that takes no part from now on
-#define COMMAND_TARGET          15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks
-#define COMMAND_ARRIVE          16 // the same at the end of that step: moves the body there, and stops it
-#define COMMAND_PLACE           17 // a collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole: attribute, body. Its contacts end, new ones begin
-#define COMMAND_ATTRIBUTE       19 // whole[0]: another attribute of the same shape
-#define COMMAND_FILTER          20 // the bits of category and mask; whole: group; kind, and REPORT_* bits from bit 8 on
-#define COMMAND_NEXT            21 // whole[0]: 1 + index of the body's next collidable, 0 for none
-#define COMMAND_REPORTS         22 // whole[0]: REPORT_* bits
+#define COMMAND_BODY \
+	12 // a new row, without mass: center of mass x, y, cos, sin; whole: bits of that in the body's frame
+#define COMMAND_GUARDED    13 // Guarded: whole first, parts; x way, y reach
+#define COMMAND_ENABLED    14 // whole[0]: 1, or 0 for a body that takes no part from now on
+#define COMMAND_TARGET     15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks
+#define COMMAND_ARRIVE     16 // the same at the end of that step: moves the body there, and stops it
+#define COMMAND_PLACE      17 // a collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE 18 // local pose x, y, cos, sin; whole: attribute, body. Its contacts end, new ones begin
+#define COMMAND_ATTRIBUTE  19 // whole[0]: another attribute of the same shape
+#define COMMAND_FILTER     20 // the bits of category and mask; whole: group; kind, and REPORT_* bits from bit 8 on
+#define COMMAND_NEXT       21 // whole[0]: 1 + index of the body's next collidable, 0 for none
+#define COMMAND_REPORTS    22 // whole[0]: REPORT_* bits
 
 // lists of events
 #define EVENT_TOUCH_BEGAN 0

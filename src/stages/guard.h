@@ -49,7 +49,7 @@ INLINE Float4 guard_box(const Pools* p, const GuardPath* g)
 	return box_grow(box_union(box, then), g->swing);
 }
 
-// Whether a collidable goes far against something kinematic. Where many bodies are, only the search can tell.
+// Whether a collidable goes far against something kinematic. With many such bodies, the search finds out.
 RARE int guard_far_from_some(const Pools* p, const GuardPath* g)
 {
 	int far = p->step.kinematic > KINEMATIC_FEW;
@@ -63,8 +63,8 @@ RARE int guard_far_from_some(const Pools* p, const GuardPath* g)
 
 // The kinds that may be in the way of a collidable, a bit each. Sets the box of its path if there are any. As long as its path stays in the
 // box of the step, everything near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long
-// as each leaves its box by less than its thickness. lists: whether
-// there is any kind is enough, and a GPU leaves it to guard to compare paths with kinematic bodies: finalize would use registers for that.
+// as each leaves its box by less than its thickness. lists: one kind is enough, and a GPU leaves it to guard to compare paths with kinematic
+// bodies: finalize would use registers for that.
 INLINE int guard_seeks(const Pools* p, GuardPath* g, int lists)
 {
 	float far = guard_far(g->way.path, g->swing);

@@ -171,7 +171,7 @@ STAGE(press_gather)
 		return;
 	Word bits = p->contact_press[slot];
 	int first = !(p->argument & PRESS_AGAIN);
-	// what does not move hands nothing on, and gives the same in each round
+	// bodies that do not move hand nothing on, and give the same in each round
 	if (!first && bits == 0)
 		return;
 	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;

@@ -77,7 +77,7 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 // Body i, before it is known which platforms hold it.
 STAGE(sunk_begin) { p->sunk[i] = 0; }
 
-// A visitor is so deep in the platform of a contact in a slot, by its manifold, or deeper by depth, m.
+// Raises the depth of a visitor in the platform of a contact to that of its manifold, or to depth, m.
 INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 {
 	if (p->contact_flags[slot] & CONTACT_COUNT)

@@ -4,7 +4,7 @@
 #define KINEMATICS_H
 #include "scree/scree.h"
 
-// Room for so many more, after which kinematic_put cannot fail.
+// Makes room for more of them, after which kinematic_put cannot fail.
 scree_status kinematics_reserve(scree_world* world, const char* function, int more);
 
 // Adds a body, or removes it if it is in the list.
