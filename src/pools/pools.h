@@ -157,7 +157,7 @@
 #define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
 #define CONTACT_LASTS                                                                                        \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH | CONTACT_FIXED | \
-	 CONTACT_SUNK) // what narrow_phase leaves alone
+	 CONTACT_SUNK) // bits that narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
 #define CONTACT_ANEW 4096u // and finds its manifold anew

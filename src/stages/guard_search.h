@@ -138,7 +138,7 @@ INLINE GuardLeaf guard_leaf_at(const Pools* p, int place)
 }
 
 // How far points of a collidable may go against a kinematic body, as one sees it who turns with the body, m. other is a shape of that body.
-// What goes round with a drum does not go far, and has nothing in its way.
+// A body that goes round with a drum does not go far, and has nothing in its way.
 INLINE float guard_far_from(const Pools* p, const GuardPath* g, WorldShape other)
 {
 	Advance went = guard_went(p, other.body);

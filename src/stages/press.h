@@ -77,7 +77,7 @@ RARE ContactPoints press_points(const Pools* p, int slot)
 typedef struct // facts of a contact that the rounds share
 {
 	Vec normal;
-	float gap; // of the deeper point, m
+	float gap; // the smaller one of its points, m
 } PressContact;
 
 // normal_x of a contact whose facts no stage has needed yet

@@ -54,9 +54,9 @@ typedef struct
 {
 	Backend* backend;
 	Counters counters;     // as read back in the last step
-	TreeState trees[2];    // what moves; what is static
+	TreeState trees[2];    // moving collidables; static ones
 	Kinematics kinematics; // as sent
-	uint8_t* member;       // of each collidable slot; tree.c
+	uint8_t* member;       // bits of each collidable slot; tree.c
 	int member_capacity;
 	RunList list;
 	Step step;           // constants of the last step: kernels that need none keep those

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Reads a world between two calls, or moves it to the device where it is, or neither. That leaves no trace. The list
-// of bodies that moved is left out: it begins with the last call.
+// Reads a world between two calls, or moves it to the device where it is, or neither. That leaves no trace. It does not list the bodies that
+// moved, as that list begins with the last call for it.
 static void read_between(Pair* pair, Turn turn)
 {
 	uint32_t any = ++pair->reads * 2654435769u; // Donald Knuth, multiplicative hashing
