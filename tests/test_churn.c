@@ -4,6 +4,7 @@
 // Times are too noisy to test. What is tested is what they follow from: how wide the nodes of the trees are, how many
 // contacts there may be, how much room is held for them.
 #include "platform/processor.h"
+#include "stages/box.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>
@@ -63,8 +64,11 @@ static double nodes_met(scree_world* world)
 	OK(world->backend->f->read(world->backend, POOL_node_box, tree->begin[1], count, boxes));
 	double area = 0, side = (double)PITCH * SIDE;
 	for (int k = 0; k < count; ++k)
-		if (boxes[k].x <= boxes[k].z)
-			area += (double)(boxes[k].z - boxes[k].x) * (double)(boxes[k].w - boxes[k].y);
+	{
+		Float4 box = box_unpack(boxes, k);
+		if (!box_is_empty(box))
+			area += (double)(box.z - box.x) * (double)(box.w - box.y);
+	}
 	free(boxes);
 	return area / (side * side);
 }

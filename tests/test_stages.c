@@ -4,6 +4,7 @@
 // These are the stages whose items must agree with each other, on every backend; test_formulas.c has the ones whose
 // items stand alone, and test_colors.c the colors.
 #include "stage_support.h"
+#include "stages/box.h"
 
 // ---------------------------------------------------------------------------------------------------------------
 // trees
@@ -22,12 +23,12 @@ static void check_curve(Backend* b, float corner_x, float corner_y, float spacin
 	for (int k = 0; k < count; ++k)
 	{
 		float x = corner_x + spacing * (float)(k % side), y = corner_y + spacing * (float)(k / side);
-		boxes[k] = make_float4(x, y, x, y);
+		box_pack(boxes, k, make_float4(x, y, x, y));
 		leaves[k] = k;
 	}
-	boxes[count] = make_float4(0.0f, 0.0f, 65535.0f, 65535.0f);
+	box_pack(boxes, count, make_float4(0.0f, 0.0f, 65535.0f, 65535.0f));
 	put(b, POOL_tree, 1, &tree);
-	put(b, POOL_node_box, count + 1, boxes);
+	put(b, POOL_node_box, count + ARITY, boxes);
 	put(b, POOL_leaf, count, leaves);
 	run_one(b, &(Step){0}, STAGE_tree_root, 1, NO_COUNT, 0);
 	run_one(b, &(Step){0}, STAGE_tree_code, count, NO_COUNT, 0);

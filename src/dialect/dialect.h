@@ -90,62 +90,7 @@ INLINE void raise_int(GLOBAL int* place, int x)
 		atomic_max_int(place, x);
 }
 
-// Which of eight boxes (lower x, y, upper x, y) overlap another one: bit k for box k.
-#ifndef OVERLAPS8
-INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
-{
-	Word hits = 0;
-	for (int k = 0; k < 8; ++k)
-	{
-		Float4 other = boxes[k];
-		int hit = other.x <= box.z && box.x <= other.z && other.y <= box.w && box.y <= other.w;
-		hits |= hit ? 1u << k : 0u;
-	}
-	return hits;
-}
-#endif
-
-// Which of eight boxes a moving box meets: bit k for box k. sides: of the moving box, x and y of those that enter first, then of
-// those that leave last; inverse: of its path. enter gets the fraction of the path at which each is entered, at least 0; those
-// above most do not count. Each operation is monotonic, so a box around others is entered no later than these.
-#ifndef BEAM8
-INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, float most, float enter[8])
-{
-	Word hits = 0;
-	int right = inverse.x > 0.0f, up = inverse.y > 0.0f;
-	for (int k = 0; k < 8; ++k)
-	{
-		Float4 box = boxes[k];
-		float enter_x = ((right ? box.x : box.z) - sides.x) * inverse.x;
-		float enter_y = ((up ? box.y : box.w) - sides.y) * inverse.y;
-		float leave_x = ((right ? box.z : box.x) - sides.z) * inverse.x;
-		float leave_y = ((up ? box.w : box.y) - sides.w) * inverse.y;
-		float first = enter_x > enter_y ? enter_x : enter_y, last = leave_x < leave_y ? leave_x : leave_y;
-		first = first > 0.0f ? first : 0.0f;
-		last = last < most ? last : most;
-		enter[k] = first;
-		hits |= first <= last ? 1u << k : 0u;
-	}
-	return hits;
-}
-
-// Which of eight boxes are near a box: square gets the square of each distance; those above most do not count.
-INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float square[8])
-{
-	Word hits = 0;
-	for (int k = 0; k < 8; ++k)
-	{
-		Float4 other = boxes[k];
-		float right = other.x - box.z, left = box.x - other.z, up = other.y - box.w, down = box.y - other.w;
-		float x = right > left ? right : left, y = up > down ? up : down;
-		x = x > 0.0f ? x : 0.0f;
-		y = y > 0.0f ? y : 0.0f;
-		square[k] = x * x + y * y;
-		hits |= square[k] <= most ? 1u << k : 0u;
-	}
-	return hits;
-}
-#endif
+#include "dialect/packed.h"
 
 #if LANES == 1
 typedef float Real;
@@ -160,7 +105,8 @@ typedef int Int;
 INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 // for values from 0 to below 2^31
-#define whole(x) ((Int)(x))
+#define whole(x)   ((Int)(x))
+#define real_of(x) ((Real)(x))
 // shifts left, also into the sign bit
 #define shifted(x, bits) ((Int)((Word)(x) << (bits)))
 // 64-bit keys, from their upper and lower halves
@@ -190,7 +136,9 @@ INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 #endif
 
 // Defined results for NaN and -0 on every target: b is taken only where the comparison holds.
+#ifndef WIDE_EXTREMES
 INLINE Real maximum(Real a, Real b) { return choose(a, b, a < b); }
 INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
+#endif
 
 #endif

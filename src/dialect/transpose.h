@@ -9,12 +9,6 @@
 // shuffles, and the shuffle port is the bottleneck.
 #ifndef TRANSPOSE_H
 #define TRANSPOSE_H
-#if defined(__SSE2__)
-#include <immintrin.h>
-#elif defined(__wasm_simd128__)
-#include <wasm_simd128.h>
-#endif
-
 #define ALL_LANES ((1u << LANES) - 1)
 
 // Every solver pass uses this. Called, rather than inlined, it would pass its vectors through memory.

@@ -2,6 +2,11 @@
 // wide.h -- the words of the dialect in C for 4, 8 and 16 lanes: vectors of gcc and clang. dialect.h includes it.
 #ifndef WIDE_H
 #define WIDE_H
+#if defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
 
 #define read_row8(base, index, out) memcpy(out, (base) + 8 * (size_t)(index), 32)
 typedef float Real __attribute__((vector_size(4 * LANES)));
@@ -15,9 +20,18 @@ typedef Word Words __attribute__((vector_size(4 * LANES)));
 #define store_int(array, i, x) (*(Int*)((array) + (i)) = (x))
 #define real_bits(x)           ((Int)(x))
 #define lane(x, k)             ((x)[k])
+#if LANES == 8 && defined(__AVX__)
+INLINE Real choose(Real a, Real b, Int c) { return (Real)_mm256_blendv_ps((__m256)a, (__m256)b, (__m256)c); }
+INLINE Int choose_int(Int a, Int b, Int c) { return (Int)choose((Real)a, (Real)b, c); }
+#else
 INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
 INLINE Int choose_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
+#endif
+
+#include "dialect/extremes.h"
+
 #define whole(x)         __builtin_convertvector(x, Int)
+#define real_of(x)       __builtin_convertvector(x, Real)
 #define shifted(x, bits) ((Int)((Words)(x) << (bits)))
 INLINE void store_keys(Word64* array, int i, Int high, Int low)
 {

@@ -27,4 +27,33 @@ INLINE Float4 box_union(Float4 a, Float4 b)
 	return make_float4(b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, b.z > a.z ? b.z : a.z, b.w > a.w ? b.w : a.w);
 }
 
+// The place of a bound of box i of packed ones, eight at a time (dialect.h): 0 lower x, 1 lower y, 2 upper x, 3 upper y.
+INLINE int box_bound(int i, int which) { return (i & ~7) * 4 + 8 * which + (i & 7); }
+
+INLINE Float4 box_unpack(const GLOBAL Float4* boxes, int i)
+{
+	const GLOBAL float* bounds = (const GLOBAL float*)boxes;
+	return make_float4(bounds[box_bound(i, 0)], bounds[box_bound(i, 1)], bounds[box_bound(i, 2)],
+	                   bounds[box_bound(i, 3)]);
+}
+
+INLINE void box_pack(GLOBAL Float4* boxes, int i, Float4 box)
+{
+	GLOBAL float* bounds = (GLOBAL float*)boxes;
+	bounds[box_bound(i, 0)] = box.x;
+	bounds[box_bound(i, 1)] = box.y;
+	bounds[box_bound(i, 2)] = box.z;
+	bounds[box_bound(i, 3)] = box.w;
+}
+
+// The box around eight packed ones.
+INLINE Float4 box_around(const GLOBAL Float4* boxes)
+{
+	const GLOBAL float* bounds = (const GLOBAL float*)boxes;
+	Float4 box = make_float4(bounds[0], bounds[8], bounds[16], bounds[24]);
+	for (int k = 1; k < 8; ++k)
+		box = box_union(box, make_float4(bounds[k], bounds[8 + k], bounds[16 + k], bounds[24 + k]));
+	return box;
+}
+
 #endif

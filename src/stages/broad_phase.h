@@ -101,20 +101,20 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* walkers, const Float4* boxes,
                               Word alone, const WaveFront* front)
 {
-	int walk[WAVE_LEAVES], leaf[WAVE_LEAVES], count = 0;
+	int walk[WAVE_LEAVES], leaf[WAVE_LEAVES], count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
 	for (int k = 0; k < front->count; ++k)
 	{
-		int first = front->first[k];
-		Word hits =
-		    alone >> front->walk[k] & 1 ? 0 : overlaps8(p->node_box + tree->begin[0] + first, boxes[front->walk[k]]);
-		while (hits != 0)
+		int w = wave_walk(front->node[k]), first = wave_first(front->node[k]);
+		Word hits = alone >> w & 1 ? 0 : overlaps8(p->node_box + tree->begin[0] + first, boxes[w]);
+		for (; hits != 0; hits &= hits - 1)
 		{
-			int hit = 63 - leading_zeros((Word64)hits);
-			hits ^= 1u << hit;
-			walk[count] = walkers[front->walk[k]];
-			leaf[count] = p->leaf[tree->leaf_begin + first + hit];
-			fetch_soon(p->old_box + leaf[count]);
-			fetch_soon(p->moved + leaf[count]);
+			walk[count] = walkers[w];
+			leaf[count] = p->leaf[tree->leaf_begin + first + lowest_bit(hits)];
+			if (far)
+			{
+				fetch_soon(p->old_box + leaf[count]);
+				fetch_soon(p->moved + leaf[count]);
+			}
 			++count;
 		}
 		if (count <= WAVE_LEAVES - ARITY && k + 1 < front->count)
@@ -145,8 +145,7 @@ INLINE void broad_phase_wave(const Pools* p, int i, int t)
 		walkers[n] = walker;
 		boxes[n] = p->box[walker];
 		fetch_soon(p->old_box + walker);
-		fronts[0].walk[n] = n;
-		fronts[0].first[n] = 0;
+		fronts[0].node[n] = wave_node(n, 0);
 		++fronts[0].count;
 	}
 	int walks = fronts[0].count, front = 0;

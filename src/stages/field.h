@@ -30,7 +30,7 @@ STAGE(field_place)
 			box = box_union(box, make_float4(x - r, y - r, x + r, y + r));
 		}
 	}
-	p->field_box[i] = box;
+	box_pack(p->field_box, i, box);
 }
 
 // Boxes around ARITY boxes each. argument is the number of boxes; items beyond them are padding.
@@ -38,8 +38,8 @@ STAGE(field_gather)
 {
 	Float4 box = box_empty();
 	for (int k = ARITY * i; k < ARITY * (i + 1) && k < p->argument; ++k)
-		box = box_union(box, p->field_box[k]);
-	p->field_group[i] = box;
+		box = box_union(box, box_unpack(p->field_box, k));
+	box_pack(p->field_group, i, box);
 }
 
 // The acceleration towards a center at some way, over that way, 1/s^2. Within a step it may not carry a body past the center: so a field

@@ -73,7 +73,7 @@ STAGE(query_leaf)
 			p->seen[tree->leaf_begin + i] = seen;
 		}
 	}
-	p->seen_box[tree->begin[0] + i] = box;
+	box_pack(p->seen_box, tree->begin[0] + i, box);
 }
 
 // argument is the tree plus 2 times the level.

@@ -41,20 +41,14 @@ STAGE(tree_leaf)
 		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
 			box = p->box[k];
 	}
-	p->node_box[tree->begin[0] + i] = box;
+	box_pack(p->node_box, tree->begin[0] + i, box);
 }
 
 // The box of node i of a level, around those of its children.
 INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
 {
-	Float4 box = box_empty();
-	if (i < tree->count[level])
-	{
-		const GLOBAL Float4* child = boxes + tree->begin[level - 1] + ARITY * i;
-		for (int k = 0; k < ARITY; ++k)
-			box = box_union(box, child[k]);
-	}
-	boxes[tree->begin[level] + i] = box;
+	Float4 box = i < tree->count[level] ? box_around(boxes + tree->begin[level - 1] + ARITY * i) : box_empty();
+	box_pack(boxes, tree->begin[level] + i, box);
 }
 
 // argument is the tree plus 2 times the level.
@@ -117,11 +111,9 @@ STAGE(tree_judge)
 STAGE(tree_root)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	GLOBAL Float4* top = (p->argument & 2 ? p->seen_box : p->node_box) + tree->begin[tree->top];
-	Float4 box = box_empty();
-	for (int k = 0; k < tree->count[tree->top]; ++k)
-		box = box_union(box, top[k]);
-	top[ARITY] = box;
+	GLOBAL Float4* boxes = p->argument & 2 ? p->seen_box : p->node_box;
+	int top = tree->begin[tree->top];
+	box_pack(boxes, top + ARITY, box_around(boxes + top));
 	(void)i;
 }
 

@@ -2,7 +2,7 @@
 // tree_code.h -- places of the leaves of a tree along a Hilbert curve, by which they are sorted.
 #ifndef TREE_CODE_H
 #define TREE_CODE_H
-#include "pools/pools.h"
+#include "stages/box.h"
 
 // the last cell along a side
 #define TREE_CELLS 65535.0f
@@ -56,11 +56,13 @@ WIDE_STAGE(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
 	GLOBAL Float4* boxes = p->argument & 2 ? p->seen_box : p->node_box;
-	Float4 bounds = boxes[tree->begin[tree->top] + ARITY];
+	Float4 bounds = box_unpack(boxes, tree->begin[tree->top] + ARITY);
 	float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
 	float cells = side > 0.0f ? TREE_CELLS / side : 0.0f;
+	Int leaf = indices(tree->begin[0] + i), place = shifted(leaf >> 3, 5) + (leaf & 7);
 	Real box[4];
-	load_rows4((GLOBAL float*)boxes, tree->begin[0] + i, box);
+	for (int which = 0; which < 4; ++which)
+		box[which] = gather((const GLOBAL float*)boxes, place + 8 * which);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
 	// no box has the key of a dead leaf, which has all bits set
 	code = choose_int(code, code - 1, code == -1);

@@ -12,41 +12,46 @@
 #define WAVE_SHARE  16  // most nodes of one level per walk; a walk with more goes by itself
 #define WAVE_LEAVES 128 // most overlapping leaves before they are processed
 
-typedef struct // nodes of one level that are still to be tested: the walk, and the first of eight siblings
+typedef struct // nodes of one level that are still to be tested, those of a walk in a row: 4 times the first of eight siblings, plus the walk
 {
 	int count;
-	int walk[WAVE_WALKS * WAVE_SHARE], first[WAVE_WALKS * WAVE_SHARE];
+	int node[WAVE_WALKS * WAVE_SHARE + ARITY];
 } WaveFront;
+
+INLINE int wave_walk(int node) { return node & (WAVE_WALKS - 1); }
+INLINE int wave_first(int node) { return node >> 2 & ~(ARITY - 1); }
+INLINE int wave_node(int walk, int first) { return first << 2 | walk; }
 
 // Tests one level: of each eight siblings, those that overlap. Returns the walks that have too many nodes, a bit each.
 INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word alone,
                          const WaveFront* from, WaveFront* to)
 {
 	const GLOBAL Float4 *nodes = p->node_box + tree->begin[level], *below = p->node_box + tree->begin[level - 1];
-	int shares[WAVE_WALKS];
-	for (int k = 0; k < WAVE_WALKS; ++k)
-		shares[k] = 0;
-	to->count = 0;
+	int last = -1, begin = 0, count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
 	for (int k = 0; k < from->count; ++k)
 	{
-		int walk = from->walk[k], first = from->first[k];
-		Word hits = alone >> walk & 1 ? 0 : overlaps8(nodes + first, boxes[walk]);
-		while (hits != 0)
+		int walk = wave_walk(from->node[k]), first = wave_first(from->node[k]);
+		if (alone >> walk & 1)
+			continue;
+		begin = walk != last ? count : begin;
+		last = walk;
+		for (Word hits = overlaps8(nodes + first, boxes[walk]); hits != 0; hits &= hits - 1)
 		{
-			int hit = 63 - leading_zeros((Word64)hits);
-			hits ^= 1u << hit;
-			if (shares[walk]++ == WAVE_SHARE)
+			int child = ARITY * (first + lowest_bit(hits));
+			to->node[count++] = wave_node(walk, child);
+			if (far)
 			{
-				alone |= 1u << walk;
-				break;
+				fetch_soon(below + child);
+				fetch_soon(below + child + ARITY / 2);
 			}
-			int child = ARITY * (first + hit);
-			to->walk[to->count] = walk;
-			to->first[to->count++] = child;
-			fetch_soon(below + child);
-			fetch_soon(below + child + ARITY / 2);
+		}
+		if (count - begin > WAVE_SHARE)
+		{
+			alone |= 1u << walk;
+			count = begin;
 		}
 	}
+	to->count = count;
 	return alone;
 }
 

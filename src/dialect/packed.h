@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// packed.h -- one box against eight packed ones, at rest or moving, one after the other; a part of dialect.h, whose words it uses.
+#ifndef PACKED_H
+#define PACKED_H
+
+// Eight boxes are packed bound by bound: the lower x of all eight, their lower y, upper x, upper y. So a vector of eight has one bound of
+// all, with no transposition, and a GPU reads four bounds at a time. src/stages/box.h packs them.
+typedef struct // one bound of eight boxes
+{
+	float of[8];
+} Bound8;
+
+INLINE Bound8 bound8(const GLOBAL Float4* boxes, int which)
+{
+	Bound8 b;
+	Float4 low = boxes[2 * which], high = boxes[2 * which + 1];
+	b.of[0] = low.x;
+	b.of[1] = low.y;
+	b.of[2] = low.z;
+	b.of[3] = low.w;
+	b.of[4] = high.x;
+	b.of[5] = high.y;
+	b.of[6] = high.z;
+	b.of[7] = high.w;
+	return b;
+}
+
+// Which of eight packed boxes overlap another one: bit k for box k.
+#ifndef OVERLAPS8
+INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
+{
+	Word hits = 0;
+	Bound8 lower_x = bound8(boxes, 0), lower_y = bound8(boxes, 1);
+	Bound8 upper_x = bound8(boxes, 2), upper_y = bound8(boxes, 3);
+	UNROLL
+	for (int k = 0; k < 8; ++k)
+	{
+		int hit = lower_x.of[k] <= box.z && box.x <= upper_x.of[k] && lower_y.of[k] <= box.w && box.y <= upper_y.of[k];
+		hits |= hit ? 1u << k : 0u;
+	}
+	return hits;
+}
+#endif
+
+// Which of eight packed boxes a moving box meets: bit k for box k. sides: of the moving box, x and y of those that enter first, then of
+// those that leave last; inverse: of its path. enter gets the fraction of the path at which each is entered, at least 0; those
+// above most do not count. Each operation is monotonic, so a box around others is entered no later than these.
+#ifndef BEAM8
+INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, float most, float enter[8])
+{
+	Word hits = 0;
+	int right = inverse.x > 0.0f, up = inverse.y > 0.0f;
+	Bound8 near_x = bound8(boxes, right ? 0 : 2), near_y = bound8(boxes, up ? 1 : 3);
+	Bound8 far_x = bound8(boxes, right ? 2 : 0), far_y = bound8(boxes, up ? 3 : 1);
+	UNROLL
+	for (int k = 0; k < 8; ++k)
+	{
+		float enter_x = (near_x.of[k] - sides.x) * inverse.x, enter_y = (near_y.of[k] - sides.y) * inverse.y;
+		float leave_x = (far_x.of[k] - sides.z) * inverse.x, leave_y = (far_y.of[k] - sides.w) * inverse.y;
+		float first = enter_x > enter_y ? enter_x : enter_y, last = leave_x < leave_y ? leave_x : leave_y;
+		first = first > 0.0f ? first : 0.0f;
+		last = last < most ? last : most;
+		enter[k] = first;
+		hits |= first <= last ? 1u << k : 0u;
+	}
+	return hits;
+}
+
+// Which of eight packed boxes are near a box: square gets the square of each distance; those above most do not count.
+INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float square[8])
+{
+	Word hits = 0;
+	Bound8 lower_x = bound8(boxes, 0), lower_y = bound8(boxes, 1);
+	Bound8 upper_x = bound8(boxes, 2), upper_y = bound8(boxes, 3);
+	UNROLL
+	for (int k = 0; k < 8; ++k)
+	{
+		float right = lower_x.of[k] - box.z, left = box.x - upper_x.of[k];
+		float up = lower_y.of[k] - box.w, down = box.y - upper_y.of[k];
+		float x = right > left ? right : left, y = up > down ? up : down;
+		x = x > 0.0f ? x : 0.0f;
+		y = y > 0.0f ? y : 0.0f;
+		square[k] = x * x + y * y;
+		hits |= square[k] <= most ? 1u << k : 0u;
+	}
+	return hits;
+}
+#endif
+
+#endif
