@@ -23,40 +23,40 @@
 #define IN_TURNS (IN_BIAS | IN_RELAX)
 
 // what every pass streams
-#define JOINT_ROWS(X)                                                            \
-	/* at the start of the step: axis; m: anchors from the centers of mass */    \
-	X(axis_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)  \
-	X(axis_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)  \
-	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
-	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
-	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
-	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE) \
-	/* m: from anchor to anchor; of a radial joint: what its lock holds */       \
-	X(gap_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
-	X(gap_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
-	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                      \
-	/* rad: the angle, less that at which it is locked */                        \
-	X(angle, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
-	/* rad: the angle over all turns */                                          \
-	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                        \
-	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */            \
-	X(modes, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)   \
-	X(rate_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	X(rate_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	X(soft_along, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	X(soft_across, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                 \
-	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                  \
-	/* N s, N m s */                                                             \
-	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                     \
-	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                    \
-	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                     \
-	/* how many times START_SHARE the impulses at the start were worth */        \
-	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                 \
-	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */     \
-	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
-	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
-	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)          \
+#define JOINT_ROWS(X)                                                                \
+	/* at the start of the step: axis; m: anchors from the centers of mass */        \
+	X(axis_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
+	X(axis_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
+	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	/* m: from anchor to anchor; of a radial joint: what its lock holds */           \
+	X(gap_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	X(gap_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                          \
+	/* rad: the angle, less that at which it is locked */                            \
+	X(angle, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	/* rad: the angle over all turns */                                              \
+	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                            \
+	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */                \
+	X(modes, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	X(rate_along, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(rate_across, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(soft_along, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(soft_across, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	/* N s, N m s */                                                                 \
+	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
+	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                        \
+	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
+	/* how many times START_SHARE the impulses at the start were worth */            \
+	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                     \
+	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */         \
+	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
+	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
+	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
 // A limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
@@ -293,7 +293,9 @@ INLINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 
 	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
 	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
-	axis = joint_line(axis, d, joint_has(u, JOINT_RADIAL));
+	Int radial = joint_has(u, JOINT_RADIAL);
+	if (lane_bits(radial))
+		axis = joint_line(axis, d, radial);
 	c->torn = joint_torn(p, u, a, d);
 	if (p->step.springs)
 		axis = vec_choose(axis, vec(splat(1.0f), splat(0.0f)), c->torn);

@@ -159,18 +159,22 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	Real safe = choose(splat(1.0f), yield, yields);
 	Int motor = joint_has(u, JOINT_MOTOR(k)) & yields, limit = joint_has(u, JOINT_LIMITED(k)) & yields;
 	Int together = joint_has(u, k == JOINT_ANGLE ? 0 : JOINT_ELLIPTIC);
-	if (p->step.springs)
+	if (p->step.springs && lane_bits(joint_has(u, JOINT_SPRING(k))))
 	{
 		Int spring = joint_has(u, JOINT_SPRING(k)) & yields;
 		Real pull = soft ? joint_spring(&d, safe, speed, c->value[k] - d.target)
 		                 : joint_spring_relaxed(&d, safe, speed, full & together);
 		d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
-		speed = speed + yield * (d.spring_impulse - old.spring_impulse);
+		speed = choose(speed, speed + yield * (d.spring_impulse - old.spring_impulse), spring);
 	}
-	Real drive = hold_of(d.motor_impulse - (speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft)) / safe);
-	d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
-	speed = speed + yield * (d.motor_impulse - old.motor_impulse);
-	d.limit_impulse = choose(zero, joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
+	if (lane_bits(joint_has(u, JOINT_MOTOR(k))))
+	{
+		Real drive = hold_of(d.motor_impulse - (speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft)) / safe);
+		d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
+		speed = choose(speed, speed + yield * (d.motor_impulse - old.motor_impulse), motor);
+	}
+	if (lane_bits(joint_has(u, JOINT_LIMITED(k))))
+		d.limit_impulse = choose(zero, joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
 	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
 	JointImpulse j = joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,

@@ -53,6 +53,12 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 	softness[2] = choose(zero, load(&joint_rare(p, angle_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(2)));
 }
 
+// Whether a joint has springs, and no other constraint holds its bodies.
+INLINE Int joint_springs_alone(const Pools* p, int i)
+{
+	return load(&joint_rare(p, springs_alone, i), 0) > splat(0.0f);
+}
+
 // Rigid locks beside springs. The springs' pull on the locks is known, so the locks hold against it as if they did not yield:
 // otherwise a spring on an arm would swing more slowly, and be damped by the locks. Only the rest of their impulses is soft:
 //
@@ -64,7 +70,7 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 {
 	Real zero = splat(0.0f), one = splat(1.0f), pull[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real own[3], other[3], cross[3];
-	Int rigid[3], springs = load(&joint_rare(p, springs_alone, i), 0) > zero;
+	Int rigid[3], springs = joint_springs_alone(p, i);
 	joint_crosses(c, cross);
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)

@@ -206,7 +206,7 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 {
 	Real speed[JOINT_COORDINATES], x[JOINT_COORDINATES];
 	joint_goals(pass == PASS_BIAS, c, &ready->system, speed);
-	if (pass == PASS_BIAS && p->step.springs && lane_bits(joint_has(u, JOINT_SPRINGS)))
+	if (pass == PASS_BIAS && p->step.springs && lane_bits(joint_springs_alone(p, i)))
 	{
 		joint_hold_springs(p, i, u, c, speed, &ready->system);
 		ready->factors = joint_factor(&ready->system, c->mass);

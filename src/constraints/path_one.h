@@ -107,16 +107,4 @@ INLINE void path_foot_put(const Pools* p, int place, const PathFoot* foot)
 	joint_rare(p, sway, place) = foot->sway;
 }
 
-// The rows of joint i for the step, where it is on a path. Within the step along counts from the foot: far along a path a float has
-// few digits left for what a substep moves.
-INLINE void path_setup(const Pools* p, int i)
-{
-	const GLOBAL JointData* data = p->joint_data + p->joint_place_slot[i];
-	float foot = joint_rare(p, foot_along, i);
-	joint_rare(p, along_lower, i) = joint_rare(p, along_lower, i) - foot;
-	joint_rare(p, along_upper, i) = joint_rare(p, along_upper, i) - foot;
-	joint_rare(p, along_target, i) = joint_rare(p, along_target, i) - foot;
-	joint_rare(p, beside, i) = (int)data->modes & JOINT_LOCKED(JOINT_ACROSS) ? data->lock[JOINT_ACROSS].target : 0.0f;
-}
-
 #endif

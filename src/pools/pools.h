@@ -363,6 +363,7 @@ typedef struct // 32 bytes: limits, spring and motor of a coordinate, in m or ra
 #define JOINT_AT_HERTZ    3
 #define JOINT_AT_LOCK(k)  (4 + (k))
 #define JOINT_AT_BASE(s)  (7 + (s))
+#define JOINT_AT_DRIVE(k) (9 + 2 * (k))
 
 typedef struct // 256 bytes, of which every joint needs the first half
 {

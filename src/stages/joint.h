@@ -106,12 +106,14 @@ STAGE(joint_update)
 	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
 }
 
-// Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. It comes after
-// the layout, and finds the same when it runs again.
+// Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. Where it is a coupling:
+// what it measures of its bodies. It comes after the layout, and finds the same when it runs again.
 STAGE(joint_follow)
 {
-	int place = p->joint_place[i];
-	if (place < 0 || !((int)p->joint_data[i].modes & JOINT_RAILED))
+	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
+	if (place >= 0 && modes & JOINT_COUPLED)
+		coupling_setup(p, place);
+	if (place < 0 || !(modes & JOINT_RAILED))
 		return;
 	PathCount count = path_count_at(p, place);
 	PathFoot foot = path_follow(p, i, &count);

@@ -5,6 +5,7 @@
 #include "constraints/contact_bounce.h"
 #include "constraints/contact_prepare.h"
 #include "constraints/joint_prepare.h"
+#include "constraints/joint_rare.h"
 #include "constraints/kinds.h"
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                          \
@@ -17,12 +18,15 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// The rare rows, from those that contact_prepare wrote.
-WIDE_STAGE(contact_prepare_rare)
-{
-	Contact u;
-	contact_load(p, i, PREPARE_BOUNCE, &u);
-	contact_setup_rare(p, i, &u);
-}
+// The rare rows, from those that the stage above wrote.
+#define CONSTRAINT_KIND(kind, Kind, KIND)      \
+	WIDE_STAGE(kind##_prepare_rare)            \
+	{                                          \
+		Kind u;                                \
+		kind##_load(p, i, PREPARE_BOUNCE, &u); \
+		kind##_setup_rare(p, i, &u);           \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 
 #endif

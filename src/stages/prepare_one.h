@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// prepare_one.h -- the state of bodies at the beginning of a step, and the rare rows of joints.
+// prepare_one.h -- the state of bodies at the beginning of a step.
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
-#include "constraints/joint_one.h"
 #include "constraints/kinds.h"
 
 // What finalize counts; the host has read that of the last step.
@@ -22,16 +21,6 @@ STAGE(solve_begin)
 	body->da = 0.0f;
 	if (i == 0)
 		counters_clear(p);
-}
-
-// The rare rows, from those that joint_prepare wrote.
-STAGE(joint_prepare_rare)
-{
-	Joint u;
-	if (p->joint_place_slot[i] < 0)
-		return;
-	joint_load(p, i, PREPARE_BOUNCE, &u);
-	joint_setup_rare(p, i, &u);
 }
 
 // The bodies get the inertias of the step: joint_taut has left what the pull asks for in the place of the turn.

@@ -144,10 +144,10 @@ static void update_joints(RunList* list, int joints)
 	runs_add(list, STAGE_joint_updated, 0, 1, COUNT(joint_stir), 0);
 }
 
-// Where joints are on their paths: after each layout, which may move their rows.
-static void follow_paths(Pipeline* pipeline)
+// Where joints are on their paths, and what couplings measure: after each layout, which may move their rows.
+static void follow_joints(Pipeline* pipeline)
 {
-	if (pipeline->paths)
+	if (pipeline->paths || pipeline->couplings)
 		runs_add(&pipeline->list, STAGE_joint_follow, 0, pipeline->counters.joints, NO_COUNT, 0);
 }
 
@@ -270,7 +270,7 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		if (joints)
 			update_joints(list, c->joints);
 		color(list, b, c, 0, rounds, color_bits(pipeline, request->bodies));
-		follow_paths(pipeline);
+		follow_joints(pipeline);
 		if (ahead && step->presses)
 			press_list(list, c, request->bodies, true);
 		TRY(ahead ? solve_ahead(pipeline, step, request) : read_back(pipeline, step));
@@ -301,7 +301,7 @@ static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, in
 		c->hubs += c->hubs == 0 && c->entered;
 		int more = colored ? 0 : MAX_ROUNDS / 2;
 		color(&pipeline->list, b, c, *rounds, *rounds + more, color_bits(pipeline, bodies));
-		follow_paths(pipeline);
+		follow_joints(pipeline);
 		*rounds += more;
 		TRY(read_back(pipeline, step));
 	}
