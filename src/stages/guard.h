@@ -96,10 +96,34 @@ INLINE int guard_foreseen(const Pools* p, int body, float gravity_scale)
 	       p->other_contacts[body] == 0;
 }
 
+// Whether a body with one collidable, near which there is nothing but one static collidable, passes that. Most of what rolls or slides ends
+// here on a CPU, and takes no search.
+RARE int guard_passes_only(const Pools* p, int body, Vec path, float turn)
+{
+	int k = p->guarded[body].first - 1, c = p->static_contact[body];
+	if (k < 0 || p->next_collidable[k] != 0 || c < 0 || c >= p->counters->live)
+		return 0;
+	// the slot may hold another contact by now; if it is one of this body with something static, it is the only one
+	Int2 pair = p->pair[c];
+	if (pair.x != k || p->collidable_kind[pair.y] != KIND_STATIC)
+		return 0;
+	GuardPath g = guard_path(p, k, 0, path, turn);
+	g.seeks = guard_seeks(p, &g, 0);
+	if (g.seeks == 0)
+		return 1;
+	if (g.seeks != 1 << KIND_STATIC || !box_contains(p->box[k], g.box))
+		return 0;
+	WorldShape other = p->world_shape[pair.y];
+	return guard_passes(p, other, guard_rest(p, other), g.from, g.way, guard_depth(&g, KIND_STATIC).deeper);
+}
+
 // Whether nothing can be in the way of a body. Most bodies end here.
 INLINE int guard_clear(const Pools* p, int body, Vec path, float turn)
 {
-	int fixed = p->fixed_contacts[body], seeks = (FETCHES ? STATIC_CONTACTS(fixed) : fixed) != 0;
+	int fixed = p->fixed_contacts[body];
+	if (FETCHES && STATIC_CONTACTS(fixed) == 1)
+		return guard_passes_only(p, body, path, turn);
+	int seeks = (FETCHES ? STATIC_CONTACTS(fixed) : fixed) != 0;
 	for (int k = p->guarded[body].first; k > 0 && !seeks; k = p->next_collidable[k - 1])
 	{
 		GuardPath g = guard_path(p, k - 1, 0, path, turn);

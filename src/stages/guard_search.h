@@ -192,6 +192,17 @@ INLINE Word64 guard_meeting(const Pools* p, const GuardPath* g, int first, Word6
 	return meeting;
 }
 
+// How deep a collidable may get in something of a kind.
+INLINE GuardDepth guard_depth(const GuardPath* g, int kind)
+{
+	GuardDepth deep;
+	deep.deeper = kind == KIND_DYNAMIC ? GUARD_DEPTH * g->thickness : minimum(GUARD_DEPTH * g->thickness, GUARD_MOST);
+	deep.deepest = GUARD_DEEPEST * g->thickness;
+	deep.slack = kind == KIND_DYNAMIC ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
+	deep.pressed = g->pressed && kind == KIND_STATIC ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f;
+	return deep;
+}
+
 // The end of the path of a collidable by j, which may stop it, if that comes before least. Leaves are not in the same order everywhere:
 // of equal shares, the lower index counts.
 RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop least)
@@ -204,18 +215,19 @@ RARE GuardStop guard_leaf(const Pools* p, const GuardPath* g, int j, GuardStop l
 		went = guard_went(p, p->collidable_body[j]);
 		apart = vec_sub(apart, went.path);
 	}
+	WorldShape other = p->world_shape[j];
+	Sweep goes = moves ? guard_way(p, other, went) : guard_rest(p, other);
+	GuardDepth deep = guard_depth(g, kind);
+	if (guard_passes(p, other, goes, g->from, g->way,
+	                 deep.pressed > 0.0f ? minimum(deep.deeper, deep.pressed) : deep.deeper))
+		return least;
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
 	// takes less time than to find when they meet
 	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
 		return least;
-	WorldShape other = p->world_shape[j];
-	Sweep goes = moves ? guard_near(p, other, guard_way(p, other, went)) : guard_rest(p, other);
-	GuardDepth deep;
-	deep.deeper = kind == KIND_DYNAMIC ? GUARD_DEPTH * g->thickness : minimum(GUARD_DEPTH * g->thickness, GUARD_MOST);
-	deep.deepest = GUARD_DEEPEST * g->thickness;
-	deep.slack = kind == KIND_DYNAMIC ? maximum(GUARD_SLACK * g->thickness, GUARD_TOLERANCE) : GUARD_TOLERANCE;
-	deep.pressed = g->pressed && !moves ? minimum(GUARD_PRESSED * g->thickness, PRESS_MOST) : 0.0f;
+	if (moves)
+		goes = guard_near(p, other, goes);
 	GuardMeeting met = guard_time(p, other, goes, g->from, guard_near(p, g->from, g->way), deep);
 	if (!(met.time < 1.0f) || (moves && !guard_yields(g->way, met)))
 		return least;

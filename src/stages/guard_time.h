@@ -91,6 +91,81 @@ typedef struct // how deep b may get in a, m
 	float pressed; // in all, where b is pressed into a, which rests; 0 where it is not. What is as deep gets no deeper
 } GuardDepth;
 
+// By how much a point of b may leave the line between its places at the begin and the end, seen from a, which turns, m: an eighth of the
+// most that its velocity changes.
+INLINE float guard_bow(Closing c, Vec between)
+{
+	Vec apart = vec_sub(c.b.path, c.a.path);
+	float turn = absolute(c.a.turn), spin = c.b.turn - c.a.turn, far = absolute(apart.x) + absolute(apart.y);
+	float arm =
+	    absolute(between.x + (c.b.center.x - c.a.center.x)) + absolute(between.y + (c.b.center.y - c.a.center.y));
+	return 0.125f * (turn * (turn * (arm + far) + 2.0f * far) + spin * spin * c.b.reach);
+}
+
+typedef struct // along a direction in the frame of a shape
+{
+	Vec normal;
+	float surface; // of the shape, m
+} GuardSide;
+
+// The side of a shape that a point in its frame is farthest from.
+INLINE GuardSide guard_side(const GLOBAL Attribute* shape, Vec point)
+{
+	GuardSide side;
+	Vec corner = shape_corner(shape, 0), away = vec_sub(point, corner);
+	if (shape->count == 1)
+	{
+		float distance = square_root(vec_dot(away, away));
+		side.normal = distance > CENTERS_APART ? vec_scale(1.0f / distance, away) : vec(0.0f, 1.0f);
+	}
+	else
+	{
+		side.normal = shape_normal(shape, 0);
+		float most = vec_dot(side.normal, away);
+		for (int k = 1; k < shape->count; ++k)
+		{
+			Vec normal = shape_normal(shape, k), from = shape_corner(shape, k);
+			float far = vec_dot(normal, vec_sub(point, from));
+			if (far > most)
+			{
+				most = far;
+				side.normal = normal;
+				corner = from;
+			}
+		}
+	}
+	side.surface = vec_dot(side.normal, corner) + shape->radius;
+	return side;
+}
+
+// Whether b is on its whole path nowhere as deep in a as this, m, as seen along one normal of a: then it is so along no other. Nearly all
+// pairs end here. Between the begin and the end no corner is lower than at the lower one of both, but for its bow.
+INLINE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Closing closing = sweep_between(a, way_a, b, way_b);
+	Vec axes = vec(a.c, a.s), between = vec(b.x - a.x, b.y - a.y);
+	Frame begin = frame_at(vec_turn_back(axes, between), vec_turn_back(axes, vec(b.c, b.s))), end;
+	end.position = vec_add(begin.position, vec_turn_back(axes, vec_sub(way_b.path, way_a.path)));
+	end.rotation = begin.rotation;
+	if (way_a.turn != 0.0f || way_b.turn * way_b.reach != 0.0f)
+		sweep_frame(a, b, closing, 1.0f, &end);
+	Vec opposite = shape_corner(shape_b, shape_b->count / 2);
+	Vec middle = vec_scale(0.5f, vec_add(shape_corner(shape_b, 0), opposite));
+	GuardSide side = guard_side(shape_a, frame_point(begin, middle));
+	Vec at_begin = vec_turn_back(begin.rotation, side.normal), at_end = vec_turn_back(end.rotation, side.normal);
+	float low_begin = -NO_AXIS, low_end = -NO_AXIS;
+	for (int k = 0; k < shape_b->count; ++k)
+	{
+		Vec corner = shape_corner(shape_b, k);
+		low_begin = minimum(low_begin, vec_dot(at_begin, corner));
+		low_end = minimum(low_end, vec_dot(at_end, corner));
+	}
+	float low = minimum(vec_dot(side.normal, begin.position) + low_begin, vec_dot(side.normal, end.position) + low_end);
+	return low - side.surface - shape_b->radius - guard_bow(closing, between) > -deep;
+}
+
 // When b gets too deep in a.
 RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, GuardDepth deep)
 {
