@@ -49,10 +49,12 @@ INLINE void box_pack(GLOBAL Float4* boxes, int i, Float4 box)
 // The box around eight packed ones.
 INLINE Float4 box_around(const GLOBAL Float4* boxes)
 {
-	const GLOBAL float* bounds = (const GLOBAL float*)boxes;
-	Float4 box = make_float4(bounds[0], bounds[8], bounds[16], bounds[24]);
+	Bound8 lower_x = bound8(boxes, 0), lower_y = bound8(boxes, 1), upper_x = bound8(boxes, 2),
+	       upper_y = bound8(boxes, 3);
+	Float4 box = make_float4(lower_x.of[0], lower_y.of[0], upper_x.of[0], upper_y.of[0]);
+	UNROLL
 	for (int k = 1; k < 8; ++k)
-		box = box_union(box, make_float4(bounds[k], bounds[8 + k], bounds[16 + k], bounds[24 + k]));
+		box = box_union(box, make_float4(lower_x.of[k], lower_y.of[k], upper_x.of[k], upper_y.of[k]));
 	return box;
 }
 
