@@ -325,6 +325,27 @@ static void build_compound(scree_world* world, uint64_t* seed)
 	}
 }
 
+// large kinematic bodies among few others: their walks leave out what is kinematic, until it is no more
+static void build_kinematic(scree_world* world, uint64_t* seed)
+{
+	scree_attribute_def surface = surface_of(box_shape(0.5f, 0.5f));
+	scree_collidable_def def = scree_collidable_def_default();
+	def.attribute = add_attribute(world, &surface);
+	for (int k = 0; k < 12; ++k)
+	{
+		def.body =
+		    put(world, seed, SCREE_BODY_KINEMATIC, any_shape(seed), 6.0f * (float)(k % 4), 6.0f * (float)(k / 4));
+		for (int part = 0; part < 49; ++part)
+		{
+			def.pose.position = (scree_vec){(float)(part % 7), (float)(part / 7)};
+			OK(scree_collidable_create(world, &def, NULL));
+		}
+	}
+	for (int k = 0; k < 30; ++k)
+		put(world, seed, SCREE_BODY_DYNAMIC, any_shape(seed), random_between(seed, 0.0f, 24.0f),
+		    random_between(seed, 0.0f, 18.0f));
+}
+
 static scree_collidable add_free(scree_world* world, uint64_t* seed, float x, float y)
 {
 	scree_attribute_def surface = surface_of(any_shape(seed));
@@ -490,6 +511,7 @@ static const Layout layouts[] = {
     {"ground", build_ground, {0.0f, 5.0f}, {20.0f, 8.0f}, 24, 4},
     {"statics", build_statics, {0.0f, 0.0f}, {30.0f, 25.0f}, 24, 4},
     {"compound", build_compound, {0.0f, 0.0f}, {8.0f, 8.0f}, 24, 4},
+    {"kinematic", build_kinematic, {12.0f, 9.0f}, {12.0f, 9.0f}, 40, 4},
     {"free", build_free, {0.0f, 0.0f}, {12.0f, 12.0f}, 40, 8},
     {"nothing", build_nothing, {0.0f, 0.0f}, {2.0f, 2.0f}, 60, 1},
 };
@@ -535,7 +557,7 @@ static void pairs_are_complete_on_opencl(void** state)
 			++found;
 			run_layout(layouts, ways + k);
 			for (size_t l = 0; l < sizeof layouts / sizeof *layouts; ++l)
-				if (layouts[l].build == build_huges)
+				if (layouts[l].build == build_huges || layouts[l].build == build_kinematic)
 					run_layout(layouts + l, ways + k);
 			run_layout(*state, ways + k);
 		}

@@ -38,6 +38,7 @@ typedef enum // what a pool has an item for
 	PER_TREE,
 	PER_LEAF,
 	PER_NODE,
+	PER_NODE_GROUP, // ARITY nodes in a row
 	PER_KEY,
 	PER_COMMAND,
 	PER_HASH,

@@ -55,6 +55,7 @@ INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int
 		return 0;
 	Float4 box = p->box[i];
 	TreeWalk walk = tree_walk(p, tree, box, from, end, nodes);
+	walk.movers = p->step.kinematic > 0 && p->collidable_kind[i] == KIND_KINEMATIC;
 	for (;;)
 	{
 		int first = tree_next(p, tree, box, &walk);
@@ -96,16 +97,18 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// The leaves of tree t that overlap the boxes of these walks, a bit each, without the walks that go alone. Returns
+// The leaves of tree t that overlap the boxes of these walks, without the walks that go alone. kinematic, alone: a bit for each walk. Returns
 // whether the search may continue.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* walkers, const Float4* boxes,
-                              Word alone, const WaveFront* front)
+                              Word kinematic, Word alone, const WaveFront* front)
 {
 	int walk[WAVE_LEAVES], leaf[WAVE_LEAVES], count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
 	for (int k = 0; k < front->count; ++k)
 	{
 		int w = wave_walk(front->node[k]), first = wave_first(front->node[k]);
 		Word hits = alone >> w & 1 ? 0 : overlaps8(p->node_box + tree->begin[0] + first, boxes[w]);
+		if (kinematic >> w & 1)
+			hits &= tree_movers_of(p, tree, 0, first);
 		for (; hits != 0; hits &= hits - 1)
 		{
 			walk[count] = walkers[w];
@@ -136,6 +139,7 @@ INLINE void broad_phase_wave(const Pools* p, int i, int t)
 	int walkers[WAVE_WALKS], end = i + WAVE_WALKS < p->counters->moved ? i + WAVE_WALKS : p->counters->moved;
 	Float4 boxes[WAVE_WALKS];
 	WaveFront fronts[2];
+	Word kinematic = 0, alone = 0;
 	fronts[0].count = 0;
 	for (int k = i; k < end; ++k)
 	{
@@ -144,15 +148,15 @@ INLINE void broad_phase_wave(const Pools* p, int i, int t)
 			continue;
 		walkers[n] = walker;
 		boxes[n] = p->box[walker];
+		kinematic |= (Word)(p->collidable_kind[walker] == KIND_KINEMATIC) << n;
 		fetch_soon(p->old_box + walker);
 		fronts[0].node[n] = wave_node(n, 0);
 		++fronts[0].count;
 	}
 	int walks = fronts[0].count, front = 0;
-	Word alone = 0;
 	for (int level = tree->top; level > 0; --level, front ^= 1)
-		alone = wave_descend(p, tree, level, boxes, alone, fronts + front, fronts + (front ^ 1));
-	if (!broad_phase_leaves(p, tree, walkers, boxes, alone, fronts + front))
+		alone = wave_descend(p, tree, level, boxes, kinematic, alone, fronts + front, fronts + (front ^ 1));
+	if (!broad_phase_leaves(p, tree, walkers, boxes, kinematic, alone, fronts + front))
 		return;
 	for (int k = 0; k < walks; ++k)
 		if (alone >> k & 1)

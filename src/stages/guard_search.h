@@ -250,7 +250,7 @@ INLINE GuardWalk guard_walk(void)
 	w.tree = -1;
 	w.place = 0;
 	w.leaves = 0;
-	w.walk.level = w.walk.first = w.walk.from = w.walk.end = w.walk.nodes = 0;
+	w.walk.level = w.walk.first = w.walk.from = w.walk.end = w.walk.nodes = w.walk.movers = 0;
 	w.walk.masks = w.walk.leaves = 0;
 	return w;
 }

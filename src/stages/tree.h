@@ -13,6 +13,7 @@
 #ifndef TREE_H
 #define TREE_H
 #include "stages/box.h"
+#include "stages/filter.h"
 #include "stages/tree_code.h"
 
 // A node counts as wide if its area is more than this many times that of its leaves: twice that of a row of eight
@@ -51,8 +52,35 @@ INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, 
 	box_pack(boxes, tree->begin[level] + i, box);
 }
 
+// Which of the children of node i of a level have something below them that can move and is not kinematic. A kinematic walker needs no others:
+// in a body of 40,000 shapes, each would walk through its neighbors.
+INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
+{
+	Word movers = 0;
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->count[level - 1]; ++k)
+	{
+		int moves = level == 1 ? kinds_meet(KIND_KINEMATIC, p->collidable_kind[p->leaf[tree->leaf_begin + k]])
+		                       : p->node_movers[tree->begin[level - 2] / ARITY + k] != 0;
+		movers |= (Word)moves << (k - ARITY * i);
+	}
+	return movers;
+}
+
 // argument is the tree plus 2 times the level.
-STAGE(tree_node) { tree_join(p->node_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
+STAGE(tree_node)
+{
+	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
+	int level = p->argument >> 1;
+	tree_join(p->node_box, tree, level, i);
+	if (p->step.kinematic > 0 && i < tree->count[level])
+		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
+}
+
+// The same of the eight nodes of a level from first on.
+INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, int first)
+{
+	return level < tree->top ? p->node_movers[(tree->begin[level] + first) / ARITY] : 255u;
+}
 
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
@@ -144,6 +172,7 @@ typedef struct // through the nodes over leaves that overlap a box, in rising or
 	int level, first; // where it is: the first of eight siblings
 	int from, end;    // leaves from and up to, not including; end 0: all
 	int nodes;        // over leaves that it may still visit
+	int movers;       // visits only nodes with something below them that what is kinematic may touch
 } TreeWalk;
 
 // Begins a walk through leaves from up to, not including, end, or through all leaves for end 0. The tree must have
@@ -156,6 +185,7 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 	walk.from = from;
 	walk.end = end;
 	walk.nodes = nodes;
+	walk.movers = 0;
 	walk.leaves = 0;
 	walk.masks = tree_hits(p, tree->begin[walk.level], box);
 	if (end)
@@ -193,6 +223,8 @@ INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWa
 		Word64 hits = tree_hits(p, tree->begin[walk->level] + walk->first, box);
 		if (walk->end)
 			hits &= tree_span(walk->level, walk->first, walk->from, walk->end);
+		if (walk->movers)
+			hits &= (Word64)tree_movers_of(p, tree, walk->level, walk->first);
 		walk->masks |= hits << (8 * walk->level);
 	}
 }

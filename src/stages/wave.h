@@ -22,9 +22,10 @@ INLINE int wave_walk(int node) { return node & (WAVE_WALKS - 1); }
 INLINE int wave_first(int node) { return node >> 2 & ~(ARITY - 1); }
 INLINE int wave_node(int walk, int first) { return first << 2 | walk; }
 
-// Tests one level: of each eight siblings, those that overlap. Returns the walks that have too many nodes, a bit each.
-INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word alone,
-                         const WaveFront* from, WaveFront* to)
+// Tests one level: of each eight siblings, those that overlap. kinematic: the walks of what is kinematic, a bit each. Returns those that have too
+// many nodes.
+INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
+                         Word alone, const WaveFront* from, WaveFront* to)
 {
 	const GLOBAL Float4 *nodes = p->node_box + tree->begin[level], *below = p->node_box + tree->begin[level - 1];
 	int last = -1, begin = 0, count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
@@ -35,7 +36,10 @@ INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, con
 			continue;
 		begin = walk != last ? count : begin;
 		last = walk;
-		for (Word hits = overlaps8(nodes + first, boxes[walk]); hits != 0; hits &= hits - 1)
+		Word hits = overlaps8(nodes + first, boxes[walk]);
+		if (kinematic >> walk & 1)
+			hits &= tree_movers_of(p, tree, level, first);
+		for (; hits != 0; hits &= hits - 1)
 		{
 			int child = ARITY * (first + lowest_bit(hits));
 			to->node[count++] = wave_node(walk, child);

@@ -81,6 +81,8 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 		if (!status)
 			status = resize(pipeline, PER_NODE, 2 * (int64_t)tree_nodes((int)wanted));
 		if (!status)
+			status = resize(pipeline, PER_NODE_GROUP, b->capacity[PER_NODE] / ARITY);
+		if (!status)
 			status = resize(pipeline, PER_KEY, wanted);
 	}
 	if (!status && per == PER_CONTACT && pipeline->reports)
