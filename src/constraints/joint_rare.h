@@ -83,28 +83,45 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	return root(choose(one, ratio, sound));
 }
 
-// The spring of one coordinate, or its soft lock: a coordinate has one of them at most. Frequency and ratio are meant for the stiffness
-// that it has at its target.
-#define JOINT_SPRING_SETUP(of, k)                                                                          \
-	{                                                                                                      \
-		Int softens = joint_has(u, JOINT_SOFT(k)), pulls = joint_has(u, JOINT_SPRING(k));                  \
-		if (lane_bits(softens | pulls))                                                                    \
-		{                                                                                                  \
-			JointDriven from = joint_driven(p, slot, k);                                                   \
-			Real lock[4], share = joint_share_free(u, &c, k), more = joint_stiffened(p, slot, u, &c, k);   \
-			joint_quad(p, slot, JOINT_AT_LOCK(k), lock);                                                   \
-			Real hertz = more * choose(from.spring_hertz, lock[1], softens);                               \
-			Real ratio = more * choose(from.spring_ratio, lock[2], softens);                               \
-			JointSpring s = joint_spring_of(p, hertz, ratio, share, beside, alone);                        \
-			Real answer = maximum(one - s.keeps, splat(SPRING_LEAST_ANSWER));                              \
-			Real relaxes = minimum(share * (one - s.relaxes) / s.relaxes, splat(JOINT_SOFTEST));           \
-			store(&joint_rare(p, of##_spring_answer, i), 0, (one - s.keeps) / share);                      \
-			store(&joint_rare(p, of##_spring_rate, i), 0, s.pull * p->step.inv_h / share);                 \
-			store(&joint_rare(p, of##_spring_keeps, i), 0, s.keeps);                                       \
-			store(&joint_rare(p, of##_spring_relaxes, i), 0, choose(s.relaxes / share, relaxes, softens)); \
-			u->rate_##of = choose(u->rate_##of, s.pull * p->step.inv_h / answer, softens);                 \
-			u->soft_##of = choose(u->soft_##of, share * (one - answer) / answer, softens);                 \
-		}                                                                                                  \
+typedef struct // the rows of a spring, and of a soft lock
+{
+	Real answer, rate, keeps, relaxes, lock_rate, lock_soft;
+} JointSpringRows;
+
+// Those of coordinate k: a coordinate has a spring or a soft lock at most. Frequency and ratio are meant for the stiffness that it has at its
+// target.
+RARE JointSpringRows joint_spring_rows(const Pools* p, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
+                                       Real alone)
+{
+	Int softens = joint_has(u, JOINT_SOFT(k));
+	JointDriven from = joint_driven(p, slot, k);
+	Real one = splat(1.0f), lock[4], share = joint_share_free(u, c, k), more = joint_stiffened(p, slot, u, c, k);
+	joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
+	Real hertz = more * choose(from.spring_hertz, lock[1], softens);
+	Real ratio = more * choose(from.spring_ratio, lock[2], softens);
+	JointSpring s = joint_spring_of(p, hertz, ratio, share, beside, alone);
+	Real answer = maximum(one - s.keeps, splat(SPRING_LEAST_ANSWER));
+	Real relaxes = minimum(share * (one - s.relaxes) / s.relaxes, splat(JOINT_SOFTEST));
+	JointSpringRows rows;
+	rows.answer = (one - s.keeps) / share;
+	rows.rate = s.pull * p->step.inv_h / share;
+	rows.keeps = s.keeps;
+	rows.relaxes = choose(s.relaxes / share, relaxes, softens);
+	rows.lock_rate = s.pull * p->step.inv_h / answer;
+	rows.lock_soft = share * (one - answer) / answer;
+	return rows;
+}
+
+#define JOINT_SPRING_SETUP(of, k)                                                         \
+	if (lane_bits(joint_has(u, JOINT_SOFT(k) | JOINT_SPRING(k))))                         \
+	{                                                                                     \
+		JointSpringRows rows = joint_spring_rows(p, slot, k, u, &c, beside, alone);       \
+		store(&joint_rare(p, of##_spring_answer, i), 0, rows.answer);                     \
+		store(&joint_rare(p, of##_spring_rate, i), 0, rows.rate);                         \
+		store(&joint_rare(p, of##_spring_keeps, i), 0, rows.keeps);                       \
+		store(&joint_rare(p, of##_spring_relaxes, i), 0, rows.relaxes);                   \
+		u->rate_##of = choose(u->rate_##of, rows.lock_rate, joint_has(u, JOINT_SOFT(k))); \
+		u->soft_##of = choose(u->soft_##of, rows.lock_soft, joint_has(u, JOINT_SOFT(k))); \
 	}
 
 // Constraints of the body of joint i that has the most, contacts too, without those of what cannot move; at least 1.

@@ -140,7 +140,7 @@ INLINE GuardSide guard_side(const GLOBAL Attribute* shape, Vec point)
 
 // Whether b is on its whole path nowhere as deep in a as this, m, as seen along one normal of a: then it is so along no other. Nearly all
 // pairs end here. Between the begin and the end no corner is lower than at the lower one of both, but for its bow.
-INLINE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
+RARE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;

@@ -5,7 +5,6 @@
 #include "constraints/contact_bounce.h"
 #include "constraints/contact_prepare.h"
 #include "constraints/joint_prepare.h"
-#include "constraints/joint_rare.h"
 #include "constraints/kinds.h"
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                          \
@@ -18,6 +17,9 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
+SMALL_BEGIN
+#include "constraints/joint_rare.h"
+
 // The rare rows, from those that the stage above wrote.
 #define CONSTRAINT_KIND(kind, Kind, KIND)      \
 	WIDE_STAGE(kind##_prepare_rare)            \
@@ -28,5 +30,6 @@
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+SMALL_END
 
 #endif
