@@ -35,7 +35,7 @@ INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, c
 }
 
 // Replaces the coordinate along where lanes have a coupling.
-INLINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
+OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.couplings)
 		return;

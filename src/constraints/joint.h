@@ -168,6 +168,17 @@ struct JointRareKept
 #define joint_row(p, name, i)  ((p)->joint_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 #define joint_rare(p, name, i) ((p)->joint_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 
+// The drives of the three coordinates are the first rare rows, in the same order each.
+#define DRIVE_NUMBER(name, gate, life, inert, read, written) name,
+enum
+{
+	JOINT_DRIVE_ROWS(DRIVE_NUMBER, DRIVE) DRIVE_ROW_COUNT
+};
+// a component of the drive of coordinate k
+#define joint_drive_row(p, k, name, i)       \
+	(((GLOBAL float*)((p)->joint_rare_rows + \
+	                  (i) / MAX_LANES))[((k)*DRIVE_ROW_COUNT + DRIVE_##name) * MAX_LANES + (i) % MAX_LANES])
+
 typedef struct // a joint in registers
 {
 	JOINT_ROWS(ROW_REGISTER)
@@ -240,8 +251,7 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	Int limited = joint_has(u, JOINT_LIMITED(k));
 	if (!p->step.drives || !lane_bits(limited))
 		return zero;
-	Real lower = k == JOINT_ALONG ? load(&joint_rare(p, along_lower, i), 0) : load(&joint_rare(p, across_lower, i), 0);
-	Real upper = k == JOINT_ALONG ? load(&joint_rare(p, along_upper, i), 0) : load(&joint_rare(p, across_upper, i), 0);
+	Real lower = load(&joint_drive_row(p, k, lower, i), 0), upper = load(&joint_drive_row(p, k, upper, i), 0);
 	return choose(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
@@ -274,7 +284,7 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 }
 
 // The pose of a joint whose bodies are set.
-INLINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
+OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	const Body *a = &c->a, *b = &c->b;
 	Vec arm_a = vec(u->arm_a_x, u->arm_a_y), arm_b = vec(u->arm_b_x, u->arm_b_y), axis = vec(u->axis_x, u->axis_y);

@@ -17,61 +17,33 @@ typedef struct // the rows of one coordinate
 	Real limit_impulse, spring_impulse, motor_impulse;
 } JointDrive;
 
-#define JOINT_DRIVE_LOAD(of)                                            \
-	d.lower = load(&joint_rare(p, of##_lower, i), 0);                   \
-	d.upper = load(&joint_rare(p, of##_upper, i), 0);                   \
-	d.limit_rate = load(&joint_rare(p, of##_limit_rate, i), 0);         \
-	d.limit_soft = load(&joint_rare(p, of##_limit_soft, i), 0);         \
-	d.target = load(&joint_rare(p, of##_target, i), 0);                 \
-	d.spring_answer = load(&joint_rare(p, of##_spring_answer, i), 0);   \
-	d.spring_rate = load(&joint_rare(p, of##_spring_rate, i), 0);       \
-	d.spring_keeps = load(&joint_rare(p, of##_spring_keeps, i), 0);     \
-	d.spring_relaxes = load(&joint_rare(p, of##_spring_relaxes, i), 0); \
-	d.spring_least = load(&joint_rare(p, of##_spring_least, i), 0);     \
-	d.spring_most = load(&joint_rare(p, of##_spring_most, i), 0);       \
-	d.speed = load(&joint_rare(p, of##_speed, i), 0);                   \
-	d.motor_most = load(&joint_rare(p, of##_motor_most, i), 0);         \
-	d.limit_impulse = load(&joint_rare(p, of##_limit_impulse, i), 0);   \
-	d.spring_impulse = load(&joint_rare(p, of##_spring_impulse, i), 0); \
-	d.motor_impulse = load(&joint_rare(p, of##_motor_impulse, i), 0);
-#define JOINT_DRIVE_STORE(of)                                            \
-	store(&joint_rare(p, of##_limit_impulse, i), 0, d->limit_impulse);   \
-	store(&joint_rare(p, of##_spring_impulse, i), 0, d->spring_impulse); \
-	store(&joint_rare(p, of##_motor_impulse, i), 0, d->motor_impulse);
-
-// k is a constant
 INLINE JointDrive joint_drive_load(const Pools* p, int i, int k)
 {
 	JointDrive d;
-	if (k == JOINT_ALONG)
-	{
-		JOINT_DRIVE_LOAD(along)
-	}
-	else if (k == JOINT_ACROSS)
-	{
-		JOINT_DRIVE_LOAD(across)
-	}
-	else
-	{
-		JOINT_DRIVE_LOAD(angle)
-	}
+	d.lower = load(&joint_drive_row(p, k, lower, i), 0);
+	d.upper = load(&joint_drive_row(p, k, upper, i), 0);
+	d.limit_rate = load(&joint_drive_row(p, k, limit_rate, i), 0);
+	d.limit_soft = load(&joint_drive_row(p, k, limit_soft, i), 0);
+	d.target = load(&joint_drive_row(p, k, target, i), 0);
+	d.spring_answer = load(&joint_drive_row(p, k, spring_answer, i), 0);
+	d.spring_rate = load(&joint_drive_row(p, k, spring_rate, i), 0);
+	d.spring_keeps = load(&joint_drive_row(p, k, spring_keeps, i), 0);
+	d.spring_relaxes = load(&joint_drive_row(p, k, spring_relaxes, i), 0);
+	d.spring_least = load(&joint_drive_row(p, k, spring_least, i), 0);
+	d.spring_most = load(&joint_drive_row(p, k, spring_most, i), 0);
+	d.speed = load(&joint_drive_row(p, k, speed, i), 0);
+	d.motor_most = load(&joint_drive_row(p, k, motor_most, i), 0);
+	d.limit_impulse = load(&joint_drive_row(p, k, limit_impulse, i), 0);
+	d.spring_impulse = load(&joint_drive_row(p, k, spring_impulse, i), 0);
+	d.motor_impulse = load(&joint_drive_row(p, k, motor_impulse, i), 0);
 	return d;
 }
 
 INLINE void joint_drive_store(const Pools* p, int i, int k, const JointDrive* d)
 {
-	if (k == JOINT_ALONG)
-	{
-		JOINT_DRIVE_STORE(along)
-	}
-	else if (k == JOINT_ACROSS)
-	{
-		JOINT_DRIVE_STORE(across)
-	}
-	else
-	{
-		JOINT_DRIVE_STORE(angle)
-	}
+	store(&joint_drive_row(p, k, limit_impulse, i), 0, d->limit_impulse);
+	store(&joint_drive_row(p, k, spring_impulse, i), 0, d->spring_impulse);
+	store(&joint_drive_row(p, k, motor_impulse, i), 0, d->motor_impulse);
 }
 
 // Whether some lane has a limit, a spring or a motor along coordinate k.
@@ -235,7 +207,7 @@ INLINE Int joint_springs_full(const Pools* p, int i)
 }
 
 // Solves springs, motors and limits.
-INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose* c)
+OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose* c)
 {
 	Int full = splat(0.0f) > splat(0.0f);
 	if (!soft && p->step.springs && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
@@ -252,7 +224,7 @@ INLINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose
 }
 
 // The impulses along all coordinates, of locks too.
-INLINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COORDINATES])
+OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COORDINATES])
 {
 	sum[JOINT_ALONG] = u->impulse_along;
 	sum[JOINT_ACROSS] = u->impulse_across;
@@ -269,7 +241,7 @@ INLINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COO
 }
 
 // Scales all impulses of the last step, which are too large to start this one with.
-INLINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
+OUT_OF_LINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
 {
 	u->impulse_along = part * u->impulse_along;
 	u->impulse_across = part * u->impulse_across;

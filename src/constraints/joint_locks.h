@@ -48,9 +48,9 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 	softness[2] = soft ? u->soft_angle : zero;
 	if (soft || !p->step.springs || !lane_bits(joint_has(u, JOINT_SOFT(0) | JOINT_SOFT(1) | JOINT_SOFT(2))))
 		return;
-	softness[0] = choose(zero, load(&joint_rare(p, along_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(0)));
-	softness[1] = choose(zero, load(&joint_rare(p, across_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(1)));
-	softness[2] = choose(zero, load(&joint_rare(p, angle_spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(2)));
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		softness[k] = choose(zero, load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
 }
 
 // Whether a joint has springs, and no other constraint holds its bodies.
@@ -100,8 +100,8 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 // The equations of the locks without their goals: all that does not depend on velocities. A coordinate that is not locked has a row of
 // the identity. Only rigid locks correct errors at a bounded speed: a spring pulls as it should. chained: other joints are solved
 // together with this one.
-INLINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
-                                const JointPose* c)
+OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
+                                     const JointPose* c)
 {
 	JointSystem s;
 	Real zero = splat(0.0f), one = splat(1.0f), cross[3], *softness = s.softness, *softer = s.soft;

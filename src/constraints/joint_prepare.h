@@ -53,7 +53,7 @@ typedef struct // where a frame is in the world
 } JointFrame;
 
 // The frame at a place of JointData, moved by an offset in the frame.
-INLINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
+OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
 {
 	JointFrame end;
 	Real placed[4], pose[4];

@@ -35,28 +35,29 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 
 // The impulse of a drive of the last step. What the user took from the coordinate since then loses it: whether a pass looks at a coordinate
 // without drives depends on the joints beside it.
-#define JOINT_DRIVE_KEPT(name, mode) \
-	store(&joint_rare(p, name, i), 0, choose(splat(0.0f), load(&joint_rare(p, name, i), 0), joint_has(u, mode)))
+#define JOINT_DRIVE_KEPT(k, name, mode)       \
+	store(&joint_drive_row(p, k, name, i), 0, \
+	      choose(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
-// The rows of one coordinate but for its spring.
-#define JOINT_DRIVE_SETUP(of, k)                                                            \
-	{                                                                                       \
-		JointDriven from = joint_driven(p, slot, k);                                        \
-		Real lock[4], foot = joint_from_foot(p, i, u, k);                                   \
-		joint_quad(p, slot, JOINT_AT_LOCK(k), lock);                                        \
-		store(&joint_rare(p, of##_lower, i), 0, from.lower - foot);                         \
-		store(&joint_rare(p, of##_upper, i), 0, from.upper - foot);                         \
-		store(&joint_rare(p, of##_target, i), 0, lock[0] - foot);                           \
-		store(&joint_rare(p, of##_limit_rate, i), 0, rate);                                 \
-		store(&joint_rare(p, of##_limit_soft, i), 0, soft);                                 \
-		store(&joint_rare(p, of##_spring_least, i), 0, -joint_most(p, -from.spring_least)); \
-		store(&joint_rare(p, of##_spring_most, i), 0, joint_most(p, from.spring_most));     \
-		store(&joint_rare(p, of##_speed, i), 0, from.speed);                                \
-		store(&joint_rare(p, of##_motor_most, i), 0, joint_most(p, from.motor_most));       \
-		JOINT_DRIVE_KEPT(of##_limit_impulse, JOINT_LIMITED(k));                             \
-		JOINT_DRIVE_KEPT(of##_spring_impulse, JOINT_SPRING(k));                             \
-		JOINT_DRIVE_KEPT(of##_motor_impulse, JOINT_MOTOR(k));                               \
-	}
+// The rows of one coordinate but for its spring. rate, soft: of its limits.
+INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Joint* u, Real rate, Real soft)
+{
+	JointDriven from = joint_driven(p, slot, k);
+	Real lock[4], foot = joint_from_foot(p, i, u, k);
+	joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
+	store(&joint_drive_row(p, k, lower, i), 0, from.lower - foot);
+	store(&joint_drive_row(p, k, upper, i), 0, from.upper - foot);
+	store(&joint_drive_row(p, k, target, i), 0, lock[0] - foot);
+	store(&joint_drive_row(p, k, limit_rate, i), 0, rate);
+	store(&joint_drive_row(p, k, limit_soft, i), 0, soft);
+	store(&joint_drive_row(p, k, spring_least, i), 0, -joint_most(p, -from.spring_least));
+	store(&joint_drive_row(p, k, spring_most, i), 0, joint_most(p, from.spring_most));
+	store(&joint_drive_row(p, k, speed, i), 0, from.speed);
+	store(&joint_drive_row(p, k, motor_most, i), 0, joint_most(p, from.motor_most));
+	JOINT_DRIVE_KEPT(k, limit_impulse, JOINT_LIMITED(k));
+	JOINT_DRIVE_KEPT(k, spring_impulse, JOINT_SPRING(k));
+	JOINT_DRIVE_KEPT(k, motor_impulse, JOINT_MOTOR(k));
+}
 
 // The place of coordinate k, a translation, with locks and springs at their targets, m. A lock moves the frame to its target.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
@@ -83,17 +84,14 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	return root(choose(one, ratio, sound));
 }
 
-typedef struct // the rows of a spring, and of a soft lock
-{
-	Real answer, rate, keeps, relaxes, lock_rate, lock_soft;
-} JointSpringRows;
-
-// Those of coordinate k: a coordinate has a spring or a soft lock at most. Frequency and ratio are meant for the stiffness that it has at its
-// target.
-RARE JointSpringRows joint_spring_rows(const Pools* p, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
-                                       Real alone)
+// The rows of the spring of coordinate k, or of its soft lock, if some lane has one: a coordinate has one of them at most. Frequency and ratio
+// are meant for the stiffness that it has at its target. rate, hold: of the lock.
+INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
+                               Real alone, Real* rate, Real* hold)
 {
 	Int softens = joint_has(u, JOINT_SOFT(k));
+	if (!lane_bits(softens | joint_has(u, JOINT_SPRING(k))))
+		return;
 	JointDriven from = joint_driven(p, slot, k);
 	Real one = splat(1.0f), lock[4], share = joint_share_free(u, c, k), more = joint_stiffened(p, slot, u, c, k);
 	joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
@@ -102,27 +100,13 @@ RARE JointSpringRows joint_spring_rows(const Pools* p, Int slot, int k, const Jo
 	JointSpring s = joint_spring_of(p, hertz, ratio, share, beside, alone);
 	Real answer = maximum(one - s.keeps, splat(SPRING_LEAST_ANSWER));
 	Real relaxes = minimum(share * (one - s.relaxes) / s.relaxes, splat(JOINT_SOFTEST));
-	JointSpringRows rows;
-	rows.answer = (one - s.keeps) / share;
-	rows.rate = s.pull * p->step.inv_h / share;
-	rows.keeps = s.keeps;
-	rows.relaxes = choose(s.relaxes / share, relaxes, softens);
-	rows.lock_rate = s.pull * p->step.inv_h / answer;
-	rows.lock_soft = share * (one - answer) / answer;
-	return rows;
+	store(&joint_drive_row(p, k, spring_answer, i), 0, (one - s.keeps) / share);
+	store(&joint_drive_row(p, k, spring_rate, i), 0, s.pull * p->step.inv_h / share);
+	store(&joint_drive_row(p, k, spring_keeps, i), 0, s.keeps);
+	store(&joint_drive_row(p, k, spring_relaxes, i), 0, choose(s.relaxes / share, relaxes, softens));
+	*rate = choose(*rate, s.pull * p->step.inv_h / answer, softens);
+	*hold = choose(*hold, share * (one - answer) / answer, softens);
 }
-
-#define JOINT_SPRING_SETUP(of, k)                                                         \
-	if (lane_bits(joint_has(u, JOINT_SOFT(k) | JOINT_SPRING(k))))                         \
-	{                                                                                     \
-		JointSpringRows rows = joint_spring_rows(p, slot, k, u, &c, beside, alone);       \
-		store(&joint_rare(p, of##_spring_answer, i), 0, rows.answer);                     \
-		store(&joint_rare(p, of##_spring_rate, i), 0, rows.rate);                         \
-		store(&joint_rare(p, of##_spring_keeps, i), 0, rows.keeps);                       \
-		store(&joint_rare(p, of##_spring_relaxes, i), 0, rows.relaxes);                   \
-		u->rate_##of = choose(u->rate_##of, rows.lock_rate, joint_has(u, JOINT_SOFT(k))); \
-		u->soft_##of = choose(u->soft_##of, rows.lock_soft, joint_has(u, JOINT_SOFT(k))); \
-	}
 
 // Constraints of the body of joint i that has the most, contacts too, without those of what cannot move; at least 1.
 INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
@@ -160,9 +144,17 @@ INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 	Real most = joint_most_beside(p, i, &c), springs = joint_springs_of(u);
 	Real beside = maximum(most * springs, one), alone = choose(one, zero, most > one);
 	store(&joint_rare(p, springs_alone, i), 0, choose(zero, alone, springs > zero));
-	JOINT_SPRING_SETUP(along, JOINT_ALONG)
-	JOINT_SPRING_SETUP(across, JOINT_ACROSS)
-	JOINT_SPRING_SETUP(angle, JOINT_ANGLE)
+	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle},
+	     hold[3] = {u->soft_along, u->soft_across, u->soft_angle};
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		joint_setup_spring(p, i, slot, k, u, &c, beside, alone, rate + k, hold + k);
+	u->rate_along = rate[JOINT_ALONG];
+	u->rate_across = rate[JOINT_ACROSS];
+	u->rate_angle = rate[JOINT_ANGLE];
+	u->soft_along = hold[JOINT_ALONG];
+	u->soft_across = hold[JOINT_ACROSS];
+	u->soft_angle = hold[JOINT_ANGLE];
 	store(&joint_row(p, rate_along, i), 0, u->rate_along);
 	store(&joint_row(p, rate_across, i), 0, u->rate_across);
 	store(&joint_row(p, rate_angle, i), 0, u->rate_angle);
@@ -192,9 +184,9 @@ INLINE void joint_setup_rare(const Pools* p, int i, Joint* u)
 		return;
 	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
 	joint_softness(p, joint[0], joint[1], splat(1.0f), &rate, &soft);
-	JOINT_DRIVE_SETUP(along, JOINT_ALONG)
-	JOINT_DRIVE_SETUP(across, JOINT_ACROSS)
-	JOINT_DRIVE_SETUP(angle, JOINT_ANGLE)
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		joint_setup_drive(p, i, slot, k, u, rate, soft);
 	if (p->step.paths)
 		joint_setup_path(p, i, slot, u);
 	if (p->step.springs && lane_bits(joint_has(u, JOINT_SPRINGS)))

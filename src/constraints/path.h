@@ -43,7 +43,7 @@ INLINE PathArc path_arc(Real bend, Real x, Real y)
 }
 
 // Replaces axes and coordinates where lanes are on a path.
-INLINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
+OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.paths)
 		return;

@@ -47,6 +47,11 @@ INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
 INLINE int lowest_bit(Word64 x) { return __builtin_ctzll(x); }
 #define square_root(x) __builtin_sqrtf(x)
 
+// one bound of eight packed boxes
+typedef const float* Bound8;
+#define bound8(boxes, which) (&(boxes)[2 * (which)].x)
+#define bound_at(bound, k)   ((bound)[k])
+
 #define FETCHES           1
 #define fetch_soon(place) __builtin_prefetch(place)
 

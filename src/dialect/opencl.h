@@ -102,6 +102,19 @@ INLINE void scatter_rows4of8(__global float* base, int index, const float in[4],
 		((ROW)base)[2 * index] = (float4)(in[0], in[1], in[2], in[3]);
 }
 
+// One bound of eight packed boxes, read four at a time.
+typedef struct
+{
+	float of[8];
+} Bound8;
+INLINE Bound8 bound8(const __global float4* boxes, int which)
+{
+	Bound8 bound;
+	row_parts(boxes[2 * which], boxes[2 * which + 1], bound.of);
+	return bound;
+}
+#define bound_at(bound, k) ((bound).of[k])
+
 #define BENCH         __local
 #define group_lane()  ((int)get_local_id(0))
 #define group_width() ((int)get_local_size(0))

@@ -5,25 +5,6 @@
 
 // Eight boxes are packed bound by bound: the lower x of all eight, their lower y, upper x, upper y. So a vector of eight has one bound of
 // all, with no transposition, and a GPU reads four bounds at a time. src/stages/box.h packs them.
-typedef struct // one bound of eight boxes
-{
-	float of[8];
-} Bound8;
-
-INLINE Bound8 bound8(const GLOBAL Float4* boxes, int which)
-{
-	Bound8 b;
-	Float4 low = boxes[2 * which], high = boxes[2 * which + 1];
-	b.of[0] = low.x;
-	b.of[1] = low.y;
-	b.of[2] = low.z;
-	b.of[3] = low.w;
-	b.of[4] = high.x;
-	b.of[5] = high.y;
-	b.of[6] = high.z;
-	b.of[7] = high.w;
-	return b;
-}
 
 // Which of eight packed boxes overlap another one: bit k for box k.
 #ifndef OVERLAPS8
@@ -35,7 +16,8 @@ INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 	UNROLL
 	for (int k = 0; k < 8; ++k)
 	{
-		int hit = lower_x.of[k] <= box.z && box.x <= upper_x.of[k] && lower_y.of[k] <= box.w && box.y <= upper_y.of[k];
+		int hit = bound_at(lower_x, k) <= box.z && box.x <= bound_at(upper_x, k) && bound_at(lower_y, k) <= box.w &&
+		          box.y <= bound_at(upper_y, k);
 		hits |= hit ? 1u << k : 0u;
 	}
 	return hits;
@@ -55,8 +37,10 @@ INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, floa
 	UNROLL
 	for (int k = 0; k < 8; ++k)
 	{
-		float enter_x = (near_x.of[k] - sides.x) * inverse.x, enter_y = (near_y.of[k] - sides.y) * inverse.y;
-		float leave_x = (far_x.of[k] - sides.z) * inverse.x, leave_y = (far_y.of[k] - sides.w) * inverse.y;
+		float enter_x = (bound_at(near_x, k) - sides.x) * inverse.x,
+		      enter_y = (bound_at(near_y, k) - sides.y) * inverse.y;
+		float leave_x = (bound_at(far_x, k) - sides.z) * inverse.x,
+		      leave_y = (bound_at(far_y, k) - sides.w) * inverse.y;
 		float first = enter_x > enter_y ? enter_x : enter_y, last = leave_x < leave_y ? leave_x : leave_y;
 		first = first > 0.0f ? first : 0.0f;
 		last = last < most ? last : most;
@@ -75,8 +59,8 @@ INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float squ
 	UNROLL
 	for (int k = 0; k < 8; ++k)
 	{
-		float right = lower_x.of[k] - box.z, left = box.x - upper_x.of[k];
-		float up = lower_y.of[k] - box.w, down = box.y - upper_y.of[k];
+		float right = bound_at(lower_x, k) - box.z, left = box.x - bound_at(upper_x, k);
+		float up = bound_at(lower_y, k) - box.w, down = box.y - bound_at(upper_y, k);
 		float x = right > left ? right : left, y = up > down ? up : down;
 		x = x > 0.0f ? x : 0.0f;
 		y = y > 0.0f ? y : 0.0f;

@@ -51,10 +51,11 @@ INLINE Float4 box_around(const GLOBAL Float4* boxes)
 {
 	Bound8 lower_x = bound8(boxes, 0), lower_y = bound8(boxes, 1), upper_x = bound8(boxes, 2),
 	       upper_y = bound8(boxes, 3);
-	Float4 box = make_float4(lower_x.of[0], lower_y.of[0], upper_x.of[0], upper_y.of[0]);
+	Float4 box = make_float4(bound_at(lower_x, 0), bound_at(lower_y, 0), bound_at(upper_x, 0), bound_at(upper_y, 0));
 	UNROLL
 	for (int k = 1; k < 8; ++k)
-		box = box_union(box, make_float4(lower_x.of[k], lower_y.of[k], upper_x.of[k], upper_y.of[k]));
+		box = box_union(
+		    box, make_float4(bound_at(lower_x, k), bound_at(lower_y, k), bound_at(upper_x, k), bound_at(upper_y, k)));
 	return box;
 }
 
