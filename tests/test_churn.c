@@ -59,7 +59,8 @@ static scree_pose at(scree_vec place) { return (scree_pose){place, {1.0f, 0.0f}}
 static double nodes_met(scree_world* world)
 {
 	const Tree* tree = &world->pipeline.trees[0].tree;
-	int count = (tree->count[1] + ARITY - 1) / ARITY * ARITY; // boxes lie eight at a time; those beyond the last are empty
+	// boxes lie eight at a time; those beyond the last are empty
+	int count = (tree->count[1] + ARITY - 1) / ARITY * ARITY;
 	Float4* boxes = calloc((size_t)count, sizeof *boxes);
 	OK(world->backend->f->read(world->backend, POOL_node_box, tree->begin[1], count, boxes));
 	double area = 0, side = (double)PITCH * SIDE;

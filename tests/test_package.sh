@@ -46,6 +46,8 @@ grep -q '^3\.0 s: the car is at 1[0-9]\..*, 0\.[89]' "$scratch/car_OFF.txt"
 # the library exports its interface and nothing else
 strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep -v '^scree_' || true)
 [ -z "$strangers" ] || { echo "libscree.so exports: $strangers"; exit 1; }
+strangers=$(nm -g --defined-only "$libdir/libscree.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_' || true)
+[ -z "$strangers" ] || { echo "libscree.a has the global names" $strangers; exit 1; }
 
 # the header is C++ as well
 if command -v c++ >/dev/null; then
