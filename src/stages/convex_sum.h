@@ -9,7 +9,7 @@
 #define SUM_CORNERS (2 * MAX_CORNERS)
 
 // sine of an angle: edges that differ by less are one; two segments that differ by less have no area between them
-#define SUM_PARALLEL 1e-6f
+#define SUM_PARALLEL 2e-7f
 #define SUM_FLAT     1e-4f
 
 // what an edge of a sum is
