@@ -58,7 +58,8 @@ static const char* const help =
     "  -d, --device NAME        where Scree runs, cpu without it\n"
     "  -c, --continuous         Box2D with continuous collision\n"
     "  -s, --set NAME=VALUE     give a parameter of the scenes another value; may be repeated\n"
-    "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, deepest overlap of all\n"
+    "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, ms of the first 150, deepest "
+    "overlap of all\n"
     "                           steps, mean of the deepest of each, mean contacts, sink, largest and mean\n"
     "                           separation of joints, final state\n"
     "  -R, --ruled              that trial is not timed but measured with the ruler\n"
@@ -214,7 +215,8 @@ static const Engine* const engines[ENGINES] = {&scree_engine, &box2d_engine};
 
 static bool compare(const Options* options, const char* name, int steps, int threads, const Result ruled[ENGINES])
 {
-	double mean[ENGINES][MAX_REPEATS], median[ENGINES][MAX_REPEATS], ratio[MAX_REPEATS];
+	double mean[ENGINES][MAX_REPEATS], median[ENGINES][MAX_REPEATS], first[ENGINES][MAX_REPEATS];
+	double ratio[MAX_REPEATS], first_ratio[MAX_REPEATS];
 	bool same = true;
 	for (int k = 0; k < options->repeats; ++k)
 	{
@@ -225,14 +227,18 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 				return false;
 			mean[side][k] = result.mean;
 			median[side][k] = result.median;
+			first[side][k] = result.first;
 			same = same && result.hash == ruled[side].hash;
 		}
 		ratio[k] = mean[BOX2D][k] / mean[SCREE][k];
+		first_ratio[k] = first[BOX2D][k] / first[SCREE][k];
 	}
 	printf("%s,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous,
 	       middle(mean[SCREE], options->repeats), middle(mean[BOX2D], options->repeats),
 	       middle(ratio, options->repeats));
 	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted now: the least and the most
+	printf(",%.4f,%.4f,%.3f", middle(first[SCREE], options->repeats), middle(first[BOX2D], options->repeats),
+	       middle(first_ratio, options->repeats));
 	printf(",%.4f,%.4f", middle(median[SCREE], options->repeats), middle(median[BOX2D], options->repeats));
 	const Result *a = &ruled[SCREE], *b = &ruled[BOX2D];
 	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
@@ -289,7 +295,8 @@ int main(int count, char** arguments)
 		steps[k] = options.steps > 0 ? options.steps : setup.steps;
 		setup_free(&setup);
 	}
-	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,median_scree,median_box2d,"
+	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,"
+	       "first_scree,first_box2d,first_ratio,median_scree,median_box2d,"
 	       "penetration_scree,penetration_box2d,depth_scree,depth_box2d,contacts_scree,contacts_box2d,sink_scree,"
 	       "sink_box2d,separation_scree,separation_box2d,gap_scree,gap_box2d,hash_scree,hash_box2d,same\n");
 	for (int k = 0; k < name_count; ++k)

@@ -31,18 +31,21 @@ static bool run_timed(const Engine* engine, void* state, const Trial* trial, Res
 		return false;
 	}
 	int warm = trial->steps > WARM_UP ? WARM_UP : 0, counted = trial->steps - warm;
+	int first = trial->steps > FIRST_STEPS ? FIRST_STEPS : trial->steps;
 	double begin = milliseconds(), mark = begin;
 	bool good = true;
 	for (int k = 0; k < trial->steps && good; ++k)
 	{
 		good = engine->change(state, k) && engine->step(state, trial->setup->dt, trial->setup->substeps);
-		if (k == warm - 1)
+		if (k == warm - 1 || k == first - 1)
 			good = good && engine->wait(state);
 		double now = milliseconds();
 		times[k] = now - mark;
 		mark = now;
 		if (k == warm - 1)
 			begin = now;
+		if (k == first - 1)
+			result->first = (now - begin) / (first - warm);
 	}
 	good = good && engine->wait(state);
 	result->mean = (milliseconds() - begin) / counted;
@@ -88,12 +91,13 @@ bool trial_run(const Engine* engine, const Trial* trial, Result* result)
 
 void result_print(const Result* r)
 {
-	printf("%.6f %.6f %.6f %.6f %.1f %.6f %.6f %.9f %016" PRIx64 "\n", r->mean, r->median, (double)r->penetration,
-	       (double)r->depth, (double)r->contacts, (double)r->sunk, (double)r->separation, (double)r->gap, r->hash);
+	printf("%.6f %.6f %.6f %.6f %.6f %.1f %.6f %.6f %.9f %016" PRIx64 "\n", r->mean, r->median, r->first,
+	       (double)r->penetration, (double)r->depth, (double)r->contacts, (double)r->sunk, (double)r->separation,
+	       (double)r->gap, r->hash);
 }
 
 bool result_scan(const char* line, Result* r)
 {
-	return sscanf(line, "%lf %lf %f %f %f %f %f %f %" SCNx64, &r->mean, &r->median, &r->penetration, &r->depth,
-	              &r->contacts, &r->sunk, &r->separation, &r->gap, &r->hash) == 9;
+	return sscanf(line, "%lf %lf %lf %f %f %f %f %f %f %" SCNx64, &r->mean, &r->median, &r->first, &r->penetration,
+	              &r->depth, &r->contacts, &r->sunk, &r->separation, &r->gap, &r->hash) == 10;
 }

@@ -4,6 +4,8 @@
 #define TRIAL_H
 #include "engine.h"
 
+#define FIRST_STEPS 150
+
 typedef struct
 {
 	const Setup* setup;
@@ -15,6 +17,7 @@ typedef struct
 typedef struct
 {
 	double mean, median; // ms a step, the first steps left out; zeros when ruled
+	double first;        // the same mean, up to step FIRST_STEPS: while bodies still fall
 	float penetration;   // deepest of all steps, m; zero unless ruled, as the next five
 	float depth;         // mean of the deepest of each step, m
 	float contacts;      // touching ones, mean of all steps
