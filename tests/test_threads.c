@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_threads.c -- workers: every one runs once a region, and a barrier separates what is before from what is after.
+// test_threads.c -- workers: every block of a job is done once, and what one job wrote the next one reads.
 #include "platform/error.h"
 #include "platform/threads.h"
 #include <setjmp.h>
@@ -12,16 +12,16 @@
 
 static const int worker_counts[] = {1, 2, 3, 8};
 #define WORKER_COUNTS (int)(sizeof(worker_counts) / sizeof(worker_counts[0]))
-#define REGIONS       1000
-#define ROUNDS        50
+#define JOBS          1000
 
 typedef struct
 {
 	Threads* threads;
-	int runs[MAX_WORKERS]; // plain ints: a missing barrier is a data race that the thread sanitizer sees
+	int runs
+	    [MAX_WORKERS]; // plain ints: two workers at one block, or two jobs at once, are data races for the thread sanitizer
 	int values[MAX_WORKERS];
 	int wrong[MAX_WORKERS];
-	int alone;
+	int job;
 } Scene;
 
 static void with_workers(void test(Scene* scene, int workers))
@@ -32,134 +32,133 @@ static void with_workers(void test(Scene* scene, int workers))
 		assert_non_null(scene.threads);
 		assert_int_equal(threads_workers(scene.threads), worker_counts[i]);
 		test(&scene, worker_counts[i]);
+		for (int block = 0; block < MAX_WORKERS; ++block)
+			assert_int_equal(scene.wrong[block], 0);
 		threads_close(scene.threads);
 	}
 }
 
-static void run_once(void* context, int worker, int workers)
+static void spend(int rounds)
+{
+	for (volatile int k = 0; k < rounds; ++k)
+		;
+}
+
+static void count_run(void* context, int block, int blocks)
 {
 	Scene* scene = context;
-	scene->wrong[worker] += workers != threads_workers(scene->threads);
-	++scene->runs[worker];
+	scene->wrong[block] += block < 0 || block >= blocks;
+	++scene->runs[block];
 }
 
-static void check_regions(Scene* scene, int workers)
+// Jobs of all numbers of blocks, with workers that are awake or not.
+static void check_runs(Scene* scene, int workers)
 {
-	for (int region = 1; region <= REGIONS; ++region)
+	int expected[MAX_WORKERS] = {0};
+	for (int job = 0; job < JOBS; ++job)
 	{
-		threads_run(scene->threads, run_once, scene);
-		for (int worker = 0; worker < MAX_WORKERS; ++worker)
-			assert_int_equal(scene->runs[worker], worker < workers ? region : 0);
-	}
-	for (int worker = 0; worker < workers; ++worker)
-		assert_int_equal(scene->wrong[worker], 0);
-}
-
-static void test_every_worker_runs_once_a_region(void** state)
-{
-	(void)state;
-	with_workers(check_regions);
-}
-
-// each writes its own value and reads those of the others
-static void exchange(void* context, int worker, int workers)
-{
-	Scene* scene = context;
-	for (int round = 1; round <= ROUNDS; ++round)
-	{
-		scene->values[worker] = round * (worker + 1);
-		threads_barrier(scene->threads);
-		for (int other = 0; other < workers; ++other)
-			scene->wrong[worker] += scene->values[other] != round * (other + 1);
-		threads_barrier(scene->threads);
-	}
-}
-
-static void check_barriers(Scene* scene, int workers)
-{
-	for (int region = 0; region < REGIONS / ROUNDS; ++region)
-		threads_run(scene->threads, exchange, scene);
-	for (int worker = 0; worker < workers; ++worker)
-		assert_int_equal(scene->wrong[worker], 0);
-}
-
-static void test_barrier_separates(void** state)
-{
-	(void)state;
-	with_workers(check_barriers);
-}
-
-// one worker a round is told to go ahead while the others wait
-static void take_turns(void* context, int worker, int workers)
-{
-	Scene* scene = context;
-	(void)workers;
-	for (int round = 1; round <= ROUNDS; ++round)
-	{
-		if (threads_gather(scene->threads, worker))
+		int blocks = 1 + job % workers;
+		if (job % 50 == 0)
+			threads_begin(scene->threads);
+		if (job % 50 == 25)
+			threads_end(scene->threads);
+		threads_run(scene->threads, count_run, scene, blocks);
+		for (int block = 0; block < MAX_WORKERS; ++block)
 		{
-			++scene->alone;
-			++scene->runs[worker];
-			threads_release(scene->threads);
+			expected[block] += block < blocks;
+			assert_int_equal(scene->runs[block], expected[block]);
 		}
-		scene->wrong[worker] += scene->alone != round;
-		threads_barrier(scene->threads);
 	}
+	threads_end(scene->threads);
+	threads_run_once(scene->threads, count_run, scene);
+	for (int block = 0; block < workers; ++block)
+		assert_int_equal(scene->runs[block], expected[block] + 1);
 }
 
-static void check_turns(Scene* scene, int workers)
-{
-	for (int region = 0; region < REGIONS / ROUNDS; ++region)
-	{
-		scene->alone = 0;
-		memset(scene->runs, 0, sizeof(scene->runs));
-		threads_run(scene->threads, take_turns, scene);
-		int turns = 0;
-		for (int worker = 0; worker < workers; ++worker)
-		{
-			turns += scene->runs[worker];
-			assert_int_equal(scene->wrong[worker], 0);
-		}
-		assert_int_equal(turns, ROUNDS);
-	}
-}
-
-static void test_one_worker_acts_alone(void** state)
+static void test_every_block_runs_once(void** state)
 {
 	(void)state;
-	with_workers(check_turns);
+	with_workers(check_runs);
 }
 
-// worker 0 comes so late that the others have gone to sleep, at the barrier and between regions
-static void come_late(void* context, int worker, int workers)
+// Each block writes its own value, and in the next job reads those of the others.
+static void write_value(void* context, int block, int blocks)
 {
 	Scene* scene = context;
-	(void)workers;
-	volatile uint64_t spin = 0;
-	if (worker == 0)
-		while (spin < 3000000)
-			++spin;
-	threads_barrier(scene->threads);
-	++scene->runs[worker];
+	(void)blocks;
+	scene->values[block] = scene->job * (block + 1);
 }
 
+static void read_values(void* context, int block, int blocks)
+{
+	Scene* scene = context;
+	for (int other = 0; other < blocks; ++other)
+		scene->wrong[block] += scene->values[other] != scene->job * (other + 1);
+}
+
+static void check_order(Scene* scene, int workers)
+{
+	threads_begin(scene->threads);
+	for (scene->job = 1; scene->job <= JOBS; ++scene->job)
+	{
+		threads_run(scene->threads, write_value, scene, workers);
+		threads_run(scene->threads, read_values, scene, workers);
+	}
+	threads_end(scene->threads);
+}
+
+static void test_a_job_follows_the_one_before(void** state)
+{
+	(void)state;
+	with_workers(check_order);
+}
+
+// Jobs after pauses in which the workers fell asleep: they are done whether the workers wake or not.
 static void check_sleepers(Scene* scene, int workers)
 {
-	for (int region = 1; region <= 5; ++region)
+	for (int job = 1; job <= 10; ++job)
 	{
-		volatile uint64_t spin = 0;
-		while (spin < 3000000)
-			++spin;
-		threads_run(scene->threads, come_late, scene);
-		for (int worker = 0; worker < workers; ++worker)
-			assert_int_equal(scene->runs[worker], region);
+		spend(3000000);
+		if (job % 2)
+			threads_run_once(scene->threads, count_run, scene);
+		else
+			threads_run(scene->threads, count_run, scene, workers);
+		for (int block = 0; block < workers; ++block)
+			assert_int_equal(scene->runs[block], job);
 	}
 }
 
-static void test_sleepers_wake(void** state)
+static void test_sleepers_delay_nobody(void** state)
 {
 	(void)state;
 	with_workers(check_sleepers);
+}
+
+// A block that takes long: the job lasts until it is done, and workers that come late claim nothing of the next one.
+static void take_long(void* context, int block, int blocks)
+{
+	Scene* scene = context;
+	if (block == scene->job % blocks)
+		spend(100000);
+	++scene->runs[block];
+}
+
+static void check_long(Scene* scene, int workers)
+{
+	threads_begin(scene->threads);
+	for (scene->job = 1; scene->job <= 100; ++scene->job)
+	{
+		threads_run(scene->threads, take_long, scene, workers);
+		for (int block = 0; block < workers; ++block)
+			assert_int_equal(scene->runs[block], scene->job);
+	}
+	threads_end(scene->threads);
+}
+
+static void test_a_job_waits_for_its_last_block(void** state)
+{
+	(void)state;
+	with_workers(check_long);
 }
 
 static void test_open_and_close_leave_nothing(void** state)
@@ -175,8 +174,8 @@ static void test_open_and_close_leave_nothing(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_every_worker_runs_once_a_region), cmocka_unit_test(test_barrier_separates),
-	    cmocka_unit_test(test_one_worker_acts_alone),           cmocka_unit_test(test_sleepers_wake),
+	    cmocka_unit_test(test_every_block_runs_once),        cmocka_unit_test(test_a_job_follows_the_one_before),
+	    cmocka_unit_test(test_sleepers_delay_nobody),        cmocka_unit_test(test_a_job_waits_for_its_last_block),
 	    cmocka_unit_test(test_open_and_close_leave_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// choice.c -- whether the workers share a solve, or one worker does it alone.
+// choice.c -- whether the workers share a solve, or one worker does it alone; measured.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
@@ -13,36 +13,39 @@
 // Solves in a row by a way that is measured. The fastest one but the first counts: any may be interrupted, and in the first one other
 // workers may have to wake.
 #define TURN 4
-// the first solves take turns
-#define FIRST_SOLVES (4 * TURN)
+// turns in which the two ways alternate at first
+#define FIRST_TURNS 4
 
-// The other way is measured again at times, less often the slower it was. A time longer than the last may be due to an
-// interruption, so it is averaged in with a weight of a quarter.
-void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains)
+// Counts what a solve cost that was done as the choice says, and decides about the next one. A cost higher than the last may be due to an
+// interruption, so it is averaged in with a weight of a quarter. The other way is measured again at times, less often the slower it was.
+static void count_cost(Choice* c, double cost)
 {
-	Choice* c = &cpu->choice;
-	double mean = items / count;
-	bool open = mean + chains / count >= SOLVE_GRAIN && mean <= ALWAYS_SHARED, first = open && c->solves < FIRST_SOLVES;
-	bool tries = open && !first && --c->rest < 0;
-	int turn = first ? c->solves % TURN : tries ? -1 - c->rest : TURN - 1;
-	if (!open)
-		c->shares = mean > ALWAYS_SHARED;
-	else
-		c->shares = first ? c->solves / TURN % 2 == 0 : (c->cost[1] < c->cost[0]) != tries;
-	c->solves += first;
-	double begin = processor_milliseconds();
-	cpu_work(cpu, runs, count, c->shares ? SOLVE_GRAIN : INT_MAX);
-	double cost = 1e6 * (processor_milliseconds() - begin) / items, *known = &c->cost[c->shares];
-	bool begins = turn <= 1 || !(first || tries);
-	c->least = begins || cost < c->least ? cost : c->least;
-	if (turn < TURN - 1)
+	bool first = c->turns < FIRST_TURNS, measures = first || c->tries;
+	c->least = !measures || c->tried <= 1 || cost < c->least ? cost : c->least;
+	if (measures && ++c->tried < TURN)
 		return;
-	cost = c->least;
-	*known = *known > 0 && cost > *known ? 0.75 * *known + 0.25 * cost : cost;
-	if (tries)
+	double* known = &c->cost[c->shares];
+	*known = *known > 0 && c->least > *known ? 0.75 * *known + 0.25 * c->least : c->least;
+	c->tried = 0;
+	c->turns += first;
+	if (c->tries)
 	{
 		double slower = c->cost[c->shares] / c->cost[!c->shares];
 		slower = slower < MOST_SLOWER ? slower : MOST_SLOWER;
 		c->rest = slower > 1 ? (int)(REST * slower * slower) : REST;
 	}
+	c->tries = !measures && --c->rest < 0;
+	c->shares = c->turns < FIRST_TURNS ? c->turns % 2 == 0 : (c->cost[1] < c->cost[0]) != c->tries;
+}
+
+void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains)
+{
+	Choice* c = &cpu->choice;
+	double mean = items / count;
+	bool open = mean + chains / count >= SOLVE_GRAIN && mean <= ALWAYS_SHARED;
+	double begin = processor_milliseconds();
+	cpu->shares = open ? c->shares : mean > ALWAYS_SHARED;
+	cpu_work(cpu, runs, count, cpu->shares ? SOLVE_GRAIN : INT_MAX);
+	if (open)
+		count_cost(c, (processor_milliseconds() - begin) / items);
 }

@@ -24,8 +24,13 @@ static void set_step(Cpu* cpu, const Step* step)
 static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int count)
 {
 	Cpu* cpu = b->state;
+	bool detects = false;
+	for (int k = 0; k < count; ++k)
+		detects = detects || runs[k].stage == STAGE_narrow_phase;
 	set_step(cpu, step);
-	cpu_work(cpu, runs, count, cpu->choice.shares ? GRAIN : ALONE_GRAIN);
+	cpu_work(cpu, runs, count, cpu->shares || cpu->detected > WAKE_ITEMS ? GRAIN : ALONE_GRAIN);
+	if (detects)
+		cpu->detected = cpu->items;
 	return SCREE_OK;
 }
 
@@ -62,8 +67,8 @@ static scree_status cpu_timings(Backend* b, double milliseconds[BOX_COUNT])
 	return SCREE_OK;
 }
 
-// There are a hundred barriers in a step. A worker whose core is busy with something else delays all others at each, so one
-// worker fewer is faster.
+// There are a hundred jobs in a step. A worker whose core is busy with something else delays the others where it has claimed a block, so
+// one worker fewer is faster.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;
@@ -158,6 +163,7 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	b->state = cpu;
 	snprintf(b->name, sizeof(b->name), "cpu");
 	cpu->timed = options->timings;
+	cpu->choice.shares = true;
 	choose_stages(cpu, lanes);
 
 	cpu->threads = threads_open(threads);

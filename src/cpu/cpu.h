@@ -8,20 +8,23 @@
 #include "platform/threads.h"
 #include <stdatomic.h>
 
-// A run of fewer items than this is done by one worker: a barrier costs a microsecond, an item a few nanoseconds. In the
-// solve, reading what another core wrote last costs more than the barrier, so nearly all runs are shared, or none (Choice).
+// A run of fewer items than this is done by one worker: to share it costs a microsecond, an item a few nanoseconds. In the
+// solve, reading what another core wrote last costs more, so nearly all runs are shared, or none (Choice).
 #define GRAIN       512
 #define SOLVE_GRAIN 64
-// The same after a solve by one worker: meanwhile the other workers have fallen asleep, and waking them takes 50 to 150 us.
+// The same where the other workers sleep, and the work is too little to wake them: in steps of fewer items, after a solve by one worker.
 #define ALONE_GRAIN 65536
+#define WAKE_ITEMS  4096
 
 typedef struct // whether workers share the solve; measured, because it depends on the distance of the cores
 {
-	double cost[2]; // ns per item: by one worker, shared; 0 if never measured
+	double cost[2]; // ms per item: by one worker, shared; 0 if never measured
 	double least;   // of the solves in a row by a way that is measured
-	int solves;     // of the first ones, in which the two ways take turns
+	int tried;      // of these
+	int turns;      // of the first ones, in which the two ways alternate
 	int rest;       // solves until the slower way is measured again
-	bool shares;
+	bool tries;     // it is measured
+	bool shares;    // the next solve
 } Choice;
 
 typedef struct // the state of the backend
@@ -30,6 +33,8 @@ typedef struct // the state of the backend
 	Pools pools;
 	Threads* threads;
 	Choice choice;
+	bool shares;     // the last solve was shared
+	double detected; // items of the last list with the narrow phase
 	StageFunction functions[STAGE_COUNT];
 	int lanes[STAGE_COUNT]; // items per call of a function
 	bool timed;
@@ -46,10 +51,11 @@ typedef struct // the state of the backend
 	size_t copy_bytes;
 	int copy_times;
 
-	// the current list, and the items of run number at; one worker writes them while the others wait at the barrier
+	// the current list, and the items of run number at
 	const Run* runs;
-	int count, at, begin, end;
-	int grain; // a run of fewer items is not shared
+	int at, begin, end;
+	int grain;    // a run of fewer items is not shared
+	double items; // of all runs of the list so far
 
 	_Alignas(64) atomic_int next; // of a run in chunks: first item that no worker has taken
 	Shared shared;

@@ -107,11 +107,11 @@ scree_status cpu_copy_reserve(Backend* b, size_t bytes)
 	return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for two blocks of %zu bytes", bytes);
 }
 
-static void copy_share(void* context, int worker, int workers)
+static void copy_share(void* context, int block, int blocks)
 {
 	const Cpu* cpu = context;
-	size_t begin = cpu->copy_bytes / (size_t)workers * (size_t)worker;
-	size_t end = worker + 1 == workers ? cpu->copy_bytes : cpu->copy_bytes / (size_t)workers * (size_t)(worker + 1);
+	size_t begin = cpu->copy_bytes / (size_t)blocks * (size_t)block;
+	size_t end = block + 1 == blocks ? cpu->copy_bytes : cpu->copy_bytes / (size_t)blocks * (size_t)(block + 1);
 	for (int k = 0; k < cpu->copy_times; ++k)
 		memcpy(cpu->copy_to + begin, cpu->copy_from + begin, end - begin);
 }
@@ -120,6 +120,6 @@ scree_status cpu_copy(Backend* b, int times)
 {
 	Cpu* cpu = b->state;
 	cpu->copy_times = times;
-	threads_run(cpu->threads, copy_share, cpu);
+	threads_run_once(cpu->threads, copy_share, cpu);
 	return SCREE_OK;
 }

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-// primitives.c -- sort and scan, by all workers together or by one alone.
+// primitives.c -- sort and scan, each in jobs whose blocks are shares of the items.
 #include "cpu/primitives.h"
 #include <string.h>
 
 // keys that are inserted rather than sorted by digits: with 64, both take about as long
 #define FEW_KEYS 64
-
-static void meet(Threads* threads, int workers)
-{
-	if (workers > 1)
-		threads_barrier(threads);
-}
 
 static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int end, int shift, uint64_t mask)
 {
@@ -19,19 +13,19 @@ static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int
 		++counts[keys[i] >> shift & mask];
 }
 
-// The place of this worker's first key of each digit: behind all smaller digits, and behind the equal digits of the
-// workers before it, so the sort is stable. False if all keys have the same digit, so that nothing has to move.
-static bool place_digits(int place[RADIX], const Shared* shared, int worker, int workers, int count)
+// The place of a block's first key of each digit: behind all smaller digits, and behind the equal digits of the blocks
+// before it, so the sort is stable. False if all keys have the same digit, so that nothing has to move.
+static bool place_digits(int place[RADIX], const Shared* shared, int block, int blocks, int count)
 {
 	int sum = 0;
 	for (int digit = 0; digit < RADIX; ++digit)
 	{
 		int before = sum;
-		for (int w = 0; w < workers; ++w)
+		for (int b = 0; b < blocks; ++b)
 		{
-			if (w == worker)
+			if (b == block)
 				place[digit] = sum;
-			sum += shared->counts[w][digit];
+			sum += shared->counts[b][digit];
 		}
 		if (sum - before == count)
 			return false;
@@ -53,64 +47,89 @@ static void insert_keys(uint64_t* keys, int count, int low, int high)
 	}
 }
 
-// Radix sort from the lowest digit up. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort, 1993; split over
-// workers as in Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
-void sort_keys(Shared* shared, Threads* threads, int worker, int workers, uint64_t* keys, uint64_t* other, int count,
-               int low, int high)
+static void count_block(void* context, int block, int blocks)
 {
-	if (workers == 1 && count <= FEW_KEYS)
+	Shared* s = context;
+	count_digits(s->counts[block], s->from, split(s->count, block, blocks), split(s->count, block + 1, blocks),
+	             s->shift, s->mask);
+}
+
+static void place_block(void* context, int block, int blocks)
+{
+	Shared* s = context;
+	int place[RADIX], end = split(s->count, block + 1, blocks);
+	bool moves = place_digits(place, s, block, blocks, s->count);
+	for (int i = split(s->count, block, blocks); i < end && moves; ++i)
+		s->to[place[s->from[i] >> s->shift & s->mask]++] = s->from[i];
+	if (block == 0)
+		s->moves = moves;
+}
+
+static void copy_block(void* context, int block, int blocks)
+{
+	Shared* s = context;
+	int begin = split(s->count, block, blocks), end = split(s->count, block + 1, blocks);
+	memcpy(s->to + begin, s->from + begin, (size_t)(end - begin) * sizeof(uint64_t));
+}
+
+// Radix sort from the lowest digit up. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort, 1993; in blocks as in
+// Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
+void sort_keys(Shared* s, Threads* threads, int blocks, uint64_t* keys, uint64_t* other, int count, int low, int high)
+{
+	if (blocks == 1 && count <= FEW_KEYS)
 	{
 		if (low < high)
 			insert_keys(keys, count, low, high);
 		return;
 	}
-
-	int begin = split(count, worker, workers), end = split(count, worker + 1, workers);
-	uint64_t *from = keys, *to = other;
-
-	for (int shift = low; shift < high; shift += RADIX_BITS)
+	s->from = keys;
+	s->to = other;
+	s->count = count;
+	for (s->shift = low; s->shift < high; s->shift += RADIX_BITS)
 	{
-		int bits = high - shift < RADIX_BITS ? high - shift : RADIX_BITS;
-		uint64_t mask = ((uint64_t)1 << bits) - 1;
-		count_digits(shared->counts[worker], from, begin, end, shift, mask);
-		meet(threads, workers);
-
-		int place[RADIX];
-		bool moves = place_digits(place, shared, worker, workers, count);
-		if (moves)
+		int bits = high - s->shift < RADIX_BITS ? high - s->shift : RADIX_BITS;
+		s->mask = ((uint64_t)1 << bits) - 1;
+		threads_run(threads, count_block, s, blocks);
+		threads_run(threads, place_block, s, blocks);
+		if (s->moves)
 		{
-			for (int i = begin; i < end; ++i)
-				to[place[from[i] >> shift & mask]++] = from[i];
-			uint64_t* swap = from;
-			from = to;
-			to = swap;
+			uint64_t* swap = s->from;
+			s->from = s->to;
+			s->to = swap;
 		}
-		meet(threads, workers);
 	}
-
-	if (from != keys)
-		memcpy(keys + begin, from + begin, (size_t)(end - begin) * sizeof(uint64_t));
+	if (s->from != keys)
+		threads_run(threads, copy_block, s, blocks);
 }
 
-void scan_values(Shared* shared, Threads* threads, int worker, int workers, int* values, int count)
+static void sum_block(void* context, int block, int blocks)
 {
-	int begin = split(count, worker, workers), end = split(count, worker + 1, workers);
-	int sum = 0;
-	if (workers > 1)
-	{
-		for (int i = begin; i < end; ++i)
-			sum += values[i];
-		shared->sums[worker] = sum;
-		meet(threads, workers);
-		sum = 0;
-		for (int w = 0; w < worker; ++w)
-			sum += shared->sums[w];
-	}
+	Shared* s = context;
+	int end = split(s->count, block + 1, blocks), sum = 0;
+	for (int i = split(s->count, block, blocks); i < end; ++i)
+		sum += s->values[i];
+	s->sums[block] = sum;
+}
 
-	for (int i = begin; i < end; ++i)
+static void scan_block(void* context, int block, int blocks)
+{
+	Shared* s = context;
+	int end = split(s->count, block + 1, blocks), sum = 0;
+	for (int b = 0; b < block; ++b)
+		sum += s->sums[b];
+	for (int i = split(s->count, block, blocks); i < end; ++i)
 	{
-		int value = values[i];
-		values[i] = sum;
+		int value = s->values[i];
+		s->values[i] = sum;
 		sum += value;
 	}
+}
+
+void scan_values(Shared* s, Threads* threads, int blocks, int* values, int count)
+{
+	s->values = values;
+	s->count = count;
+	if (blocks > 1)
+		threads_run(threads, sum_block, s, blocks);
+	threads_run(threads, scan_block, s, blocks);
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// work.c -- lists of runs on the CPU: each run by all workers, or by one.
+// work.c -- lists of runs on the CPU: each run in blocks by several workers, or by one.
 //
-// A list of runs is executed in one parallel region, with a barrier after each shared run. Worker 0, when all have arrived
-// at the barrier, reads the bound of the next run, does small runs by itself, and releases the others at the next run
-// that is worth sharing. So a bound is read once, by one worker, while no worker writes it, and a small world never
-// wakes a thread.
+// Worker 0 goes through a list: it reads the bound of a run, does a small one by itself, and shares others as jobs of several
+// blocks. So a bound is read once, by one worker, while no worker writes it, and a small world never wakes a thread.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
@@ -16,6 +14,8 @@
 // fewest items for which a sort and a scan are shared
 #define SORT_GRAIN 8192
 #define SCAN_GRAIN 16384
+// so many blocks of a run that is just worth sharing
+#define BLOCKS_A_GRAIN 2
 
 // Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
 // other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
@@ -58,11 +58,11 @@ static const ActiveBlocks* active_blocks(const Cpu* cpu, int stage)
 	return active && active->blocks ? active : NULL;
 }
 
-// A worker's share of the active blocks, those in a row in one call.
-static void do_blocks(Cpu* cpu, StageFunction function, const ActiveBlocks* active, int worker, int workers)
+// A share of the active blocks, those in a row in one call.
+static void do_active(Cpu* cpu, StageFunction function, const ActiveBlocks* active, int block, int blocks)
 {
-	int end = split(active->count, worker + 1, workers);
-	for (int k = split(active->count, worker, workers); k < end; ++k)
+	int end = split(active->count, block + 1, blocks);
+	for (int k = split(active->count, block, blocks); k < end; ++k)
 	{
 		int first = active->blocks[k] * ACTIVE_ITEMS;
 		while (k + 1 < end && active->blocks[k + 1] == active->blocks[k] + 1)
@@ -73,64 +73,48 @@ static void do_blocks(Cpu* cpu, StageFunction function, const ActiveBlocks* acti
 	}
 }
 
-static void do_dealt(Cpu* cpu, StageFunction function, int worker, int workers)
+static void do_dealt(Cpu* cpu, StageFunction function, int block, int blocks)
 {
-	for (int round = 0, begin = cpu->begin; begin < cpu->end; ++round, begin += workers)
+	for (int round = 0, begin = cpu->begin; begin < cpu->end; ++round, begin += blocks)
 	{
-		int item = begin + dealt(round, worker, workers);
+		int item = begin + dealt(round, block, blocks);
 		if (item < cpu->end)
 			function(&cpu->pools, item, item + 1);
 	}
 }
 
-static void do_stage(Cpu* cpu, StageId stage, int worker, int workers)
+// What is left of a run in chunks, a chunk after the other.
+static void do_chunks(Cpu* cpu, StageFunction function, int chunk)
 {
-	StageFunction function = cpu->functions[stage];
-	const ActiveBlocks* active = active_blocks(cpu, stage);
-	if (active && cpu->end > 1) // a single item is bookkeeping
-	{
-		do_blocks(cpu, function, active, worker, workers);
-		return;
-	}
-	if (chunks[stage] == DEALT)
-	{
-		do_dealt(cpu, function, worker, workers);
-		return;
-	}
-	int items = cpu->end - cpu->begin;
-	if (workers > 1 && chunks[stage])
-	{
-		int chunk = chunks[stage], begin = worker * chunk;
-		while (begin < items)
-		{
-			int end = items - begin < chunk ? items : begin + chunk;
-			function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
-			begin = workers * chunk + atomic_fetch_add_explicit(&cpu->next, chunk, memory_order_relaxed);
-		}
-		return;
-	}
-
-	// shares consist of whole blocks of MAX_LANES items, so that no two workers write to one block
-	int blocks = (items + MAX_LANES - 1) / MAX_LANES;
-	int begin = split(blocks, worker, workers) * MAX_LANES;
-	int end = split(blocks, worker + 1, workers) * MAX_LANES;
-	if (end > items)
-		end = items;
-	if (begin < end)
-		function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+	int items = cpu->end - cpu->begin, begin;
+	while ((begin = atomic_fetch_add_explicit(&cpu->next, chunk, memory_order_relaxed)) < items)
+		function(&cpu->pools, cpu->begin + begin, cpu->begin + (items - begin < chunk ? items : begin + chunk));
 }
 
-// A worker's share of the current run.
-static void do_share(Cpu* cpu, int worker, int workers)
+// A block of the current run of a stage.
+static void do_block(void* context, int block, int blocks)
 {
-	const Run* run = &cpu->runs[cpu->at];
-	if (run->stage == PRIMITIVE_SORT)
-		sort_keys(&cpu->shared, cpu->threads, worker, workers, cpu->pools.key, cpu->pools.key_other, cpu->end,
-		          run->argument & 255, run->argument >> 8);
-	else if (run->stage == PRIMITIVE_SCAN)
-		scan_values(&cpu->shared, cpu->threads, worker, workers, cpu->pools.scan, cpu->end);
+	Cpu* cpu = context;
+	int stage = cpu->runs[cpu->at].stage, items = cpu->end - cpu->begin;
+	StageFunction function = cpu->functions[stage];
+	const ActiveBlocks* active = active_blocks(cpu, stage);
+	FloatMode found = float_mode_enter();
+	if (active && cpu->end > 1) // a single item is bookkeeping
+		do_active(cpu, function, active, block, blocks);
+	else if (chunks[stage] == DEALT)
+		do_dealt(cpu, function, block, blocks);
+	else if (blocks > 1 && chunks[stage])
+		do_chunks(cpu, function, chunks[stage]);
 	else
-		do_stage(cpu, (StageId)run->stage, worker, workers);
+	{
+		// shares consist of whole rows of MAX_LANES items, so that no two workers write to one
+		int rows = (items + MAX_LANES - 1) / MAX_LANES;
+		int begin = split(rows, block, blocks) * MAX_LANES, end = split(rows, block + 1, blocks) * MAX_LANES;
+		end = end > items ? items : end;
+		if (begin < end)
+			function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
+	}
+	float_mode_leave(found);
 }
 
 static int smallest_shared(const Cpu* cpu, int stage)
@@ -164,68 +148,80 @@ static void count_time(Cpu* cpu, const Run* run)
 	cpu->mark = time;
 }
 
-// Advances to the next run worth sharing, or to the end of the list. The runs before it are done by the caller.
-static void advance(Cpu* cpu)
+// The number of blocks of a run: one that is not worth sharing has one.
+static int count_blocks(const Cpu* cpu, int stage, int items, const ActiveBlocks* active)
 {
-	if (cpu->at >= 0)
-		count_time(cpu, &cpu->runs[cpu->at]);
-	while (++cpu->at < cpu->count)
-	{
-		const Run* run = &cpu->runs[cpu->at];
-		cpu->begin = run->begin;
-		cpu->end = run->end;
-		if (run->count != NO_COUNT)
-		{
-			int bound = ((const int*)cpu->pools.counters)[run->count];
-			cpu->end = bound < run->end ? bound : run->end;
-		}
-		if (cpu->begin >= cpu->end)
-			continue;
-		cpu->pools.argument = run->argument;
-		if (run->stage < STAGE_COUNT)
-		{
-			// rounding up adds inert items, for which the pools have room
-			int lanes = cpu->lanes[run->stage];
-			cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
-		}
-
-		const ActiveBlocks* active = active_blocks(cpu, run->stage);
-		int items = cpu->end - cpu->begin, left = active ? active->count * ACTIVE_ITEMS : items;
-		if (cpu->backend.threads > 1 && (left < items ? left : items) >= smallest_shared(cpu, run->stage))
-		{
-			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
-			return;
-		}
-		do_share(cpu, 0, 1);
-		count_time(cpu, run);
-	}
+	int workers = threads_workers(cpu->threads), least = smallest_shared(cpu, stage), most = workers;
+	if (workers == 1 || items < least)
+		return 1;
+	if (stage >= STAGE_COUNT)
+		return workers;
+	if (active)
+		most = active->count;
+	else if (stage_widths[stage] >= WIDTH_GROUP || chunks[stage] == DEALT)
+		most = items;
+	else if (chunks[stage])
+		most = (items + chunks[stage] - 1) / chunks[stage];
+	else
+		most = items / (cpu->grain / BLOCKS_A_GRAIN);
+	return most < workers ? most : workers;
 }
 
-static void worker_loop(void* context, int worker, int workers)
+// Finds the items of the current run. Returns the number of blocks, 0 if there are no items.
+static int begin_run(Cpu* cpu, const Run* run)
 {
-	Cpu* cpu = context;
-	FloatMode found = float_mode_enter();
-	while (cpu->at < cpu->count)
+	cpu->begin = run->begin;
+	cpu->end = run->end;
+	if (run->count != NO_COUNT)
 	{
-		do_share(cpu, worker, workers);
-		if (threads_gather(cpu->threads, worker))
-		{
-			advance(cpu);
-			threads_release(cpu->threads);
-		}
+		int bound = ((const int*)cpu->pools.counters)[run->count];
+		cpu->end = bound < run->end ? bound : run->end;
 	}
-	float_mode_leave(found);
+	if (cpu->begin >= cpu->end)
+		return 0;
+	cpu->pools.argument = run->argument;
+	if (run->stage < STAGE_COUNT)
+	{
+		// rounding up adds inert items, for which the pools have room
+		int lanes = cpu->lanes[run->stage];
+		cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
+	}
+	const ActiveBlocks* active = active_blocks(cpu, run->stage);
+	int items = cpu->end - cpu->begin, left = active ? active->count * ACTIVE_ITEMS : items;
+	items = left < items ? left : items;
+	cpu->items += items;
+	return count_blocks(cpu, run->stage, items, active);
 }
 
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 {
+	bool shared = false;
 	cpu->runs = runs;
-	cpu->count = count;
-	cpu->at = -1;
 	cpu->grain = grain;
+	cpu->items = 0.0;
 	FloatMode found = float_mode_enter();
-	advance(cpu);
+	for (cpu->at = 0; cpu->at < count; ++cpu->at)
+	{
+		const Run* run = &runs[cpu->at];
+		int blocks = begin_run(cpu, run);
+		if (blocks == 0)
+			continue;
+		if (blocks > 1 && !shared)
+			threads_begin(cpu->threads);
+		shared = shared || blocks > 1;
+		if (run->stage == PRIMITIVE_SORT)
+			sort_keys(&cpu->shared, cpu->threads, blocks, cpu->pools.key, cpu->pools.key_other, cpu->end,
+			          run->argument & 255, run->argument >> 8);
+		else if (run->stage == PRIMITIVE_SCAN)
+			scan_values(&cpu->shared, cpu->threads, blocks, cpu->pools.scan, cpu->end);
+		else
+		{
+			atomic_store_explicit(&cpu->next, 0, memory_order_relaxed);
+			threads_run(cpu->threads, do_block, cpu, blocks);
+		}
+		count_time(cpu, run);
+	}
+	if (shared)
+		threads_end(cpu->threads);
 	float_mode_leave(found);
-	if (cpu->at < cpu->count)
-		threads_run(cpu->threads, worker_loop, cpu);
 }

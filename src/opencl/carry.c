@@ -19,13 +19,13 @@ typedef struct
 	int count;
 } Loads;
 
-static void copy_share(void* context, int worker, int workers)
+static void copy_share(void* context, int block, int blocks)
 {
 	const Loads* all = context;
 	for (int k = 0; k < all->count; ++k)
 	{
 		const Load* load = &all->loads[k];
-		size_t share = (load->bytes / (size_t)workers + 63) / 64 * 64, begin = share * (size_t)worker;
+		size_t share = (load->bytes / (size_t)blocks + 63) / 64 * 64, begin = share * (size_t)block;
 		if (begin >= load->bytes)
 			continue;
 		size_t left = load->bytes - begin;
@@ -35,7 +35,7 @@ static void copy_share(void* context, int worker, int workers)
 
 void carry_copy(OpenCl* d, const Load* loads, int count)
 {
-	threads_run(d->carry.threads, copy_share, &(Loads){loads, count});
+	threads_run_once(d->carry.threads, copy_share, &(Loads){loads, count});
 }
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }

@@ -31,13 +31,13 @@ typedef struct
 	bool bad[MAX_WORKERS];
 } Checked;
 
-static void check_share(void* context, int worker, int workers)
+static void check_share(void* context, int block, int blocks)
 {
 	Checked* checked = context;
 	const Exchange* x = checked->exchange;
-	int share = x->run.end / workers + 1, begin = share * worker,
+	int share = x->run.end / blocks + 1, begin = share * block,
 	    end = begin + share < x->run.end ? begin + share : x->run.end;
-	checked->bad[worker] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
+	checked->bad[block] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
 }
 
 // By all threads; the sentence is that of the first bad item.
@@ -46,9 +46,9 @@ static scree_status check(OpenCl* d, const Exchange* x)
 	Checked checked = {.exchange = x};
 	if (!x->check)
 		return SCREE_OK;
-	threads_run(d->carry.threads, check_share, &checked);
-	for (int worker = 0; worker < MAX_WORKERS; ++worker)
-		if (checked.bad[worker])
+	threads_run_once(d->carry.threads, check_share, &checked);
+	for (int block = 0; block < MAX_WORKERS; ++block)
+		if (checked.bad[block])
 			return x->check(x->context, 0, x->run.end);
 	return SCREE_OK;
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// threads.c -- workers that run one function together, and a barrier between them.
+// threads.c -- workers that do the blocks of a job together.
 //
-// There is one barrier. Idle workers wait at it; threads_run sets the function and arrives as worker 0. All workers meet at it
-// again when the function has returned.
+// The caller publishes a job: its number and its number of blocks, in one word. Each worker claims the block of its own number, does it,
+// and counts it as done. Who has nothing to do for a moment claims blocks that nobody has claimed, so that a worker that sleeps, or
+// whose core the system took away, delays nobody unless it has claimed a block. A block is claimed by the number of the job: a worker that
+// comes late finds all blocks of its job claimed, and goes on to the present one. Similar: Erin Catto, SIMD Matters, box2d.org, 2024.
 //
-// A waiting worker spins first, since a step has hundreds of barriers of about 1 us. After a short spin it yields its core: on
-// a busy machine the worker that it waits for may need this core. When yielding helps repeatedly, the spin is shortened, until
-// every worker has a core of its own again.
+// A waiting worker spins first, since a step has hundreds of jobs of about 1 us. After a short spin it yields its core: on a busy
+// machine another worker may need this core. When yielding helps repeatedly, the spin is shortened, until every worker has a core of
+// its own again. Then it sleeps, but not between threads_begin and threads_end: nothing would wake it.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -16,33 +18,42 @@
 
 #define CACHE_LINE 64
 
-// Pause instructions (20 to 50 ns each) in a spin: longer than a barrier between workers that all run, shorter than the time
-// slice that a spinning worker could take from one that has work.
+// Pause instructions (20 to 50 ns each) in a spin: longer than a job of workers that all run, shorter than the time slice that a
+// spinning worker could take from one that has work.
 #define SPINS        1000
 #define FEWEST_SPINS 16
 // Yields after the spin. Then the worker sleeps; waking it takes about 50 us.
 #define YIELDS 20
+// pause instructions until a worker without a block looks for blocks of others: they may be a moment late
+#define HELP_SPINS 40
+// Workers that one wakes. Each of them wakes as many, so that no one is held up.
+#define WAKES 2
+// bits of a turn that hold the number of blocks
+#define BLOCK_BITS 8
 
 typedef struct
 {
 	Threads* threads;
 	int worker;
 	Thread thread;
+	Mutex mutex;
+	Condition woken;
+	bool sleeps;                                // under the mutex
+	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job whose block of this number was claimed
 } Seat;
 
 struct Threads
 {
 	int workers, most_spins;
-	WorkerFunction* function; // null: the workers end
+	BlockFunction* function;
 	void* context;
-	Seat seats[MAX_WORKERS]; // 0 belongs to the caller of threads_run
-	Mutex mutex;
-	Condition released;
-	_Alignas(CACHE_LINE) atomic_int arrived;     // at the barrier now
-	_Alignas(CACHE_LINE) atomic_uint generation; // barriers passed
-	_Alignas(CACHE_LINE) atomic_uint gathered;   // times that worker 0 passed the barrier first
-	_Alignas(CACHE_LINE) atomic_int sleepers;    // workers that wait on the condition, or will in a moment
-	_Alignas(CACHE_LINE) atomic_int spins;       // pause instructions in the next spin; rarely written
+	Seat seats[MAX_WORKERS];                  // 0 belongs to the caller of threads_run, who never sleeps
+	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the present job, and above it its blocks
+	_Alignas(CACHE_LINE) atomic_int done;     // blocks of it
+	_Alignas(CACHE_LINE) atomic_int sleepers; // workers that sleep, or will in a moment
+	_Alignas(CACHE_LINE) atomic_int spins;    // pause instructions in the next spin; rarely written
+	atomic_bool awake;                        // no worker may fall asleep
+	atomic_bool ends;
 };
 
 static void pause_core(void)
@@ -68,105 +79,109 @@ static void adapt_spins(Threads* t, int spins, bool at_once)
 		atomic_store_explicit(&t->spins, next, memory_order_relaxed);
 }
 
-// Waits until a count differs from was.
-static void wait_past(Threads* t, atomic_uint* count, unsigned was)
+// Wakes some workers that sleep.
+static void wake_some(Threads* t)
 {
-	int spins = atomic_load_explicit(&t->spins, memory_order_relaxed);
-	for (int i = 0; i < spins; ++i)
+	int left = WAKES;
+	for (int k = 1; k < t->workers && left > 0 && atomic_load(&t->sleepers) > 0; ++k)
 	{
-		if (atomic_load_explicit(count, memory_order_acquire) != was)
-		{
-			adapt_spins(t, spins, true);
-			return;
-		}
+		Seat* seat = &t->seats[k];
+		mutex_lock(&seat->mutex);
+		left -= seat->sleeps;
+		seat->sleeps = false;
+		condition_wake_all(&seat->woken);
+		mutex_unlock(&seat->mutex);
+	}
+}
+
+// Sequentially consistent on both sides: this worker adds itself to sleepers, then reads awake and the turn; who wakes sets awake, then
+// reads sleepers. At least one sees the change of the other.
+static void sleep_until_woken(Seat* seat, unsigned long long turn)
+{
+	Threads* t = seat->threads;
+	mutex_lock(&seat->mutex);
+	seat->sleeps = true;
+	atomic_fetch_add(&t->sleepers, 1);
+	while (seat->sleeps && !atomic_load(&t->awake) && atomic_load(&t->turn) == turn)
+		condition_wait(&seat->woken, &seat->mutex);
+	bool woken = !seat->sleeps;
+	seat->sleeps = false;
+	atomic_fetch_sub(&t->sleepers, 1);
+	mutex_unlock(&seat->mutex);
+	if (woken)
+		wake_some(t);
+}
+
+// Spins until the turn is another one. False after so many spins.
+static bool spin(const Threads* t, unsigned long long turn, int spins)
+{
+	for (int k = 0; k < spins; ++k)
+	{
+		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
+			return true;
 		pause_core();
 	}
-	for (int i = 0; i < YIELDS; ++i)
+	return false;
+}
+
+static void wait_for_turn(Seat* seat, unsigned long long turn)
+{
+	Threads* t = seat->threads;
+	int spins = atomic_load_explicit(&t->spins, memory_order_relaxed);
+	if (spin(t, turn, spins))
 	{
-		if (atomic_load_explicit(count, memory_order_acquire) != was)
+		adapt_spins(t, spins, true);
+		return;
+	}
+	for (int k = 0; k < YIELDS || atomic_load_explicit(&t->awake, memory_order_relaxed); ++k)
+	{
+		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
 		{
 			// one yield was enough: the worker waited for needed this core
-			adapt_spins(t, spins, i != 1);
+			adapt_spins(t, spins, k != 1);
 			return;
 		}
 		give_core_away();
 	}
-
-	// Sequentially consistent on both sides: this worker adds itself to sleepers, then reads the count; the releasing
-	// worker changes the count, then reads sleepers. At least one sees the change of the other.
-	atomic_fetch_add(&t->sleepers, 1);
-	mutex_lock(&t->mutex);
-	while (atomic_load(count) == was)
-		condition_wait(&t->released, &t->mutex);
-	mutex_unlock(&t->mutex);
-	atomic_fetch_sub(&t->sleepers, 1);
+	sleep_until_woken(seat, turn);
 }
 
-static void go_on(Threads* t, atomic_uint* count)
+// Claims a block of a job and does it. The job lasts until its blocks are done, so what belongs to it may be read after the claim.
+static void try_block(Threads* t, unsigned long long turn, int block)
 {
-	atomic_fetch_add(count, 1);
-	if (atomic_load(&t->sleepers) > 0)
-	{
-		mutex_lock(&t->mutex);
-		condition_wake_all(&t->released);
-		mutex_unlock(&t->mutex);
-	}
+	unsigned long long job = turn >> BLOCK_BITS,
+	                   last = atomic_load_explicit(&t->seats[block].claimed, memory_order_relaxed);
+	int blocks = (int)(turn & ((1 << BLOCK_BITS) - 1));
+	if (last >= job || !atomic_compare_exchange_strong_explicit(&t->seats[block].claimed, &last, job,
+	                                                            memory_order_acq_rel, memory_order_relaxed))
+		return;
+	t->function(t->context, block, blocks);
+	atomic_fetch_add_explicit(&t->done, 1, memory_order_release);
 }
 
-// Whether this worker is the last to arrive.
-static bool arrive_last(Threads* t)
+// What nobody has claimed.
+static void help(Threads* t, unsigned long long turn, int worker)
 {
-	if (atomic_fetch_add_explicit(&t->arrived, 1, memory_order_acq_rel) + 1 < t->workers)
-		return false;
-	atomic_store_explicit(&t->arrived, 0, memory_order_relaxed);
-	return true;
-}
-
-bool threads_gather(Threads* t, int worker)
-{
-	unsigned released = atomic_load_explicit(&t->generation, memory_order_relaxed),
-	         gathered = atomic_load_explicit(&t->gathered, memory_order_relaxed);
-	bool last = arrive_last(t);
-	if (worker == 0)
-	{
-		if (!last)
-			wait_past(t, &t->gathered, gathered);
-		return true;
-	}
-	if (last)
-		go_on(t, &t->gathered);
-	wait_past(t, &t->generation, released);
-	return false;
-}
-
-void threads_release(Threads* t) { go_on(t, &t->generation); }
-
-void threads_barrier(Threads* t)
-{
-	unsigned released = atomic_load_explicit(&t->generation, memory_order_relaxed);
-	if (arrive_last(t))
-		go_on(t, &t->generation);
-	else
-		wait_past(t, &t->generation, released);
+	int blocks = (int)(turn & ((1 << BLOCK_BITS) - 1));
+	for (int k = 1; k <= blocks; ++k)
+		try_block(t, turn, (worker + k) % blocks);
 }
 
 static THREAD_RESULT thread_main(void* argument)
 {
 	Seat* seat = argument;
 	Threads* t = seat->threads;
-
-	// threads_open holds the mutex until it knows how many workers there are
-	mutex_lock(&t->mutex);
-	mutex_unlock(&t->mutex);
-
-	for (;;)
+	unsigned long long turn = 0;
+	while (!atomic_load(&t->ends))
 	{
-		threads_barrier(t);
-		if (!t->function)
-			return THREAD_END;
-		t->function(t->context, seat->worker, t->workers);
-		threads_barrier(t);
+		wait_for_turn(seat, turn);
+		turn = atomic_load_explicit(&t->turn, memory_order_acquire);
+		if (seat->worker < (int)(turn & ((1 << BLOCK_BITS) - 1)))
+			try_block(t, turn, seat->worker);
+		if (!spin(t, turn, HELP_SPINS))
+			help(t, turn, seat->worker);
 	}
+	return THREAD_END;
 }
 
 Threads* threads_open(int workers)
@@ -177,26 +192,20 @@ Threads* threads_open(int workers)
 		fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d threads", workers);
 		return NULL;
 	}
-	mutex_open(&t->mutex);
-	condition_open(&t->released);
 	t->most_spins = workers > processor_cores() ? 0 : SPINS;
 	atomic_init(&t->spins, t->most_spins);
-
-	mutex_lock(&t->mutex);
-	int started = 1;
-	for (; started < workers; ++started)
+	for (t->workers = 1; t->workers < workers; ++t->workers)
 	{
-		Seat* seat = &t->seats[started];
+		Seat* seat = &t->seats[t->workers];
 		seat->threads = t;
-		seat->worker = started;
-		if (!thread_start(&seat->thread, thread_main, seat))
-			break;
-	}
-	t->workers = started;
-	mutex_unlock(&t->mutex);
-
-	if (started < workers)
-	{
+		seat->worker = t->workers;
+		mutex_open(&seat->mutex);
+		condition_open(&seat->woken);
+		if (thread_start(&seat->thread, thread_main, seat))
+			continue;
+		int started = t->workers;
+		condition_close(&seat->woken);
+		mutex_close(&seat->mutex);
 		threads_close(t);
 		fail(SCREE_ERROR_OUT_OF_MEMORY, "the system refuses to start thread %d of %d: ask for fewer threads",
 		     started + 1, workers);
@@ -205,26 +214,73 @@ Threads* threads_open(int workers)
 	return t;
 }
 
+static unsigned long long publish(Threads* t, int blocks)
+{
+	unsigned long long turn = ((atomic_load_explicit(&t->turn, memory_order_relaxed) >> BLOCK_BITS) + 1) << BLOCK_BITS;
+	atomic_store(&t->turn, turn | (unsigned long long)blocks);
+	return turn | (unsigned long long)blocks;
+}
+
 void threads_close(Threads* t)
 {
 	if (!t)
 		return;
-	t->function = NULL;
-	threads_barrier(t);
-	for (int i = 1; i < t->workers; ++i)
-		thread_join(t->seats[i].thread);
-	condition_close(&t->released);
-	mutex_close(&t->mutex);
+	atomic_store(&t->ends, true);
+	publish(t, 0);
+	for (int k = 1; k < t->workers; ++k)
+	{
+		Seat* seat = &t->seats[k];
+		mutex_lock(&seat->mutex);
+		seat->sleeps = false;
+		condition_wake_all(&seat->woken);
+		mutex_unlock(&seat->mutex);
+	}
+	for (int k = 1; k < t->workers; ++k)
+	{
+		thread_join(t->seats[k].thread);
+		condition_close(&t->seats[k].woken);
+		mutex_close(&t->seats[k].mutex);
+	}
 	scree_release(t);
 }
 
 int threads_workers(const Threads* t) { return t->workers; }
 
-void threads_run(Threads* t, WorkerFunction* function, void* context)
+void threads_begin(Threads* t)
 {
+	atomic_store(&t->awake, true);
+	if (atomic_load(&t->sleepers) > 0)
+		wake_some(t);
+}
+
+void threads_end(Threads* t) { atomic_store_explicit(&t->awake, false, memory_order_relaxed); }
+
+void threads_run_once(Threads* t, BlockFunction* function, void* context)
+{
+	threads_begin(t);
+	threads_run(t, function, context, t->workers);
+	threads_end(t);
+}
+
+void threads_run(Threads* t, BlockFunction* function, void* context, int blocks)
+{
+	if (blocks == 1)
+	{
+		function(context, 0, 1);
+		return;
+	}
 	t->function = function;
 	t->context = context;
-	threads_barrier(t);
-	function(context, 0, t->workers);
-	threads_barrier(t);
+	atomic_store_explicit(&t->done, 0, memory_order_relaxed);
+	unsigned long long turn = publish(t, blocks);
+	try_block(t, turn, 0);
+	for (int k = 0; atomic_load_explicit(&t->done, memory_order_acquire) < blocks; ++k)
+	{
+		if (k == HELP_SPINS)
+			help(t, turn, 0);
+		if (k < t->most_spins)
+			pause_core();
+		else
+			give_core_away();
+	}
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// threads.h -- workers that run one function together, and a barrier between them.
+// threads.h -- workers that do the blocks of a job together.
 #ifndef THREADS_H
 #define THREADS_H
 #include <stdbool.h>
@@ -7,7 +7,9 @@
 #define MAX_WORKERS 64
 
 typedef struct Threads Threads;
-typedef void WorkerFunction(void* context, int worker, int workers);
+
+// Does one block of a job. The number of blocks is given as well, because a block is a share of the items of a job.
+typedef void BlockFunction(void* context, int block, int blocks);
 
 // Starts workers - 1 threads, so none for 1; the caller of threads_run is worker 0. Null, with the error's sentence set,
 // when that cannot be done.
@@ -16,16 +18,15 @@ void threads_close(Threads* t); // null is allowed
 
 int threads_workers(const Threads* t);
 
-// Runs function(context, worker, workers) on all workers at once and returns when all have returned.
-void threads_run(Threads* t, WorkerFunction* function, void* context);
+// Wakes the workers, which takes them 50 us and more, and keeps them awake until threads_end. Jobs need not wait for that.
+void threads_begin(Threads* t);
+void threads_end(Threads* t);
 
-// The barrier, for use inside threads_run. When all workers have arrived, it returns true for worker 0, which does serial work
-// and calls threads_release; then it returns false for the others. Serial work always falls to worker 0, whose core has the
-// data in its caches.
-bool threads_gather(Threads* t, int worker);
-void threads_release(Threads* t);
+// Does blocks 0 to blocks - 1, at most as many as workers, each once, and returns when all are done. Block k is done by worker k, whose
+// caches have its data from the job before; but if worker k sleeps or has no core, by another one.
+void threads_run(Threads* t, BlockFunction* function, void* context, int blocks);
 
-// The barrier without serial work.
-void threads_barrier(Threads* t);
+// The same of one job, with as many blocks as workers.
+void threads_run_once(Threads* t, BlockFunction* function, void* context);
 
 #endif
