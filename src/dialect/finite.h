@@ -20,6 +20,14 @@ INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most);
 
 // What is stored of the user's sums: all values that are not finite get the same bits.
 INLINE float finite_or_lost(float x) { return x >= -MOST_FLOAT && x <= MOST_FLOAT ? x : LOST; }
+// The largest number of its sign in place of an infinity.
+INLINE float finite_or_most(float x)
+{
+	return x > MOST_FLOAT ? MOST_FLOAT : x < -MOST_FLOAT ? -MOST_FLOAT : finite_or_lost(x);
+}
+
+// A term of a sum of three, which is finite.
+INLINE Real sum_most(Real x) { return within(x, splat(1.0e38f)); }
 
 // Zero in place of NaN.
 INLINE Real number_of(Real x) { return choose(splat(0.0f), x, x == x); }

@@ -10,21 +10,21 @@
 // Sets the velocity of a body; 0 along locked axes.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
 {
-	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_lost(v.x);
-	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : finite_or_lost(v.y);
+	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_most(v.x);
+	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : finite_or_most(v.y);
 }
 
 INLINE void command_spin(const Pools* p, int body, float impulse)
 {
-	p->body[body].w = finite_or_lost(p->body[body].w + p->body[body].inv_inertia * impulse);
+	p->body[body].w = finite_or_most(p->body[body].w + p->body[body].inv_inertia * impulse);
 }
 
 INLINE void command_force(const Pools* p, int body, Vec force, float torque)
 {
 	GLOBAL Motion* motion = p->motion + body;
-	motion->fx = finite_or_lost(motion->fx + force.x);
-	motion->fy = finite_or_lost(motion->fy + force.y);
-	motion->torque = finite_or_lost(motion->torque + torque);
+	motion->fx = finite_or_most(motion->fx + force.x);
+	motion->fy = finite_or_most(motion->fy + force.y);
+	motion->torque = finite_or_most(motion->torque + torque);
 }
 
 INLINE void command_push(const Pools* p, int body, Vec impulse)
