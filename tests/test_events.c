@@ -477,6 +477,41 @@ static void the_moved_are_told(void** state)
 	}
 }
 
+// What leaves a body where it was: another center of mass, locks, its own pose set again, zeros of another sign, a step at rest. A
+// disabled body that is placed has the velocity that it will go on with.
+static void what_stands_is_not_told(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_world_def def = scree_world_def_default();
+		def.gravity.y = 0.0f;
+		scree_world* world = open_on(ways + k, &def);
+		scree_body first, body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 4.0f);
+		moved_of(world, &first);
+		OK(scree_body_set_mass(world, body, (scree_mass){2.0f, 1.0f, {0.25f, 0.0f}}));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_type(world, body, SCREE_BODY_STATIC));
+		OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+		OK(scree_body_set_locks(world, body, SCREE_LOCK_X));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_pose(world, body, (scree_pose){{-0.0f, 4.0f}, {1.0f, -0.0f}}));
+		run_steps(world, 2);
+		if (ways[k].other[0])
+			OK(scree_world_move(world, ways[k].other));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_locks(world, body, 0));
+		OK(scree_body_set_velocity(world, body, (scree_velocity){{3.0f, 0.0f}, 1.0f}));
+		OK(scree_body_set_enabled(world, body, false));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_pose(world, body, (scree_pose){{1.0f, 4.0f}, {1.0f, 0.0f}}));
+		assert_int_equal(moved_of(world, &first), 1);
+		scree_world_destroy(world);
+	}
+}
+
 // A joint above its threshold is among the events, and in the list of joints.
 static void joints_are_listed(void** state)
 {
@@ -525,6 +560,7 @@ int main(void)
 	    cmocka_unit_test(bullets_hit),
 	    cmocka_unit_test(reports_change),
 	    cmocka_unit_test(the_moved_are_told),
+	    cmocka_unit_test(what_stands_is_not_told),
 	    cmocka_unit_test(joints_are_listed),
 	    cmocka_unit_test(all_devices_agree),
 	};

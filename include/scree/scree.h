@@ -1227,9 +1227,11 @@ typedef struct scree_moved_list
 	const scree_moved* moved; // by index
 } scree_moved_list;
 
-// The bodies whose poses have changed since the last call, by motion or by the user, and those made since: what a renderer or a
-// network has to know. The first call lists all bodies. The array belongs to the world; it is valid until the next call of this
-// function, or until the world is destroyed. The device puts the list together, and only the list is read.
+// The bodies that moved since the last call, by motion or by the user, and those made since: what a renderer or a network has to
+// know. A body moved if a number of its pose, as scree_body_get_pose returns it, differs from that at the last call, by however little:
+// one at rest under a load may move by a rounding in each step. A body that came back to where it was did not move, nor did one that
+// got another center of mass, type or velocity. The first call lists all bodies. The array belongs to the world; it is valid until the
+// next call of this function, or until the world is destroyed. The device puts the list together, and only the list is read.
 static inline scree_status scree_world_get_moved(scree_world* world, scree_moved_list* list);
 
 // Writes up to capacity visits to a sensor that lasted at the end of the last step, by index of the visitor, and sets count to their
