@@ -1208,8 +1208,9 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 
 // Answers for the contacts in scree_events.asked of the last step; count is asked_count, or it is refused. true: the contact acts from
 // the next step on until the two are farther apart than 0.02 m. false, or no answer before the next step: the two pass through each
-// other until then. After that they are asked about again. In the step in which a contact is asked about, its bodies move no further
-// than to where they meet, and keep their velocities. A second call before the next step replaces the answers of the first.
+// other until then. After that they are asked about again. A step of dt 0, or one that fails, is no answer: what has none yet is
+// asked about again in the next step. In the step in which a contact is asked about, its bodies move no further than to where they
+// meet, and keep their velocities. A second call before the next step replaces the answers of the first.
 SCREE_API scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count);
 
 typedef struct scree_moved // a body at another pose than before

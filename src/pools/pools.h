@@ -632,6 +632,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int material_pairs;   // rows of the pool material_pair
 	int excluded;         // rows of the pool excluded
 	int asks;             // some collidable asks
+	int asks_again;       // what the user was asked in the last step has no answer yet, and is asked again
 	int allowed;          // rows of the pool allowed
 	float hit_speed;      // m/s: slower approaches are no hits
 	float hit_impulse;    // N s: nor are smaller impulses

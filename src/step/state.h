@@ -46,6 +46,7 @@ typedef struct // what a step is asked for
 	float hit_speed, hit_impulse; // as in Step
 	int fields;                   // that act
 	bool field_shapes;            // some of them on shapes
+	bool asks_again;              // as in Step
 	const Word64* allowed;        // pairs of collidables to which the user said yes, sorted
 	int allowed_count;
 } StepRequest;

@@ -132,6 +132,8 @@ typedef struct // events of the last step
 	Word64* ended;
 	Word64* allowed; // pairs of collidables to which the user said yes since the last step, sorted
 	int allowed_count, allowed_capacity;
+	bool answered; // the user answered since the last step what it asked
+	bool lost;     // a step began, and failed, so that the lists above are gone
 	char* rows; // what scree_world_get_events returned last
 	int rows_capacity;
 } Reports;
