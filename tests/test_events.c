@@ -477,6 +477,37 @@ static void the_moved_are_told(void** state)
 	}
 }
 
+// The user word of a body's definition is that of its collidable, in events and in contacts; later each has its own.
+static void a_body_gives_its_word(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_attribute_def surface = surface_of(circle_shape(0.5f));
+	scree_body_def def = scree_body_def_default();
+	def.attribute = add_attribute(world, &surface);
+	def.pose.position.y = 0.5f;
+	def.reports = ALL;
+	def.user = 0x123456789abcdef0u;
+	scree_body ball;
+	uint64_t user;
+	scree_contact contact;
+	int count;
+	add_floor(world);
+	OK(scree_body_create(world, &def, &ball));
+	run_steps(world, 1);
+	assert_int_equal(events_of(world).touches_began_count, 1);
+	assert_true(events_of(world).touches_began[0].user_a == def.user && events_of(world).touches_began[0].user_b == 0);
+	OK(scree_body_get_contacts(world, ball, &contact, 1, &count));
+	assert_true(count == 1 && contact.user_a == def.user);
+	OK(scree_body_set_user(world, ball, 3));
+	OK(scree_collidable_get_user(world, collidable_of(world, ball), &user));
+	assert_true(user == def.user);
+	OK(scree_collidable_set_user(world, collidable_of(world, ball), 4));
+	OK(scree_body_get_user(world, ball, &user));
+	assert_true(user == 3);
+	scree_world_destroy(world);
+}
+
 // What leaves a body where it was: another center of mass, locks, its own pose set again, zeros of another sign, a step at rest. A
 // disabled body that is placed has the velocity that it will go on with.
 static void what_stands_is_not_told(void** state)
@@ -556,6 +587,7 @@ int main(void)
 	    cmocka_unit_test(the_changed_and_destroyed_are_named),
 	    cmocka_unit_test(events_change_no_motion),
 	    cmocka_unit_test(a_ball_lands),
+	    cmocka_unit_test(a_body_gives_its_word),
 	    cmocka_unit_test(the_destroyed_are_named),
 	    cmocka_unit_test(bullets_hit),
 	    cmocka_unit_test(reports_change),

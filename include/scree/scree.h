@@ -538,7 +538,7 @@ typedef struct scree_body_def
 	uint32_t locks;            // bits of SCREE_LOCK_*; default 0
 	scree_attribute attribute; // if not null: the body gets one collidable with it, at the body's origin
 	scree_filter filter;       // of that collidable
-	uint64_t user;             // user data, not simulated; default 0
+	uint64_t user;             // user data of the body and of that collidable, not simulated; default 0
 	bool disabled;             // starts disabled, see scree_body_set_enabled; default false
 	uint32_t reports;          // of that collidable: bits of SCREE_REPORT_*; default 0
 	uint32_t sensor;           // of that collidable: bits of SCREE_SENSOR_*; default 0
@@ -656,7 +656,8 @@ SCREE_API scree_status scree_body_set_gravity_scale(scree_world* world, scree_bo
 SCREE_API scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale);
 SCREE_API scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks);
 SCREE_API scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks);
-SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user);
+SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body,
+                                           uint64_t user); // not that of its collidables
 SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user);
 
 // Whether bodies take part. One that is disabled is as good as not there: it does not move, nothing touches it, forces

@@ -107,7 +107,8 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 		                       .pose.rotation.c = 1.0f,
 		                       .filter = def->filter,
 		                       .reports = def->reports,
-		                       .sensor = def->sensor};
+		                       .sensor = def->sensor,
+		                       .user = def->user};
 		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
 		collidable_put(world, slot, &made);
 	}
