@@ -420,7 +420,7 @@ typedef struct scree_attribute_def
 {
 	uint32_t size; // set by scree_attribute_def_default
 	scree_shape shape;
-	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1
+	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; of a body without any mass see scree_body_get_mass
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
 	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
@@ -688,9 +688,10 @@ typedef struct scree_mass
 	scree_vec center; // of mass, in the body's frame, m
 } scree_mass;
 
-// The mass is computed from the densities of the collidables; a dynamic body with zero mass gets 1 kg and cannot
-// rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
-// gets an attribute with another shape or density; it holds again after the body was of another type. Its mass is
+// The mass is computed from the densities of the collidables; a dynamic body with zero mass, as all densities are 0 or it has no
+// collidable, gets 1 kg and cannot rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
+// gets an attribute with another shape or density; it holds again after the body was of another type. When the center of mass changes,
+// each point of the body keeps its velocity: that of the new center is v + w x (new - old). Its mass is
 // 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
 // that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
