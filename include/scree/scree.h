@@ -11,7 +11,7 @@
 // noted, and scree_error() returns one sentence that names the argument and its value.
 //
 // Handles consist of an index and a generation. The all-zero handle is null. Functions refuse a handle whose object has
-// been destroyed with SCREE_ERROR_STALE.
+// been destroyed with SCREE_ERROR_STALE, but for bodies that a query ignores.
 //
 // Ownership. The library copies all arguments, except where noted. The caller owns every world and destroys it; a world
 // owns everything in it.
@@ -1287,14 +1287,14 @@ typedef struct scree_ray // 32 bytes
 	scree_vec translation; // m: to the end of the ray. Zero asks what is at the origin
 	float radius;          // m: of a circle that moves along the ray, 0 for a point
 	uint32_t reserved;     // 0
-	scree_body ignored;    // a body that is not seen, or null
+	scree_body ignored;    // a body that is not seen, or null; one that was destroyed is as good as null
 } scree_ray;
 
 typedef struct scree_probe // 32 bytes: a place for the shape of a call
 {
 	scree_pose pose;       // where the shape is; the rotation of {0} is refused
 	scree_vec translation; // m: to where it moves, without turning; 0 for one that rests
-	scree_body ignored;    // a body that is not seen, or null
+	scree_body ignored;    // as in scree_ray
 } scree_probe;
 
 typedef struct scree_found // 32 bytes: the answer of a query
@@ -1403,7 +1403,7 @@ typedef struct scree_mover
 {
 	scree_vec position;      // m: of the capsule's center
 	scree_vec velocity;      // m/s, on top of that of the ground: what you wish; then what is left of it
-	scree_body ignored;      // a body that it does not see, such as one that follows it; or null
+	scree_body ignored;      // a body that it does not see, such as one that follows it; or null. As in scree_ray
 	scree_collidable ground; // what it stands on, null in the air
 	scree_vec normal;        // of the ground, 0 in the air
 	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along

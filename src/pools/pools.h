@@ -275,14 +275,14 @@ typedef struct // 96 bytes: a contact, as reported to the user
 typedef struct // what is common to the queries of a call
 {
 	Word64 category, mask;
-	Word kinds; // of Seen.kinds, those that are seen
-	int all;    // category and mask have all bits
-	int room;   // answers that the lists have room for
-	int found;  // answers that were found, also without room for them
-	float most; // m: farther collidables are not near
-	int skips;  // what a query begins inside of is not seen
-	int rules;  // one-way platforms are seen from above only
-	int unused;
+	Word kinds;      // of Seen.kinds, those that are seen
+	int all;         // category and mask have all bits
+	int room;        // answers that the lists have room for
+	int found;       // answers that were found, also without room for them
+	float most;      // m: farther collidables are not near
+	int skips;       // what a query begins inside of is not seen
+	int rules;       // one-way platforms are seen from above only
+	int bodies;      // slots of the pool body_generation that are in use
 	Attribute shape; // of rays: a point
 } QueryPlan;
 

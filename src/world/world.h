@@ -134,7 +134,7 @@ typedef struct // events of the last step
 	int allowed_count, allowed_capacity;
 	bool answered; // the user answered since the last step what it asked
 	bool lost;     // a step began, and failed, so that the lists above are gone
-	char* rows; // what scree_world_get_events returned last
+	char* rows;    // what scree_world_get_events returned last
 	int rows_capacity;
 } Reports;
 
