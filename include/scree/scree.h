@@ -920,13 +920,13 @@ typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the 
 	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): as stiff as the joint
 	float lock_damping_ratio;   // 0 to 1e6, default 0
 	float lower, upper;         // lower <= upper; default 0
-	float spring_hertz;         // 0 to 1e6, default 0; a spring of 0 Hz does nothing
+	float spring_hertz;         // 0 to 1e6, default 0: the spring is off, whatever its damping ratio
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
 	float spring_push;          // the same of one that increases the coordinate; the smaller one holds
 	float spring_pull;          // and of one that decreases it: with a push of 0 a spring of DISTANCE is a rubber band
 	float motor_speed;          // m/s, rad/s; default 0
-	float motor_max;            // largest force or torque of the motor, >= 0, default 0; with speed 0 it is friction
+	float motor_max; // largest force or torque of the motor, >= 0, default 0: it is off; with speed 0 it is friction
 } scree_joint_coordinate;
 
 typedef enum scree_measure // of a frame in a base, which is a frame of the world
@@ -951,9 +951,11 @@ typedef struct scree_joint_def
 {
 	uint32_t size; // set by scree_joint_def_make
 	scree_joint_type type;
-	scree_body body_a, body_b;             // null: the world; not the same body
-	scree_pose frame_a, frame_b;           // in the bodies' frames; default: the bodies' origins
-	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
+	scree_body body_a, body_b;   // null: the world; not the same body
+	scree_pose frame_a, frame_b; // in the bodies' frames; default: the bodies' origins
+	// By scree_coordinate. Limits, spring and motor of a locked one have no effect while it is locked. A definition whose motor
+	// has a speed or a maximum where it is locked is refused; scree_joint_set_coordinate may lock what is driven for a while.
+	scree_joint_coordinate coordinates[3];
 	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors stay. No stiffness, of
 	             // springs too, exceeds a quarter of the substep rate; joints in a row are stiffer (docs/joints.md)
 	float damping_ratio;    // of them, 0 to 1e6, default 2
