@@ -404,11 +404,12 @@ SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float 
 SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
 // A convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp). Fails
-// with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident (closer than 5 mm to another);
-// scree_shape_make_hull drops such corners.
+// with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident; scree_shape_make_hull drops such corners. A corner is
+// coincident if it is closer to another than a twentieth of the largest distance of two corners, at most 5 mm and at least 0.5 mm;
+// it is collinear if it is closer than a tenth of that to the line between its neighbors.
 SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
 
-// The convex hull of 3 to 64 points. Points closer than 5 mm are merged, collinear corners dropped. Fails with
+// The convex hull of 3 to 64 points. Coincident points are merged, collinear corners dropped, as above. Fails with
 // SCREE_ERROR_INVALID if the hull has fewer than 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The
 // Quickhull Algorithm for Convex Hulls, 1996.
 SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
