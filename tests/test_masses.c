@@ -167,12 +167,104 @@ static void motion_stays(void** state)
 	}
 }
 
+// ---------------------------------------------------------------------------------------------------------------
+// bodies that are made shape by shape
+// ---------------------------------------------------------------------------------------------------------------
+
+// Two bodies get boxes by turns, a few at a time, with pushes, locks and types in between. reads: all is read after each call.
+static uint64_t build(bool reads, scree_mass masses[2])
+{
+	scree_world* world = make_world(0.0f);
+	scree_body bodies[2] = {add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f),
+	                        add_box(world, SCREE_BODY_DYNAMIC, 40.0f, 0.0f)};
+	for (int k = 0; k < 120; ++k)
+	{
+		scree_body body = bodies[k / 7 % 2];
+		scree_collidable part = add_part(world, body, 0.1f * (float)k);
+		if (k % 11 == 3)
+			assert_ok(scree_body_apply_angular_impulse(world, body, 0.5f));
+		if (k % 13 == 4)
+			assert_ok(scree_body_apply_impulse_at(world, body, (scree_vec){0.1f, 0.2f}, (scree_vec){1.0f, 1.0f}));
+		if (k % 17 == 5)
+			assert_ok(scree_collidable_destroy(world, part));
+		if (k % 19 == 6)
+			assert_ok(scree_body_set_locks(world, body, k % 2 ? SCREE_LOCK_ROTATION : 0));
+		if (k % 23 == 7)
+			assert_ok(scree_body_set_mass(world, body, (scree_mass){3.0f, 2.0f, {1.0f, 0.0f}}));
+		if (k % 29 == 8)
+			assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
+		if (k % 29 == 11)
+			assert_ok(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+		if (k == 60) // another body in the slot, in the midst of it
+		{
+			assert_ok(scree_body_destroy(world, body));
+			bodies[k / 7 % 2] = add_box(world, SCREE_BODY_DYNAMIC, 80.0f, 0.0f);
+		}
+		if (reads)
+		{
+			mass_of(world, body = bodies[k / 7 % 2]);
+			velocity_of(world, body);
+			hash_of(world);
+		}
+	}
+	for (int k = 0; k < 2; ++k)
+		masses[k] = mass_of(world, bodies[k]);
+	step(world, 2);
+	uint64_t hash = hash_of(world);
+	scree_world_destroy(world);
+	return hash;
+}
+
+static void reads_change_nothing(void** state)
+{
+	(void)state;
+	scree_mass without[2], with[2];
+	assert_true(build(false, without) == build(true, with));
+	assert_memory_equal(without, with, sizeof with);
+}
+
+// 8,000 boxes in a row, one by one and at once: the same mass, and the inertia of a bar of boxes, m (a^2 + b^2) / 12 each.
+static void many_shapes(void** state)
+{
+	(void)state;
+	enum
+	{
+		COUNT = 8000
+	};
+	static scree_collidable_def defs[COUNT];
+	scree_world* world = make_world(0.0f);
+	scree_body bodies[2];
+	double inertia = 0.0;
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_body_def def = scree_body_def_default();
+		assert_ok(scree_body_create(world, &def, &bodies[k]));
+	}
+	for (int k = 0; k < COUNT; ++k)
+	{
+		double arm = 0.25 * (k - 0.5 * (COUNT - 1));
+		defs[k] = scree_collidable_def_default();
+		defs[k].attribute = make_dense(world, 1.0f);
+		defs[k].body = bodies[1];
+		defs[k].pose.position.x = 0.25f * (float)k;
+		add_part(world, bodies[0], 0.25f * (float)k);
+		inertia += 1.0 / 6.0 + arm * arm;
+	}
+	assert_ok(scree_collidables_create(world, defs, COUNT, NULL));
+	scree_mass mass = mass_of(world, bodies[0]), all = mass_of(world, bodies[1]);
+	assert_memory_equal(&mass, &all, sizeof mass);
+	assert_true(mass.mass == (float)COUNT);
+	assert_near(mass.center.x, 0.125 * (COUNT - 1), 1e-3);
+	assert_near(mass.inertia / inertia, 1.0, 1e-6);
+	assert_pushed(world, bodies[0], mass);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(a_set_mass_holds),
-	    cmocka_unit_test(without_density),
-	    cmocka_unit_test(motion_stays),
+	    cmocka_unit_test(a_set_mass_holds),     cmocka_unit_test(without_density), cmocka_unit_test(motion_stays),
+	    cmocka_unit_test(reads_change_nothing), cmocka_unit_test(many_shapes),
 	};
 	return RUN_ON_DEVICES(tests);
 }

@@ -238,6 +238,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		int index = (int)bodies[k].index;
 		HostBody* host = world->host_bodies + index;
 		host->marked = false;
+		mass_forget(world, index);
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
 		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;

@@ -73,6 +73,14 @@ typedef struct // host data of a joint
 	bool marked;              // within one call: already seen in the batch
 } HostJoint;
 
+typedef struct // of the dynamic body that got collidables last, over those up to one in its list
+{
+	double mass, x, y; // kg; kg m: mass times the centers
+	int body;          // 0 for none
+	int last;          // collidable, -1 for none
+	int command;       // 1 + the COMMAND_MASS among the edits that lacks the inertia, 0 for none
+} MassSums;
+
 typedef struct // host data of a field
 {
 	scree_field_def def; // checked
@@ -223,6 +231,7 @@ struct scree_world
 	int* kinematics; // kinematic bodies, in no order
 	int kinematic_count, kinematic_capacity;
 	bool own_masses; // some body has or had a mass that the user set
+	MassSums mass_sums;
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
 	Edits edits;
