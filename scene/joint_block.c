@@ -114,6 +114,16 @@ static bool read_group(Reader* reader, const Location* location, const json_t* o
 	       read_members(reader, KEY(location, key), value, members, start, block);
 }
 
+// Refuses a group without the member whose default switches it off.
+static bool check_group(Reader* reader, const Location* location, const json_t* object, const char* key,
+                        const char* member)
+{
+	const json_t* group = json_object_get(object, key);
+	if (!group || json_object_get(group, member))
+		return true;
+	return reader_fail(reader, KEY(location, key), "%s is missing, and without it a %s does nothing", member, key);
+}
+
 static bool read_limits(Reader* reader, const Location* location, const json_t* value, size_t start, JointBlock* block)
 {
 	if (!json_is_array(value) || json_array_size(value) != 2)
@@ -150,7 +160,9 @@ static bool read_coordinate(Reader* reader, const Location* location, const json
 	return (!limits || read_limits(reader, KEY(location, "limits"), limits, start, block)) &&
 	       read_members(reader, location, value, target_members, start, block) &&
 	       read_group(reader, location, value, "spring", spring_members, start, block, &c->spring) &&
+	       (c->spring_hertz > 0.0f || check_group(reader, location, value, "spring", "hertz")) &&
 	       read_group(reader, location, value, "motor", motor_members, start, block, &c->motor) &&
+	       check_group(reader, location, value, "motor", "max") &&
 	       read_group(reader, location, value, "lock", lock_members, start, block, &there);
 }
 

@@ -185,11 +185,77 @@ static void between(void** state)
 	scree_world_destroy(world);
 }
 
+static void answer_one(scree_world* world, bool yes)
+{
+	assert_int_equal(events_of(world).asked_count, 1);
+	assert_ok(scree_world_answer_asked(world, &yes, 1));
+}
+
+// Steps of no time between the question and the answer ask again; between the answer and the next step they change nothing about it.
+static void steps_of_no_time(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 8; ++k)
+	{
+		bool answers = k & 1, yes = k & 2, early = k & 4;
+		scree_world* world = make_world(-10.0f);
+		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+		scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.3f, 0.0f, 0.0f, 0);
+		do
+			step(world, 1);
+		while (events_of(world).asked_count == 0);
+		uint64_t open = hash_of(world);
+		for (int n = 0; n < 3 && !early; ++n)
+			look(world);
+		assert_int_equal(events_of(world).asked_count, 1);
+		if (answers)
+		{
+			answer_one(world, yes);
+			assert_true(hash_of(world) != open);
+		}
+		look(world);
+		assert_int_equal(events_of(world).asked_count, !answers);
+		assert_int_equal(contacts_of(world), answers && yes);
+		step(world, 60);
+		assert_true((pose_of(world, box).position.y > 0.98f) == (answers && yes));
+		scree_world_destroy(world);
+	}
+}
+
+// A step that fails takes the question with it; the next one asks again, and nothing has slipped through.
+static void a_step_that_fails(void** state)
+{
+	(void)state;
+	scree_world_def def = scree_world_def_default();
+	def.device = device;
+	def.threads = 2;
+	def.contact_limit = 100;
+	scree_world* world;
+	assert_ok(scree_world_create(&def, &world));
+	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.3f, 0.0f, 0.0f, 0), crowd[40];
+	do
+		step(world, 1);
+	while (events_of(world).asked_count == 0);
+	for (int k = 0; k < 40; ++k)
+		crowd[k] = put(world, SCREE_BODY_DYNAMIC, 20.0f, 20.0f, 0.0f, 0.0f, 0);
+	assert_int_equal(scree_world_step(world, STEP, 4), SCREE_ERROR_CROWDED);
+	assert_int_equal(events_of(world).asked_count, 0);
+	assert_ok(scree_bodies_destroy(world, crowd, 40));
+	step(world, 1);
+	assert_true(pose_of(world, box).position.y > 0.97f);
+	answer_one(world, true);
+	step(world, 60);
+	assert_near(pose_of(world, box).position.y, 1.0, 0.01);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(yes_and_no),        cmocka_unit_test(asked_again), cmocka_unit_test(fast),
-	    cmocka_unit_test(marked_in_mid_run), cmocka_unit_test(between),
+	    cmocka_unit_test(marked_in_mid_run), cmocka_unit_test(between),     cmocka_unit_test(steps_of_no_time),
+	    cmocka_unit_test(a_step_that_fails),
 	};
 	return RUN_ON_DEVICES(tests);
 }

@@ -236,6 +236,37 @@ static void held_coordinates(void** state)
 		}
 }
 
+// A motor where the definition locks; one without speed and force is off, and what is driven may be locked later.
+static void locked_motors(void** state)
+{
+	(void)state;
+	for (int which = SCREE_ALONG; which <= SCREE_ANGLE; ++which)
+	{
+		static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
+		scree_joint_def def = scree_joint_def_make(SCREE_JOINT_MOTOR);
+		scree_joint_coordinate* c = def.coordinates + which;
+		scree_joint made;
+		char sentence[96];
+		def.body_a = body;
+		def.body_b = second;
+		c->locked = true;
+		snprintf(sentence, sizeof sentence, "def.coordinates[%s].motor is true, and the coordinate is locked",
+		         names[which]);
+		c->motor_speed = -2.0f;
+		INVALID(scree_joint_create, (world, &def, NULL), sentence);
+		c->motor_speed = 0.0f;
+		c->motor_max = 3.0f;
+		INVALID(scree_joint_create, (world, &def, NULL), sentence);
+		INVALID(scree_joints_create, (world, &def, 1, NULL), names[which]);
+		c->motor_max = 0.0f;
+		assert_ok(scree_joint_create(world, &def, &made));
+		c->motor_max = 3.0f;
+		c->motor_speed = 1.0f;
+		assert_ok(scree_joint_set_coordinate(world, made, (scree_coordinate)which, c));
+		assert_ok(scree_joint_destroy(world, made));
+	}
+}
+
 static void measures(void** state)
 {
 	(void)state;
@@ -446,7 +477,7 @@ int main(void)
 	    cmocka_unit_test(definitions),     cmocka_unit_test(coordinates),      cmocka_unit_test(places),
 	    cmocka_unit_test(handles),         cmocka_unit_test(changes),          cmocka_unit_test(readings),
 	    cmocka_unit_test(unknown_members), cmocka_unit_test(couplings),        cmocka_unit_test(held_coordinates),
-	    cmocka_unit_test(measures),        cmocka_unit_test(coupling_changes),
+	    cmocka_unit_test(measures),        cmocka_unit_test(coupling_changes), cmocka_unit_test(locked_motors),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down_bad_input);
 }

@@ -41,7 +41,9 @@ static void rays(void** state)
 	RAY(SCREE_ERROR_INVALID, translation.y = 3e5f, ".translation.y is 300000");
 	RAY(SCREE_ERROR_INVALID, radius = -1, ".radius is -1");
 	RAY(SCREE_ERROR_INVALID, reserved = 7, ".reserved is 7, must be 0");
-	RAY(SCREE_ERROR_STALE, ignored = stale, ".ignored (index 4");
+	RAY(SCREE_ERROR_STALE, ignored = ((scree_body){900, 1}),
+	    ".ignored (index 900, generation 1) was destroyed, or belongs");
+	RAY(SCREE_ERROR_STALE, ignored = ((scree_body){stale.index, 99}), ".ignored (index 4, generation 99)");
 #undef RAY
 	def.size = 0;
 	INVALID(scree_world_cast_rays, (world, &def, list, 1, found),
@@ -80,7 +82,9 @@ static void shapes(void** state)
 	PROBE(SCREE_ERROR_INVALID, pose.position.x = NAN, ".pose.position.x is nan");
 	PROBE(SCREE_ERROR_INVALID, pose.rotation.c = -2, ".pose.rotation is (-2, 1)");
 	PROBE(SCREE_ERROR_INVALID, translation.x = NAN, ".translation.x is nan");
-	PROBE(SCREE_ERROR_STALE, ignored = stale, ".ignored (index 4");
+	PROBE(SCREE_ERROR_STALE, ignored = ((scree_body){900, 1}),
+	      ".ignored (index 900, generation 1) was destroyed, or belongs");
+	PROBE(SCREE_ERROR_STALE, ignored = ((scree_body){stale.index, 99}), ".ignored (index 4, generation 99)");
 #undef PROBE
 	probes[1] = probes[0];
 	probes[1].translation.x = 1;
@@ -207,7 +211,9 @@ static void movers(void** state)
 	MOVER(SCREE_ERROR_INVALID, position.y = NAN, ".position.y is nan");
 	MOVER(SCREE_ERROR_INVALID, velocity.x = 1e9f, ".velocity.x is 1e+09");
 	MOVER(SCREE_ERROR_INVALID, ground_pose.rotation.c = 3, ".ground_pose.rotation is (3, 0)");
-	MOVER(SCREE_ERROR_STALE, ignored = stale, ".ignored (index 4");
+	MOVER(SCREE_ERROR_STALE, ignored = ((scree_body){900, 1}),
+	      ".ignored (index 900, generation 1) was destroyed, or belongs");
+	MOVER(SCREE_ERROR_STALE, ignored = ((scree_body){stale.index, 99}), ".ignored (index 4, generation 99)");
 #undef MOVER
 }
 

@@ -352,6 +352,10 @@ static void test_bad_coordinates(void** state)
 	    {REVOLUTE("\"angle\": {\"spring\": {\"stiffness\": 1}}"),
 	     "joints[0].angle.spring: unknown key \"stiffness\"; known are hertz, damping_ratio, max"},
 	    {REVOLUTE("\"angle\": {\"spring\": {\"hertz\": -1}}"), "joints[0].angle.spring.hertz: -1 must not be negative"},
+	    {REVOLUTE("\"angle\": {\"spring\": {\"damping_ratio\": 1}}"),
+	     "joints[0].angle.spring: hertz is missing, and without it a spring does nothing"},
+	    {REVOLUTE("\"angle\": {\"motor\": {\"speed\": 1}}"),
+	     "joints[0].angle.motor: max is missing, and without it a motor does nothing"},
 	    {REVOLUTE("\"angle\": {\"motor\": {\"max\": \"3 - i\"}}, \"repeat\": {\"index\": \"i\", \"to\": 9}"),
 	     "joints[0].angle.motor.max: \"3 - i\" is -1, must not be negative, at i = 4"},
 	};

@@ -477,6 +477,72 @@ static void the_moved_are_told(void** state)
 	}
 }
 
+// The user word of a body's definition is that of its collidable, in events and in contacts; later each has its own.
+static void a_body_gives_its_word(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_attribute_def surface = surface_of(circle_shape(0.5f));
+	scree_body_def def = scree_body_def_default();
+	def.attribute = add_attribute(world, &surface);
+	def.pose.position.y = 0.5f;
+	def.reports = ALL;
+	def.user = 0x123456789abcdef0u;
+	scree_body ball;
+	uint64_t user;
+	scree_contact contact;
+	int count;
+	add_floor(world);
+	OK(scree_body_create(world, &def, &ball));
+	run_steps(world, 1);
+	assert_int_equal(events_of(world).touches_began_count, 1);
+	assert_true(events_of(world).touches_began[0].user_a == def.user && events_of(world).touches_began[0].user_b == 0);
+	OK(scree_body_get_contacts(world, ball, &contact, 1, &count));
+	assert_true(count == 1 && contact.user_a == def.user);
+	OK(scree_body_set_user(world, ball, 3));
+	OK(scree_collidable_get_user(world, collidable_of(world, ball), &user));
+	assert_true(user == def.user);
+	OK(scree_collidable_set_user(world, collidable_of(world, ball), 4));
+	OK(scree_body_get_user(world, ball, &user));
+	assert_true(user == 3);
+	scree_world_destroy(world);
+}
+
+// What leaves a body where it was: another center of mass, locks, its own pose set again, zeros of another sign, a step at rest. A
+// disabled body that is placed has the velocity that it will go on with.
+static void what_stands_is_not_told(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_world_def def = scree_world_def_default();
+		def.gravity.y = 0.0f;
+		scree_world* world = open_on(ways + k, &def);
+		scree_body first, body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 4.0f);
+		moved_of(world, &first);
+		OK(scree_body_set_mass(world, body, (scree_mass){2.0f, 1.0f, {0.25f, 0.0f}}));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_type(world, body, SCREE_BODY_STATIC));
+		OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+		OK(scree_body_set_locks(world, body, SCREE_LOCK_X));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_pose(world, body, (scree_pose){{-0.0f, 4.0f}, {1.0f, -0.0f}}));
+		run_steps(world, 2);
+		if (ways[k].other[0])
+			OK(scree_world_move(world, ways[k].other));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_locks(world, body, 0));
+		OK(scree_body_set_velocity(world, body, (scree_velocity){{3.0f, 0.0f}, 1.0f}));
+		OK(scree_body_set_enabled(world, body, false));
+		assert_int_equal(moved_of(world, &first), 0);
+		OK(scree_body_set_pose(world, body, (scree_pose){{1.0f, 4.0f}, {1.0f, 0.0f}}));
+		assert_int_equal(moved_of(world, &first), 1);
+		scree_world_destroy(world);
+	}
+}
+
 // A joint above its threshold is among the events, and in the list of joints.
 static void joints_are_listed(void** state)
 {
@@ -521,10 +587,12 @@ int main(void)
 	    cmocka_unit_test(the_changed_and_destroyed_are_named),
 	    cmocka_unit_test(events_change_no_motion),
 	    cmocka_unit_test(a_ball_lands),
+	    cmocka_unit_test(a_body_gives_its_word),
 	    cmocka_unit_test(the_destroyed_are_named),
 	    cmocka_unit_test(bullets_hit),
 	    cmocka_unit_test(reports_change),
 	    cmocka_unit_test(the_moved_are_told),
+	    cmocka_unit_test(what_stands_is_not_told),
 	    cmocka_unit_test(joints_are_listed),
 	    cmocka_unit_test(all_devices_agree),
 	};

@@ -260,6 +260,45 @@ static void hull_drops_what_polygon_refuses(void** state)
 	assert_near(s.area, 4.0, 0.01);
 }
 
+// Tolerances are a twentieth of the size, and a tenth of that for corners on a line, within 0.5 and 5 mm: the same polygon from 2 mm to
+// 20 m is made while its shortest edge is longer, as a polygon and as a hull, and stays valid when it is turned.
+static void small_corners_are_kept(void** state)
+{
+	(void)state;
+	static const float sizes[] = {0.002f, 0.004f, 0.01f, 0.03f, 0.09f, 0.11f, 1.0f, 20.0f};
+	for (int k = 0; k < 8; ++k)
+	{
+		float size = sizes[k], weld = fminf(fmaxf(size / 20.0f, 0.0005f), 0.005f);
+		scree_shape s, moved;
+		scree_vec octagon[8], edge[5] = {{-0.5f, 0.0f}, {0.5f, 0.0f}, {0.3f, 0.5f}, {0.3f, 0.5f}, {-0.3f, 0.5f}};
+		for (int i = 0; i < 8; ++i)
+		{
+			scree_rot q = scree_rot_make((float)(PI * i / 4.0));
+			octagon[i] = (scree_vec){0.5f * size * q.c, 0.5f * size * q.s};
+		}
+		assert_int_equal(scree_shape_make_polygon(octagon, 8, 0.0f, &s), SCREE_OK);
+		assert_int_equal(scree_shape_make_hull(octagon, 8, 0.0f, &s), SCREE_OK);
+		assert_int_equal(s.count, 8);
+		for (int turn = 0; turn < 16; ++turn)
+			assert_int_equal(
+			    scree_shape_transform(&s, (scree_pose){{0.0f, 0.0f}, scree_rot_make(0.4f * (float)turn)}, &moved),
+			    SCREE_OK);
+		for (int longer = 0; longer < 2; ++longer)
+		{
+			scree_vec corners[5];
+			for (int i = 0; i < 5; ++i)
+				corners[i] = (scree_vec){size * edge[i].x, size * edge[i].y};
+			float length = longer ? 1.02f * weld : 0.98f * weld;
+			corners[3].x -= 0.8f * length;
+			corners[3].y += 0.6f * length;
+			scree_status status = scree_shape_make_polygon(corners, 5, 0.0f, &s);
+			assert_int_equal(status, longer ? SCREE_OK : SCREE_ERROR_INVALID);
+			assert_int_equal(scree_shape_make_hull(corners, 5, 0.0f, &s), SCREE_OK);
+			assert_int_equal(s.count, longer ? 5 : 4);
+		}
+	}
+}
+
 static void a_moved_shape_keeps_its_mass(void** state)
 {
 	(void)state;
@@ -313,8 +352,8 @@ int main(void)
 	    cmocka_unit_test(capsule_follows_its_formula),     cmocka_unit_test(segment_has_no_mass),
 	    cmocka_unit_test(triangle_follows_its_formula),    cmocka_unit_test(rounded_polygons_follow_steiner),
 	    cmocka_unit_test(hulls_hold_all_points),           cmocka_unit_test(unsound_polygons_are_refused),
-	    cmocka_unit_test(hull_drops_what_polygon_refuses), cmocka_unit_test(a_moved_shape_keeps_its_mass),
-	    cmocka_unit_test(rotations_are_accurate),
+	    cmocka_unit_test(hull_drops_what_polygon_refuses), cmocka_unit_test(small_corners_are_kept),
+	    cmocka_unit_test(a_moved_shape_keeps_its_mass),    cmocka_unit_test(rotations_are_accurate),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,7 +70,7 @@ static void build_chains(scree_world* world, const void* context)
 				at->spring = (k + c) % 4 == 1;
 				at->spring_hertz = 3.0f;
 				at->spring_damping_ratio = 0.3f;
-				at->motor = (k + c) % 5 == 2;
+				at->motor = (k + c) % 5 == 2 && !at->locked;
 				at->motor_speed = 1.0f;
 				at->motor_max = 3.0f;
 			}
@@ -408,14 +408,14 @@ static void add_bead(scree_world* world, scree_path path, scree_body a, scree_po
 	angle->limited = k % 7 == 2;
 	angle->lower = -0.5f;
 	angle->upper = 0.25f;
-	angle->motor = k % 5 == 3;
+	angle->motor = k % 5 == 3 && !angle->locked;
 	angle->motor_max = 0.5f;
 	across->lock_hertz = k % 8 == 5 ? 4.0f : 0.0f;
 	across->locked = k % 9 != 4;
 	across->spring = !across->locked;
 	across->spring_hertz = 3.0f;
 	across->target = k % 10 == 7 ? 0.2f : 0.0f;
-	along->motor = k % 4 == 1;
+	along->motor = k % 4 == 1 && k % 13 != 12;
 	along->motor_speed = 3.0f;
 	along->motor_max = 2.0f;
 	along->limited = k % 4 == 2;

@@ -186,6 +186,58 @@ static void edges_and_insides(void** state)
 	scree_world_destroy(world);
 }
 
+// What a query ignored is gone, and another body has its slot: the query goes on, and ignores nothing.
+static void ignores_what_is_gone(void** state)
+{
+	(void)state;
+	Way ways[MAX_WAYS];
+	int count = list_ways(ways);
+	for (int k = 0; k < count; ++k)
+	{
+		scree_world_def world_def = scree_world_def_default();
+		scree_world* world = open_on(ways + k, &world_def);
+		scree_body gone = add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f);
+		add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 6.0f, 0.0f);
+		scree_query_def def = scree_query_def_default();
+		scree_ray rays[2] = {{.origin = {-4.0f, 0.0f}, .translation = {20.0f, 0.0f}, .ignored = gone}};
+		scree_probe probe = {.pose = {{-4.0f, 0.0f}, {1.0f, 0.0f}}, .ignored = gone};
+		scree_mover mover = {.position = {0.0f, 1.612f}, .velocity = {0.0f, -1.0f}, .ignored = gone};
+		scree_shape shape = box_shape(0.25f, 0.25f);
+		scree_found found[2];
+		scree_found_list list;
+		rays[1] = rays[0];
+		rays[1].ignored = SCREE_NULL_BODY;
+		for (int round = 0; round < 3; ++round)
+		{
+			unsigned nearer = round < 2 ? 2 : 1; // another body, until one is in the slot
+			OK(scree_world_cast_rays(world, &def, rays, 2, found));
+			assert_int_equal(found[0].collidable.index, nearer);
+			assert_int_equal(found[1].collidable.index, round == 1 ? 2 : 1);
+			OK(scree_world_list_rays(world, &def, rays, 2, &list));
+			assert_int_equal(list.first[1], round == 2 ? 2 : 1);
+			OK(scree_world_cast_shapes(world, &def, &shape, &probe, 1, found));
+			assert_true(!found[0].hit);
+			probe.translation.x = 20.0f;
+			OK(scree_world_cast_shapes(world, &def, &shape, &probe, 1, found));
+			assert_int_equal(found[0].collidable.index, nearer);
+			probe.translation.x = 0.0f;
+			OK(scree_world_find_nearest(world, &def, &shape, &probe, 1, 50.0f, found));
+			assert_int_equal(found[0].collidable.index, nearer);
+			OK(scree_movers_move(world, NULL, &mover, 1, STEP));
+			assert_true(scree_collidable_is_null(mover.ground) == (round < 2));
+			if (round == 0)
+				OK(scree_body_destroy(world, gone));
+			if (round == 1)
+				assert_int_equal(add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f).index, gone.index);
+			mover.position = (scree_vec){0.0f, 1.612f};
+			mover.velocity = (scree_vec){0.0f, -1.0f};
+			if (ways[k].other[0])
+				OK(scree_world_move(world, round ? ways[k].device : ways[k].other));
+		}
+		scree_world_destroy(world);
+	}
+}
+
 // A shape between two walls that leave it a hair's breadth; a nearest search from inside of several.
 static void tight_places(void** state)
 {
@@ -212,10 +264,8 @@ static void tight_places(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(all_at_one_point),
-	    cmocka_unit_test(edges_and_insides),
-	    cmocka_unit_test(tight_places),
-	    cmocka_unit_test(all_devices_agree),
+	    cmocka_unit_test(all_at_one_point), cmocka_unit_test(edges_and_insides), cmocka_unit_test(ignores_what_is_gone),
+	    cmocka_unit_test(tight_places),     cmocka_unit_test(all_devices_agree),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

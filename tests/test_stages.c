@@ -11,8 +11,8 @@
 // ---------------------------------------------------------------------------------------------------------------
 
 // Codes of a square of 256 by 256 cells, spacing cells apart from corner on; the tree spans all 65,536 by 65,536. Sorted
-// by code, each cell comes once and beside the one before it.
-static void check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
+// by code, each cell comes once and beside the one before it. Returns the code of the first one.
+static Word check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
 {
 	const int side = 256, count = side * side;
 	Tree tree = {.leaves = count, .top = 1, .begin = {0, count}, .count = {count, 1}};
@@ -48,10 +48,12 @@ static void check_curve(Backend* b, float corner_x, float corner_y, float spacin
 		Word64 between = (keys[k] >> 32) - (keys[k - 1] >> 32);
 		assert_true(dense ? between == 1 : between > 1);
 	}
+	Word first = (Word)(keys[0] >> 32);
 	free(boxes);
 	free(leaves);
 	free(keys);
 	free(seen);
+	return first;
 }
 
 static void curve_visits_neighbors(void** state)
@@ -63,6 +65,8 @@ static void curve_visits_neighbors(void** state)
 		check_curve(backends[k], 0.0f, 0.0f, 1.0f, true);
 		check_curve(backends[k], 512.0f, 33536.0f, 1.0f, true);
 		check_curve(backends[k], 65024.0f, 65024.0f, 1.0f, true);
+		// the third quarter of the curve: the lowest code that is negative as a whole number
+		assert_int_equal(check_curve(backends[k], 32768.0f, 32768.0f, 1.0f, true), 0x80000000u);
 	}
 }
 

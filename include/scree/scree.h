@@ -11,7 +11,7 @@
 // noted, and scree_error() returns one sentence that names the argument and its value.
 //
 // Handles consist of an index and a generation. The all-zero handle is null. Functions refuse a handle whose object has
-// been destroyed with SCREE_ERROR_STALE.
+// been destroyed with SCREE_ERROR_STALE, but for bodies that a query ignores.
 //
 // Ownership. The library copies all arguments, except where noted. The caller owns every world and destroys it; a world
 // owns everything in it.
@@ -404,11 +404,12 @@ SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float 
 SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
 // A convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp). Fails
-// with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident (closer than 5 mm to another);
-// scree_shape_make_hull drops such corners.
+// with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident; scree_shape_make_hull drops such corners. A corner is
+// coincident if it is closer to another than a twentieth of the largest distance of two corners, at most 5 mm and at least 0.5 mm;
+// it is collinear if it is closer than a tenth of that to the line between its neighbors.
 SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
 
-// The convex hull of 3 to 64 points. Points closer than 5 mm are merged, collinear corners dropped. Fails with
+// The convex hull of 3 to 64 points. Coincident points are merged, collinear corners dropped, as above. Fails with
 // SCREE_ERROR_INVALID if the hull has fewer than 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The
 // Quickhull Algorithm for Convex Hulls, 1996.
 SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
@@ -420,7 +421,7 @@ typedef struct scree_attribute_def
 {
 	uint32_t size; // set by scree_attribute_def_default
 	scree_shape shape;
-	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1
+	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; of a body without any mass see scree_body_get_mass
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
 	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
@@ -538,7 +539,7 @@ typedef struct scree_body_def
 	uint32_t locks;            // bits of SCREE_LOCK_*; default 0
 	scree_attribute attribute; // if not null: the body gets one collidable with it, at the body's origin
 	scree_filter filter;       // of that collidable
-	uint64_t user;             // user data, not simulated; default 0
+	uint64_t user;             // user data of the body and of that collidable, not simulated; default 0
 	bool disabled;             // starts disabled, see scree_body_set_enabled; default false
 	uint32_t reports;          // of that collidable: bits of SCREE_REPORT_*; default 0
 	uint32_t sensor;           // of that collidable: bits of SCREE_SENSOR_*; default 0
@@ -656,7 +657,8 @@ SCREE_API scree_status scree_body_set_gravity_scale(scree_world* world, scree_bo
 SCREE_API scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale);
 SCREE_API scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks);
 SCREE_API scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks);
-SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user);
+SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body,
+                                           uint64_t user); // not that of its collidables
 SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user);
 
 // Whether bodies take part. One that is disabled is as good as not there: it does not move, nothing touches it, forces
@@ -687,9 +689,10 @@ typedef struct scree_mass
 	scree_vec center; // of mass, in the body's frame, m
 } scree_mass;
 
-// The mass is computed from the densities of the collidables; a dynamic body with zero mass gets 1 kg and cannot
-// rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
-// gets an attribute with another shape or density; it holds again after the body was of another type. Its mass is
+// The mass is computed from the densities of the collidables; a dynamic body with zero mass, as all densities are 0 or it has no
+// collidable, gets 1 kg and cannot rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
+// gets an attribute with another shape or density; it holds again after the body was of another type. When the center of mass changes,
+// each point of the body keeps its velocity: that of the new center is v + w x (new - old). Its mass is
 // 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
 // that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
@@ -918,13 +921,13 @@ typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the 
 	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): as stiff as the joint
 	float lock_damping_ratio;   // 0 to 1e6, default 0
 	float lower, upper;         // lower <= upper; default 0
-	float spring_hertz;         // 0 to 1e6, default 0; a spring of 0 Hz does nothing
+	float spring_hertz;         // 0 to 1e6, default 0: the spring is off, whatever its damping ratio
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
 	float spring_push;          // the same of one that increases the coordinate; the smaller one holds
 	float spring_pull;          // and of one that decreases it: with a push of 0 a spring of DISTANCE is a rubber band
 	float motor_speed;          // m/s, rad/s; default 0
-	float motor_max;            // largest force or torque of the motor, >= 0, default 0; with speed 0 it is friction
+	float motor_max; // largest force or torque of the motor, >= 0, default 0: it is off; with speed 0 it is friction
 } scree_joint_coordinate;
 
 typedef enum scree_measure // of a frame in a base, which is a frame of the world
@@ -949,9 +952,11 @@ typedef struct scree_joint_def
 {
 	uint32_t size; // set by scree_joint_def_make
 	scree_joint_type type;
-	scree_body body_a, body_b;             // null: the world; not the same body
-	scree_pose frame_a, frame_b;           // in the bodies' frames; default: the bodies' origins
-	scree_joint_coordinate coordinates[3]; // by scree_coordinate. A locked one has no limits, spring or motor
+	scree_body body_a, body_b;   // null: the world; not the same body
+	scree_pose frame_a, frame_b; // in the bodies' frames; default: the bodies' origins
+	// By scree_coordinate. Limits, spring and motor of a locked one have no effect while it is locked. A definition whose motor
+	// has a speed or a maximum where it is locked is refused; scree_joint_set_coordinate may lock what is driven for a while.
+	scree_joint_coordinate coordinates[3];
 	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors stay. No stiffness, of
 	             // springs too, exceeds a quarter of the substep rate; joints in a row are stiffer (docs/joints.md)
 	float damping_ratio;    // of them, 0 to 1e6, default 2
@@ -1208,8 +1213,9 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 
 // Answers for the contacts in scree_events.asked of the last step; count is asked_count, or it is refused. true: the contact acts from
 // the next step on until the two are farther apart than 0.02 m. false, or no answer before the next step: the two pass through each
-// other until then. After that they are asked about again. In the step in which a contact is asked about, its bodies move no further
-// than to where they meet, and keep their velocities. A second call before the next step replaces the answers of the first.
+// other until then. After that they are asked about again. A step of dt 0, or one that fails, is no answer: what has none yet is
+// asked about again in the next step. In the step in which a contact is asked about, its bodies move no further than to where they
+// meet, and keep their velocities. A second call before the next step replaces the answers of the first.
 SCREE_API scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count);
 
 typedef struct scree_moved // a body at another pose than before
@@ -1227,9 +1233,11 @@ typedef struct scree_moved_list
 	const scree_moved* moved; // by index
 } scree_moved_list;
 
-// The bodies whose poses have changed since the last call, by motion or by the user, and those made since: what a renderer or a
-// network has to know. The first call lists all bodies. The array belongs to the world; it is valid until the next call of this
-// function, or until the world is destroyed. The device puts the list together, and only the list is read.
+// The bodies that moved since the last call, by motion or by the user, and those made since: what a renderer or a network has to
+// know. A body moved if a number of its pose, as scree_body_get_pose returns it, differs from that at the last call, by however little:
+// one at rest under a load may move by a rounding in each step. A body that came back to where it was did not move, nor did one that
+// got another center of mass, type or velocity. The first call lists all bodies. The array belongs to the world; it is valid until the
+// next call of this function, or until the world is destroyed. The device puts the list together, and only the list is read.
 static inline scree_status scree_world_get_moved(scree_world* world, scree_moved_list* list);
 
 // Writes up to capacity visits to a sensor that lasted at the end of the last step, by index of the visitor, and sets count to their
@@ -1282,14 +1290,14 @@ typedef struct scree_ray // 32 bytes
 	scree_vec translation; // m: to the end of the ray. Zero asks what is at the origin
 	float radius;          // m: of a circle that moves along the ray, 0 for a point
 	uint32_t reserved;     // 0
-	scree_body ignored;    // a body that is not seen, or null
+	scree_body ignored;    // a body that is not seen, or null; one that was destroyed is as good as null
 } scree_ray;
 
 typedef struct scree_probe // 32 bytes: a place for the shape of a call
 {
 	scree_pose pose;       // where the shape is; the rotation of {0} is refused
 	scree_vec translation; // m: to where it moves, without turning; 0 for one that rests
-	scree_body ignored;    // a body that is not seen, or null
+	scree_body ignored;    // as in scree_ray
 } scree_probe;
 
 typedef struct scree_found // 32 bytes: the answer of a query
@@ -1398,7 +1406,7 @@ typedef struct scree_mover
 {
 	scree_vec position;      // m: of the capsule's center
 	scree_vec velocity;      // m/s, on top of that of the ground: what you wish; then what is left of it
-	scree_body ignored;      // a body that it does not see, such as one that follows it; or null
+	scree_body ignored;      // a body that it does not see, such as one that follows it; or null. As in scree_ray
 	scree_collidable ground; // what it stands on, null in the air
 	scree_vec normal;        // of the ground, 0 in the air
 	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along

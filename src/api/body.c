@@ -107,7 +107,8 @@ static void put(scree_world* world, Where at, const scree_body_def* def, int ind
 		                       .pose.rotation.c = 1.0f,
 		                       .filter = def->filter,
 		                       .reports = def->reports,
-		                       .sensor = def->sensor};
+		                       .sensor = def->sensor,
+		                       .user = def->user};
 		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
 		collidable_put(world, slot, &made);
 	}
@@ -237,6 +238,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 		int index = (int)bodies[k].index;
 		HostBody* host = world->host_bodies + index;
 		host->marked = false;
+		mass_forget(world, index);
 		while (host->first_collidable >= 0)
 			collidable_remove(world, host->first_collidable);
 		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;

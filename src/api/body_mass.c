@@ -18,7 +18,7 @@ scree_status scree_body_get_mass(const scree_world* world, scree_body body, scre
 	TRY(check_pointer(function, "mass", mass));
 	int index = 0;
 	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
-	*mass = world->host_bodies[index].mass;
+	*mass = mass_now(world, index);
 	return SCREE_OK;
 }
 

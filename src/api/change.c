@@ -8,6 +8,7 @@
 #include "world/failure.h"
 #include "world/handles.h"
 #include "world/joints.h"
+#include "world/mass.h"
 #include "world/rows.h"
 #include "world/targets.h"
 #include "world/world.h"
@@ -117,6 +118,7 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 		TRY(value_at(call, values, k, &value));
 	}
 	TRY(edits_reserve(world, call->function, 0, 0, count));
+	mass_settle(world); // impulses depend on it
 	for (int k = 0; k < count; ++k)
 	{
 		value_at(call, values, k, &value);

@@ -71,7 +71,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 		if (collidables)
 			collidables[k] = collidable_handle(world, slots[k]);
 	}
-	masses_update(world, bodies, count);
+	masses_update(world, bodies, count, true);
 	return SCREE_OK;
 }
 
@@ -116,7 +116,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 
 	for (int k = 0; k < count; ++k)
 		collidable_remove(world, (int)collidables[k].index - 1);
-	masses_update(world, bodies, count);
+	masses_update(world, bodies, count, false);
 	return SCREE_OK;
 }
 

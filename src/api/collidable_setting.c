@@ -76,7 +76,7 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 		edits_collidable(world, index);
 	}
 	if ((!same || heavier) && host->body >= 0)
-		masses_update(world, &host->body, 1);
+		masses_update(world, &host->body, 1, false);
 	return SCREE_OK;
 }
 

@@ -163,6 +163,7 @@ scree_status scree_world_answer_asked(scree_world* world, const bool* answers, i
 		return fail(SCREE_ERROR_INVALID, "%s: count is %d, and %d contacts wait for an answer", function, count,
 		            r->counts[EVENT_ASKED]);
 	TRY(GROW(function, r->allowed, r->allowed_capacity, count));
+	r->answered = count > 0;
 	r->allowed_count = 0;
 	for (int k = 0; k < count; ++k)
 		if (answers[k])

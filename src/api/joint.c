@@ -36,6 +36,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 	TRY(check_pose(at, ".frame_b", &made->frame_b));
 	for (int c = 0; c < JOINT_COORDINATES; ++c)
 		TRY(check_coordinate(at, made->type, (scree_coordinate)c, made->coordinates + c));
+	TRY(check_motors(at, made));
 	if (joint_couples(made->type))
 		TRY(check_joint_coupling(at, made));
 	int path;

@@ -9,13 +9,15 @@
 #include "world/upload.h"
 #include "world/world.h"
 #include <stddef.h>
+#include <string.h>
 
-static scree_moved moved_at(const scree_world* world, const Told* row)
+// moved is zero, also between its members: programs send rows over networks.
+static void moved_fill(const scree_world* world, const Told* row, scree_moved* moved)
 {
-	return (scree_moved){.body = body_handle(world, row->body),
-	                     .user = world->host_bodies[row->body].user,
-	                     .pose = world_body_pose(world, row->body, &row->pose),
-	                     .velocity = {{row->vx, row->vy}, row->w}};
+	moved->body = body_handle(world, row->body);
+	moved->user = world->host_bodies[row->body].user;
+	moved->pose = world_body_pose(world, row->body, &row->pose);
+	moved->velocity = (scree_velocity){{row->vx, row->vy}, row->w};
 }
 
 scree_status scree_world_get_moved_sized(scree_world* world, scree_moved_list* list)
@@ -42,7 +44,9 @@ scree_status scree_world_get_moved_sized(scree_world* world, scree_moved_list* l
 	{
 		if (!slots_in_use(&world->bodies, rows[k].body))
 			continue;
-		scree_moved row = moved_at(world, rows + k);
+		scree_moved row;
+		memset(&row, 0, sizeof row);
+		moved_fill(world, rows + k, &row);
 		write_result(world->moved + list->moved_size * (size_t)count++, list->moved_size, &row, sizeof row);
 	}
 	scree_moved_list result = {.size = list->size,

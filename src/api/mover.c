@@ -53,14 +53,14 @@ static scree_status check_mover_def(Where at, const scree_mover_def* def)
 
 static scree_status check_movers(const scree_world* world, const char* function, const scree_mover* movers, int count)
 {
-	for (int k = 0, index; k < count; ++k)
+	for (int k = 0; k < count; ++k)
 	{
 		Where at = {function, "movers", k};
 		scree_pose pose = movers[k].ground_pose;
 		TRY(check_vec(at, ".position", movers[k].position, SCREE_HUGE));
 		TRY(check_vec(at, ".velocity", movers[k].velocity, SCREE_HUGE));
 		if (!scree_body_is_null(movers[k].ignored))
-			TRY(check_body(world, at, ".ignored", movers[k].ignored, &index));
+			TRY(check_body_once(world, at, ".ignored", movers[k].ignored));
 		if (!is_nowhere(pose))
 			TRY(check_pose(at, ".ground_pose", &pose));
 	}

@@ -58,9 +58,8 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 	                         .any = def->any,
 	                         .items = items,
 	                         .count = count,
-	                         .generation = world->collidables.generation,
-	                         .collidables = world->collidables.used,
-	                         .version = world->collidables.changes,
+	                         .collidables = collidable_names(world),
+	                         .bodies = body_names(world),
 	                         .timings = world->def.timings};
 	return SCREE_OK;
 }
@@ -110,12 +109,12 @@ static uint32_t bits_of(float x) { return (uint32_t)float_bits(x); }
 static scree_status check_ignored(const Asking* asking, const char* name, size_t offset, int begin, int end)
 {
 	scree_body last = SCREE_NULL_BODY, body;
-	for (int k = begin, index; k < end; ++k)
+	for (int k = begin; k < end; ++k)
 	{
 		memcpy(&body, (const char*)asking->items + sizeof(Query) * (size_t)k + offset, sizeof body);
 		if (scree_body_equals(body, last) || scree_body_is_null(body))
 			continue;
-		TRY(check_body(asking->world, (Where){asking->function, name, k}, ".ignored", body, &index));
+		TRY(check_body_once(asking->world, (Where){asking->function, name, k}, ".ignored", body));
 		last = body;
 	}
 	return SCREE_OK;

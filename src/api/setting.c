@@ -130,6 +130,7 @@ scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t 
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 3, &index));
 	TRY(check_locks((Where){function, "locks", ALONE}, "", locks));
+	mass_settle(world);
 	world->host_bodies[index].locks = locks;
 	mass_set(world, index, world->host_bodies[index].mass);
 	body_send_motion(world, index);

@@ -85,7 +85,7 @@ scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float
 {
 	const char* function = "scree_shape_make_polygon";
 	TRY(check_polygon(function, "corners", corners, count, SCREE_MAX_VERTICES, radius, shape));
-	TRY(check_corners(function, "corners", corners, count, (double)WELD_DISTANCE, FLAT_DISTANCE));
+	TRY(check_corners(function, "corners", corners, count, tolerance_of(corners, count)));
 	make_polygon(corners, count, radius, shape);
 	return SCREE_OK;
 }
@@ -97,7 +97,7 @@ scree_status scree_shape_make_hull(const scree_vec* points, int count, float rad
 	int indices[HULL_POINTS], corners = hull_corners(points, count, indices);
 	if (corners < 3)
 		return fail(SCREE_ERROR_INVALID, "%s: points lie on a line, or within %g m of one another", function,
-		            WELD_DISTANCE);
+		            tolerance_of(points, count).weld);
 	if (corners > SCREE_MAX_VERTICES)
 		return fail(SCREE_ERROR_INVALID, "%s: the hull of points has %d corners, must have at most %d", function,
 		            corners, SCREE_MAX_VERTICES);

@@ -97,6 +97,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		TRY(auto_choose(world));
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
+	bool asks_again = !world->reports.answered && (dt == 0.0f || world->reports.lost);
 	reports_forget(world);
 	sensors_forget(world);
 	TRY(world_upload_to_step(world));
@@ -113,6 +114,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .timings = world->def.timings,
 	                       .details = world->def.contact_details,
 	                       .reports = world->reports.reporters > 0,
+	                       .asks_again = asks_again,
 	                       .allowed = world->reports.allowed,
 	                       .allowed_count = world->reports.allowed_count,
 	                       .hit_speed = world->def.hit_speed,
@@ -123,7 +125,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	idle_begin(world);
 	scree_status status = pipeline_step(&world->pipeline, &request);
 	if (status == SCREE_OK)
-		world->reports.allowed_count = 0;
+		reports_stepped(world);
 	if (status == SCREE_OK && dt > 0.0f)
 	{
 		targets_arrived(world);

@@ -275,14 +275,14 @@ typedef struct // 96 bytes: a contact, as reported to the user
 typedef struct // what is common to the queries of a call
 {
 	Word64 category, mask;
-	Word kinds; // of Seen.kinds, those that are seen
-	int all;    // category and mask have all bits
-	int room;   // answers that the lists have room for
-	int found;  // answers that were found, also without room for them
-	float most; // m: farther collidables are not near
-	int skips;  // what a query begins inside of is not seen
-	int rules;  // one-way platforms are seen from above only
-	int unused;
+	Word kinds;      // of Seen.kinds, those that are seen
+	int all;         // category and mask have all bits
+	int room;        // answers that the lists have room for
+	int found;       // answers that were found, also without room for them
+	float most;      // m: farther collidables are not near
+	int skips;       // what a query begins inside of is not seen
+	int rules;       // one-way platforms are seen from above only
+	int bodies;      // slots of the pool body_generation that are in use
 	Attribute shape; // of rays: a point
 } QueryPlan;
 
@@ -632,6 +632,7 @@ typedef struct // constants of one step, passed by value to every stage
 	int material_pairs;   // rows of the pool material_pair
 	int excluded;         // rows of the pool excluded
 	int asks;             // some collidable asks
+	int asks_again;       // what the user was asked in the last step has no answer yet, and is asked again
 	int allowed;          // rows of the pool allowed
 	float hit_speed;      // m/s: slower approaches are no hits
 	float hit_impulse;    // N s: nor are smaller impulses

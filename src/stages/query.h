@@ -25,6 +25,13 @@ typedef struct // a query in the world
 
 INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
 
+// The body that a query does not see, 0 for none: also where it was destroyed, even if another body has its slot.
+INLINE int query_ignored(const Pools* p, const Query* query)
+{
+	int body = query->ignored, there = body > 0 && body < p->query_plan->bodies;
+	return there && p->body_generation[body] == query->ignored_generation ? body : 0;
+}
+
 INLINE Asked query_asked(const Pools* p, int i, int form)
 {
 	Query query = p->query[i];
@@ -32,7 +39,7 @@ INLINE Asked query_asked(const Pools* p, int i, int form)
 	q.start = vec(query.a.x, query.a.y);
 	q.turn = vec(1.0f, 0.0f);
 	q.radius = 0.0f;
-	q.ignored = query.ignored;
+	q.ignored = query_ignored(p, &query);
 	if (form == QUERY_RAYS)
 	{
 		q.path = vec(query.a.z, query.a.w);

@@ -137,6 +137,8 @@ RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 		return 0;
 	if (flags & CONTACT_FRESH)
 		return CONTACT_ASKS;
+	if (flags & CONTACT_WAITS && p->step.asks_again)
+		return CONTACT_ASKS;
 	if (flags & CONTACT_WAITS)
 		return ask_finds(p->allowed, p->step.allowed, ask_key(pair)) ? CONTACT_GRANTED : CONTACT_ASKS | CONTACT_REFUSED;
 	// without points the two have parted; what touched before it asked goes on

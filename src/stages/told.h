@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // told.h -- bodies at other poses than the user was told last, on request. No step reads or writes this.
+//
+// Poses are those of origins, as the user reads them, and compared as numbers: another center of mass, and the rounding error of a pose,
+// move no body.
 #ifndef TOLD_H
 #define TOLD_H
+#include "dialect/vec.h"
 #include "pools/pools.h"
 
 STAGE(told_begin)
@@ -10,12 +14,20 @@ STAGE(told_begin)
 	(void)i;
 }
 
+// The pose of a body's origin, with the roundings of world_body_pose.
+INLINE Float4 told_origin(const Pools* p, int i)
+{
+	Float4 pose = p->pose[i];
+	Float2 center = p->local_center[i];
+	Vec shift = vec_turn(vec(pose.z, pose.w), vec(center.x, center.y));
+	return make_float4(pose.x - shift.x, pose.y - shift.y, pose.z, pose.w);
+}
+
 // A new row has the pose 0, whose rotation no body has.
 LIST_STAGE(told_mark, told, told)
 {
-	Float4 now = p->pose[i], then = p->told_pose[i];
-	return float_bits(now.x) != float_bits(then.x) || float_bits(now.y) != float_bits(then.y) ||
-	       float_bits(now.z) != float_bits(then.z) || float_bits(now.w) != float_bits(then.w);
+	Float4 now = told_origin(p, i), then = p->told_pose[i];
+	return now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w;
 }
 
 STAGE(told_key) { p->key[i] = (Word64)p->told[i]; }
@@ -29,7 +41,14 @@ STAGE(told_list)
 	row.vx = p->body[row.body].vx;
 	row.vy = p->body[row.body].vy;
 	row.w = p->body[row.body].w;
-	p->told_pose[row.body] = row.pose;
+	StoredVelocity stored = p->stored_velocity[row.body];
+	if (stored.stored != 0.0f) // of a disabled body
+	{
+		row.vx = stored.vx;
+		row.vy = stored.vy;
+		row.w = stored.w;
+	}
+	p->told_pose[row.body] = told_origin(p, row.body);
 	p->told_row[i] = row;
 }
 

@@ -119,6 +119,8 @@ STAGE(tree_stray)
 	// after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
 	float walks = 2.0f * wide / (mean * (float)tree->leaves);
+	if (walks < 0.0f) // may be beyond the range of whole numbers
+		return;
 	int strayed = walks < 2.0f ? (int)((float)STRAY_UNIT * walks) : 2 * STRAY_UNIT;
 	if (strayed > 0)
 		atomic_add_int(&p->counters->strayed[p->argument], strayed);

@@ -65,7 +65,7 @@ WIDE_STAGE(tree_code)
 		box[which] = gather((const GLOBAL float*)boxes, place + 8 * which);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
 	// no box has the key of a dead leaf, which has all bits set
-	code = choose_int(code, code - 1, code == -1);
+	code = choose_int(code, code & ~1, code == -1);
 	store_keys(p->key, i, choose_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
 }
 

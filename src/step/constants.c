@@ -97,6 +97,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .material_pairs = pipeline->material_pairs,
 	    .excluded = pipeline->excluded,
 	    .asks = pipeline->asks,
+	    .asks_again = request->asks_again,
 	    .allowed = request->allowed_count,
 	    .hit_speed = request->hit_speed,
 	    .hit_impulse = request->hit_impulse,

@@ -264,7 +264,7 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 		state->touched = true;
 		state->seen = false;
 	}
-	pipeline->named = 0;
+	pipeline->named = pipeline->named_bodies = 0;
 	pipeline->split = false; // the pools of spokes are scratch, not copied
 }
 

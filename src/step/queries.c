@@ -76,17 +76,25 @@ static scree_status lap(Pipeline* pipeline, const Questions* q)
 	return SCREE_OK;
 }
 
+// Sends names unless the device has this version of them.
+static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint64_t* sent)
+{
+	if (*sent == names->version || names->count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, pool, 0, names->count, names->generation));
+	*sent = names->version;
+	return SCREE_OK;
+}
+
 // Trees and pools for so many queries.
 static scree_status prepare(Pipeline* pipeline, const Questions* q)
 {
 	Backend* b = pipeline->backend;
 	TRY(lap(pipeline, q));
 	TRY(refit(pipeline, q->form == QUERY_SENSORS));
-	if (pipeline->named != q->version && q->collidables > 0)
-	{
-		TRY(b->f->write(b, POOL_generation, 0, q->collidables, q->generation));
-		pipeline->named = q->version;
-	}
+	TRY(send_names(b, POOL_generation, &q->collidables, &pipeline->named));
+	if (q->form != QUERY_SENSORS) // which ignore no body
+		TRY(send_names(b, POOL_body_generation, &q->bodies, &pipeline->named_bodies));
 	return pipeline_reserve(pipeline, PER_QUERY, q->count);
 }
 
@@ -95,6 +103,7 @@ static scree_status send_plan(Pipeline* pipeline, const Questions* q, int room)
 	Backend* b = pipeline->backend;
 	QueryPlan plan = q->plan;
 	plan.room = room;
+	plan.bodies = q->bodies.count;
 	return b->f->write(b, POOL_query_plan, 0, 1, &plan);
 }
 
@@ -110,7 +119,7 @@ static Run search_of(const Pipeline* pipeline, const Questions* q, int mode)
 	if (q->form == QUERY_SENSORS)
 	{
 		// work-items share the leaves where there are more of them than sensors
-		int parts = pipeline->backend->walkers / q->count, blocks = (q->collidables + ARITY - 1) / ARITY;
+		int parts = pipeline->backend->walkers / q->count, blocks = (q->collidables.count + ARITY - 1) / ARITY;
 		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
 		run.end = q->count * run.argument;
 	}
@@ -148,7 +157,7 @@ static scree_status sort(Pipeline* pipeline, const Questions* q, int count)
 	TRY(pipeline_reserve(pipeline, PER_KEY, count));
 	TRY(runs_reserve(list, 7));
 	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_COLLIDABLE);
-	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->collidables + 1));
+	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->collidables.count + 1));
 	if (q->form != QUERY_SENSORS)
 	{
 		runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);

@@ -4,17 +4,22 @@
 #define STEP_QUERIES_H
 #include "step/state.h"
 
+typedef struct // generations of the handles of slots
+{
+	const uint32_t* generation;
+	int count;        // of slots
+	uint64_t version; // another one when some generation changed
+} Names;
+
 typedef struct // what is asked
 {
 	int form;          // QUERY_RAYS, ...
 	bool any;          // only whether there is an answer
-	QueryPlan plan;    // without room and found
+	QueryPlan plan;    // without room, found and bodies
 	const void* items; // of the layout of Query; null for those in the memory shared for queries, from an offset
 	size_t items_at, found_at; // and the offset of their answers there
 	int count;
-	const uint32_t* generation; // of the handles of collidables, so many slots, of this version
-	int collidables;
-	uint64_t version;
+	Names collidables, bodies;
 	bool timings;
 	// of items begin to end - 1, by any thread while the device works: an answer is read only if all are good. Searches end whatever
 	// the items are

@@ -46,6 +46,7 @@ typedef struct // what a step is asked for
 	float hit_speed, hit_impulse; // as in Step
 	int fields;                   // that act
 	bool field_shapes;            // some of them on shapes
+	bool asks_again;              // as in Step
 	const Word64* allowed;        // pairs of collidables to which the user said yes, sorted
 	int allowed_count;
 } StepRequest;
@@ -97,13 +98,13 @@ typedef struct
 	bool split;                   // the light ends of the spokes have been split for this layout
 	int rounds;                   // coloring rounds that the last step needed
 	int64_t steps;
-	bool tells;                // the user has asked which bodies moved
-	uint64_t named;            // version of the handles of collidables that the device has; 0 for none
-	int grown;                 // times that a pool grew
-	double milliseconds;       // of the last step, by the wall clock
-	double boxes[BOX_COUNT];   // the same by box; zeros unless timings were asked for
-	double query_milliseconds; // of the last queries, the same
-	scree_traffic traffic;     // of the last step
+	bool tells;                   // the user has asked which bodies moved
+	uint64_t named, named_bodies; // versions of the Names of collidables and bodies that the device has; 0 for none
+	int grown;                    // times that a pool grew
+	double milliseconds;          // of the last step, by the wall clock
+	double boxes[BOX_COUNT];      // the same by box; zeros unless timings were asked for
+	double query_milliseconds;    // of the last queries, the same
+	scree_traffic traffic;        // of the last step
 } Pipeline;
 
 #endif

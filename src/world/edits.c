@@ -10,8 +10,8 @@ scree_status edits_reserve(scree_world* world, const char* function, int bodies,
 	Edits* p = &world->edits;
 	TRY(GROW(function, p->bodies, p->body_capacity, p->body_count + bodies));
 	TRY(GROW(function, p->collidables, p->collidable_capacity, p->collidable_count + collidables));
-	// a collidable that comes or goes changes a link of its body's list, and what guard knows of the body
-	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables);
+	// a collidable that comes or goes changes a link of its body's list, and what guard knows of the body; one is for mass_settle
+	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables + 1);
 }
 
 void edits_close(Edits* edits)

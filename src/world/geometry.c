@@ -17,6 +17,9 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
+// a polygon at least this many times WELD_DISTANCE across has the full tolerances
+#define WELD_SIZES 20.0
+
 typedef struct // sums over pieces of a shape, about vertex 0; all per unit of density
 {
 	double area, x, y; // m^2, m^3
@@ -119,8 +122,20 @@ static scree_status refuse_corner(const char* function, const char* argument, co
 	return refuse(SCREE_ERROR_INVALID, at, "", "(%s, %s) %s", decimal(v[i].x).text, decimal(v[i].y).text, reason);
 }
 
-scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count, double weld,
-                           double flat)
+Tolerance tolerance_of(const scree_vec* points, int count)
+{
+	double size = 0.0;
+	for (int i = 0; i < count; ++i)
+		for (int k = 0; k < i; ++k)
+			size = fmax(size, vec_distance(points[i], points[k]));
+	if (size >= WELD_SIZES * (double)WELD_DISTANCE)
+		return (Tolerance){(double)WELD_DISTANCE, FLAT_DISTANCE};
+	double weld = fmax(size / WELD_SIZES, 0.5 * (double)SMALLEST_SIZE);
+	return (Tolerance){weld, weld * (FLAT_DISTANCE / (double)WELD_DISTANCE)};
+}
+
+scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count,
+                           Tolerance tolerance)
 {
 	double area = 0.0;
 	for (int i = 2; i < count; ++i)
@@ -131,7 +146,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 	{
 		for (int k = 0; k < i; ++k)
 		{
-			if (vec_distance(v[k], v[i]) < weld)
+			if (vec_distance(v[k], v[i]) < tolerance.weld)
 				return refuse_corner(function, argument, v, i, "coincides with a corner before it");
 		}
 	}
@@ -139,9 +154,9 @@ scree_status check_corners(const char* function, const char* argument, const scr
 	{
 		scree_vec before = v[(i + count - 1) % count], after = v[(i + 1) % count];
 		double height = sense * vec_cross_from(before, v[i], after) / vec_distance(before, after);
-		if (height < -flat)
+		if (height < -tolerance.flat)
 			return refuse_corner(function, argument, v, i, "is concave: scree_shape_make_hull drops such corners");
-		if (height < flat)
+		if (height < tolerance.flat)
 			return refuse_corner(function, argument, v, i, "lies on the line between its neighbors");
 	}
 	for (int i = 0; i < count; ++i)
@@ -189,8 +204,11 @@ scree_status shape_finish(Where at, scree_shape* shape)
 	if (shape->count == 2 && vec_distance(shape->vertices[0], shape->vertices[1]) < 0.5 * (double)SMALLEST_SIZE)
 		return refuse_corner(at.function, name, shape->vertices, 1, "coincides with the other end");
 	if (shape->count > 2)
-		TRY(check_corners(at.function, name, shape->vertices, shape->count, 0.5 * (double)SMALLEST_SIZE,
-		                  0.5 * FLAT_DISTANCE));
+	{
+		Tolerance made = tolerance_of(shape->vertices, shape->count);
+		Tolerance half = {0.5 * fmin(made.weld, (double)SMALLEST_SIZE), 0.5 * made.flat};
+		TRY(check_corners(at.function, name, shape->vertices, shape->count, half));
+	}
 	shape_fill(shape);
 	return SCREE_OK;
 }

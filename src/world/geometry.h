@@ -5,8 +5,18 @@
 #include "world/check.h"
 
 #define SMALLEST_SIZE 0.001f // m
-#define WELD_DISTANCE 0.005f // m: corners closer than this coincide
-#define FLAT_DISTANCE 0.0005 // m: a corner closer than this to the line between its neighbors is dropped or refused
+#define WELD_DISTANCE 0.005f // m: corners closer than this coincide; less in small shapes
+#define FLAT_DISTANCE \
+	0.0005 // m: a corner closer than this to the line between its neighbors is dropped or refused; likewise
+
+typedef struct // the two distances for a polygon of some size, m
+{
+	double weld, flat;
+} Tolerance;
+
+// A twentieth of the largest distance of two points and a tenth of that, within 0.5 mm and WELD_DISTANCE: the octagon of the smallest
+// size has edges of 0.77 mm.
+Tolerance tolerance_of(const scree_vec* points, int count);
 
 // Checks a shape of which kind, count, radius and vertices are given, and computes everything else; members beyond count
 // become zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon, so that a shape
@@ -16,10 +26,9 @@ scree_status shape_finish(Where at, scree_shape* shape);
 // The same without checks. A clockwise polygon is reversed.
 void shape_fill(scree_shape* shape);
 
-// Refuses corners that are not those of a convex polygon of either orientation. Corners closer than weld coincide; a corner
-// closer than flat to the line between its neighbors lies on it. Both in m.
-scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count, double weld,
-                           double flat);
+// Refuses corners that are not those of a convex polygon of either orientation.
+scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count,
+                           Tolerance tolerance);
 
 // Refuses coordinates that are not finite or beyond SCREE_HUGE.
 scree_status check_points(const char* function, const char* argument, const scree_vec* v, int count);

@@ -41,6 +41,19 @@ scree_status check_body(const scree_world* world, Where at, const char* member, 
 	return SCREE_OK;
 }
 
+scree_status check_body_once(const scree_world* world, Where at, const char* member, scree_body body)
+{
+	const Slots* slots = &world->bodies;
+	bool had = body.index > 0 && body.index < (uint32_t)slots->used && body.generation & 1 &&
+	           body.generation <= slots->generation[body.index];
+	return had ? SCREE_OK : refuse_stale(at, member, body.index, body.generation);
+}
+
+static Names names_of(const Slots* slots) { return (Names){slots->generation, slots->used, slots->changes}; }
+
+Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
+Names body_names(const scree_world* world) { return names_of(&world->bodies); }
+
 // The generation already keeps the handle of item 0 from being null. Indices begin at 1 so that a body's handle taken for a
 // collidable's is noticed more easily.
 scree_collidable collidable_handle(const scree_world* world, int index)

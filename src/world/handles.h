@@ -2,6 +2,7 @@
 // handles.h -- handles to slots and back.
 #ifndef HANDLES_H
 #define HANDLES_H
+#include "step/queries.h"
 #include "world/check.h"
 
 // The handle of a slot that is in use.
@@ -28,6 +29,13 @@ scree_status check_joint(const scree_world* world, Where at, scree_joint joint, 
 scree_status check_path(const scree_world* world, Where at, const char* member, scree_path path, int* index);
 scree_status check_field(const scree_world* world, Where at, scree_field field, int* index);
 scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index);
+
+// The same for a body that may have been destroyed since. One that this world never had is refused, null too.
+scree_status check_body_once(const scree_world* world, Where at, const char* member, scree_body body);
+
+// What queries need of handles.
+Names collidable_names(const scree_world* world);
+Names body_names(const scree_world* world);
 scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
                              int* index);
 

@@ -11,13 +11,14 @@ typedef struct
 	const scree_vec* points;
 	int* corners;
 	int count;
+	Tolerance tolerance;
 } Hull;
 
 // Adds the corners between corner a and corner b in order. outside holds the points to the right of the line a to b.
 static void add_side(Hull* hull, int a, int b, const int* outside, int outside_count)
 {
 	const scree_vec* p = hull->points;
-	double length = vec_distance(p[a], p[b]), farthest = FLAT_DISTANCE;
+	double length = vec_distance(p[a], p[b]), farthest = hull->tolerance.flat;
 	int corner = -1;
 	for (int k = 0; k < outside_count; ++k)
 	{
@@ -52,7 +53,7 @@ static void drop_flat(Hull* hull)
 	while (hull->count >= 3)
 	{
 		int flattest = -1;
-		double least = FLAT_DISTANCE;
+		double least = hull->tolerance.flat;
 		for (int k = 0; k < hull->count; ++k)
 		{
 			scree_vec before = hull->points[hull->corners[(k + hull->count - 1) % hull->count]];
@@ -75,12 +76,14 @@ static void drop_flat(Hull* hull)
 
 int hull_corners(const scree_vec* points, int count, int* corners)
 {
+	Tolerance tolerance = tolerance_of(points, count);
+
 	// weld: of points that are close to one another the first stands for all
 	int kept[HULL_POINTS], kept_count = 0;
 	for (int i = 0; i < count; ++i)
 	{
 		int k = 0;
-		while (k < kept_count && vec_distance(points[i], points[kept[k]]) >= WELD_DISTANCE)
+		while (k < kept_count && vec_distance(points[i], points[kept[k]]) >= tolerance.weld)
 			++k;
 		if (k == kept_count)
 			kept[kept_count++] = i;
@@ -108,7 +111,7 @@ int hull_corners(const scree_vec* points, int count, int* corners)
 		else if (side > 0.0)
 			above[above_count++] = kept[k];
 	}
-	Hull hull = {points, corners, 0};
+	Hull hull = {points, corners, 0, tolerance};
 	corners[hull.count++] = left;
 	add_side(&hull, left, right, below, below_count);
 	corners[hull.count++] = right;

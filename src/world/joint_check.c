@@ -8,6 +8,8 @@
 #define MOST_RATIO      1e6f
 #define MOST_GEAR_RATIO 1e6f
 
+static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
+
 scree_status check_which(Where at, scree_coordinate which)
 {
 	if ((unsigned)which <= SCREE_ANGLE)
@@ -17,7 +19,6 @@ scree_status check_which(Where at, scree_coordinate which)
 
 scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate which, const scree_joint_coordinate* c)
 {
-	static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
 	const struct
 	{
 		const char* name;
@@ -58,14 +59,28 @@ scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate 
 	              decimal(c->upper).text);
 }
 
+scree_status check_motors(Where at, const scree_joint_def* def)
+{
+	char member[64];
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		const scree_joint_coordinate* c = def->coordinates + k;
+		if (!c->locked || !c->motor || (c->motor_speed == 0.0f && c->motor_max == 0.0f))
+			continue;
+		snprintf(member, sizeof member, ".coordinates[%s].motor", names[k]);
+		return refuse(SCREE_ERROR_INVALID, at, member, "is true, and the coordinate is locked: it cannot be driven");
+	}
+	return SCREE_OK;
+}
+
 static scree_status check_side(Where at, scree_joint_side* side, int k)
 {
-	static const char* const names[2][3] = {{".sides[0].measure", ".sides[0].base", ".sides[0].near"},
-	                                        {".sides[1].measure", ".sides[1].base", ".sides[1].near"}};
+	static const char* const members[2][3] = {{".sides[0].measure", ".sides[0].base", ".sides[0].near"},
+	                                          {".sides[1].measure", ".sides[1].base", ".sides[1].near"}};
 	if ((unsigned)side->measure > SCREE_MEASURE_DISTANCE)
-		return refuse(SCREE_ERROR_INVALID, at, names[k][0], "is %d, not a scree_measure", (int)side->measure);
-	TRY(check_pose(at, names[k][1], &side->base));
-	return check_real(at, names[k][2], side->near, -SCREE_HUGE, SCREE_HUGE);
+		return refuse(SCREE_ERROR_INVALID, at, members[k][0], "is %d, not a scree_measure", (int)side->measure);
+	TRY(check_pose(at, members[k][1], &side->base));
+	return check_real(at, members[k][2], side->near, -SCREE_HUGE, SCREE_HUGE);
 }
 
 scree_status check_gear_ratio(Where at, const char* member, float ratio)

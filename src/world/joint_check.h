@@ -7,6 +7,9 @@
 // A coordinate; the sentence names it as a member of the definition at at, or alone.
 scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate which, const scree_joint_coordinate* c);
 
+// Refuses a motor of a definition on a locked coordinate, unless it has neither speed nor force, as that of type MOTOR.
+scree_status check_motors(Where at, const scree_joint_def* def);
+
 // The sides and the ratio of a gear or a pulley; rotations are normalized.
 scree_status check_joint_coupling(Where at, scree_joint_def* def);
 scree_status check_gear_ratio(Where at, const char* member, float ratio);

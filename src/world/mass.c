@@ -11,31 +11,38 @@ static scree_mass massless(scree_body_type type)
 	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
 }
 
-scree_mass mass_of_body(const scree_world* world, int body)
+// Adds the collidables of a body that follow those in the sums.
+static void add_parts(const scree_world* world, MassSums* sums)
 {
-	const HostBody* host = world->host_bodies + body;
-	if (host->type != SCREE_BODY_DYNAMIC)
-		return massless(host->type);
-	if (host->own_mass.mass > 0.0f)
-		return host->own_mass;
-
-	// first the common center, then the inertia about it by the parallel axis theorem
-	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
-	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	int k = sums->last < 0 ? world->host_bodies[sums->body].first_collidable : world->host_collidables[sums->last].next;
+	for (; k >= 0; k = world->host_collidables[k].next)
 	{
 		const HostCollidable* collidable = world->host_collidables + k;
 		const scree_attribute_def* def = world->attributes + collidable->attribute;
 		double part = (double)def->density * def->shape.area;
 		scree_vec center = pose_point(collidable->pose, def->shape.centroid);
-		mass += part;
-		x += part * center.x;
-		y += part * center.y;
+		sums->mass += part;
+		sums->x += part * center.x;
+		sums->y += part * center.y;
+		sums->last = k;
 	}
-	if (mass == 0.0)
-		return massless(host->type);
-	x /= mass;
-	y /= mass;
-	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+}
+
+// Mass and center by the sums; the inertia is 0.
+static scree_mass mass_of_sums(const MassSums* sums)
+{
+	if (sums->mass == 0.0)
+		return massless(SCREE_BODY_DYNAMIC);
+	return (scree_mass){(float)sums->mass, 0.0f, {(float)(sums->x / sums->mass), (float)(sums->y / sums->mass)}};
+}
+
+// The inertia about the common center, by the parallel axis theorem.
+static float inertia_of_sums(const scree_world* world, const MassSums* sums)
+{
+	if (sums->mass == 0.0)
+		return 0.0f;
+	double x = sums->x / sums->mass, y = sums->y / sums->mass, inertia = 0.0;
+	for (int k = world->host_bodies[sums->body].first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		const HostCollidable* collidable = world->host_collidables + k;
 		const scree_attribute_def* def = world->attributes + collidable->attribute;
@@ -43,7 +50,27 @@ scree_mass mass_of_body(const scree_world* world, int body)
 		double dx = center.x - x, dy = center.y - y;
 		inertia += def->density * ((double)def->shape.inertia + def->shape.area * (dx * dx + dy * dy));
 	}
-	return (scree_mass){(float)mass, (float)inertia, {(float)x, (float)y}};
+	return (float)inertia;
+}
+
+scree_mass mass_of_body(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	if (host->type != SCREE_BODY_DYNAMIC)
+		return massless(host->type);
+	if (host->own_mass.mass > 0.0f)
+		return host->own_mass;
+	MassSums sums = {.body = body, .last = -1};
+	add_parts(world, &sums);
+	scree_mass mass = mass_of_sums(&sums);
+	mass.inertia = inertia_of_sums(world, &sums);
+	return mass;
+}
+
+scree_mass mass_now(const scree_world* world, int body)
+{
+	bool lacks = world->mass_sums.body == body && world->mass_sums.command > 0;
+	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
 float mass_inverse(const HostBody* host) { return host->mass.mass > 0.0f ? 1.0f / host->mass.mass : 0.0f; }
@@ -89,14 +116,53 @@ Command guarded_command(scree_world* world, int body)
 	                 .value = make_float4(guarded.way, guarded.reach, 0.0f, 0.0f)};
 }
 
-void mass_set(scree_world* world, int body, scree_mass mass)
+// Sets the mass on the host, and sends it.
+static void send_mass(scree_world* world, int body, scree_mass mass)
 {
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
 	world->chains_stale |= host->first_joint > 0; // chains depend on ratios of masses
 	Float4 value = make_float4(mass_inverse(host), mass_inverse_inertia(host), mass.center.x, mass.center.y);
 	edits_command(world, COMMAND_MASS, body, value, 0);
+}
+
+void mass_set(scree_world* world, int body, scree_mass mass)
+{
+	mass_forget(world, body);
+	send_mass(world, body, mass);
 	edits_whole(world, guarded_command(world, body));
+}
+
+void mass_forget(scree_world* world, int body)
+{
+	if (world->mass_sums.body == body)
+		world->mass_sums = (MassSums){0};
+}
+
+void mass_settle(scree_world* world)
+{
+	MassSums* sums = &world->mass_sums;
+	if (sums->command == 0)
+		return;
+	HostBody* host = world->host_bodies + sums->body;
+	host->mass.inertia = inertia_of_sums(world, sums);
+	world->edits.commands[sums->command - 1].value.y = mass_inverse_inertia(host);
+	sums->command = 0;
+	edits_whole(world, guarded_command(world, sums->body));
+}
+
+// A dynamic body got more collidables, and nothing else since the last time.
+static void gain(scree_world* world, int body)
+{
+	MassSums* sums = &world->mass_sums;
+	if (sums->body != body)
+	{
+		mass_settle(world);
+		*sums = (MassSums){.body = body, .last = -1};
+	}
+	add_parts(world, sums);
+	send_mass(world, body, mass_of_sums(sums));
+	sums->command = world->edits.command_count;
 }
 
 void mass_own(scree_world* world, int body, scree_mass mass)
@@ -106,7 +172,7 @@ void mass_own(scree_world* world, int body, scree_mass mass)
 	mass_set(world, body, mass);
 }
 
-void masses_update(scree_world* world, const int* bodies, int count)
+void masses_update(scree_world* world, const int* bodies, int count, bool gained)
 {
 	for (int k = 0; k < count; ++k)
 	{
@@ -119,7 +185,11 @@ void masses_update(scree_world* world, const int* bodies, int count)
 			continue;
 		world->host_bodies[bodies[k]].marked = false;
 		world->host_bodies[bodies[k]].own_mass = (scree_mass){0};
-		if (world->host_bodies[bodies[k]].type == SCREE_BODY_DYNAMIC)
+		if (world->host_bodies[bodies[k]].type != SCREE_BODY_DYNAMIC)
+			continue;
+		if (gained)
+			gain(world, bodies[k]);
+		else
 			mass_set(world, bodies[k], mass_of_body(world, bodies[k]));
 	}
 }

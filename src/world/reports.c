@@ -56,13 +56,19 @@ uint64_t allowed_hash(const scree_world* world)
 	Word64 sum = 0;
 	for (int k = 0; k < world->reports.allowed_count; ++k)
 		sum += hash_mix(hash_begin(HASH_ALLOWED, 0) + world->reports.allowed[k]);
-	return sum;
+	return world->reports.answered ? sum + hash_mix(hash_begin(HASH_ALLOWED, 1)) : sum;
 }
 
 void reports_forget(scree_world* world)
 {
-	world->reports.fetched = true;
+	world->reports.fetched = world->reports.lost = true;
 	memset(world->reports.counts, 0, sizeof world->reports.counts);
+}
+
+void reports_stepped(scree_world* world)
+{
+	world->reports.allowed_count = 0;
+	world->reports.answered = world->reports.lost = false;
 }
 
 static scree_status fetch(scree_world* world)

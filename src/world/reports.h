@@ -19,6 +19,9 @@ uint64_t allowed_hash(const scree_world* world);
 // The next step begins: the events of the last one are void.
 void reports_forget(scree_world* world);
 
+// The step is done, and so are the answers to the one before.
+void reports_stepped(scree_world* world);
+
 // Reads the events of the last step, unless that was done. What the user changed since must not have been uploaded.
 scree_status reports_fetch(scree_world* world);
 

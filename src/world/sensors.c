@@ -8,6 +8,7 @@
 #include "platform/error.h"
 #include "step/queries.h"
 #include "world/failure.h"
+#include "world/handles.h"
 #include "world/memory.h"
 #include <stdlib.h>
 
@@ -121,12 +122,8 @@ static scree_status ask(scree_world* world, const char* function, int* count)
 	TRY(list_sensors(world, function));
 	if (s->count == 0)
 		return SCREE_OK;
-	Questions questions = {.form = QUERY_SENSORS,
-	                       .items = s->queries,
-	                       .count = s->count,
-	                       .generation = world->collidables.generation,
-	                       .collidables = world->collidables.used,
-	                       .version = world->collidables.changes};
+	Questions questions = {
+	    .form = QUERY_SENSORS, .items = s->queries, .count = s->count, .collidables = collidable_names(world)};
 	TRY(queries_list(&world->pipeline, &questions, count));
 	if (*count == 0)
 		return SCREE_OK;

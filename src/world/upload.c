@@ -11,6 +11,7 @@
 #include "world/fields.h"
 #include "world/idle.h"
 #include "world/joints.h"
+#include "world/mass.h"
 #include "world/materials.h"
 #include "world/memory.h"
 #include "world/paths.h"
@@ -154,6 +155,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 
 static scree_status upload(scree_world* world, bool steps)
 {
+	mass_settle(world);
 	bool chains = steps && world->chains_stale;
 	if (no_edits(&world->edits) && !chains && !world->materials.waiting && !world->exclusions.waiting &&
 	    !world->fields.stale)

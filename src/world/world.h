@@ -73,6 +73,14 @@ typedef struct // host data of a joint
 	bool marked;              // within one call: already seen in the batch
 } HostJoint;
 
+typedef struct // of the dynamic body that got collidables last, over those up to one in its list
+{
+	double mass, x, y; // kg; kg m: mass times the centers
+	int body;          // 0 for none
+	int last;          // collidable, -1 for none
+	int command;       // 1 + the COMMAND_MASS among the edits that lacks the inertia, 0 for none
+} MassSums;
+
 typedef struct // host data of a field
 {
 	scree_field_def def; // checked
@@ -132,7 +140,9 @@ typedef struct // events of the last step
 	Word64* ended;
 	Word64* allowed; // pairs of collidables to which the user said yes since the last step, sorted
 	int allowed_count, allowed_capacity;
-	char* rows; // what scree_world_get_events returned last
+	bool answered; // the user answered since the last step what it asked
+	bool lost;     // a step began, and failed, so that the lists above are gone
+	char* rows;    // what scree_world_get_events returned last
 	int rows_capacity;
 } Reports;
 
@@ -221,6 +231,7 @@ struct scree_world
 	int* kinematics; // kinematic bodies, in no order
 	int kinematic_count, kinematic_capacity;
 	bool own_masses; // some body has or had a mass that the user set
+	MassSums mass_sums;
 	Target* targets; // of kinematic bodies, in no order
 	int target_count, target_capacity;
 	Edits edits;

@@ -40,8 +40,6 @@ scree_status run_ask(const Turn* t)
 		scree_vec at = {center.x + spread(&seed, size), center.y + spread(&seed, size)};
 		scree_vec path = {spread(&seed, size), k % 4 ? spread(&seed, size) : 0.0f};
 		scree_body ignored = k % 3 ? SCREE_NULL_BODY : call_body(t, body);
-		if (!scree_body_is_valid(t->world, ignored))
-			ignored = SCREE_NULL_BODY;
 		rays[k] = (scree_ray){.origin = at, .translation = path, .radius = k % 2 ? 0.0f : fabsf(0.1f * size)};
 		rays[k].ignored = ignored;
 		places[k] = (scree_probe){.pose = {at, scree_rot_make(spread(&seed, 3.0f))}, .ignored = ignored};
