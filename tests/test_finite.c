@@ -83,8 +83,8 @@ static void surfaces_may_be_extreme(void** state)
 	scree_world_destroy(world);
 }
 
-// In a stack whose middle is lost, the others go on: one body is frozen, and no impulse is stored that is not finite.
-static void one_body_freezes(void** state)
+// A stack whose middle is pushed harder than a float can tell loses it; none is frozen, and all impulses are finite.
+static void one_body_leaves(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
@@ -96,10 +96,10 @@ static void one_body_freezes(void** state)
 	OK(scree_body_apply_force(world, stack[2], (scree_vec){FLT_MAX, 0.0f}));
 	OK(scree_body_apply_force(world, stack[2], (scree_vec){FLT_MAX, 0.0f}));
 	run_steps(world, 1);
-	assert_int_equal(counters_of(world).nonfinite, 1);
+	assert_int_equal(counters_of(world).nonfinite, 0);
 	scree_contact* contacts;
 	int count = read_contacts(world, &contacts);
-	assert_in_range(count, 5, 7);
+	assert_in_range(count, 3, 9);
 	for (int k = 0; k < count; ++k)
 		for (int i = 0; i < contacts[k].count; ++i)
 			assert_true(isfinite(contacts[k].points[i].normal_impulse) &&
@@ -107,9 +107,9 @@ static void one_body_freezes(void** state)
 	free(contacts);
 	run_steps(world, 60);
 	assert_int_equal(counters_of(world).nonfinite, 0);
-	assert_int_equal(warnings, 1);
-	for (int k = 0; k < 5; ++k)
-		NEAR(position_of(world, stack[k]).y, 0.5 + k, 0.03);
+	assert_int_equal(warnings, 0);
+	assert_true(position_of(world, stack[2]).x > 100.0f);
+	NEAR(position_of(world, stack[0]).y, 0.5, 0.03);
 	scree_world_destroy(world);
 }
 
@@ -119,7 +119,7 @@ int main(void)
 	    cmocka_unit_test_setup_teardown(forces_lead_to_the_limit, set_warnings, reset_warnings),
 	    cmocka_unit_test_setup_teardown(gravity_leads_to_the_limit, set_warnings, reset_warnings),
 	    cmocka_unit_test_setup_teardown(surfaces_may_be_extreme, set_warnings, reset_warnings),
-	    cmocka_unit_test_setup_teardown(one_body_freezes, set_warnings, reset_warnings),
+	    cmocka_unit_test_setup_teardown(one_body_leaves, set_warnings, reset_warnings),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

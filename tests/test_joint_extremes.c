@@ -297,14 +297,15 @@ static void unequal_masses(void** state)
 		}
 }
 
-// A force that is infinite, or whose sum is NaN, freezes the body that it acts on, and no other.
-static void only_the_lost_is_frozen(void** state)
+// Forces whose sum is beyond a float freeze nothing, and joints hold what is pushed by them.
+static void forces_freeze_nothing(void** state)
 {
 	(void)state;
 	for (int type = SCREE_JOINT_FREE; type <= SCREE_JOINT_FILTER; ++type)
 	{
 		scree_world* world = open_world((float)-G);
 		scree_body links[6];
+		bool holds = true; // at a point
 		for (int k = 0; k < 6; ++k)
 		{
 			links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, 0.25f + 0.5f * (float)k, 0.0f);
@@ -312,6 +313,7 @@ static void only_the_lost_is_frozen(void** state)
 			                                   0.5f * (float)k, 0.0f, 0.0f);
 			def.coordinates[SCREE_ANGLE].motor = !def.coordinates[SCREE_ANGLE].locked;
 			def.coordinates[SCREE_ANGLE].motor_max = 0.1f;
+			holds = def.coordinates[SCREE_ALONG].locked && def.coordinates[SCREE_ACROSS].locked;
 			add_joint(world, &def);
 		}
 		run_steps(world, 10);
@@ -320,7 +322,7 @@ static void only_the_lost_is_frozen(void** state)
 		OK(scree_body_apply_impulse(world, links[3], (scree_vec){3e38f, 0.0f}));
 		OK(scree_body_apply_torque(world, links[3], 3e38f));
 		run_steps(world, 1);
-		assert_int_equal(counters_of(world).nonfinite, 1);
+		assert_int_equal(counters_of(world).nonfinite, 0);
 		check_finite(world);
 		for (int k = 0; k < 60; ++k)
 		{
@@ -328,7 +330,7 @@ static void only_the_lost_is_frozen(void** state)
 			assert_int_equal(counters_of(world).nonfinite, 0);
 		}
 		check_finite(world);
-		for (int k = 0; k < 6; ++k)
+		for (int k = 0; k < 6 && holds; ++k)
 			assert_true(hypot(position_of(world, links[k]).x, position_of(world, links[k]).y) < 20.0);
 		scree_world_destroy(world);
 	}
@@ -415,7 +417,7 @@ int main(void)
 	    cmocka_unit_test(far_away),
 	    cmocka_unit_test(tiny_and_huge),
 	    cmocka_unit_test(unequal_masses),
-	    cmocka_unit_test(only_the_lost_is_frozen),
+	    cmocka_unit_test(forces_freeze_nothing),
 	    cmocka_unit_test(sliders_come_together),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

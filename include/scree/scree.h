@@ -308,8 +308,8 @@ typedef struct scree_counters
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
 	int grown;                   // buffer reallocations since the world was created
-	int nonfinite;         // bodies frozen in the last step because their state became infinite or NaN, for instance by
-	                       // an infinite force. A body that reaches 1e8 m stops there
+	int nonfinite; // bodies frozen in the last step because their state became infinite or NaN: with masses such as 1e30 kg, or
+	    // moments of inertia such as 1e-20 kg m^2. No force or impulse does that. A body that reaches 1e8 m stops there
 	int held;              // bodies that were stopped in the last step because they would have tunneled through
 	                       // something static or dynamic, or got far into it because something kinematic presses them
 	float penetration;     // deepest overlap at the start of the last step, m

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// finite.h -- keeps state finite: NaN is never stored, and overflow by the user's calls is marked until finalize.
+// finite.h -- keeps state finite: NaN is never stored, and sums of the user's calls end at the largest number.
 //
 // Devices agree on which results are NaN, but not on the sign and the payload of a NaN, so a stored NaN is a difference
 // between devices. docs/determinism.md has the rule and how each stage keeps it.
@@ -8,8 +8,6 @@
 #include "dialect/vec.h"
 
 #define MOST_FLOAT 3.40282347e38f
-// Marks a velocity, force or torque that overflowed by the user's calls, in either direction: finalize freezes the body.
-#define LOST bits_float(0x7f800000)
 // N s: the momentum of the heaviest body (1e30 kg) at the highest max_speed
 #define MOST_IMPULSE 1.0e35f
 // of a pair of surfaces: times the largest impulse it is still finite
@@ -18,19 +16,14 @@
 // x within bounds; NaN stays NaN.
 INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most); }
 
-// What is stored of the user's sums: all values that are not finite get the same bits.
-INLINE float finite_or_lost(float x) { return x >= -MOST_FLOAT && x <= MOST_FLOAT ? x : LOST; }
-// The largest number of its sign in place of an infinity.
-INLINE float finite_or_most(float x)
-{
-	return x > MOST_FLOAT ? MOST_FLOAT : x < -MOST_FLOAT ? -MOST_FLOAT : finite_or_lost(x);
-}
-
-// A term of a sum of three, which is finite.
-INLINE Real sum_most(Real x) { return within(x, splat(1.0e38f)); }
+// The largest number of its sign in place of an infinity: what is stored of the user's sums.
+INLINE float finite_or_most(float x) { return x > MOST_FLOAT ? MOST_FLOAT : x < -MOST_FLOAT ? -MOST_FLOAT : x; }
 
 // Zero in place of NaN.
 INLINE Real number_of(Real x) { return choose(splat(0.0f), x, x == x); }
+
+// The same, and the largest number of its sign in place of an infinity.
+INLINE Real finite_of(Real x) { return number_of(within(x, splat(MOST_FLOAT))); }
 
 // Turns infinity into NaN, which no limit makes finite again.
 INLINE Real no_infinity(Real x) { return x + (x - x); }

@@ -33,11 +33,16 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
 }
 
-// From the center of mass to a point of the world.
-INLINE Vec command_arm(const Pools* p, int body, float x, float y)
+// The moment about the center of mass of a force or impulse at a point of the world. Where both products overflow, their difference would be
+// NaN: it is that of a force 2^64 times smaller.
+INLINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
 {
 	Float4 pose = p->pose[body];
-	return vec(x - pose.x, y - pose.y);
+	Vec arm = vec(x - pose.x, y - pose.y);
+	float moment = vec_cross(arm, force);
+	if (moment - moment == 0.0f)
+		return moment;
+	return finite_or_most(1.8446744e19f * vec_cross(arm, vec_scale(5.4210109e-20f, force)));
 }
 
 // Moves the center of mass within the body. The velocity is that of the same motion of the rigid body.
@@ -242,7 +247,7 @@ INLINE void command_change(const Pools* p, Command c)
 	switch (c.kind)
 	{
 	case COMMAND_FORCE_AT:
-		command_force(p, i, v, vec_cross(command_arm(p, i, value.z, value.w), v));
+		command_force(p, i, v, command_moment(p, i, v, value.z, value.w));
 		break;
 	case COMMAND_FORCE:
 		command_force(p, i, v, 0.0f);
@@ -251,7 +256,7 @@ INLINE void command_change(const Pools* p, Command c)
 		command_force(p, i, vec(0.0f, 0.0f), value.x);
 		break;
 	case COMMAND_IMPULSE_AT:
-		command_spin(p, i, vec_cross(command_arm(p, i, value.z, value.w), v));
+		command_spin(p, i, command_moment(p, i, v, value.z, value.w));
 		command_push(p, i, v);
 		break;
 	case COMMAND_IMPULSE:

@@ -26,9 +26,9 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	// implicit damping, semi-implicit Euler; a lock sets the velocity to 0
 	float h = step->h;
 	Real linear = 1.0f / (1.0f + h * m[4]), angular = 1.0f / (1.0f + h * m[5]);
-	v.x = m[6] * (sum_most(linear * v.x) + h * (sum_most(step->gravity_x * m[3]) + sum_most(b[3] * m[0])));
-	v.y = m[7] * (sum_most(linear * v.y) + h * (sum_most(step->gravity_y * m[3]) + sum_most(b[3] * m[1])));
-	w = sum_most(angular * w) + h * sum_most(b[7] * m[2]);
+	v.x = m[6] * finite_of(linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
+	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
+	w = finite_of(angular * w + h * (b[7] * m[2]));
 
 	// The limits hold for the velocity of the body alone. The contacts' change must stay what their impulses make it, or
 	// they would take back what they have not given.
