@@ -62,8 +62,8 @@ if(EMSCRIPTEN)
 	if(CMAKE_C_FLAGS MATCHES "-flto")
 		# The linker inlines again, by the same limits. With 100 a step is 3 % shorter, but the package 1.2 kB larger, compressed, and too large;
 		# with clang's own limits, 225 and 325 for inline functions, a step is 1 to 4 % shorter again, and the package 3 kB larger.
-		list(APPEND hot_options -mllvm -inline-threshold=30 -mllvm -inlinehint-threshold=30)
-		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=30,-mllvm,-inlinehint-threshold=30)
+		list(APPEND hot_options -mllvm -inline-threshold=10 -mllvm -inlinehint-threshold=10)
+		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=10,-mllvm,-inlinehint-threshold=10)
 	endif()
 	if(NOT 1 IN_LIST SCREE_LANES)
 		list(APPEND hot_options -Wno-unused-function) # the wide stages of lanes1.c

@@ -45,7 +45,7 @@ static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, 
 		items += list->runs[k].end - list->runs[k].begin;
 		chains += list->runs[k].stage == STAGE_chain && solve->chains > 1 ? CHAIN_ITEM * solve->chain_places : 0;
 	}
-	if (b->threads > 1 && items > 0)
+	if (threads_workers(cpu->threads) > 1 && items > 0)
 		cpu_work_solve(cpu, list->runs, list->count, items, chains);
 	else
 		cpu_work(cpu, list->runs, list->count, INT_MAX);

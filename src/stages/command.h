@@ -35,7 +35,7 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 
 // The moment about the center of mass of a force or impulse at a point of the world. Where both products overflow, their difference would be
 // NaN: it is that of a force 2^64 times smaller.
-INLINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
+OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
 {
 	Float4 pose = p->pose[body];
 	Vec arm = vec(x - pose.x, y - pose.y);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// one_thread.c -- threads.h where the platform has no threads: the caller does all blocks.
+#include "platform/error.h"
+#include "platform/threads.h"
+
+struct Threads
+{
+	char unused;
+};
+
+Threads* threads_open(int workers)
+{
+	static Threads alone;
+	if (workers == 1)
+		return &alone;
+	fail(SCREE_ERROR_OUT_OF_MEMORY, "threads is %d, but there are none here: ask for 1", workers);
+	return NULL;
+}
+
+void threads_close(Threads* t) { (void)t; }
+void threads_begin(Threads* t) { (void)t; }
+void threads_end(Threads* t) { (void)t; }
+
+int threads_workers(const Threads* t)
+{
+	(void)t;
+	return 1;
+}
+
+void threads_run(Threads* t, BlockFunction* function, void* context, int blocks)
+{
+	(void)t;
+	(void)blocks; // at most as many as workers
+	function(context, 0, 1);
+}
+
+void threads_run_once(Threads* t, BlockFunction* function, void* context) { threads_run(t, function, context, 1); }
