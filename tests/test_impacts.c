@@ -302,7 +302,7 @@ static void held_by_no_mistake(void** state)
 }
 
 // Chips of 4 by 2 cm at a wall, and among them a rod that spins: finite, so that none is frozen (before: 41 % at 100 m/s), and no
-// limit is exceeded. A force of 1e22 N makes max_speed along its direction; one that is too great for a float is named.
+// limit is exceeded. A force of 1e22 N makes max_speed along its direction, and so does one of 3.4e38 N, whose acceleration exceeds a float.
 static void limits_hold(void** state)
 {
 	(void)state;
@@ -337,8 +337,8 @@ static void limits_hold(void** state)
 	assert_int_equal(counters_of(world).nonfinite, 0);
 	OK(scree_body_apply_force(world, chips[0], (scree_vec){FLT_MAX, 0.0f}));
 	run_steps(world, 1);
-	assert_int_equal(counters_of(world).nonfinite, 1);
-	assert_true(speed_of(world, chips[0]) == 0.0);
+	assert_int_equal(counters_of(world).nonfinite, 0);
+	NEAR(speed_of(world, chips[0]), 400.0, 0.01);
 	scree_world_destroy(world);
 }
 
