@@ -236,8 +236,9 @@ void threads_close(Threads* t)
 		mutex_unlock(&seat->mutex);
 	}
 	for (int k = 1; k < t->workers; ++k)
-	{
 		thread_join(t->seats[k].thread);
+	for (int k = 1; k < t->workers; ++k) // a worker may have been waking another one
+	{
 		condition_close(&t->seats[k].woken);
 		mutex_close(&t->seats[k].mutex);
 	}
