@@ -118,8 +118,8 @@ STAGE(contact_create)
 	p->contact_bodies[slot] = bodies;
 	p->contact_flags[slot] = flags;
 	contact_count(p, bodies, flags, 1);
-	if (flags & CONTACT_STATIC)
-		p->static_contact[bodies.x] = slot;
+	if (flags & CONTACT_STATIC) // any of several; only that of a body with one is read
+		write_shared_word((GLOBAL Word*)p->static_contact + bodies.x, (Word)slot);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
 	p->contact_place[slot] = -1;
