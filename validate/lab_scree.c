@@ -29,20 +29,26 @@ static bool report(scree_status status)
 	return status == SCREE_OK;
 }
 
+scree_world_def scree_lab_world_def(const LabOptions* options)
+{
+	scree_world_def def = scree_world_def_default();
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	return def;
+}
+
 static void* open(const LabOptions* options, const LabDef* lab)
 {
 	State* state = calloc(1, sizeof(State));
 	if (!state)
 		return NULL;
-	scree_world_def def = scree_world_def_default();
+	scree_world_def def = scree_lab_world_def(options);
 	def.gravity = lab->gravity;
 	def.max_speed = lab->max_speed;
 	if (lab->contact_hertz > 0.0f)
 		def.contact_hertz = lab->contact_hertz;
-	def.device = options->device;
-	def.threads = options->threads;
-	def.lanes = options->lanes;
-	def.allow_unequal_bits = options->allow_unequal_bits;
 	if (report(scree_world_create(&def, &state->world)))
 		return state;
 	free(state);

@@ -6,6 +6,9 @@
 
 extern const LabEngine scree_lab;
 
+// A definition of a world on the device, and with the threads and lanes, of the options.
+scree_world_def scree_lab_world_def(const LabOptions* options);
+
 // The counters of Scree's last step; state is that of scree_lab.
 bool scree_lab_counters(void* state, scree_counters* counters);
 // How many bodies a body overlaps.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // scenery.c -- random shapes, thin and thick, large and small, and probes that meet, graze and miss them.
 #include "scenery.h"
+#include "lab_scree.h"
 #include "support.h"
 #include <math.h>
 #include <string.h>
@@ -62,11 +63,7 @@ scree_shape scenery_small(uint64_t* seed)
 Scenery scenery_empty(Validation* v, double place)
 {
 	Scenery s = {.validation = v, .place = place, .rounding = 4e-7 * place};
-	scree_world_def def = scree_world_def_default();
-	def.device = v->options.device;
-	def.threads = v->options.threads;
-	def.lanes = v->options.lanes;
-	def.allow_unequal_bits = v->options.allow_unequal_bits;
+	scree_world_def def = scree_lab_world_def(&v->options);
 	scenery_ok(&s, scree_world_create(&def, &s.world));
 	return s;
 }

@@ -308,12 +308,13 @@ typedef struct scree_counters
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
 	int grown;                   // buffer reallocations since the world was created
-	int nonfinite; // bodies frozen in the last step because their state became infinite or NaN: with masses such as 1e30 kg, or
-	    // moments of inertia such as 1e-20 kg m^2. No force or impulse does that. A body that reaches 1e8 m stops there
-	int held;              // bodies that were stopped in the last step because they would have tunneled through
-	                       // something static or dynamic, or got far into it because something kinematic presses them
-	float penetration;     // deepest overlap at the start of the last step, m
-	int64_t steps;         // steps taken, those of dt 0 included
+	int nonfinite;     // bodies frozen in the last step because their state became infinite or NaN: with masses such
+	                   // as 1e30 kg, or moments of inertia such as 1e-20 kg m^2. No force or impulse does that. A
+	                   // body that reaches 1e8 m stops there
+	int held;          // bodies that were stopped in the last step because they would have tunneled through
+	                   // something static or dynamic, or got far into it because something kinematic presses them
+	float penetration; // deepest overlap at the start of the last step, m
+	int64_t steps;     // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
 	float joint_gap; // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
 	                 // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More

@@ -19,9 +19,9 @@
 typedef struct // whether workers share the solve; measured, because it depends on the distance of the cores
 {
 	double cost[2]; // ms per item: by one worker, shared; 0 if never measured
-	double least;   // of the solves in a row by a way that is measured
-	int tried;      // of these
-	int turns;      // of the first ones, in which the two ways alternate
+	double least;   // the least of the solves in a row by a way that is measured
+	int tried;      // solves in that row so far
+	int turns;      // rows at the begin, in which the two ways alternate
 	int rest;       // solves until the slower way is measured again
 	bool tries;     // it is measured
 	bool shares;    // the next solve
@@ -55,7 +55,7 @@ typedef struct // the state of the backend
 	const Run* runs;
 	int at, begin, end;
 	int grain;    // a run of fewer items is not shared
-	double items; // of all runs of the list so far
+	double items; // sum over the runs of the list so far
 
 	_Alignas(64) atomic_int next; // of a run in chunks: first item that no worker has taken
 	Shared shared;

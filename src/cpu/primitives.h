@@ -8,10 +8,10 @@
 #define RADIX_BITS 8
 #define RADIX      (1 << RADIX_BITS)
 
-// What the blocks of a sort or scan share.
+// Data that the blocks of a sort or scan share.
 typedef struct
 {
-	_Alignas(64) int counts[MAX_WORKERS][RADIX]; // of each block: its keys of each digit
+	_Alignas(64) int counts[MAX_WORKERS][RADIX]; // keys of each digit in each block
 	int sums[MAX_WORKERS];
 	uint64_t *from, *to, mask;
 	int *values, count, shift;

@@ -14,7 +14,7 @@
 // fewest items for which a sort and a scan are shared
 #define SORT_GRAIN 8192
 #define SCAN_GRAIN 16384
-// so many blocks of a run that is just worth sharing
+// blocks of a run that is just worth sharing
 #define BLOCKS_A_GRAIN 2
 
 // Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
@@ -98,7 +98,6 @@ static void do_block(void* context, int block, int blocks)
 	int stage = cpu->runs[cpu->at].stage, items = cpu->end - cpu->begin;
 	StageFunction function = cpu->functions[stage];
 	const ActiveBlocks* active = active_blocks(cpu, stage);
-	FloatMode found = float_mode_enter();
 	if (active && cpu->end > 1) // a single item is bookkeeping
 		do_active(cpu, function, active, block, blocks);
 	else if (chunks[stage] == DEALT)
@@ -114,7 +113,6 @@ static void do_block(void* context, int block, int blocks)
 		if (begin < end)
 			function(&cpu->pools, cpu->begin + begin, cpu->begin + end);
 	}
-	float_mode_leave(found);
 }
 
 static int smallest_shared(const Cpu* cpu, int stage)
@@ -207,8 +205,10 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 		if (blocks == 0)
 			continue;
 		if (blocks > 1 && !shared)
+		{
 			threads_begin(cpu->threads);
-		shared = shared || blocks > 1;
+			shared = true;
+		}
 		if (run->stage == PRIMITIVE_SORT)
 			sort_keys(&cpu->shared, cpu->threads, blocks, cpu->pools.key, cpu->pools.key_other, cpu->end,
 			          run->argument & 255, run->argument >> 8);

@@ -25,9 +25,6 @@ INLINE Real number_of(Real x) { return choose(splat(0.0f), x, x == x); }
 // The same, and the largest number of its sign in place of an infinity.
 INLINE Real finite_of(Real x) { return number_of(within(x, splat(MOST_FLOAT))); }
 
-// Turns infinity into NaN, which no limit makes finite again.
-INLINE Real no_infinity(Real x) { return x + (x - x); }
-
 // An impulse that pushes: zero if it would pull, is NaN or exceeds MOST_IMPULSE. So a body with a NaN velocity pushes no
 // other body and is the only one to be frozen; and no zero is negative.
 INLINE Real push_of(Real x) { return choose(splat(0.0f), x, (x > splat(0.0f)) & (x <= splat(MOST_IMPULSE))); }

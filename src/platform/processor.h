@@ -17,8 +17,8 @@ int processor_widest_lanes(void);
 const char* processor_instructions(int lanes); // "AVX2", the set that these lanes use
 
 // Scree needs rounding to nearest, denormals and no traps for equal bits. Other libraries of the process may have set another
-// mode, and a thread inherits the mode of its creator. So every worker enters the mode before it computes, and restores the
-// old one afterwards.
+// mode, and a thread inherits the mode of its creator. So a call enters the mode before it computes, and restores the old one
+// afterwards; the threads of threads.h enter it once.
 typedef uint64_t FloatMode;
 FloatMode float_mode_enter(void);
 void float_mode_leave(FloatMode found);

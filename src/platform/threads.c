@@ -79,19 +79,23 @@ static void adapt_spins(Threads* t, int spins, bool at_once)
 		atomic_store_explicit(&t->spins, next, memory_order_relaxed);
 }
 
+// Wakes a worker. Returns whether it slept.
+static bool wake(Seat* seat)
+{
+	mutex_lock(&seat->mutex);
+	bool slept = seat->sleeps;
+	seat->sleeps = false;
+	condition_wake_all(&seat->woken);
+	mutex_unlock(&seat->mutex);
+	return slept;
+}
+
 // Wakes some workers that sleep.
 static void wake_some(Threads* t)
 {
 	int left = WAKES;
 	for (int k = 1; k < t->workers && left > 0 && atomic_load(&t->sleepers) > 0; ++k)
-	{
-		Seat* seat = &t->seats[k];
-		mutex_lock(&seat->mutex);
-		left -= seat->sleeps;
-		seat->sleeps = false;
-		condition_wake_all(&seat->woken);
-		mutex_unlock(&seat->mutex);
-	}
+		left -= wake(&t->seats[k]);
 }
 
 // Sequentially consistent on both sides: this worker adds itself to sleepers, then reads awake and the turn; who wakes sets awake, then
@@ -146,23 +150,24 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 	sleep_until_woken(seat, turn);
 }
 
+static int blocks_of(unsigned long long turn) { return (int)(turn & ((1 << BLOCK_BITS) - 1)); }
+
 // Claims a block of a job and does it. The job lasts until its blocks are done, so what belongs to it may be read after the claim.
 static void try_block(Threads* t, unsigned long long turn, int block)
 {
 	unsigned long long job = turn >> BLOCK_BITS,
 	                   last = atomic_load_explicit(&t->seats[block].claimed, memory_order_relaxed);
-	int blocks = (int)(turn & ((1 << BLOCK_BITS) - 1));
 	if (last >= job || !atomic_compare_exchange_strong_explicit(&t->seats[block].claimed, &last, job,
 	                                                            memory_order_acq_rel, memory_order_relaxed))
 		return;
-	t->function(t->context, block, blocks);
+	t->function(t->context, block, blocks_of(turn));
 	atomic_fetch_add_explicit(&t->done, 1, memory_order_release);
 }
 
 // What nobody has claimed.
 static void help(Threads* t, unsigned long long turn, int worker)
 {
-	int blocks = (int)(turn & ((1 << BLOCK_BITS) - 1));
+	int blocks = blocks_of(turn);
 	for (int k = 1; k <= blocks; ++k)
 		try_block(t, turn, (worker + k) % blocks);
 }
@@ -172,11 +177,12 @@ static THREAD_RESULT thread_main(void* argument)
 	Seat* seat = argument;
 	Threads* t = seat->threads;
 	unsigned long long turn = 0;
+	(void)float_mode_enter(); // for good: the thread is the library's own
 	while (!atomic_load(&t->ends))
 	{
 		wait_for_turn(seat, turn);
 		turn = atomic_load_explicit(&t->turn, memory_order_acquire);
-		if (seat->worker < (int)(turn & ((1 << BLOCK_BITS) - 1)))
+		if (seat->worker < blocks_of(turn))
 			try_block(t, turn, seat->worker);
 		if (!spin(t, turn, HELP_SPINS))
 			help(t, turn, seat->worker);
@@ -228,13 +234,7 @@ void threads_close(Threads* t)
 	atomic_store(&t->ends, true);
 	publish(t, 0);
 	for (int k = 1; k < t->workers; ++k)
-	{
-		Seat* seat = &t->seats[k];
-		mutex_lock(&seat->mutex);
-		seat->sleeps = false;
-		condition_wake_all(&seat->woken);
-		mutex_unlock(&seat->mutex);
-	}
+		wake(&t->seats[k]);
 	for (int k = 1; k < t->workers; ++k)
 		thread_join(t->seats[k].thread);
 	for (int k = 1; k < t->workers; ++k) // a worker may have been waking another one

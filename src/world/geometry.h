@@ -6,8 +6,7 @@
 
 #define SMALLEST_SIZE 0.001f // m
 #define WELD_DISTANCE 0.005f // m: corners closer than this coincide; less in small shapes
-#define FLAT_DISTANCE \
-	0.0005 // m: a corner closer than this to the line between its neighbors is dropped or refused; likewise
+#define FLAT_DISTANCE 0.0005 // m: corners closer than this to the line between their neighbors lie on it; less, too
 
 typedef struct // the two distances for a polygon of some size, m
 {
