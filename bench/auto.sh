@@ -9,6 +9,7 @@
 # scree_world_create to the end of the last step, without the creation of the bodies. CSV_ALL names a file for the rows of all
 # runs. Exit 1 when hashes differ.
 set -euo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 scree=${1:?is the path of the command line}
 device=${2:-opencl}

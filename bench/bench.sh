@@ -6,6 +6,7 @@
 # CURVES=no leaves out the curves; SCREE names the command line (build/scree). Hashes must be those of bench/known.csv. After a
 # change that must change them, KNOWN=write writes that file from the rows of the CPU. Exit 1 when a row is invalid.
 set -uo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.." || exit 1
 folder=bench/results/${1:-local}
 scree=${SCREE:-build/scree}

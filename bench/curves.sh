@@ -8,6 +8,7 @@
 # LIMIT in seconds of one run (600), SCREE, the command line (build/scree).
 # bench/plot.sh draws the curves. Exit 1 when a row is invalid or missing.
 set -uo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.." || exit 1
 folder=${1:-bench/results/local}
 [ $# -gt 0 ] && shift

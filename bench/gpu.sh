@@ -11,6 +11,7 @@
 # the one whose rays are cast after every step;
 # CURVES=yes runs bench/curves.sh as well, and FIGURES=yes the figures of docs/paper.md. Exit 1 when any hash or picture differs or any row is invalid.
 set -euo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
 folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}

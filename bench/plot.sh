@@ -4,6 +4,7 @@
 # usage: bench/plot.sh FOLDER
 #   FOLDER  has curves.csv and gets curves.svg and curves.png
 set -euo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 folder=${1:?is the folder with curves.csv}
 command -v gnuplot >/dev/null || { echo "plot.sh: no plots, because there is no gnuplot (Debian: gnuplot-nox)" >&2; exit 0; }

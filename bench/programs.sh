@@ -7,6 +7,7 @@
 # PROGRAMS (1000) run in each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the CPU.
 # build/tests/programs must have been built.
 set -euo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 device=${1:-NVIDIA}
 folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}

@@ -6,6 +6,7 @@
 # Replaces the rows between the two marks of docs/validate.md: the values and their limit. A value beyond the limit is bold, but
 # not those of Box2D, because the limits are for Scree.
 set -euo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 folder=${1:-bench/results/validate}
 document=docs/validate.md

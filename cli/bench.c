@@ -168,7 +168,7 @@ static void print_row(const Bench* bench, const Scene* scene, Measurement* m, in
 static int measure(Bench* bench, const Scene* scene)
 {
 	const Options* options = bench->options;
-	int steps = options->steps > 0 ? options->steps : scene->steps;
+	int steps = options_steps(options, scene);
 	Measurement m = {0};
 	m.records = malloc((size_t)steps * (size_t)(options->repeats + 1) * sizeof(Record));
 	int code = m.records ? EXIT_GOOD : EXIT_FAILED;

@@ -113,7 +113,7 @@ int frames_command(const Options* options)
 	Scene* scene = open_scene(options, options->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
-	int steps = options->steps > 0 ? options->steps : scene->steps;
+	int steps = options_steps(options, scene);
 	Offscreen offscreen;
 	const char* error = offscreen_open(&offscreen, options->width, options->height);
 	scree_opengl opengl;

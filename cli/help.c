@@ -14,7 +14,7 @@ static const struct
 } commands[] = {
     {RUN, "run", "run SCENE|FILE", "simulate, with a table of results at the end"},
     {VIEW, "view", "view [SCENE|FILE]", "open a window on a scene, pile without a name"},
-    {HASH, "hash", "hash SCENE|FILE --steps N", "simulate and print the world's hash, 16 digits, alone"},
+    {HASH, "hash", "hash SCENE|FILE", "simulate and print the world's hash, 16 digits, alone"},
     {SCENES, "scenes", "scenes", "list the scenes with their parameters"},
     {DEVICES, "devices", "devices", "list the devices and whether they keep the promise of equal bits"},
     {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output"},
@@ -31,9 +31,9 @@ void print_help(FILE* file)
 	fprintf(file, "scree %s -- 2D rigid bodies, the same bits on every device\n\n", scree_version());
 	for (int k = 0; k < COMMAND_COUNT; ++k)
 		fprintf(file, "  scree %-28s %s\n", commands[k].usage, commands[k].help);
-	fprintf(file, "  scree %-28s %s\n", "help", "this text; --version prints the version");
+	fprintf(file, "  scree %-28s %s\n", "help [COMMAND]", "this text, or the options of a command");
 	fprintf(file,
-	        "\nscree COMMAND --help lists the options of a command.\n"
+	        "\nscree COMMAND --help lists the options of a command as well. scree --version prints the version.\n"
 	        "\nA scene is a name from `scree scenes` or the path of a JSON file. SCREE_SCENES names another folder\n"
 	        "to look in first. Exit codes: 0 done, 1 a device or a file failed, or a measurement is\n"
 	        "invalid, 2 bad arguments or a bad scene.\n");

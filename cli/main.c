@@ -78,6 +78,20 @@ static int run_named(int count, char** words, const char* executable)
 	return EXIT_BAD;
 }
 
+// scree help COMMAND.
+static int explain(int count, char** words)
+{
+	for (size_t k = 0; k < sizeof commands / sizeof commands[0]; ++k)
+	{
+		if (match(commands[k].name, count - 1, words + 1) != count - 2)
+			continue;
+		print_command_help(stdout, commands[k].command);
+		return EXIT_GOOD;
+	}
+	fprintf(stderr, "scree help: unknown command \"%s\"; scree help lists them\n", words[2]);
+	return EXIT_BAD;
+}
+
 int main(int count, char** words)
 {
 	char executable[SCENE_PATH];
@@ -87,7 +101,9 @@ int main(int count, char** words)
 		print_help(stderr);
 		return EXIT_BAD;
 	}
-	if (strcmp(words[1], "help") == 0 || strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0)
+	if (count > 2 && strcmp(words[1], "help") == 0)
+		code = explain(count, words);
+	else if (strcmp(words[1], "help") == 0 || strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0)
 		print_help(stdout);
 	else if (strcmp(words[1], "--version") == 0)
 		printf("%s\n", scree_version());

@@ -82,6 +82,12 @@ typedef struct OptionRow // of the table of options
 extern const OptionRow option_rows[];
 extern const int option_count;
 
+// The steps that a command takes: those asked for, or as many as the scene says.
+static inline int options_steps(const Options* options, const Scene* scene)
+{
+	return options->steps > 0 ? options->steps : scene->steps;
+}
+
 // Reads the words after the command's name. False after printing a sentence.
 bool options_read(Options* options, int count, char** words);
 

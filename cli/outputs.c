@@ -77,7 +77,7 @@ static void aim(const Outputs* outputs, const Scene* scene, long long step)
 {
 	const Options* options = outputs->options;
 	scree_box from = options->has_view ? options->view : scene->view;
-	double done = (double)step / (double)(options->steps > 0 ? options->steps : scene->steps);
+	double done = (double)step / (double)options_steps(options, scene);
 	if (options->has_zoom)
 		picture_renderer_aim(outputs->renderer, viewport_between(from, options->zoom, done * done * (3 - 2 * done)));
 	else if (options->has_view)

@@ -150,7 +150,7 @@ int queries_command(const Options* options)
 	int code = simulation_open(options, scene, true, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
-	int steps = options->steps > 0 ? options->steps : scene->steps, repeats = options->repeats;
+	int steps = options_steps(options, scene), repeats = options->repeats;
 	scree_status status = SCREE_OK;
 	for (int k = 0; k < steps && status == SCREE_OK; ++k)
 		status = simulation_step(&simulation);

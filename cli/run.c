@@ -81,8 +81,9 @@ static void print_table(const Simulation* simulation, const Totals* totals, int 
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		printf("  %-12s %.4f\n", simulation->pipeline->stages[k], totals->stages[k] / steps);
-	printf("%-14s %.4f m, the deepest seen\n", "penetration", (double)totals->penetration);
-	printf("%-14s %.4f m, the widest seen\n", "joint gap", (double)totals->joint_gap);
+	printf("%-14s %.4f m now, %.4f m the deepest seen\n", "penetration", (double)c->penetration,
+	       (double)totals->penetration);
+	printf("%-14s %.4f m now, %.4f m the widest seen\n", "joint gap", (double)c->joint_gap, (double)totals->joint_gap);
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
 	printf("%-14s %016" PRIx64 "\n", "hash", hash);
@@ -105,7 +106,7 @@ int run_command(const Options* options)
 	Outputs outputs;
 	Totals totals = {0};
 	uint64_t hash = 0;
-	int steps = options->steps > 0 ? options->steps : scene->steps;
+	int steps = options_steps(options, scene);
 	Options drawn;
 	int code = outputs_begin(&outputs, options, &drawn);
 	if (code == EXIT_GOOD)
@@ -130,11 +131,6 @@ int run_command(const Options* options)
 
 int hash_command(const Options* options)
 {
-	if (options->steps == 0)
-	{
-		fprintf(stderr, "scree hash: --steps N is missing\n");
-		return EXIT_BAD;
-	}
 	Scene* scene = open_scene(options, options->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
@@ -144,7 +140,8 @@ int hash_command(const Options* options)
 	if (code == EXIT_GOOD)
 	{
 		scree_status status = SCREE_OK;
-		for (int step = 0; step < options->steps && status == SCREE_OK; ++step)
+		int steps = options_steps(options, scene);
+		for (int step = 0; step < steps && status == SCREE_OK; ++step)
 			status = simulation_step(&simulation);
 		if (status == SCREE_OK)
 			status = simulation.pipeline->hash(&simulation, &hash);

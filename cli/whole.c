@@ -22,7 +22,7 @@ static scree_status take_steps(Simulation* simulation, int steps)
 static int measure_once(const Options* options, const Scene* scene)
 {
 	Simulation simulation;
-	int steps = options->steps > 0 ? options->steps : scene->steps;
+	int steps = options_steps(options, scene);
 	int code = simulation_open(options, scene, false, &simulation);
 	if (code != EXIT_GOOD)
 		return code;

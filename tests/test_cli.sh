@@ -42,6 +42,15 @@ expect 0 '--allow-unequal-bits' run --help
 expect 0 'scree hash SCENE|FILE' hash --help
 grep -q -- '--picture' out && fail "hash --help: lists options of other commands"
 expect 0 'bench figure5|figure6' bench figure5 --help
+for command in run view hash scenes devices bench 'bench frames' 'bench queries' 'bench figure5' validate; do
+	read -ra words <<<"$command"
+	expect 0 '-h, --help' "${words[@]}" --help
+	cp out help_by_option
+	expect 0 '-h, --help' help "${words[@]}"
+	cmp -s out help_by_option || fail "help $command: differs from $command --help"
+done
+refuse 2 'scree help: unknown command "dance"' help dance
+refuse 2 'scree help: unknown command "run"' help run pile
 expect 0 '.' --version
 expect 2 'scree run SCENE|FILE'
 
@@ -74,7 +83,6 @@ refuse 2 '--quick has no effect' validate --names --quick
 refuse 2 '--limit has no effect: --draw measures nothing' bench figure5 --draw x.csv --limit 9
 refuse 2 '0 arguments, takes one scene' run
 refuse 2 '2 arguments, takes one scene' run pile pile
-refuse 2 '--steps N is missing' hash pile
 refuse 2 'gpu' run pyramid --steps 1 --device gpu
 
 # bad scenes
@@ -223,6 +231,8 @@ expect 1 "its hash is $hash, but other.csv has 0123456789abcdef" bench pyramid "
 grep -q ",$hash,0\$" out || fail "bench --known: an invalid row is not marked"
 expect 0 ',1' bench pyramid --device cpu --steps 4 --set rows=6 --repeats 1 --known other.csv
 refuse 2 'cannot read nothing.csv' bench pyramid "${small[@]}" --known nothing.csv
+# bench/known.csv is of this version
+expect 0 ',1' bench pyramid pile --steps 300 --repeats 1 --device cpu --known "$SCREE_SOURCE/bench/known.csv"
 printf 'scene,steps,hash\n' >other.csv
 refuse 2 'other.csv: its first line must name the columns' bench pyramid "${small[@]}" --known other.csv
 printf 'scene,settings,steps,hash\npyramid,rows=6,5,xyz\n' >other.csv

@@ -150,8 +150,88 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
+static scree_joint join(scree_world* world, scree_joint_type type, scree_body a, scree_body b, scree_vec at)
+{
+	scree_joint_def def = scree_joint_def_make(type);
+	scree_joint joint;
+	def.body_a = a;
+	def.body_b = b;
+	OK(scree_joint_def_place(world, &def, (scree_pose){at, {1.0f, 0.0f}}));
+	OK(scree_joint_create(world, &def, &joint));
+	return joint;
+}
+
+// Beads of 2 mm, welded or hinged at arms of 0.5 m, whose turns weigh a hundred-thousandth of the arms': they fall, and stay in a row.
+static void beads_at_long_arms(scree_joint_type type)
+{
+	scree_world* world = open_world(-10.0f);
+	scree_attribute_def surface = surface_of(circle_shape(0.002f));
+	scree_attribute bead = add_attribute(world, &surface);
+	scree_body beads[15];
+	for (int k = 0; k < 15; ++k)
+	{
+		beads[k] = add_body(world, SCREE_BODY_DYNAMIC, bead, 0.0f, (float)k, 0.0f);
+		if (k > 0)
+			join(world, type, beads[k - 1], beads[k], (scree_vec){0.0f, (float)k - 0.5f});
+	}
+	OK(scree_body_set_velocity(world, beads[7], (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	warnings = 0;
+	run_steps(world, 60);
+	for (int k = 0; k < 15; ++k)
+	{
+		scree_velocity velocity = velocity_of(world, beads[k]);
+		NEAR(velocity.linear.y, -10.0, 1.0);
+		NEAR(velocity.linear.x, 0.0, 2.0);
+		if (k > 0)
+		{
+			scree_vec a = position_of(world, beads[k - 1]), b = position_of(world, beads[k]);
+			NEAR(hypotf(b.x - a.x, b.y - a.y), 1.0, 0.05);
+		}
+	}
+	assert_int_equal(warnings, 0);
+	scree_world_destroy(world);
+}
+
+// The least inertia that may be set, 1e-20 kg m^2 at 1 kg, on a pendulum of 1 m: 60 degrees to the left, then as far to the right.
+static void pendulum_without_inertia(bool set_last)
+{
+	scree_world* world = open_world(-10.0f);
+	scree_body anchor = add_box(world, SCREE_BODY_STATIC, 0.1f, 0.1f, 0.0f, 0.0f);
+	scree_body bob = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, -sinf(1.0471976f), -0.5f);
+	scree_mass mass = {.mass = 1.0f, .inertia = 1.0e-20f}, read;
+	if (!set_last)
+		OK(scree_body_set_mass(world, bob, mass));
+	join(world, SCREE_JOINT_REVOLUTE, anchor, bob, (scree_vec){0.0f, 0.0f});
+	if (set_last)
+		OK(scree_body_set_mass(world, bob, mass));
+	OK(scree_body_get_mass(world, bob, &read));
+	assert_true(read.inertia == mass.inertia);
+	warnings = 0;
+	float right = 0.0f;
+	for (int step = 0; step < 120; ++step)
+	{
+		run_steps(world, 1);
+		scree_vec at = position_of(world, bob);
+		NEAR(hypotf(at.x, at.y), 1.0, 0.01);
+		right = at.x > right ? at.x : right;
+	}
+	NEAR(right, sin(1.0471976), 0.02);
+	assert_int_equal(warnings, 0);
+	scree_world_destroy(world);
+}
+
+static void long_arms_do_not_freeze(void** state)
+{
+	(void)state;
+	beads_at_long_arms(SCREE_JOINT_WELD);
+	beads_at_long_arms(SCREE_JOINT_REVOLUTE);
+	pendulum_without_inertia(false);
+	pendulum_without_inertia(true);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_freeze), cmocka_unit_test(sums_end_at_the_most)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_freeze), cmocka_unit_test(sums_end_at_the_most),
+	                                   cmocka_unit_test(long_arms_do_not_freeze)};
 	return cmocka_run_group_tests(tests, set_warnings, reset_warnings);
 }

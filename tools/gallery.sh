@@ -9,6 +9,7 @@
 # (640x360), px; SHOWN, seconds of the world in a clip (4); WORK, most bodies and rays times steps (25000000), so that a scene of a
 # million bodies takes few steps. Needs ffmpeg and jq. Exit 1 when a scene fails; the page then has the others.
 set -uo pipefail
+. "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.." || exit 1
 folder=${1:?is the folder for the page}
 shift

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // joint_change.c -- joints: coordinates and frames, changed in batches or one by one; enabled or not.
 #include "world/definition.h"
+#include "world/edits.h"
 #include "world/failure.h"
 #include "world/handles.h"
 #include "world/joint_check.h"
@@ -39,6 +40,7 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		scree_joint_def def = world->host_joints[index].def;
 		TRY(set(change, value, values, k, &def));
 	}
+	TRY(edits_reserve(world, at.function, 0, 0, change->moves ? 2 * change->count : 0));
 	for (int k = 0; k < change->count; ++k)
 	{
 		int index = (int)change->joints[k].index - 1;
@@ -46,6 +48,8 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		bool disabled = def->disabled;
 		set(change, value, values, k, def);
 		world->host_joints[index].seeks |= change->moves;
+		if (change->moves)
+			joint_anchors(world, index);
 		joint_changed(world, index, def->disabled != disabled);
 	}
 	return SCREE_OK;

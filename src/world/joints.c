@@ -3,6 +3,8 @@
 #include "world/joints.h"
 #include "platform/error.h"
 #include "step/room.h"
+#include "world/edits.h"
+#include "world/mass.h"
 #include "world/memory.h"
 #include "world/rows.h"
 #include <float.h>
@@ -16,6 +18,7 @@ scree_status joints_reserve(scree_world* world, const char* function, int more)
 		            world->joints.alive, MAX_ITEMS);
 	if (!slots_reserve(&world->joints, more))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more joints", function, more);
+	TRY(edits_reserve(world, function, 0, 0, 2 * more));
 	// every joint waits at most once
 	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
 	return GROW(function, world->host_joints, world->host_joint_capacity, world->joints.capacity);
@@ -63,6 +66,13 @@ static void unlink_end(scree_world* world, int index, int side)
 		world->host_joints[joint_of_end(next)].previous[(next - 1) % 2] = previous;
 }
 
+void joint_anchors(scree_world* world, int index)
+{
+	const HostJoint* host = world->host_joints + index;
+	mass_anchor(world, host->bodies[0], host->def.frame_a.position);
+	mass_anchor(world, host->bodies[1], host->def.frame_b.position);
+}
+
 int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b)
 {
 	int index = slots_allocate(&world->joints);
@@ -78,6 +88,7 @@ int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int bo
 		++world->host_paths[host->path].uses;
 	link_end(world, index, 0);
 	link_end(world, index, 1);
+	joint_anchors(world, index);
 	joint_changed(world, index, true);
 	return index;
 }

@@ -9,6 +9,9 @@
 
 scree_status joints_reserve(scree_world* world, const char* function, int more);
 
+// Notes the anchors of a joint at its bodies. The caller has reserved room for two commands.
+void joint_anchors(scree_world* world, int index);
+
 // Takes a slot, for which room is reserved. The definition is checked.
 int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b);
 void joint_remove(scree_world* world, int index);

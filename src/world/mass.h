@@ -18,6 +18,9 @@ float mass_inverse_inertia(const HostBody* host);
 Guarded body_guarded(scree_world* world, int body);
 Command guarded_command(scree_world* world, int body);
 
+// Notes an anchor of a joint, in the body's frame. The caller has reserved room for a command.
+void mass_anchor(scree_world* world, int body, scree_vec anchor);
+
 // Sets the mass of a body on the host and on the device. The caller has reserved room for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 

@@ -7,6 +7,7 @@
 #include "scene/find.h"
 #include "scene/load.h"
 #include "view/shader.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -128,6 +129,7 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	session->scene = scene;
 	session->world = world;
 	session->counters = counters;
+	session->deepest = 0.0f;
 	session->tuning = tuning;
 	session->accumulator = 0;
 	session->due = 0;
@@ -201,6 +203,7 @@ bool session_step(Session* session, char* sentence)
 	    scree_world_get_counters(session->world, &session->counters) != SCREE_OK ||
 	    scree_world_get_timings(session->world, &t) != SCREE_OK)
 		return failed(sentence);
+	session->deepest = fmaxf(session->deepest, session->counters.penetration);
 	const float stages[STAGES] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
 	for (int k = 0; k < STAGES; ++k)
 		smooth(&session->stages[k], stages[k]);

@@ -41,6 +41,7 @@ typedef struct
 	bool hashed;        // hash is of the current state
 	uint64_t hash;      // of the world
 	scree_counters counters;
+	float deepest;        // m: the deepest overlap since the world was made
 	float last;           // ms: the last step
 	float step;           // ms, smoothed
 	float stages[STAGES]; // ms, smoothed

@@ -14,7 +14,8 @@ const ROWS = [
 	['drawing', 'draw, ms', (s) => milliseconds(s.drawing), 'time of drawing in the worker, without the graphics card'],
 	['solve', 'solve, ms', (s) => milliseconds(s.solve), 'part of the step'],
 	['memory', 'memory, MB', (s) => (s.memory / 1e6).toFixed(1), 'of the engine'],
-	['deepest', 'overlap, m', (s) => s.penetration.toFixed(3), 'deepest overlap of two bodies'],
+	['deepest', 'overlap, m', (s) => s.penetration.toFixed(3), 'deepest overlap of two bodies in the last step'],
+	['seen', 'most, m', (s) => s.seen.toFixed(3), 'deepest overlap that was shown since the scene began'],
 ];
 
 export class Numbers {
@@ -26,14 +27,17 @@ export class Numbers {
 		rows.push(element('div', { class: 'wide' }, element('dt', {}, 'hash of the world'), this.hash));
 		$('counts').replaceChildren(...rows);
 		this.shown = 0;
+		this.seen = 0;
 	}
 
 	clear() {
 		this.graph.clear();
+		this.seen = 0;
 	}
 
 	show(state) {
 		this.graph.add(state.times);
+		this.seen = Math.max(this.seen, state.penetration);
 		$('clock').textContent = `step ${whole.format(state.step)}`;
 		if (state.hash) this.hash.textContent = state.hash;
 		const now = performance.now();
@@ -41,6 +45,6 @@ export class Numbers {
 		this.shown = now;
 		const median = this.graph.median;
 		$('ms').textContent = median === null ? '–' : milliseconds(median);
-		for (const [key, , text] of ROWS) this.cells.get(key).textContent = text(state);
+		for (const [key, , text] of ROWS) this.cells.get(key).textContent = text({ ...state, seen: this.seen });
 	}
 }
