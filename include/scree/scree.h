@@ -308,9 +308,9 @@ typedef struct scree_counters
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
 	int grown;                   // buffer reallocations since the world was created
-	int nonfinite;     // bodies frozen in the last step because their state became infinite or NaN: with masses such
-	                   // as 1e30 kg, or moments of inertia such as 1e-20 kg m^2. No force or impulse does that. A
-	                   // body that reaches 1e8 m stops there
+	int nonfinite;     // bodies frozen in the last step because their state became infinite or NaN: where joints hold
+	                   // masses in a row that differ by more than 1e6. No force or impulse does that. A body that
+	                   // reaches 1e8 m stops there
 	int held;          // bodies that were stopped in the last step because they would have tunneled through
 	                   // something static or dynamic, or got far into it because something kinematic presses them
 	float penetration; // deepest overlap at the start of the last step, m
@@ -694,7 +694,8 @@ typedef struct scree_mass
 // collidable, gets 1 kg and cannot rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
 // gets an attribute with another shape or density; it holds again after the body was of another type. When the center of mass changes,
 // each point of the body keeps its velocity: that of the new center is v + w x (new - old). Its mass is
-// 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. It fails with SCREE_ERROR_INVALID for a body
+// 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. A step takes at least a thousandth of the
+// mass times the square of the longest arm to a joint for the inertia: with less, floats do not tell what a joint holds. It fails with SCREE_ERROR_INVALID for a body
 // that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
