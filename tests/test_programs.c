@@ -102,6 +102,36 @@ static void reads_change_nothing(void** state)
 	check_way(&ways[0], quick() ? 50 : 400, true);
 }
 
+// Programs that once had other bits where they were read: each read at all of its calls in turn.
+static void saved_programs_are_equal(void** state)
+{
+	(void)state;
+	static const char* const names[] = {"tiles_leave", "press_ends", "shape_of_a_lift", "gear_shifts"};
+	Place places[2] = {{.device = "cpu", .threads = 1, .lanes = 1}, {.device = "cpu", .reads = true}};
+	for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k)
+	{
+		char path[1024], error[256] = "";
+		Program program = {0};
+		const char* source = getenv("SCREE_SOURCE");
+		snprintf(path, sizeof path, "%s/tests/programs/saved/%s.txt", source ? source : ".", names[k]);
+		FILE* file = fopen(path, "r");
+		if (!file || !program_read(&program, file, error))
+			fail_msg("%s: %s", path, file ? error : "cannot be opened");
+		fclose(file);
+		Pair pair;
+		pair_open(&pair, places);
+		for (; pair.first_read < WAYS_TO_READ; ++pair.first_read)
+		{
+			Outcome outcome = pair_run(&pair, &program, stderr);
+			if (outcome.differs)
+				fail_msg("%s, reads from %u on, after call %d: %s", names[k], (unsigned)pair.first_read, outcome.call,
+				         outcome.sentence);
+		}
+		pair_close(&pair);
+		program_close(&program);
+	}
+}
+
 // What is written can be read, and is the same program.
 static void text_is_the_program(void** state)
 {
@@ -134,6 +164,7 @@ int main(void)
 	    cmocka_unit_test(text_is_the_program),
 	    cmocka_unit_test(programs_are_equal),
 	    cmocka_unit_test(reads_change_nothing),
+	    cmocka_unit_test(saved_programs_are_equal),
 	};
 	return cmocka_run_group_tests(tests, be_silent, NULL);
 }

@@ -8,17 +8,6 @@
 #include "stages/key_bound.h"
 #include "stages/touch.h"
 
-// What the sides of a coupling turned since the last step counts with the ratio of that time.
-INLINE void joint_count(const Pools* p, int slot, const JointData* changed)
-{
-	const GLOBAL JointData* data = p->joint_data + slot;
-	if (!((int)data->modes & JOINT_COUPLED) || data->gear_ratio == changed->gear_ratio)
-		return;
-	CouplingCount count = coupling_count_last(p, slot);
-	coupling_state(p, slot, &count);
-	coupling_count_store(p, slot, p->joint_place[slot], &count);
-}
-
 // An angle that gets a limit, a spring or a lock, and had none of them, counts on in the turn that is nearest to these.
 INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
 {
@@ -59,7 +48,6 @@ STAGE(joint_apply)
 		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW);
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 	{
-		joint_count(p, slot, &edit.data);
 		joint_count_turns(p, slot, &edit.data);
 		if (edit.flags & JOINT_SEEKS)
 			joint_seek(p, slot);
@@ -175,16 +163,23 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// thresholds
+// the end of a step: turns of couplings, thresholds
 // ---------------------------------------------------------------------------------------------------------------
 
-// The joint at place i: reports, and breaks, when its force or its torque exceeded its threshold.
+// The joint at place i: reports, and breaks, when its force or its torque exceeded its threshold. What the sides of a coupling turned
+// in the step is counted with the ratio of the step: the user may set another one before the next.
 STAGE(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
 	if (slot < 0)
 		return;
 	const GLOBAL JointData* data = p->joint_data + slot;
+	if ((int)data->modes & JOINT_COUPLED)
+	{
+		CouplingCount count = coupling_count_at(p, i);
+		coupling_state(p, slot, &count);
+		coupling_count_put(p, i, &count);
+	}
 	JointEvent event;
 	event.slot = slot;
 	event.force = joint_rare(p, peak_force, i) * p->step.inv_h;

@@ -110,7 +110,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .couplings = pipeline->couplings,
 	    .paths = pipeline->paths,
 	    .kinematic = request->kinematic,
-	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers),
+	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers || pipeline->counters.ways > 0),
 	    .round = pipeline->round,
 	    .small = pipeline->guard_way <= GUARD_TRAVEL * (0.5f * GRAIN_SIZE),
 	    .guard_way = pipeline->guard_way,

@@ -209,6 +209,7 @@ scree_status tree_ordered(Pipeline* pipeline, int t)
 	}
 	state->left_count = 0;
 	state->shrunk = false;
+	state->touched = true; // the nodes of fewer leaves lie elsewhere
 	return tree_layout(pipeline, t);
 }
 

@@ -231,8 +231,8 @@ void masses_update(scree_world* world, const int* bodies, int count, bool gained
 		world->host_bodies[bodies[k]].marked = false;
 		world->host_bodies[bodies[k]].own_mass = (scree_mass){0};
 		if (world->host_bodies[bodies[k]].type != SCREE_BODY_DYNAMIC)
-			continue;
-		if (gained)
+			edits_whole(world, guarded_command(world, bodies[k])); // its list may begin with another collidable
+		else if (gained)
 			gain(world, bodies[k]);
 		else
 			mass_set(world, bodies[k], mass_of_body(world, bodies[k]));

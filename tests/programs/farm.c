@@ -104,6 +104,7 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 		desk->seed = seed;
 		program_make(&program, seed, o->calls);
 		pair->every = o->every;
+		pair->first_read = (uint32_t)(seed % WAYS_TO_READ);
 		Outcome outcome = pair_run(pair, &program, NULL);
 		pair->every = 1;
 		desk->steps += outcome.steps;

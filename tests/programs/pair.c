@@ -10,7 +10,7 @@
 // moved, as that list begins with the last call for it.
 static void read_between(Pair* pair, Turn turn)
 {
-	uint32_t any = ++pair->reads * 2654435769u; // Donald Knuth, multiplicative hashing
+	uint32_t any = (pair->first_read + ++pair->reads) * 2654435769u; // Donald Knuth, multiplicative hashing
 	uint64_t hash;
 	Left left;
 	Call call = call_make(CALL_read);
@@ -244,6 +244,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 {
 	Outcome outcome = {0};
+	pair->reads = 0;
 	if (!pair_ready(pair, &program->calls[0], &outcome))
 		return outcome;
 	for (int i = 1; i < program->count; ++i)
