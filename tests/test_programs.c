@@ -106,7 +106,7 @@ static void reads_change_nothing(void** state)
 static void saved_programs_are_equal(void** state)
 {
 	(void)state;
-	static const char* const names[] = {"tiles_leave", "press_ends", "shape_of_a_lift", "gear_shifts"};
+	static const char* const names[] = {"tiles_leave", "press_ends", "shape_of_a_lift", "gear_shifts", "joint_slot"};
 	Place places[2] = {{.device = "cpu", .threads = 1, .lanes = 1}, {.device = "cpu", .reads = true}};
 	for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k)
 	{

@@ -182,8 +182,9 @@ STAGE(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	event.force = joint_rare(p, peak_force, i) * p->step.inv_h;
-	event.torque = joint_rare(p, peak_torque, i) * p->step.inv_h;
+	// the largest float is no threshold: nothing exceeds it, or the step would depend on whether other joints have one
+	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
+	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_BREAKS) != 0;
 	if (!(event.force > data->most_force || event.torque > data->most_torque))
 		return;

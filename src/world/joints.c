@@ -289,13 +289,13 @@ scree_status upload_joints(scree_world* world, void* memory)
 	for (int k = 0; k < p->joint_count; ++k)
 	{
 		rows[k] = joint_edit(world, p->joints[k]);
+		if (!slots_in_use(&world->joints, p->joints[k])) // its row is empty, and others may be where its bodies were
+			continue;
 		pipeline->drives |= drives(rows + k);
 		pipeline->springs |= ((int)rows[k].data.modes & JOINT_SPRINGS) != 0;
 		pipeline->couplings |= ((int)rows[k].data.modes & JOINT_COUPLED) != 0;
 		pipeline->paths |= ((int)rows[k].data.modes & JOINT_RAILED) != 0;
 		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
-		if (!slots_in_use(&world->joints, p->joints[k])) // other bodies may be where its bodies were
-			continue;
 		pipeline->bare |= is_bare(world, p->joints[k]);
 		pipeline->tethers |= is_tether(world, p->joints[k]);
 	}

@@ -6,11 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+// A word that depends on a call and on nothing else of the program, which may become shorter (Donald Knuth, multiplicative hashing).
+static uint32_t any_of(const Call* call, uint32_t first)
+{
+	uint32_t any = first + (uint32_t)call->kind;
+	for (int i = 0; i < call_info(call->kind)->count; ++i)
+	{
+		uint32_t word;
+		memcpy(&word, call->value + i, sizeof word);
+		any = (any ^ any >> 15) * 2654435769u + word;
+	}
+	return (any ^ any >> 13) * 2654435769u;
+}
+
 // Reads a world between two calls, or moves it to the device where it is, or neither. That leaves no trace. It does not list the bodies that
 // moved, as that list begins with the last call for it.
 static void read_between(Pair* pair, Turn turn)
 {
-	uint32_t any = (pair->first_read + ++pair->reads) * 2654435769u; // Donald Knuth, multiplicative hashing
+	uint32_t any = any_of(turn.call, pair->first_read);
 	uint64_t hash;
 	Left left;
 	Call call = call_make(CALL_read);
@@ -244,7 +257,6 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 {
 	Outcome outcome = {0};
-	pair->reads = 0;
 	if (!pair_ready(pair, &program->calls[0], &outcome))
 		return outcome;
 	for (int i = 1; i < program->count; ++i)

@@ -66,7 +66,7 @@ typedef struct // where a world runs, and the device to which the call "move" ta
 	bool reads; // between calls, the world is read, and moved to its own device
 } Place;
 
-// values of Pair.first_read after which all kinds of reads have been between any two calls
+// values of Pair.first_read with which each kind of read is between any two calls
 #define WAYS_TO_READ 16
 
 typedef struct // two worlds on which programs run one after the other
@@ -80,8 +80,7 @@ typedef struct // two worlds on which programs run one after the other
 	bool infinite;         // state that is not finite is no difference
 	bool limits;           // a body beyond the limits of its world is a difference
 	bool anew;             // every program gets new worlds
-	uint32_t first_read;   // which of the ways to read between calls a program begins with
-	uint32_t reads;        // calls of this program after which its world was read
+	uint32_t first_read;   // which of the ways to read between calls
 	int every;             // steps after which hashes are compared, and at a program's end; 0 is 1
 } Pair;
 
