@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // joints.h -- slots of joints, their lists by body, and what waits for the upload.
 //
-// Each joint has two ends, of its two bodies: end 2 k + 0 and 2 k + 1 of joint k. The lists of bodies link ends. The host knows
-// all of a joint but whether it broke, so what is uploaded is its whole row.
+// The host has all of a joint but whether it broke, so what is uploaded is its whole row.
 #ifndef JOINTS_H
 #define JOINTS_H
-#include "world/world.h"
+#include "world/joint_ends.h"
 
 scree_status joints_reserve(scree_world* world, const char* function, int more);
 
@@ -32,13 +31,6 @@ void body_joints_seek(scree_world* world, int body);
 static inline bool joint_couples(scree_joint_type type)
 {
 	return type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY;
-}
-
-// The first joint of a body, and the next one after an end, as 1 + end; 0 for none.
-static inline int joint_of_end(int end) { return (end - 1) / 2; }
-static inline int joint_next(const scree_world* world, int end)
-{
-	return world->host_joints[joint_of_end(end)].next[(end - 1) % 2];
 }
 
 // Sends the joints that wait. memory has room for as many rows.

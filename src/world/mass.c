@@ -4,7 +4,7 @@
 #include "world/attributes.h"
 #include "world/edits.h"
 #include "world/geometry.h"
-#include "world/joints.h"
+#include "world/joint_ends.h"
 #include <math.h>
 
 // Least radius of gyration as a share of the longest arm of a body's joints, squared. Below it the equations of joints have no digits

@@ -19,7 +19,7 @@ typedef struct // host data of a body
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // how many
 	uint64_t user;
-	int first_joint; // 1 + end (joints.h) of its first joint, 0 for none
+	int first_joint; // 1 + end (joint_ends.h) of its first joint, 0 for none
 	float arm;       // m: from the center of mass to the farthest anchor of a joint, since the mass was set
 	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; how many
 	int fields;                      // that lie on it
