@@ -216,6 +216,7 @@ const OptionRow option_rows[] = {
 };
 #define OPTION_COUNT (int)(sizeof option_rows / sizeof option_rows[0])
 const int option_count = OPTION_COUNT;
+_Static_assert(OPTION_COUNT <= 32, "a bit of an unsigned for each option that was given");
 
 // Whether an option of letters was given; if so, prints why it has no effect.
 static bool no_effect(const Options* options, unsigned given, const char* letters, const char* because)

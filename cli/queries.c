@@ -149,7 +149,10 @@ int queries_command(const Options* options)
 		return EXIT_BAD;
 	int code = simulation_open(options, scene, true, &simulation);
 	if (code != EXIT_GOOD)
+	{
+		scene_free(scene);
 		return code;
+	}
 	int steps = options_steps(options, scene), repeats = options->repeats;
 	scree_status status = SCREE_OK;
 	for (int k = 0; k < steps && status == SCREE_OK; ++k)

@@ -300,8 +300,6 @@ static void locked_hubs_carry(void** state)
 // everywhere alike
 // ---------------------------------------------------------------------------------------------------------------
 
-// Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many places,
-// all surfaces, something that drives it all: bodies are destroyed and come while it runs.
 // Joints count as contacts do: with a contact more, or with a joint more, all contacts of a body become spokes in the same step,
 // whatever else begins and ends in it.
 static void joints_make_hubs(void** state)
@@ -323,6 +321,8 @@ static void joints_make_hubs(void** state)
 	scree_world_destroy(world);
 }
 
+// Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many places,
+// all surfaces, something that drives it all: bodies are destroyed and come while it runs.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;

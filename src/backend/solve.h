@@ -2,7 +2,7 @@
 // solve.h -- a whole solve, from velocities and constraints to final poses: what it goes over, and the same as a list of runs.
 //
 // The pipeline gives a backend a solve as one thing, and the backend chooses the form: run by run, or in fewer launches. The
-// order is that of stages/schedule.h in every form.
+// order is that of constraints/schedule.h in every form.
 #ifndef SOLVE_HOST_H
 #define SOLVE_HOST_H
 #include "backend/runs.h"

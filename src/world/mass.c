@@ -78,6 +78,13 @@ scree_mass mass_now(const scree_world* world, int body)
 	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
+// From the center of mass, m. In double, because hypotf is not the same on every system.
+static float arm_of(const HostBody* host, scree_vec point)
+{
+	double x = point.x - host->mass.center.x, y = point.y - host->mass.center.y;
+	return (float)sqrt(x * x + y * y);
+}
+
 float mass_inverse(const HostBody* host) { return host->mass.mass > 0.0f ? 1.0f / host->mass.mass : 0.0f; }
 
 float mass_inverse_inertia(const HostBody* host)
@@ -87,11 +94,6 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-static float arm_of(const HostBody* host, scree_vec anchor)
-{
-	double x = (double)anchor.x - host->mass.center.x, y = (double)anchor.y - host->mass.center.y;
-	return (float)sqrt(x * x + y * y);
-}
 
 // The longest arm of the body's joints.
 static float arm_of_joints(const scree_world* world, const HostBody* host)
@@ -116,10 +118,8 @@ Guarded body_guarded(scree_world* world, int body)
 	{
 		// guard adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
-		float x = collidable->pose.position.x - host->mass.center.x,
-		      y = collidable->pose.position.y - host->mass.center.y;
 		float way = GUARD_TRAVEL * attribute_thickness(world, collidable->attribute);
-		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach + 1.4143f * hypotf(x, y));
+		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach + 1.4143f * arm_of(host, collidable->pose.position));
 		guarded.way = way < guarded.way ? way : guarded.way;
 		guarded.reach = reach > guarded.reach ? reach : guarded.reach;
 		++count;
