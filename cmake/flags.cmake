@@ -62,8 +62,8 @@ if(EMSCRIPTEN)
 	if(CMAKE_C_FLAGS MATCHES "-flto")
 		# The linker inlines again, by the same limits. With 45 a step is 1 to 4 % shorter, but the package 0.6 kB larger, compressed, and too
 		# large; with 10 a step is 1 to 3 % longer, and the package as large.
-		list(APPEND hot_options -mllvm -inline-threshold=20 -mllvm -inlinehint-threshold=20)
-		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=20,-mllvm,-inlinehint-threshold=20)
+		list(APPEND hot_options -mllvm -inline-threshold=24 -mllvm -inlinehint-threshold=24)
+		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=24,-mllvm,-inlinehint-threshold=24)
 	endif()
 	if(NOT 1 IN_LIST SCREE_LANES)
 		list(APPEND hot_options -Wno-unused-function) # the wide stages of lanes1.c
