@@ -94,7 +94,6 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-
 // The longest arm of the body's joints.
 static float arm_of_joints(const scree_world* world, const HostBody* host)
 {
@@ -119,7 +118,8 @@ Guarded body_guarded(scree_world* world, int body)
 		// guard adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float way = GUARD_TRAVEL * attribute_thickness(world, collidable->attribute);
-		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach + 1.4143f * arm_of(host, collidable->pose.position));
+		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +
+		                        1.4143f * arm_of(host, collidable->pose.position));
 		guarded.way = way < guarded.way ? way : guarded.way;
 		guarded.reach = reach > guarded.reach ? reach : guarded.reach;
 		++count;
