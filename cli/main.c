@@ -47,49 +47,58 @@ static int match(const char* name, int count, char** words)
 	return count > 2 && strcmp(words[2], name + first + 1) == 0 ? 2 : 0;
 }
 
+// The number of the command whose name begins at words[1], -1 for none; named is its number of words.
+static int find_command(int count, char** words, int* named)
+{
+	for (int k = 0; k < (int)(sizeof commands / sizeof commands[0]); ++k)
+	{
+		*named = match(commands[k].name, count, words);
+		if (*named > 0)
+			return k;
+	}
+	return -1;
+}
+
 static int run_named(int count, char** words, const char* executable)
 {
-	for (size_t k = 0; k < sizeof commands / sizeof commands[0]; ++k)
+	int named, k = find_command(count, words, &named);
+	if (k < 0)
 	{
-		int named = match(commands[k].name, count, words);
-		if (named == 0)
-			continue;
-		Options options = {.executable = executable, .command = commands[k].command, .name = commands[k].name};
-		options.device = "auto";
-		options.width = 1600;
-		options.height = 900;
-		options.repeats = 3;
-		if (!options_read(&options, count - named, words + named))
-			return EXIT_BAD;
-		if (options.help)
-		{
-			print_command_help(stdout, options.command);
-			return EXIT_GOOD;
-		}
-		if (options.argument_count < commands[k].low || options.argument_count > commands[k].high)
-		{
-			fprintf(stderr, "scree %s: %d arguments, takes %s\n", commands[k].name, options.argument_count,
-			        commands[k].high == 0 ? "none" : "one scene");
-			return EXIT_BAD;
-		}
-		return commands[k].function(&options);
+		fprintf(stderr, "scree: unknown command \"%s\"; scree help lists them\n", words[1]);
+		return EXIT_BAD;
 	}
-	fprintf(stderr, "scree: unknown command \"%s\"; scree help lists them\n", words[1]);
-	return EXIT_BAD;
+	Options options = {.executable = executable, .command = commands[k].command, .name = commands[k].name};
+	options.device = "auto";
+	options.width = 1600;
+	options.height = 900;
+	options.repeats = 3;
+	if (!options_read(&options, count - named, words + named))
+		return EXIT_BAD;
+	if (options.help)
+	{
+		print_command_help(stdout, options.command);
+		return EXIT_GOOD;
+	}
+	if (options.argument_count < commands[k].low || options.argument_count > commands[k].high)
+	{
+		fprintf(stderr, "scree %s: %d arguments, takes %s\n", commands[k].name, options.argument_count,
+		        commands[k].high == 0 ? "none" : "one scene");
+		return EXIT_BAD;
+	}
+	return commands[k].function(&options);
 }
 
 // scree help COMMAND.
 static int explain(int count, char** words)
 {
-	for (size_t k = 0; k < sizeof commands / sizeof commands[0]; ++k)
+	int named, k = find_command(count - 1, words + 1, &named);
+	if (k < 0 || named != count - 2)
 	{
-		if (match(commands[k].name, count - 1, words + 1) != count - 2)
-			continue;
-		print_command_help(stdout, commands[k].command);
-		return EXIT_GOOD;
+		fprintf(stderr, "scree help: unknown command \"%s\"; scree help lists them\n", words[2]);
+		return EXIT_BAD;
 	}
-	fprintf(stderr, "scree help: unknown command \"%s\"; scree help lists them\n", words[2]);
-	return EXIT_BAD;
+	print_command_help(stdout, commands[k].command);
+	return EXIT_GOOD;
 }
 
 int main(int count, char** words)

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "joint_support.h"
 #include "support.h"
 #include <float.h>
 #include <math.h>
@@ -150,17 +151,6 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
-static scree_joint join(scree_world* world, scree_joint_type type, scree_body a, scree_body b, scree_vec at)
-{
-	scree_joint_def def = scree_joint_def_make(type);
-	scree_joint joint;
-	def.body_a = a;
-	def.body_b = b;
-	OK(scree_joint_def_place(world, &def, (scree_pose){at, {1.0f, 0.0f}}));
-	OK(scree_joint_create(world, &def, &joint));
-	return joint;
-}
-
 // Beads of 2 mm, welded or hinged at arms of 0.5 m, whose turns weigh a hundred-thousandth of the arms': they fall, and stay in a row.
 static void beads_at_long_arms(scree_joint_type type)
 {
@@ -172,7 +162,7 @@ static void beads_at_long_arms(scree_joint_type type)
 	{
 		beads[k] = add_body(world, SCREE_BODY_DYNAMIC, bead, 0.0f, (float)k, 0.0f);
 		if (k > 0)
-			join(world, type, beads[k - 1], beads[k], (scree_vec){0.0f, (float)k - 0.5f});
+			join(world, type, beads[k - 1], beads[k], 0.0f, (float)k - 0.5f);
 	}
 	OK(scree_body_set_velocity(world, beads[7], (scree_velocity){{1.0f, 0.0f}, 0.0f}));
 	warnings = 0;
@@ -201,7 +191,7 @@ static void pendulum_without_inertia(bool set_last)
 	scree_mass mass = {.mass = 1.0f, .inertia = 1.0e-20f}, read;
 	if (!set_last)
 		OK(scree_body_set_mass(world, bob, mass));
-	join(world, SCREE_JOINT_REVOLUTE, anchor, bob, (scree_vec){0.0f, 0.0f});
+	join(world, SCREE_JOINT_REVOLUTE, anchor, bob, 0.0f, 0.0f);
 	if (set_last)
 		OK(scree_body_set_mass(world, bob, mass));
 	OK(scree_body_get_mass(world, bob, &read));

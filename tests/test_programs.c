@@ -102,7 +102,7 @@ static void reads_change_nothing(void** state)
 	check_way(&ways[0], quick() ? 50 : 400, true);
 }
 
-// Programs that once had other bits where they were read: each read at all of its calls in turn.
+// Programs that once had other bits where they were read, each with several choices of reads.
 static void saved_programs_are_equal(void** state)
 {
 	(void)state;

@@ -56,6 +56,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
 		return SCREE_OK;
 	state->sent = *tree;
+	state->touched = true; // the nodes of more or fewer leaves lie elsewhere
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
@@ -209,7 +210,6 @@ scree_status tree_ordered(Pipeline* pipeline, int t)
 	}
 	state->left_count = 0;
 	state->shrunk = false;
-	state->touched = true; // the nodes of fewer leaves lie elsewhere
 	return tree_layout(pipeline, t);
 }
 

@@ -66,7 +66,7 @@ typedef struct // where a world runs, and the device to which the call "move" ta
 	bool reads; // between calls, the world is read, and moved to its own device
 } Place;
 
-// values of Pair.first_read with which each kind of read is between any two calls
+// values of Pair.first_read that are tried: they choose other kinds of reads for the same calls
 #define WAYS_TO_READ 16
 
 typedef struct // two worlds on which programs run one after the other
