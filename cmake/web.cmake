@@ -23,7 +23,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	find_program(SCREE_WASM_OPT wasm-opt REQUIRED)
 	set(features --mvp-features)
 	if(CMAKE_C_FLAGS MATCHES "-msimd128")
-		list(APPEND features --enable-simd --enable-sign-ext --enable-nontrapping-float-to-int)
+		list(APPEND features --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int)
 	endif()
 	# strips first: behind -Oz the package is 0.3 kB larger
 	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} --strip-producers --strip-target-features

@@ -180,6 +180,16 @@ static void edges_and_insides(void** state)
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, -3.0f}, (scree_vec){6.0f, 6.0f}, &found)); // into a corner
 	assert_true(found.hit);
 	NEAR(found.fraction, 1.0 / 3.0, 1e-6);
+	// nearly parallel to a segment, 90 km away, and 0.4 um beside its corner: met there, and not behind it
+	scree_shape segment;
+	scree_vec corners[2] = {{-0.595454574f, -0.0290360544f}, {-0.157268897f, 1.55506301f}};
+	OK(scree_shape_make_segment(corners[0], corners[1], &segment));
+	scree_attribute_def surface = surface_of(segment);
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &surface), 89989.7109f, -89987.7812f, 0.0f);
+	OK(scree_world_cast_ray(world, (scree_vec){89981.8984f, -90013.6641f}, (scree_vec){16.6944351f, 59.8361893f},
+	                        &found));
+	assert_true(found.hit);
+	NEAR(found.fraction, 0.45854985, 2e-7);
 	OK(scree_body_set_enabled(world, far, false));
 	OK(scree_world_cast_ray(world, (scree_vec){3.0f, 0.0f}, (scree_vec){10.0f, 0.0f}, &found));
 	assert_true(!found.hit);

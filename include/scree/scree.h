@@ -308,13 +308,12 @@ typedef struct scree_counters
 	int moved;                   // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
 	int grown;                   // buffer reallocations since the world was created
-	int nonfinite;     // bodies frozen in the last step because their state became infinite or NaN: where joints hold
-	                   // masses in a row that differ by more than 1e6. No force or impulse does that. A body that
-	                   // reaches 1e8 m stops there
-	int held;          // bodies that were stopped in the last step because they would have tunneled through
-	                   // something static or dynamic, or got far into it because something kinematic presses them
-	float penetration; // deepest overlap at the start of the last step, m
-	int64_t steps;     // steps taken, those of dt 0 included
+	int nonfinite; // bodies frozen in the last step because their state became infinite or NaN. No force, impulse or
+	               // ratio of masses is known to do that. A body that reaches 1e8 m stops there
+	int held;      // bodies that were stopped in the last step because they would have tunneled through
+	               // something static or dynamic, or got far into it because something kinematic presses them
+	float penetration;     // deepest overlap at the start of the last step, m
+	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
 	float joint_gap; // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
 	                 // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More
@@ -695,8 +694,8 @@ typedef struct scree_mass
 // gets an attribute with another shape or density; it holds again after the body was of another type. When the center of mass changes,
 // each point of the body keeps its velocity: that of the new center is v + w x (new - old). Its mass is
 // 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. A step takes at least a thousandth of the
-// mass times the square of the longest arm to a joint for the inertia: with less, floats do not tell what a joint holds. It fails with SCREE_ERROR_INVALID for a body
-// that is not dynamic.
+// mass times the square of the longest arm for the inertia, that to a joint or to the end of a solid shape: with less, floats do not tell
+// what a joint or a contact holds. It fails with SCREE_ERROR_INVALID for a body that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,

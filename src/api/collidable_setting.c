@@ -193,10 +193,11 @@ scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable co
 	HostCollidable* host = world->host_collidables + index;
 	if (host->sensor == sensor)
 		return SCREE_OK;
-	TRY(edits_reserve(world, function, 0, 1, 0));
+	TRY(edits_reserve(world, function, 0, 1, 1));
 	TRY(mark_tree(world, index));
 	sensors_note(world, host->sensor, sensor);
 	host->sensor = sensor;
+	mass_touches(world, host->body);
 	host->born = world->pipeline.steps;
 	edits_collidable(world, index);
 	return SCREE_OK;

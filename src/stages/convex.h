@@ -179,11 +179,16 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
-// The share of the path at which the line of edge k is reached.
+// The share of the path at which edge k is reached, for a line that passes between its corners. The line of an edge that is nearly
+// parallel to the path may be met anywhere, so the share stays between those of the two corners. A path without a square has none: NaN
+// limits nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
-	Vec normal = convex_normal(c, k);
-	return vec_dot(normal, vec_sub(convex_corner(c, k), q)) / vec_dot(normal, path);
+	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
+	    to = vec_sub(convex_corner(c, convex_next(c, k)), q);
+	Real square = vec_dot(path, path), first = vec_dot(from, path) / square, last = vec_dot(to, path) / square;
+	Real share = maximum(vec_dot(normal, from) / vec_dot(normal, path), minimum(first, last));
+	return minimum(share, maximum(first, last));
 }
 
 // The first meeting with a sharp core. The line of the path enters and leaves through the edges whose corners are on different sides of

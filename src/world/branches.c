@@ -7,7 +7,6 @@
 // the user's calls alone, so it is the same on every device.
 #include "world/branches.h"
 #include "world/joints.h"
-#include <math.h>
 #include <string.h>
 
 // A hub has so many joints, and ends that weigh so much beside it by their inertia about it. From joint to joint, hubs became
@@ -171,6 +170,14 @@ static bool worth(Branching* b, int count)
 	return false;
 }
 
+static bool similar(const Branching* b, int count)
+{
+	MassRange range = mass_range();
+	for (int k = 0; k < count; ++k)
+		mass_range_add(&range, b->s->world, b->list[k]);
+	return mass_ratio(range) <= MOST_RATIO;
+}
+
 // Adds the listed bodies, in the order of their distance from the first, as the nodes of a branch.
 static void add(Branching* b, int count)
 {
@@ -254,14 +261,14 @@ void branches_find(ChainSearch* s, void* memory)
 			tree = tree && count <= MOST_NODES;
 			for (int k = 0; k < count; ++k)
 				s->marks[b.list[k]] |= tree ? BODY_IN_TREE : BODY_IN_NET;
-			if (tree && worth(&b, count))
+			if (tree && worth(&b, count) && similar(&b, count))
 				add(&b, count = hang(&b, count, true));
 			forget(&b, count);
 		}
 		if (tree || !light(world, body))
 			continue;
 		count = spread(&b, put(&b, 0, body, -1, -1), false, &tree);
-		if (count > HUB_JOINTS)
+		if (count > HUB_JOINTS && similar(&b, count))
 			add(&b, count = hang(&b, count, false));
 		forget(&b, count);
 	}

@@ -4,6 +4,11 @@
 #define CHAIN_SEARCH_H
 #include "world/chain_layout.h"
 #include "world/world.h"
+#include <math.h>
+
+// Masses that are solved together differ by no more. Beyond it the large inverse masses leave no digit of the small ones in the
+// sums of the solver, and impulses are wrong by any factor. Such joints are solved one by one: they yield, but stay finite.
+#define MOST_RATIO 1e5f
 
 #define BODY_OWNED    1 // at the end of a chain
 #define BODY_BRANCHED 2 // in a branch
@@ -33,5 +38,24 @@ static inline bool chain_moves(const scree_world* world, int body)
 {
 	return world->host_bodies[body].type == SCREE_BODY_DYNAMIC;
 }
+
+// The lightest and the heaviest of the bodies that move.
+typedef struct
+{
+	float least, most; // kg
+} MassRange;
+
+static inline MassRange mass_range(void) { return (MassRange){.least = INFINITY}; }
+
+static inline void mass_range_add(MassRange* range, const scree_world* world, int body)
+{
+	float mass = world->host_bodies[body].mass.mass;
+	if (!chain_moves(world, body))
+		return;
+	range->least = fminf(range->least, mass);
+	range->most = fmaxf(range->most, mass);
+}
+
+static inline float mass_ratio(MassRange range) { return range.most / range.least; }
 
 #endif

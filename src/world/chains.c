@@ -9,7 +9,6 @@
 #include "step/room.h"
 #include "world/branches.h"
 #include "world/joints.h"
-#include <math.h>
 #include <string.h>
 
 // A chain has so many joints at least, or two and masses of such a ratio.
@@ -101,18 +100,12 @@ static float load_ratio(const scree_world* world, const int* row, int count)
 	return ratio;
 }
 
-static float mass_ratio(const scree_world* world, const int* row, int count)
+static float row_ratio(const scree_world* world, const int* row, int count)
 {
-	float least = INFINITY, most = 0.0f;
+	MassRange range = mass_range();
 	for (int k = 0; k < 2 * count; ++k)
-	{
-		const HostBody* body = world->host_bodies + world->host_joints[row[k / 2]].bodies[k % 2];
-		if (body->type != SCREE_BODY_DYNAMIC)
-			continue;
-		least = body->mass.mass < least ? body->mass.mass : least;
-		most = body->mass.mass > most ? body->mass.mass : most;
-	}
-	return most > 0.0f ? most / least : 1.0f;
+		mass_range_add(&range, world, world->host_joints[row[k / 2]].bodies[k % 2]);
+	return mass_ratio(range);
 }
 
 // Adds the chain that a joint is in, if it is worth it.
@@ -133,7 +126,10 @@ static void add_chain(ChainSearch* s, int joint)
 	int joints = count - begin;
 	begin += s->joints;
 	const int* row = s->layout.joints + begin;
-	if (joints < 2 || (joints < LEAST_JOINTS && mass_ratio(world, row, joints) < LEAST_RATIO))
+	if (joints < 2)
+		return;
+	float ratio = row_ratio(world, row, joints);
+	if (ratio > MOST_RATIO || (joints < LEAST_JOINTS && ratio < LEAST_RATIO))
 		return;
 	// a cart on light wheels: no body between two joints is light, the ends are
 	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;

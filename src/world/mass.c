@@ -7,8 +7,8 @@
 #include "world/joint_ends.h"
 #include <math.h>
 
-// Least radius of gyration as a share of the longest arm of a body's joints, squared. Below it the equations of joints have no digits
-// left for the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, grew 1e25 times as fast within a step.
+// Least radius of gyration as a share of a body's longest arm, squared. Below it the equations of joints have no digits left for the
+// mass: a chain of beads of 2 mm, welded at arms of 0.5 m, grew 1e25 times as fast within a step.
 #define LEAST_GYRATION 1.0e-3
 
 static scree_mass massless(scree_body_type type)
@@ -94,15 +94,21 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// The longest arm of the body's joints.
-static float arm_of_joints(const scree_world* world, const HostBody* host)
+// The longest arm of the body's joints, and of its solid shapes if the user set the mass: its inertia may be none that they could have.
+static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
 	for (int end = host->first_joint; end > 0; end = joint_next(world, end))
 	{
 		const scree_joint_def* def = &world->host_joints[joint_of_end(end)].def;
-		float arm = arm_of(host, (end - 1) % 2 == 0 ? def->frame_a.position : def->frame_b.position);
-		most = arm > most ? arm : most;
+		most = fmaxf(most, arm_of(host, (end - 1) % 2 == 0 ? def->frame_a.position : def->frame_b.position));
+	}
+	for (int k = host->first_collidable; host->own_mass.mass > 0.0f && k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* collidable = world->host_collidables + k;
+		if (collidable->sensor == 0)
+			most = fmaxf(most, world->attributes[collidable->attribute].shape.reach +
+			                       arm_of(host, collidable->pose.position));
 	}
 	return most;
 }
@@ -154,7 +160,7 @@ static void send_mass(scree_world* world, int body, scree_mass mass)
 {
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
-	host->arm = arm_of_joints(world, host);
+	host->arm = longest_arm(world, host);
 	world->chains_stale |= host->first_joint > 0; // chains depend on ratios of masses
 	mass_command(world, body);
 }
@@ -169,6 +175,13 @@ void mass_anchor(scree_world* world, int body, scree_vec anchor)
 	host->arm = arm > host->arm ? arm : host->arm;
 	if (mass_inverse_inertia(host) != before)
 		mass_command(world, body);
+}
+
+void mass_touches(scree_world* world, int body)
+{
+	if (body >= 0 && world->host_bodies[body].own_mass.mass > 0.0f &&
+	    world->host_bodies[body].type == SCREE_BODY_DYNAMIC)
+		send_mass(world, body, world->host_bodies[body].mass);
 }
 
 void mass_set(scree_world* world, int body, scree_mass mass)

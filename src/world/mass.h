@@ -21,6 +21,9 @@ Command guarded_command(scree_world* world, int body);
 // Notes an anchor of a joint, in the body's frame. The caller has reserved room for a command.
 void mass_anchor(scree_world* world, int body, scree_vec anchor);
 
+// Notes that a collidable of a body became a sensor, or solid; -1 for no body. The caller has reserved room for a command.
+void mass_touches(scree_world* world, int body);
+
 // Sets the mass of a body on the host and on the device. The caller has reserved room for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 

@@ -20,7 +20,7 @@ typedef struct // host data of a body
 	int collidables;                       // how many
 	uint64_t user;
 	int first_joint; // 1 + end (joint_ends.h) of its first joint, 0 for none
-	float arm;       // m: from the center of mass to the farthest anchor of a joint, since the mass was set
+	float arm; // m: to the farthest anchor since the mass was set; if the user set it, to the farthest solid point too
 	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; how many
 	int fields;                      // that lie on it
 	int target;                      // 1 + its place among the targets, 0 for none
