@@ -1,6 +1,6 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web test bench build packages format check clean
+.PHONY: help run view clip gallery web test test-full bench build packages format check clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -8,12 +8,12 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
-test_packages := $(view_packages) $(web_packages) xvfb twm xdotool git clang libclang-rt-14-dev clang-format-14 libcmocka-dev \
-	gnuplot-nox ffmpeg jq chromium chromium-driver
+test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
+full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
 
 help: ## this list
 	@echo 'make TARGET, where TARGET is one of'
-	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 12
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 12
 
 build: ## the library and the command line: build/libscree.a, build/libscree.so, build/scree
 	@tools/packages.sh $(build_packages)
@@ -50,12 +50,18 @@ web: build ## the page build/web and the npm package build/web/package, by WebAs
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)
-	@tools/source.sh jansson build/sources/jansson
 
-test: packages ## everything that CI runs: gcc, clang, sanitizers, one lane; CPU and OpenCL
+test: packages ## the tests, on the CPU and through OpenCL: minutes
 	@cmake --preset test --log-level=NOTICE
 	@cmake --build --preset test
 	@ctest --preset test --parallel $(cores)
+
+test-full: test_packages += $(full_packages)
+test-full: packages ## the full set, also with clang, sanitizers, one lane, WebAssembly and a browser: an hour
+	@tools/source.sh jansson build/sources/jansson
+	@cmake --preset test-full --log-level=NOTICE
+	@cmake --build --preset test-full
+	@ctest --preset test-full --parallel $(cores)
 
 bench: build ## measure on the CPU, and the GPU if any, for some minutes, into bench/results/NAME (NAME=local)
 	@tools/packages.sh gnuplot-nox

@@ -15,8 +15,9 @@ for document in README.md ARCHITECTURE.md STYLE.md docs/*.md; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
 		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|reference|scene|scenes|src|tests|tools|validate|view)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+	folder=$([[ $document = */* ]] && echo "${document%/*}" || echo .)
 	while read -r path; do
-		[ -e "$(dirname "$document")/$path" ] || complain "$document: the link to $path leads nowhere"
+		[ -e "$folder/$path" ] || complain "$document: the link to $path leads nowhere"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
 done
 
@@ -25,15 +26,17 @@ sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - 
 	complain "README.md: its program is not examples/hello.c"
 
 # every kernel has its line in docs/step.md, those of a kind of constraint for each kind
+steps=$(<docs/step.md)
 while read -r kernel; do
-	grep -q "\`$kernel\`" docs/step.md || complain "docs/step.md: kernel $kernel is missing"
+	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/step.md: kernel $kernel is missing"
 done < <(sed -nE 's/^CONSTRAINT_KIND\(([a-z]+),.*/\1/p' src/pools/kinds.def | while read -r kind; do
 	sed -nE -e '/^\/\//d' -e "s/kind##/$kind/" -e 's/^.*X\(([a-z_0-9]*),.*/\1/p' src/stages/stages.def
 done | sort -u)
 
 # every word of the dialect has its line in docs/dialect.md, but for what only other words use
+words=$(<docs/dialect.md)
 while read -r word; do
-	grep -qE "\`$word[\`(]" docs/dialect.md || complain "docs/dialect.md: the word $word is missing"
+	[[ $words = *"\`$word"[\`\(]* ]] || complain "docs/dialect.md: the word $word is missing"
 done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9]+\*? ([a-z_0-9]+)\(.*/\1/p' \
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl,c,wide}.h |
 	grep -vxE '(DIALECT|OPENCL|C|WIDE)_H|ROW|STAGE_JOIN_?' | sort -u)
@@ -49,7 +52,9 @@ asks=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/po
 
 # every file says what it is
 while read -r file; do
-	head -n 2 "$file" | tr -d '\n' | grep -q "^// SPDX-License-Identifier: MIT// $(basename "$file") -- " ||
-		complain "$file: does not begin with its licence and what it is"
-done < <(find include src cli scene reference validate view tests examples \( -name '*.c' -o -name '*.h' \) 2>/dev/null)
+	complain "$file: does not begin with its licence and what it is"
+done < <(find include src cli scene reference validate view tests examples \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 awk '
+	FNR == 1 { if (last && !good) print last; last = FILENAME; first = $0; good = 0 }
+	FNR == 2 { name = FILENAME; sub(".*/", "", name); good = first $0 ~ "^// SPDX-License-Identifier: MIT// " name " -- " }
+	END { if (last && !good) print last }')
 exit $failed
