@@ -138,9 +138,14 @@ const char* opencl_error_name(cl_int code)
 	return code == -1001 ? "CL_PLATFORM_NOT_FOUND_KHR" : code == -9999 ? "bad memory access (NVIDIA)" : "unknown error";
 }
 
+static atomic_int failures;
+
+int opencl_failures(void) { return atomic_load(&failures); }
+
 scree_status opencl_check(const char* function, cl_int code)
 {
 	if (code == CL_SUCCESS)
 		return SCREE_OK;
+	atomic_fetch_add(&failures, 1);
 	return fail(SCREE_ERROR_DEVICE_FAILED, "%s: %s (%d)", function, opencl_error_name(code), (int)code);
 }

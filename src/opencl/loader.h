@@ -67,6 +67,9 @@ void* opencl_find(cl_platform_id platform, const char* name);
 // "CL_OUT_OF_RESOURCES", or "unknown error"
 const char* opencl_error_name(cl_int code);
 
+// How many calls of OpenCL have failed in this process.
+int opencl_failures(void);
+
 // SCREE_OK, or fails with "clName: CL_OUT_OF_RESOURCES (-5)"
 scree_status opencl_check(const char* function, cl_int code);
 

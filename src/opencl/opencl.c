@@ -2,6 +2,7 @@
 // opencl.c -- the OpenCL backend: one buffer per kind of item, one kernel per stage, one in-order queue.
 #include "opencl/buffer.h"
 #include "opencl/carry.h"
+#include "opencl/context.h"
 #include "opencl/copy.h"
 #include "opencl/exchange.h"
 #include "opencl/forms/form.h"
@@ -21,10 +22,6 @@
 
 // Room of a pool is a multiple of so many items, so that every pool begins at a multiple of 256 bytes.
 #define ROOM_ITEMS 64
-
-// written by cmake/embed.cmake
-extern const char opencl_program[];
-extern const size_t opencl_program_length;
 
 static void opencl_close(Backend* b)
 {
@@ -54,12 +51,9 @@ static void opencl_close(Backend* b)
 		for (int i = 0; i < PER_COUNT; ++i)
 			if (d->buffers[i])
 				opencl.ReleaseMemObject(d->buffers[i]);
-		if (d->program)
-			opencl.ReleaseProgram(d->program);
 		if (d->queue)
 			opencl.ReleaseCommandQueue(d->queue);
-		if (d->context)
-			opencl.ReleaseContext(d->context);
+		context_close(d);
 		scree_release(d->timing.laps);
 		scree_release(d);
 	}
@@ -250,7 +244,15 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	b->chain_lanes = 1;
 	b->groups = d->device.about.units;
 
-	TRY(context_open(d, options->opengl));
+	form_open(d);
+	d->resident = persistent_wanted(d);
+	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
+	char program_options[PROGRAM_OPTIONS];
+	// where kernels are compiled at their first launch, those that are not launched cost nothing, and the others are compiled once
+	bool resident = d->resident || d->device.compiles_at_launch;
+	snprintf(program_options, sizeof program_options, "%s%s", resident ? " -DRESIDENT" : "",
+	         cpu ? " -DONE_GROUP -DCALLS" : "");
+	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
 	d->queue =
 	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
@@ -259,16 +261,6 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(pinned_open(d, STAGING_BYTES, &d->staging.pinned));
 	if (options->timings)
 		TRY(timing_open(d));
-	form_open(d);
-	d->resident = persistent_wanted(d);
-	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	char program_options[64];
-	// where kernels are compiled at their first launch, those that are not launched cost nothing, and the others are compiled once
-	bool resident = d->resident || d->device.compiles_at_launch;
-	snprintf(program_options, sizeof program_options, "%s%s", resident ? " -DRESIDENT" : "",
-	         cpu ? " -DONE_GROUP -DCALLS" : "");
-	TRY(program_build(d->context, &d->device, program_options, opencl_program, opencl_program_length, &d->program));
-
 	for (int i = 0; i < STAGE_COUNT; ++i)
 		TRY(kernel_create(d, stage_names[i], stage_group(i), &d->stages[i]));
 	TRY(kernel_create(d, "narrow_phase_plain", STAGE_GROUP, &d->plain[PLAIN_NARROW_PHASE]));

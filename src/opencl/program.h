@@ -5,6 +5,8 @@
 #include "opencl/cache.h"
 #include "opencl/device.h"
 
+#define PROGRAM_OPTIONS 64 // bytes of the options that are given, at most
+
 // Builds text, which cmake/embed.cmake wrote, with options and those that equal bits need. The caller releases
 // *program. If the build fails, the messages of the compiler go to the log.
 scree_status program_build(cl_context context, const Device* device, const char* options, const char* text,

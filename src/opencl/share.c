@@ -119,7 +119,7 @@ void shared_close(OpenCl* d)
 			opencl.ReleaseMemObject(d->shared[use].memory);
 }
 
-scree_status context_open(OpenCl* d, const scree_opengl* opengl)
+scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 {
 	// a context shared with OpenGL if the user wants one and it works, else a plain one
 	cl_int error;
@@ -143,7 +143,6 @@ scree_status context_open(OpenCl* d, const scree_opengl* opengl)
 			return SCREE_OK;
 		}
 	}
-	d->backend->sharing = d->device.shares_memory ? SCREE_SHARING_MEMORY : SCREE_SHARING_COPIED;
 	d->context = opencl.CreateContext(plain, 1, &d->device.id, NULL, NULL, &error);
 	return opencl_check("clCreateContext", error);
 }

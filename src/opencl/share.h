@@ -5,7 +5,7 @@
 #include "opencl/state.h"
 
 // Creates the context of a device. It is shared with OpenGL if opengl is not null and the driver supports it.
-scree_status context_open(OpenCl* d, const scree_opengl* opengl);
+scree_status share_open_context(OpenCl* d, const scree_opengl* opengl);
 void shared_close(OpenCl* d);
 scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory);
 scree_status opencl_show(Backend* b, const Run* run);

@@ -189,8 +189,9 @@ typedef struct
 	Backend* backend; // its state is this
 	Device device;
 	cl_context context;
-	cl_command_queue queue; // in order
 	cl_program program;
+	int shared_context;     // 1 + its place in the list of context.c, 0 for a context of its own
+	cl_command_queue queue; // in order
 
 	// A buffer holds the pools of some kinds of items, those of one kind with the same room (pools/buffers.def). Kernels
 	// take buffers and rooms in the order in which pools.def names the kinds (cmake/embed.cmake).

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// context.c -- OpenCL contexts and the programs built in them, which the worlds of a process share.
+//
+// A program takes 0.2 s to build with PoCL, whenever it is built. So PoCL keeps it until the process ends; the memory of a GPU is
+// released with its last world. After any failure of OpenCL a new world gets a new context: the old one may be lost.
+#include "opencl/context.h"
+#include "opencl/program.h"
+#include "opencl/share.h"
+#include "platform/error.h"
+#include <stdatomic.h>
+#include <string.h>
+
+#define SHARED_CONTEXTS 8 // at a time; the worlds beyond have their own
+
+typedef struct
+{
+	cl_context context; // null: the slot is free
+	cl_program program;
+	cl_device_id device;
+	char options[PROGRAM_OPTIONS];
+	int worlds;   // that have it
+	int failures; // opencl_failures() when it was made
+	bool stays;   // also without a world
+} SharedContext;
+
+// written by cmake/embed.cmake
+extern const char opencl_program[];
+extern const size_t opencl_program_length;
+
+static SharedContext contexts[SHARED_CONTEXTS];
+static atomic_flag locked = ATOMIC_FLAG_INIT;
+
+static void lock(void)
+{
+	while (atomic_flag_test_and_set(&locked))
+		; // another thread reads or writes the list, for less than a microsecond
+}
+
+static void unlock(void) { atomic_flag_clear(&locked); }
+
+static void drop(SharedContext* shared)
+{
+	opencl.ReleaseProgram(shared->program);
+	opencl.ReleaseContext(shared->context);
+	*shared = (SharedContext){0};
+}
+
+static bool take(OpenCl* d, const char* options)
+{
+	bool taken = false;
+	lock();
+	for (int k = 0; k < SHARED_CONTEXTS; ++k)
+	{
+		SharedContext* shared = contexts + k;
+		bool lost = shared->failures != opencl_failures();
+		if (shared->context && lost && shared->worlds == 0)
+			drop(shared);
+		if (taken || !shared->context || lost || shared->device != d->device.id ||
+		    strcmp(shared->options, options) != 0)
+			continue;
+		++shared->worlds;
+		d->context = shared->context;
+		d->program = shared->program;
+		d->shared_context = 1 + k;
+		taken = true;
+	}
+	unlock();
+	return taken;
+}
+
+static void offer(OpenCl* d, const char* options, int failures)
+{
+	lock();
+	for (int k = 0; k < SHARED_CONTEXTS && d->shared_context == 0; ++k)
+	{
+		SharedContext* shared = contexts + k;
+		if (shared->context)
+			continue;
+		*shared = (SharedContext){.context = d->context,
+		                          .program = d->program,
+		                          .device = d->device.id,
+		                          .worlds = 1,
+		                          .failures = failures,
+		                          .stays = d->device.type & CL_DEVICE_TYPE_CPU};
+		memcpy(shared->options, options, strlen(options) + 1);
+		d->shared_context = 1 + k;
+	}
+	unlock();
+}
+
+scree_status context_open(OpenCl* d, const char* options, const scree_opengl* opengl)
+{
+	ASSERT(strlen(options) < PROGRAM_OPTIONS);
+	d->backend->sharing = d->device.shares_memory ? SCREE_SHARING_MEMORY : SCREE_SHARING_COPIED;
+	if (!opengl && take(d, options))
+		return SCREE_OK;
+	int failures = opencl_failures();
+	TRY(share_open_context(d, opengl));
+	TRY(program_build(d->context, &d->device, options, opencl_program, opencl_program_length, &d->program));
+	if (!opengl)
+		offer(d, options, failures);
+	return SCREE_OK;
+}
+
+void context_close(OpenCl* d)
+{
+	if (d->shared_context > 0)
+	{
+		lock();
+		SharedContext* shared = contexts + d->shared_context - 1;
+		if (--shared->worlds == 0 && (!shared->stays || shared->failures != opencl_failures()))
+			drop(shared);
+		unlock();
+		return;
+	}
+	if (d->program)
+		opencl.ReleaseProgram(d->program);
+	if (d->context)
+		opencl.ReleaseContext(d->context);
+}
