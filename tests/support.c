@@ -18,13 +18,6 @@ bool quick(void)
 	return value && strcmp(value, "1") == 0;
 }
 
-// Whether PoCL compiles the persistent kernel, which takes it a minute or more.
-static bool all_forms(void)
-{
-	const char* value = getenv("SCREE_FORMS");
-	return !value || strcmp(value, "0") != 0;
-}
-
 void skip_if_quick(void)
 {
 	if (!quick())
@@ -351,11 +344,8 @@ int list_ways(Way ways[MAX_WAYS])
 		if (strcmp(devices[k].name, "cpu") == 0 || !devices[k].equal_bits)
 			continue;
 		count = add_way(ways, count, devices[k].name, 0, 0, "0", NULL);
-		if (all_forms())
-		{
-			count = add_way(ways, count, devices[k].name, 0, 0, "1", "relay");
-			count = add_way(ways, count, devices[k].name, 0, 0, "1", "tiles");
-		}
+		count = add_way(ways, count, devices[k].name, 0, 0, "1", "relay");
+		count = add_way(ways, count, devices[k].name, 0, 0, "1", "tiles");
 		count = add_moving_way(ways, count, devices[k].name);
 	}
 	return count;

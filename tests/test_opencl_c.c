@@ -21,7 +21,7 @@ extern const size_t opencl_program_length;
 static void program_is_standard(void** state)
 {
 	(void)state;
-	static const char* const forms[] = {"", " -DRESIDENT", " -DRESIDENT -DONE_GROUP"};
+	static const char* const forms[] = {"", " -DRESIDENT", " -DRESIDENT -DPERSISTENT"};
 	if (system("clang --version >/dev/null 2>&1") != 0)
 	{
 		print_message("skipped: there is no clang\n");

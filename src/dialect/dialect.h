@@ -27,8 +27,8 @@
 #endif
 
 // Large parts of large kernels, without barriers. Where CALLS is defined they are calls: PoCL makes three copies of a kernel, and in
-// each of them three of what is between barriers that not all work-items reach, so that the persistent kernel took it minutes.
-// In WebAssembly, which a page downloads, they are calls, too.
+// each of them three of what is between barriers that not all work-items reach. In WebAssembly, which a page downloads, they are calls,
+// too.
 #if defined(CALLS) || defined(__EMSCRIPTEN__)
 #define OUT_OF_LINE static __attribute__((noinline))
 #else

@@ -16,9 +16,12 @@ INLINE int spread_warp(int items)
 	return spread;
 }
 STAGE_KERNEL(guard_plain, guard, (pools.step.rules = pools.step.asks = pools.step.material_pairs = 0), spread_warp)
-// Only for devices that keep several work-groups resident at once: these kernels take most of the compile time.
-#ifdef RESIDENT
+// Only for devices that keep several work-groups resident at once: these kernels take most of the compile time. Not for a CPU: it would
+// compile the first one for minutes; tests emulate it.
+#ifdef PERSISTENT
 #include "opencl/persistent.cl"
+#endif
+#ifdef RESIDENT
 #include "opencl/forms/registers.cl"
 #include "opencl/forms/relay.cl"
 #include "opencl/forms/relay_hub.cl"

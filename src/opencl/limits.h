@@ -15,22 +15,23 @@
 // distributed over the whole device. A body of usual size visits 4 to 8.
 #define WALK_NODES 12
 
-// Work-items per work-group of sort and scan: one per digit. All GPUs support 256.
+// Work-items per work-group of sort and scan: one per digit. All GPUs support 256. Tests with small worlds define it and the five
+// below before.
+#ifndef PRIMITIVE_GROUP
 #define PRIMITIVE_GROUP 256
-
 // Bits per pass of the sort. A pass costs two launches. 9 bits would double the local memory, beyond the 32 KiB that
 // OpenCL 1.2 guarantees.
 #define SORT_DIGIT_BITS 8
-#define SORT_DIGITS     (1 << SORT_DIGIT_BITS)
-// Work-groups of a pass. Each reads the table row of every other group: a pass reads their square times 1 KiB.
-#define SORT_BLOCKS 256
 // Keys per work-group, at least. With fewer, another group costs more than it saves.
 #define SORT_GRAIN 512
-
 // The persistent kernel sorts up to SORT_FEW keys in one pass: they fit in the local memory that holds the masks of a
 // pass. SORT_TEAM work-items compute the rank of a key.
 #define SORT_FEW  2048
 #define SORT_TEAM 32
+#endif
+#define SORT_DIGITS (1 << SORT_DIGIT_BITS)
+// Work-groups of a pass. Each reads the table row of every other group: a pass reads their square times 1 KiB.
+#define SORT_BLOCKS 256
 
 #define SCAN_BLOCKS 512
 // consecutive items that a work-item processes at a time

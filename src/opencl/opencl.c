@@ -147,7 +147,8 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 		TRY(kernel_bind(d, per, &d->plain[k]));
 	if (d->resident)
 	{
-		TRY(kernel_bind(d, per, &d->persistent.kernel));
+		if (d->persistent.kernel.kernel)
+			TRY(kernel_bind(d, per, &d->persistent.kernel));
 		TRY(relay_bind(d, per));
 		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));
@@ -221,9 +222,11 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Work-items per work-group of a stage.
-static size_t stage_group(int stage)
+// Work-items per work-group of a stage. A CPU does a branch with one: PoCL would compile the barriers of several for two minutes.
+static size_t stage_group(const OpenCl* d, int stage)
 {
+	if (stage_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
+		return 1;
 	if (stage == STAGE_guard)
 		return GUARD_GROUP;
 	return stage_widths[stage] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP;
@@ -250,8 +253,8 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	char program_options[PROGRAM_OPTIONS];
 	// where kernels are compiled at their first launch, those that are not launched cost nothing, and the others are compiled once
 	bool resident = d->resident || d->device.compiles_at_launch;
-	snprintf(program_options, sizeof program_options, "%s%s", resident ? " -DRESIDENT" : "",
-	         cpu ? " -DONE_GROUP -DCALLS" : "");
+	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
+	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
 	d->queue =
@@ -262,12 +265,13 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (options->timings)
 		TRY(timing_open(d));
 	for (int i = 0; i < STAGE_COUNT; ++i)
-		TRY(kernel_create(d, stage_names[i], stage_group(i), &d->stages[i]));
+		TRY(kernel_create(d, stage_names[i], stage_group(d, i), &d->stages[i]));
 	TRY(kernel_create(d, "narrow_phase_plain", STAGE_GROUP, &d->plain[PLAIN_NARROW_PHASE]));
 	TRY(kernel_create(d, "guard_plain", GUARD_GROUP, &d->plain[PLAIN_GUARD]));
 	if (d->resident)
 	{
-		TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
+		if (!cpu)
+			TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(relay_create(d));
 		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
@@ -282,7 +286,8 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(kernels_bind(d, (Per)i));
 	if (d->resident)
 	{
-		TRY(persistent_open(d));
+		if (!cpu)
+			TRY(persistent_open(d));
 		TRY(relay_open(d));
 	}
 	return finish(d);

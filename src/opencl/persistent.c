@@ -81,15 +81,13 @@ bool persistent_wanted(OpenCl* d)
 scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
-	// work-groups that are certainly resident at once: as many per compute unit as could form one largest group; a
-	// CPU runs groups one after the other, so it gets one; that suffices for tests.
+	// work-groups that are certainly resident at once: as many per compute unit as could form one largest group
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
 	if (own->kernel.group != PERSISTENT_GROUP)
 		return SCREE_OK;
-	own->groups = cpu ? 1 : d->device.about.units * (int)(most / own->kernel.group);
+	own->groups = d->device.about.units * (int)(most / own->kernel.group);
 	own->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
 	if (!own->listed)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");

@@ -18,14 +18,6 @@ enum
 	PRIMITIVE_SCAN
 };
 
-// Whether there may be several work-groups. Not on a CPU: its compiler takes many minutes for barriers under a
-// condition.
-#ifdef ONE_GROUP
-#define SEVERAL false
-#else
-#define SEVERAL true
-#endif
-
 typedef struct // device-wide
 {
 	volatile __global int* arrived; // counter of arrivals; keeps rising from launch to launch
@@ -45,7 +37,7 @@ INLINE bool device_barrier(DeviceBarrier* b)
 		DEVICE_FENCE();
 		atomic_inc(b->arrived);
 		int spins = b->spins;
-		while ((int)((uint)*b->arrived - (uint)b->arrivals) < 0 && spins > 0)
+		while ((int)((uint)read_shared(b->arrived) - (uint)b->arrivals) < 0 && spins > 0)
 			--spins;
 		if (spins <= 0)
 			*b->fault = FAULT_TIMEOUT;
@@ -63,7 +55,7 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	{
 		int spins = b->spins;
 		uint others = (uint)b->arrivals + (uint)get_num_groups(0) - 1u;
-		while ((int)((uint)*b->arrived - others) < 0 && spins > 0)
+		while ((int)((uint)read_shared(b->arrived) - others) < 0 && spins > 0)
 			--spins;
 		if (spins <= 0)
 			*b->fault = FAULT_TIMEOUT;
@@ -89,7 +81,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 // The barrier after a run: of the work-group if it runs alone, else device-wide.
 INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
-	if (!SEVERAL || !alone)
+	if (!alone)
 		return device_barrier(b);
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 	return true;
@@ -146,8 +138,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 	return true;
 }
 
-// Items of a run, one per work-item. Stages of one work-group per item, and rare ones, are launched by themselves: with the
-// former compilation for a CPU takes twice as long.
+// Items of a run, one per work-item. Stages of one work-group per item, and rare ones, are launched by themselves.
 #define CASE_ONE(name, p)                                \
 	case STAGE_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
@@ -157,23 +148,6 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 #define CASE_ALONE(name, p)
 #define CASE_GROUP(name, p)
 #define CASE_TEAM(name, p)
-
-// On PoCL the stages are a call, which returns whether the run is one of a stage. On an H200 the same function, inlined, made steps of
-// 10,000 boxes some 3 % longer than cases in the kernel.
-#ifdef CALLS
-OUT_OF_LINE bool stage_items(const Pools* p, Run run, int from, int end, int by)
-{
-	switch (run.stage)
-	{
-#define X(name, width, box) CASE_##width(name, p)
-#include "stages/stages.def"
-#undef X
-	default:
-		return false;
-	}
-	return true;
-}
-#endif
 
 // End of a run. Its bound may change until the next barrier.
 INLINE int run_end(Run run, const Pools* p)
@@ -245,14 +219,14 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 	Run mine = run_at(list, count, lane);
 	volatile __global int* header = list;
 	DeviceBarrier b = {header, &pools.counters->fault, &healthy, header[1], spins};
-	bool single = SEVERAL && get_num_groups(0) == 1, alone = single;
+	bool single = get_num_groups(0) == 1, alone = single;
 	for (int next = 0;;)
 	{
 		next = next_run(&pools, mine, next, count, &found, &chosen);
 		Run run = chosen;
 		int end = next < count ? run_end(run, &pools) : 0;
 		bool shares = next == count || !takes_one_group(run, end);
-		if (SEVERAL && alone && shares && !single)
+		if (alone && shares && !single)
 		{
 			if (lane == 0)
 				header[2] = next;
@@ -262,7 +236,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		}
 		if (next == count)
 			break;
-		if (SEVERAL && !alone && !shares)
+		if (!alone && !shares)
 		{
 			alone = get_group_id(0) == 0;
 			if (!(alone ? device_barrier_await(&b) : device_barrier(&b)))
@@ -276,11 +250,6 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		++next;
 		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
-#ifdef CALLS
-		if (!stage_items(&pools, run, from, end, by) &&
-		    !run_primitive(&pools, run, table, probes, &bench, &b, alone))
-			return;
-#else
 		switch (run.stage)
 		{
 #define X(name, width, box) CASE_##width(name, &pools)
@@ -290,7 +259,6 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 			if (!run_primitive(&pools, run, table, probes, &bench, &b, alone))
 				return;
 		}
-#endif
 		if (!alone && next == count)
 			break;
 		if (!run_barrier(&b, alone))

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define ITEM_GROUP  48        // work-items of a group that does an item of a stage
 #define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
 #define NEVER       (1 << 18) // reads of a mailbox: more than any wait needs
 
@@ -32,8 +33,9 @@ static Task task;
 static Kept mailboxes, parts;
 static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
 static Task laid_out;
-static bool stale;  // tiles must be laid out anew
-static bool pushed; // fields have changed forces since the last solve
+static int run_words[1024]; // header and runs of the persistent kernel
+static bool stale;          // tiles must be laid out anew
+static bool pushed;         // fields have changed forces since the last solve
 
 void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
 
@@ -61,6 +63,14 @@ static Word64* keep(Kept* kept, int count)
 		*kept = (Kept){calloc((size_t)count, sizeof *kept->words), count};
 	}
 	return kept->words;
+}
+
+static void take_pools(Backend* b, const Step* step)
+{
+#define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
+#include "pools/pools.def"
+#undef X
+	pools.step = *step;
 }
 
 static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
@@ -240,8 +250,65 @@ static scree_status solve_emulated(const Solve* solve)
 	return SCREE_OK;
 }
 
+// ---------------------------------------------------------------------------------------------------------------
+// the persistent kernel
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool left_out(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] >= WIDTH_ALONE; }
+
+// As persistent_run of src/opencl/persistent.c. The header of the list stays from launch to launch.
+static scree_status run_list(const Run* runs, int count)
+{
+	int largest = 1;
+	for (int k = 0; k < count; ++k)
+		largest = runs[k].end - runs[k].begin > largest ? runs[k].end - runs[k].begin : largest;
+	memcpy(run_words + persistent_header, runs, (size_t)count * sizeof *runs);
+	task = (Task){.pools = &pools, .list = run_words, .runs = count, .spins = form.spins ? form.spins : NEVER};
+	task.table = buffer(&solve_buffers, persistent_table, sizeof(int));
+	bool well = launch(KERNEL_persistent, least(groups_of(largest, persistent_group), form.groups), persistent_group);
+	let_go(&solve_buffers);
+	++form_counts.launches;
+	form_counts.runs += count;
+	if (!well)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	form_counts.fault = pools.counters->fault;
+	if (form_counts.fault)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
+	return SCREE_OK;
+}
+
+// Items of a stage of which each takes a group.
+static scree_status run_groups(const Run* run)
+{
+	task = (Task){.pools = &pools, .run = *run};
+	if (!launch(KERNEL_group_stage, least(run->end - run->begin, form.groups), ITEM_GROUP))
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	++form_counts.group_stages;
+	return SCREE_OK;
+}
+
+static scree_status run_persistent(Backend* b, const Step* step, const Run* runs, int count)
+{
+	take_pools(b, step);
+	for (int first = 0, end; first < count; first = end)
+	{
+		for (end = first; end < count && end - first < persistent_group && !left_out(runs + end);)
+			++end;
+		const Run* run = runs + first;
+		if (end > first)
+			TRY(run_list(run, end - first));
+		else if (end++, stage_widths[run->stage] == WIDTH_ALONE)
+			TRY(cpu->run(b, step, run, 1));
+		else if (run->end > run->begin)
+			TRY(run_groups(run));
+	}
+	return SCREE_OK;
+}
+
 static scree_status form_run(Backend* b, const Step* step, const Run* runs, int count)
 {
+	if (form.persistent)
+		return run_persistent(b, step, runs, count);
 	for (const Run* run = runs; run < runs + count; ++run)
 	{
 		stale |= run->stage == STAGE_command || run->stage == STAGE_tree_order;
@@ -253,12 +320,16 @@ static scree_status form_run(Backend* b, const Step* step, const Run* runs, int 
 static scree_status form_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
 	const KindLayout* layout = solve->counters->layout;
+	if (form.persistent)
+	{
+		solve_list(solve, list);
+		scree_status status = run_persistent(b, step, list->runs, list->count);
+		list->count = 0;
+		return status;
+	}
 	if ((form.tiles && solve->counters->hubs > 0) || layout[CONSTRAINT_JOINT].count[COLORS] > 0)
 		return cpu->solve(b, step, solve, list);
-#define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
-#include "pools/pools.def"
-#undef X
-	pools.step = *step;
+	take_pools(b, step);
 	TRY(solve_emulated(solve));
 	Run ends[2] = {
 	    {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)},
@@ -283,6 +354,8 @@ void form_take(scree_world* world, const Form* how)
 	functions.resize = form_resize;
 	b->f = &functions;
 	b->distant = how->ahead;
+	if (how->persistent)
+		b->chain_lanes = 1; // as on a device
 	form = *how;
 	form_close();
 	memset(&form_counts, 0, sizeof form_counts);

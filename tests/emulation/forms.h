@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// forms.h -- a world of the CPU whose solve is done by the relay or by the tiles, emulated (kernels.h).
+// forms.h -- a world of the CPU whose solve is done by the relay or by the tiles, or all of whose runs are done by the persistent kernel,
+// emulated (kernels.h).
 #ifndef EMULATION_FORMS_H
 #define EMULATION_FORMS_H
 #include "emulation/items.h"
@@ -9,6 +10,7 @@ typedef struct // how the solve is done
 {
 	const char* name;
 	bool tiles;      // else the relay
+	bool persistent; // neither: all runs by the persistent kernel, and no solve by either
 	int groups;      // that the device has room for, at most
 	int group;       // work-items of each, where there are hubs; else as many as the relay has
 	int hub_groups;  // of these take hubs, at most
@@ -27,6 +29,8 @@ typedef struct // since form_take
 	int registers, streamed;       // relays whose constraints stayed in registers, and did not
 	int spread;                    // the most work-items that a constraint had
 	int tiles, inner, border;      // the most tiles, constraints within them and between them
+	int launches, runs;            // of the persistent kernel; runs in them
+	int group_stages;              // launches of stages of which a group does an item
 	int kept;                      // solves with the tiles of the one before
 	int fault;                     // of the device, FAULT_*
 	int looks;                     // the most of a work-item whose group was shunned

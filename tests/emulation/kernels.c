@@ -4,6 +4,7 @@
 #include "emulation/opencl_words.h"
 #include "stages/program.h"
 #include "opencl/primitives.cl"
+#include "opencl/persistent.cl"
 #include "opencl/forms/registers.cl"
 #include "opencl/forms/relay_hub.cl"
 #include "opencl/forms/tile_pass.cl"
@@ -13,7 +14,32 @@
 
 const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_tickets = RELAY_TICKETS,
           stream_float4s = STREAM_FLOAT4S, tile_bodies = TILE_BODIES, tile_group = TILE_GROUP,
-          tile_columns = TILE_COLUMNS, fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
+          tile_columns = TILE_COLUMNS, persistent_group = PERSISTENT_GROUP, persistent_header = PERSISTENT_HEADER,
+          persistent_table = SORT_BLOCKS * SORT_DIGITS > SCAN_BLOCKS ? SORT_BLOCKS *SORT_DIGITS : SCAN_BLOCKS,
+          fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
+
+// Stages of which a group does an item, as GROUP_STAGE of src/dialect/opencl.h makes kernels of them.
+#define GROUP_ONE(name)
+#define GROUP_WIDE(name)
+#define GROUP_ALONE(name)
+#define GROUP_GROUP(name)               \
+	case STAGE_##name:                  \
+		name##_group(&pools, i, bench); \
+		break;
+#define GROUP_TEAM(name) GROUP_GROUP(name)
+static void group_stage(const Pools* given, Step step, Run run)
+{
+	__local float bench[GROUP_FLOATS];
+	Pools pools = {POOL_NAMES step, run.argument};
+	int end = run_end(run, &pools);
+	for (int i = run.begin + items_group(); i < end; i += items_groups())
+		switch (run.stage)
+		{
+#define X(name, width, box) GROUP_##width(name)
+#include "stages/stages.def"
+#undef X
+		}
+}
 
 #define CALL(name, ...)                              \
 	static void call_##name(const void* arguments)   \
@@ -32,6 +58,8 @@ RELAY(relay_joints)
 RELAY_HUBS(relay_hubs)
 RELAY_HUBS(relay_hubs_hinges)
 RELAY_HUBS(relay_hubs_joints)
+CALL(group_stage, t->run)
+CALL(persistent, t->list, t->runs, (uint*)t->table, t->probes, t->spins)
 CALL(solve_end, t->bodies, t->substeps, t->passes, t->bound)
 CALL(tile_settle, t->place, t->border, t->places, t->bound)
 CALL(tile_list, t->place, t->resident, t->places, t->bound, t->pushed)
@@ -85,6 +113,8 @@ static void (*const calls[KERNEL_COUNT])(const void* arguments) = {
     ENTRY(relay_hubs),
     ENTRY(relay_hubs_hinges),
     ENTRY(relay_hubs_joints),
+    ENTRY(group_stage),
+    ENTRY(persistent),
     ENTRY(solve_end),
     ENTRY(tile_settle),
     ENTRY(tile_list),

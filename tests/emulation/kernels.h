@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// kernels.h -- the kernels of the relay and of the tiles as functions that run all their work-items (items.h).
+// kernels.h -- the persistent kernel and those of the relay and of the tiles as functions that run all their work-items (items.h).
 #ifndef EMULATION_KERNELS_H
 #define EMULATION_KERNELS_H
 #include "emulation/items.h"
@@ -14,6 +14,10 @@ typedef struct // of all kernels that work on pools; each takes what it needs
 	// tiles
 	int *place, *border, *resident, *table, *total, *rank, *order;
 	int stride, tile_rows, places, q, begin, end;
+	// persistent
+	int *list, *probes;
+	int runs;
+	Run run;    // of group_stage
 	int pushed; // fields have changed forces since the last solve
 } Task;
 
@@ -26,6 +30,8 @@ typedef enum
 	KERNEL_relay_hubs,
 	KERNEL_relay_hubs_hinges,
 	KERNEL_relay_hubs_joints,
+	KERNEL_group_stage,
+	KERNEL_persistent,
 	KERNEL_solve_end,
 	KERNEL_tile_settle,
 	KERNEL_tile_list,
@@ -59,6 +65,6 @@ int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
 
 // what the host must know of the sizes of opencl/limits.h
 extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,
-    fault_timeout, fault_stale;
+    persistent_group, persistent_header, persistent_table, fault_timeout, fault_stale;
 
 #endif

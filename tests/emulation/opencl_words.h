@@ -8,9 +8,27 @@
 #include "stage_items.h"
 #include <stdbool.h>
 
+// as a device adds to the list
+#undef LIST_STAGE
+#define LIST_STAGE(name, list, length)                            \
+	INLINE int name##_listed(const Pools* p, int i);              \
+	INLINE void name##_item(const Pools* p, int i)                \
+	{                                                             \
+		if (name##_listed(p, i))                                  \
+			p->list[atomic_add_int(&p->counters->length, 1)] = i; \
+	}                                                             \
+	INLINE int name##_listed(const Pools* p, int i)
+
 // small enough for a small world to have several tiles; a group must have more work-items than there are colors
 #define TILE_BODIES 16
 #define TILE_GROUP  80
+
+// and for a small sort to take several groups and passes
+#define PRIMITIVE_GROUP 32
+#define SORT_DIGIT_BITS 5
+#define SORT_GRAIN      64
+#define SORT_FEW        32
+#define SORT_TEAM       8
 
 #if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wold-style-declaration" // volatile static
@@ -51,14 +69,20 @@ typedef Words ulong2;
 #define atomic_add(place, x) (items_turn(), __atomic_fetch_add(place, x, __ATOMIC_RELAXED))
 #define atomic_inc(place)    atomic_add(place, 1)
 #define atomic_or(place, x)  (items_turn(), __atomic_fetch_or(place, x, __ATOMIC_RELAXED))
+#define atomic_min(place, x) (items_turn(), *(place) = min(*(place), x))
+#define DEVICE_FENCE()       items_turn()
 #define read_shared(place)   (items_turn(), *(volatile int*)(place))
 
 #undef group_lane
 #undef group_width
 #undef group_meet
 #undef bench_meet
+#undef part_lane
+#undef part_width
 #define group_lane()  items_lane()
 #define group_width() items_group_size()
+#define part_lane()   group_lane()
+#define part_width()  group_width()
 #define group_meet()  barrier(0)
 #define bench_meet()  barrier(0)
 

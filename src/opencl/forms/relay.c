@@ -165,7 +165,8 @@ scree_status relay_bind(OpenCl* d, Per per)
 
 scree_status relay_open(OpenCl* d)
 {
-	if (d->persistent.groups == 0)
+	// a CPU has no persistent kernel; elsewhere its probe has found that work-groups are not resident at once
+	if (d->persistent.kernel.kernel && d->persistent.groups == 0)
 		return SCREE_OK;
 	for (int k = 0; k < RELAY_KERNELS; ++k)
 		TRY(count_groups(d, &d->relay.kernels[k]));

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// test_persistent.c -- the persistent kernel of OpenCL and stages that a group does together, compiled as C, with its work-items in turns that a seed decides.
+//
+// The formula: hash(persistent, seed, step) = hash(cpu, step), for each step. Where a turn never comes, all work-items end and report it.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "emulation/kernels.h"
+#include "emulation/scenes.h"
+#include <string.h>
+
+// One work-group needs no barrier with others; of several, the first does short runs alone.
+static const Form forms[] = {
+    {.name = "one group", .persistent = true, .groups = 1},
+    {.name = "two groups", .persistent = true, .groups = 2},
+    {.name = "five groups, ahead", .persistent = true, .groups = 5, .ahead = true},
+};
+
+static void all_runs_are_equal(void** state)
+{
+	(void)state;
+	int launches = 0, runs = 0, group_stages = 0;
+	for (int k = 0; k < (int)(sizeof forms / sizeof *forms); ++k)
+		for (int scene = 0; scene < form_scene_count; ++scene)
+			for (int seed = 1; seed <= form_seeds(k, scene); ++seed)
+			{
+				Form form = forms[k];
+				form.turns.seed = 1000003u * (uint64_t)seed + (uint64_t)k;
+				check_form(&form_scenes[scene], &form);
+				launches += form_counts.launches;
+				runs += form_counts.runs;
+				group_stages += form_counts.group_stages;
+			}
+	assert_true(runs > 8 * launches && launches > 0 && group_stages > 0);
+}
+
+// A group without turns keeps the others at the next barrier, until they give up.
+static void groups_that_stay_away_are_found(void** state)
+{
+	(void)state;
+	for (int group = 1; group <= 3; ++group)
+		check_fault("pyramid", (Form){.name = "persistent", .persistent = true, .groups = 3, .turns.shunned = group});
+}
+
+int main(void)
+{
+	int refused = check_refused();
+	const struct CMUnitTest tests[] = {cmocka_unit_test(all_runs_are_equal),
+	                                   cmocka_unit_test(groups_that_stay_away_are_found)};
+	return refused ? refused : cmocka_run_group_tests(tests, NULL, NULL);
+}
