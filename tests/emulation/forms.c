@@ -162,8 +162,8 @@ static bool lay_out(const Solve* solve)
 		task.end = solve_first(solve, color + 1);
 		well = task.begin == task.end || launch_over(KERNEL_tile_count, task.end - task.begin);
 	}
-	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) && launch(KERNEL_tile_begin, 1, 256) &&
-	       launch_over(KERNEL_tile_range, task.tile_rows + 2) &&
+	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) &&
+	       launch(KERNEL_tile_begin, 1, primitive_group) && launch_over(KERNEL_tile_range, task.tile_rows + 2) &&
 	       launch_over(KERNEL_tile_order, solve_constraints(solve));
 	laid_out = task;
 	stale = !well;
@@ -265,7 +265,7 @@ static scree_status run_list(const Run* runs, int count)
 	memcpy(run_words + persistent_header, runs, (size_t)count * sizeof *runs);
 	task = (Task){.pools = &pools, .list = run_words, .runs = count, .spins = form.spins ? form.spins : NEVER};
 	task.table = buffer(&solve_buffers, persistent_table, sizeof(int));
-	bool well = launch(KERNEL_persistent, least(groups_of(largest, persistent_group), form.groups), persistent_group);
+	bool well = launch(KERNEL_persistent, least(groups_of(largest, primitive_group), form.groups), primitive_group);
 	let_go(&solve_buffers);
 	++form_counts.launches;
 	form_counts.runs += count;
@@ -292,7 +292,7 @@ static scree_status run_persistent(Backend* b, const Step* step, const Run* runs
 	take_pools(b, step);
 	for (int first = 0, end; first < count; first = end)
 	{
-		for (end = first; end < count && end - first < persistent_group && !left_out(runs + end);)
+		for (end = first; end < count && end - first < primitive_group && !left_out(runs + end);)
 			++end;
 		const Run* run = runs + first;
 		if (end > first)

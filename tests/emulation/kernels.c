@@ -14,7 +14,7 @@
 
 const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_tickets = RELAY_TICKETS,
           stream_float4s = STREAM_FLOAT4S, tile_bodies = TILE_BODIES, tile_group = TILE_GROUP,
-          tile_columns = TILE_COLUMNS, persistent_group = PERSISTENT_GROUP, persistent_header = PERSISTENT_HEADER,
+          tile_columns = TILE_COLUMNS, primitive_group = PRIMITIVE_GROUP, persistent_header = PERSISTENT_HEADER,
           persistent_table = SORT_BLOCKS * SORT_DIGITS > SCAN_BLOCKS ? SORT_BLOCKS *SORT_DIGITS : SCAN_BLOCKS,
           fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
 

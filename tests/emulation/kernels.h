@@ -65,6 +65,6 @@ int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
 
 // what the host must know of the sizes of opencl/limits.h
 extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,
-    persistent_group, persistent_header, persistent_table, fault_timeout, fault_stale;
+    primitive_group, persistent_header, persistent_table, fault_timeout, fault_stale;
 
 #endif
