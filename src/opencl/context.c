@@ -38,15 +38,24 @@ static void lock(void)
 
 static void unlock(void) { atomic_flag_clear(&locked); }
 
-static void drop(SharedContext* shared)
+static void release(SharedContext gone)
 {
-	opencl.ReleaseProgram(shared->program);
-	opencl.ReleaseContext(shared->context);
+	opencl.ReleaseProgram(gone.program);
+	opencl.ReleaseContext(gone.context);
+}
+
+// Removes a context from the list. It is released without the lock, which may take long.
+static SharedContext pull(SharedContext* shared)
+{
+	SharedContext gone = *shared;
 	*shared = (SharedContext){0};
+	return gone;
 }
 
 static bool take(OpenCl* d, const char* options)
 {
+	SharedContext gone[SHARED_CONTEXTS];
+	int gone_count = 0;
 	bool taken = false;
 	lock();
 	for (int k = 0; k < SHARED_CONTEXTS; ++k)
@@ -54,7 +63,7 @@ static bool take(OpenCl* d, const char* options)
 		SharedContext* shared = contexts + k;
 		bool lost = shared->failures != opencl_failures();
 		if (shared->context && lost && shared->worlds == 0)
-			drop(shared);
+			gone[gone_count++] = pull(shared);
 		if (taken || !shared->context || lost || shared->device != d->device.id ||
 		    strcmp(shared->options, options) != 0)
 			continue;
@@ -65,6 +74,8 @@ static bool take(OpenCl* d, const char* options)
 		taken = true;
 	}
 	unlock();
+	while (gone_count > 0)
+		release(gone[--gone_count]);
 	return taken;
 }
 
@@ -106,11 +117,14 @@ void context_close(OpenCl* d)
 {
 	if (d->shared_context > 0)
 	{
+		SharedContext gone = {0};
 		lock();
 		SharedContext* shared = contexts + d->shared_context - 1;
 		if (--shared->worlds == 0 && (!shared->stays || shared->failures != opencl_failures()))
-			drop(shared);
+			gone = pull(shared);
 		unlock();
+		if (gone.context)
+			release(gone);
 		return;
 	}
 	if (d->program)
