@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_persistent.c -- the persistent kernel of OpenCL and stages that a group does together, compiled as C, with its work-items in turns that a seed decides.
+// test_persistent.c -- the persistent kernel of OpenCL and stages that a group does together, compiled as C, with work-items in turns
+// that a seed decides.
 //
 // The formula: hash(persistent, seed, step) = hash(cpu, step), for each step. Where a turn never comes, all work-items end and report it.
 #include <setjmp.h>
@@ -11,7 +12,6 @@
 
 #include "emulation/kernels.h"
 #include "emulation/scenes.h"
-#include <string.h>
 
 // One work-group needs no barrier with others; of several, the first does short runs alone.
 static const Form forms[] = {

@@ -694,8 +694,8 @@ typedef struct scree_mass
 // gets an attribute with another shape or density; it holds again after the body was of another type. When the center of mass changes,
 // each point of the body keeps its velocity: that of the new center is v + w x (new - old). Its mass is
 // 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. A step takes at least a thousandth of the
-// mass times the square of the longest arm for the inertia, that to a joint or to the end of a solid shape: with less, floats do not tell
-// what a joint or a contact holds. It fails with SCREE_ERROR_INVALID for a body that is not dynamic.
+// mass times the square of the longest arm for the inertia, that to a joint or to the end of a solid shape: with less, floats have
+// no digits left for the impulses of joints and contacts. It fails with SCREE_ERROR_INVALID for a body that is not dynamic.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,

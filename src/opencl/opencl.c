@@ -251,7 +251,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	char program_options[PROGRAM_OPTIONS];
-	// where kernels are compiled at their first launch, those that are not launched cost nothing, and the others are compiled once
+	// PoCL compiles a kernel at its first launch: one that is never launched costs nothing, so all worlds share the same program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
 	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");

@@ -31,8 +31,8 @@ void mass_set(scree_world* world, int body, scree_mass mass);
 void mass_own(scree_world* world, int body, scree_mass mass);
 
 // Recomputes the mass of each dynamic body among these, once per body, and sends what guard knows of the others; -1 stands for no
-// body. gained: they only got more collidables. Then the inertia is computed by the next mass_settle, which takes room for a command that edits_reserve always leaves: a body of
-// many collidables is made one by one, and the sum over all of them for each would take a time that grows with the square of their number.
+// body. gained: they only got more collidables. Then the inertia is computed by the next mass_settle, which takes room for a command
+// that edits_reserve always leaves: a body of many collidables is made one by one, and the sum over all of them for each would take a time that grows with the square of their number.
 void masses_update(scree_world* world, const int* bodies, int count, bool gained);
 
 // Computes the inertia that is not yet: before an upload, and before anything that reads it or a command that depends on it.

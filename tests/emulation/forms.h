@@ -29,7 +29,7 @@ typedef struct // since form_take
 	int registers, streamed;       // relays whose constraints stayed in registers, and did not
 	int spread;                    // the most work-items that a constraint had
 	int tiles, inner, border;      // the most tiles, constraints within them and between them
-	int launches, runs;            // of the persistent kernel; runs in them
+	int launches, runs;            // launches of the persistent kernel, and runs in them
 	int group_stages;              // launches of stages of which a group does an item
 	int kept;                      // solves with the tiles of the one before
 	int fault;                     // of the device, FAULT_*

@@ -17,7 +17,7 @@ typedef struct // of all kernels that work on pools; each takes what it needs
 	// persistent
 	int *list, *probes;
 	int runs;
-	Run run;    // of group_stage
+	Run run;    // the one that group_stage does
 	int pushed; // fields have changed forces since the last solve
 } Task;
 
